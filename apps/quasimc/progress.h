@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "quasimc/run_listener.h"
+#include "quasimc/run.h"
 
 /// Where the progress of a run is told.
 enum class ProgressLines {

@@ -15,7 +15,7 @@
 #include "light/models/source.h"
 #include "picture/sky_plot.h"
 #include "quasimc/quasimc.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 #include "show_colors.h"
 #include "text/numbers.h"
 #include "weather/civil_time_text.h"

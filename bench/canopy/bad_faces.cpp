@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "crops.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc::bench {
 namespace {

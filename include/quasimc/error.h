@@ -1,10 +1,14 @@
 #pragma once
 
-// What is wrong with an input, the exception that says so, and warnings.
+// What is wrong with an input, the exception that says so, and warnings; files that are read, and
+// where text goes that is written.
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -51,5 +55,17 @@ class Faults {
   private:
     std::vector<Fault> faults_;
 };
+
+/// A file that a run was made from.
+struct InputFile {
+    std::string path;      ///< as stated
+    std::string resolved;  ///< absolute
+    std::string sha256;    ///< of its bytes, 64 hexadecimal digits
+    std::uint64_t bytes = 0;
+    bool is_run_file = false;
+};
+
+/// Takes text in pieces.
+using TextSink = std::function<void(std::string_view)>;
 
 }  // namespace quasimc

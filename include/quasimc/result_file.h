@@ -4,17 +4,16 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result.h"
+#include "quasimc/run.h"
 #include "quasimc/run_file.h"
-#include "quasimc/run_listener.h"
 
 namespace quasimc {
 
@@ -69,10 +68,9 @@ class CsvWriter : public OutputWriter {
 
   private:
     void write_head(const Result* result);
+    template <typename Append>
     void write_rows(
-        const std::string& first,
-        const std::vector<OrganGroup>& groups,
-        const std::function<void(std::string&, std::size_t)>& append) const;
+        const std::string& first, const std::vector<OrganGroup>& groups, Append append) const;
 
     const RunFile* run_;
     TextSink sink_;

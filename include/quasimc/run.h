@@ -1,19 +1,20 @@
 #pragma once
 
-// Computing the light on every organ of a scene.
+// Computing the light on every organ of a scene, and of the scenes of a growing canopy; what a run
+// reports while it is computed.
 
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "quasimc/result.h"
-#include "quasimc/run_listener.h"
 #include "quasimc/run_spec.h"
 #include "quasimc/scene.h"
 #include "quasimc/share.h"
@@ -21,6 +22,81 @@
 #include "quasimc/sums.h"
 
 namespace quasimc {
+
+struct SeriesSum;      // quasimc/series.h
+struct SeriesSummary;  // quasimc/series.h
+struct RunSnapshot;    // src/run/run_state.h
+
+/// How far a run is.
+struct Progress {
+    double fraction = 0;            ///< of the current plan, 0..1
+    double seconds = 0;             ///< so far
+    double expected_seconds = 0;    ///< in all; grows when a target needs more rounds
+    double fraction_at_target = 0;  ///< of the organs, after the last round; 0 without a target
+};
+
+/// The result of one time of a series.
+struct TimeStepResult {
+    std::size_t time_step = 0;
+    const Result& result;
+    /// The time step whose computation this result was scaled from; itself if it was computed.
+    std::size_t computed = 0;
+};
+
+/// A run that rests between two of its tasks, or between two of its rounds.
+class RunSoFar {
+  public:
+    virtual ~RunSoFar() = default;
+    RunSoFar(const RunSoFar&) = delete;
+    RunSoFar& operator=(const RunSoFar&) = delete;
+
+    /// Index of the run in its series; 0 for a single run.
+    [[nodiscard]] virtual std::size_t time_step() const = 0;
+    /// Replicates that result() is made of. Within the first round these are the replicates that
+    /// are complete, within later rounds none.
+    [[nodiscard]] virtual std::size_t replicates() const = 0;
+    /// The result of these replicates, of which there must be two at least. Bit for bit that of a
+    /// run of so many replicates and paths.
+    [[nodiscard]] virtual Result result() const = 0;
+    /// The state of the run, for a checkpoint.
+    [[nodiscard]] virtual RunSnapshot snapshot() const = 0;
+
+  protected:
+    RunSoFar() = default;
+};
+
+/// Receives the events of runs. All functions are called from the thread that called run(), in the
+/// order of the list of listeners; each does nothing unless it is overridden. No listener changes
+/// a number.
+class RunListener {
+  public:
+    virtual ~RunListener() = default;
+
+    virtual void on_progress(const Progress& /*progress*/) {}
+    /// Whether a pause of the run is wanted now. It is asked after every task, and must cost next
+    /// to nothing.
+    [[nodiscard]] virtual bool wants_pause() { return false; }
+    /// The pause that wants_pause() asked for.
+    virtual void on_pause(const RunSoFar& /*run*/) {}
+    /// A round of a run is complete, and another follows.
+    virtual void on_round(const RunSoFar& /*run*/) {}
+    /// All rounds of a run are complete, or its time is up.
+    virtual void on_last_round(const RunSoFar& /*run*/) {}
+    virtual void on_time_step(const TimeStepResult& /*step*/) {}
+    /// The sum over a day. It is computed, and reported to listeners that want it, only if some
+    /// listener wants_days().
+    virtual void on_day(std::size_t /*day*/, const SeriesSum& /*sum*/) {}
+    virtual void on_end(const SeriesSummary& /*summary*/) {}
+
+    [[nodiscard]] virtual bool wants_days() const { return false; }
+    /// Whether SeriesSummary::total is to be computed. It is as well if there are no listeners.
+    [[nodiscard]] virtual bool wants_total() const { return false; }
+
+  protected:
+    RunListener() = default;
+    RunListener(const RunListener&) = default;
+    RunListener& operator=(const RunListener&) = default;
+};
 
 class StoredStates;  // src/run/run_state.h
 class RunTeam;       // src/run/run_team.h
@@ -184,6 +260,75 @@ class Simulator {
   private:
     friend struct SimulatorAccess;
     class State;
+    std::unique_ptr<State> state_;
+};
+
+/// The scenes of a growing canopy, one after the other, and their light. A step's result is bit for
+/// bit that of quasimc::run for a scene of the same organs in the same order.
+///
+/// What is kept from step to step: the organs, so that a step states what changes alone; the scene,
+/// if no organ changed; the acceleration structure, if no triangle, period or engine changed,
+/// whatever happens to optics, sources and options; the tables of samplers. When some triangle
+/// changed, the scene is put together and the acceleration structure is built anew, both in time in
+/// proportion to all triangles; what takes longest in the former, the search for triangles that lie
+/// on each other, looks at those that changed and what is near them
+/// (docs/develop/decisions/growth-steps.md).
+class GrowthSession {
+  public:
+    /// @param frame  bands, materials, ground, cell and all that stays; its organs, if any, come
+    ///        first and can't be changed. Its faults are told when the scene is built
+    explicit GrowthSession(SceneBuilder frame);
+    ~GrowthSession();
+    GrowthSession(GrowthSession&& other) noexcept;
+    GrowthSession& operator=(GrowthSession&& other) noexcept;
+
+    /// Replaces what is not an organ of the session: other optics, another ground.
+    /// @throws InputError  if one of its organs has the id of an organ of the session; nothing is
+    ///         replaced then
+    void set_frame(SceneBuilder frame);
+
+    /// Adds organs behind the others, all or, if one is refused, none. Without an id an organ gets
+    /// one more than the largest that the session and its frame ever had.
+    /// @returns their ids. @throws InputError  if the session or its frame has an organ of such an
+    ///          id, or two of these have the same, or SceneBuilder::check_organs() refuses one;
+    ///          with all faults at once
+    std::vector<std::int64_t> add(std::vector<OrganSpec> organs);
+    std::int64_t add(OrganSpec organ);
+    /// Puts organs in the places of those of the same ids, all or none. @throws InputError  if the
+    /// session has not all of them, one is stated twice, or SceneBuilder::check_organs() refuses
+    /// one
+    void change(std::vector<OrganSpec> organs);
+    void change(OrganSpec organ);
+    /// Removes organs, all or none. @throws InputError  if the session has not all of them, or one
+    /// is stated twice
+    void remove(std::span<const std::int64_t> ids);
+    void remove(std::int64_t id);
+    /// Whether the session has an organ of this id. Those of the frame do not count.
+    [[nodiscard]] bool has(std::int64_t id) const;
+    /// Organs of the session: those that were added and not removed, without those of the frame.
+    [[nodiscard]] std::size_t size() const;
+
+    /// The scene of this step. @throws InputError  as SceneBuilder::build; the session may be
+    ///         mended and used on
+    [[nodiscard]] std::shared_ptr<const Scene> scene();
+    /// What lint() says of the scene of this step. Looked for when it is first asked for after a
+    /// change, in time in proportion to all triangles; run() does not ask.
+    /// @throws InputError  as scene()
+    [[nodiscard]] const std::vector<Warning>& warnings();
+    /// The light of this step; as Simulator::run.
+    [[nodiscard]] Result run(
+        const Sources& sources, const RunSpec& spec, const RunControl& control = {});
+
+    /// Where organs stand in the scene and in its results, in the order asked.
+    /// @throws InputError  if one is not there
+    [[nodiscard]] std::vector<std::size_t> places_of(std::span<const std::int64_t> ids);
+
+    /// How often a scene, and how often an acceleration structure, had to be made.
+    [[nodiscard]] std::size_t scene_builds() const;
+    [[nodiscard]] std::size_t tree_builds() const;
+
+  private:
+    struct State;
     std::unique_ptr<State> state_;
 };
 

@@ -13,13 +13,12 @@
 #include <string_view>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "quasimc/scene.h"
 #include "quasimc/series.h"
 #include "quasimc/source.h"
-#include "quasimc/sun.h"
 
 namespace quasimc {
 

@@ -1,10 +1,12 @@
 #pragma once
 
-// Scenes: organs made of triangles and materials, and the builder that checks them.
+// Scenes: organs made of triangles and materials, detectors, and the builder that checks them.
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,13 +14,32 @@
 #include <utility>
 #include <vector>
 
-#include "quasimc/detector.h"
 #include "quasimc/error.h"
 #include "quasimc/material.h"
 #include "quasimc/mesh.h"
-#include "quasimc/vec3.h"
 
 namespace quasimc {
+
+/// A detector as a person states it. `quasimc list detectors` tells the types and what they take.
+struct DetectorSpec {
+    std::string type;       ///< "escaped_by_zenith"
+    std::string name = {};  ///< unique among the detectors of a scene; default: the type
+    /// By the names of the type's parameters; those left out have their usual values.
+    std::map<std::string, double, std::less<>> parameters = {};
+    std::string place = {};  ///< where it was stated, for messages; default: its name
+};
+
+/// What numbers a parameter takes.
+enum class NumberKind { real, whole };
+
+/// A number that a type of detector takes: a key in `[[detector]]`.
+struct DetectorParameter {
+    std::string_view name;
+    std::string_view summary;  ///< a few words for the manual
+    NumberKind kind = NumberKind::real;
+    double low = 0, high = 0;          ///< its domain, ends included
+    std::optional<double> usual = {};  ///< its value where none is stated; none: it must be stated
+};
 
 /// An index that can't be taken for another kind of index. `value` counts from 0.
 template <typename Tag>

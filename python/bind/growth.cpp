@@ -7,7 +7,7 @@
 
 #include "bind.h"
 #include "files/input_files.h"
-#include "quasimc/growth_session.h"
+#include "quasimc/run.h"
 #include "result.h"
 #include "run.h"
 #include "runfile/run_file.h"

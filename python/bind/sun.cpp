@@ -1,5 +1,3 @@
-#include "quasimc/sun.h"
-
 #include <optional>
 #include <string>
 
@@ -7,6 +5,7 @@
 
 #include "bind.h"
 #include "quasimc/error.h"
+#include "quasimc/source.h"
 #include "weather/civil_time_text.h"
 
 namespace quasimc::python {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

@@ -8,7 +8,6 @@
 
 #include "capi/statement.h"
 #include "quasimc/capi.h"
-#include "quasimc/growth_session.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "quasimc/scene.h"

@@ -6,7 +6,7 @@
 
 #include "base/angles.h"
 #include "light/daylight/clear_sky.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 namespace {

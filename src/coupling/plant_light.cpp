@@ -10,6 +10,7 @@
 
 #include "coupling/bounded_run.h"
 #include "coupling/step_files.h"
+#include "run/trace_plan.h"
 #include "scene/lint.h"
 #include "solvers/run_limits.h"
 
@@ -182,15 +183,15 @@ StepLight PlantLight::trace(
     for (std::uint32_t i = 0; i < shapes.size(); ++i) {
         light.organs[shapes[i].query] = i;
     }
-    RunSpec run = spec_.run;
-    run.seed += steps_;
+    TracePlan plan{.seed = spec_.run.seed + steps_};
     if (spec_.sensor_half_angle_deg) {
-        run.method = Method::from_organs;
+        plan.method = Method::from_organs;
         const auto sensors = std::count_if(
             shapes.begin(), shapes.end(), [](const PlacedShape& s) { return s.is_sensor; });
-        const std::uint64_t rays = run.paths * static_cast<std::uint64_t>(sensors);
+        const std::uint64_t rays = spec_.run.paths * static_cast<std::uint64_t>(sensors);
         // Each sensor has its own points of the set, and of a lattice a power of two of them.
-        run.paths = std::min(run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMostPaths);
+        plan.paths =
+            std::min(spec_.run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMostPaths);
     }
     Checking checking(check);
     std::vector<std::size_t> bands(spec_.band_count());
@@ -198,15 +199,16 @@ StepLight PlantLight::trace(
     const auto trace_some = [&](std::span<const std::size_t> some) {
         const Sources& sources = lighting_.sources[light.results.size()];
         light.scene.emplace(build_plant_scene(spec_, some, pass, shapes));
-        light.results.push_back(
-            run_bounded(simulator, *light.scene, sources, run, {.listeners = {&checking}}));
+        light.results.push_back(run_bounded(
+            simulator, *light.scene, sources, planned_spec(spec_.run, plan),
+            {.listeners = {&checking}}));
     };
     if (spec_.one_ray_per_spectrum) {
         trace_some(bands);
         return light;
     }
     for (const std::size_t& band : bands) {
-        run.seed += kBetweenBands;
+        *plan.seed += kBetweenBands;
         if (spec_.irradiance[band] > 0) {
             trace_some({&band, 1});
         } else {

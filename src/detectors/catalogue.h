@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "detectors/detector.h"
-#include "quasimc/detector.h"
 #include "quasimc/error.h"
+#include "quasimc/scene.h"
 
 namespace quasimc {
 

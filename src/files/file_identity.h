@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <span>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -8,7 +8,7 @@
 #include <system_error>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -9,7 +9,6 @@
 
 #include "files/atomic_file.h"
 #include "quasimc/error.h"
-#include "quasimc/file.h"
 
 namespace quasimc {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -10,7 +10,6 @@
 #include "geometry/mesh/mesh.h"
 #include "geometry/range_index.h"
 #include "quasimc/mesh.h"
-#include "quasimc/vec3.h"
 
 namespace quasimc {
 

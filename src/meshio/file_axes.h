@@ -1,6 +1,6 @@
 #pragma once
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

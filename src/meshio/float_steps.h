@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "quasimc/mesh.h"
-#include "quasimc/vec3.h"
 
 namespace quasimc {
 

@@ -11,7 +11,7 @@
 
 #include "files/input_files.h"
 #include "geometry/mesh/mesh.h"
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/mesh.h"
 #include "scene/scene.h"
 #include "text/table_reader.h"

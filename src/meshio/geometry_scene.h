@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "meshio/formats.h"
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "scene/scene.h"
 
 namespace quasimc {

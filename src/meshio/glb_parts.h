@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "files/spool.h"
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/mesh.h"
-#include "quasimc/vec3.h"
 #include "scene/scene.h"
 #include "text/json.h"
 

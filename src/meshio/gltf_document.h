@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "meshio/formats.h"
+#include "quasimc/mesh.h"
 #include "quasimc/scene.h"
-#include "quasimc/vec3.h"
 #include "text/document.h"
 
 namespace quasimc {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "text/document.h"
 #include "text/table_reader.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "meshio/formats.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

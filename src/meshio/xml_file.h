@@ -10,7 +10,7 @@
 #include <pugixml.hpp>
 
 #include "meshio/formats.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <string_view>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "quasimc/version.h"

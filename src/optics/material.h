@@ -9,7 +9,7 @@
 #include "base/vec3.h"
 #include "optics/side.h"
 #include "quasimc/material.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

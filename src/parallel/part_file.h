@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "files/sha256.h"
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "quasimc/sums.h"

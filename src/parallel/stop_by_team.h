@@ -3,7 +3,7 @@
 #include <stop_token>
 
 #include "base/executor.h"
-#include "quasimc/run_listener.h"
+#include "quasimc/run.h"
 #include "run/run_team.h"
 
 namespace quasimc {

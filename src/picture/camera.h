@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

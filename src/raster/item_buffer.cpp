@@ -83,27 +83,223 @@ class ItemDrawing {
   private:
     using Image = ItemBuffer::Image;
 
-    void set_grid();
+    void set_grid() {
+        const ProjectionPlane plane(
+            image_.scene_, view_.direction, view_.rotation, AlongPeriods::straight);
+        if (!(plane.size_s > 0 && plane.size_t > 0)) {
+            return;  // seen edge-on
+        }
+        // Squares, unless the scene is so narrow that there would be no end of them.
+        const double pitch = std::max(
+            std::sqrt(plane.size_s * plane.size_t / view_.pixels),
+            std::max(plane.size_s, plane.size_t) / view_.pixels);
+        const Rays x = rays_of(plane.size_s, plane.repeats_s, pitch);
+        const Rays y = rays_of(plane.size_t, plane.repeats_t, pitch);
+        image_.grid_ = {
+            .x = {plane.s / x.pitch, -plane.low_s / x.pitch - view_.shift_s},
+            .y = {plane.t / y.pitch, -plane.low_t / y.pitch - view_.shift_t},
+            .z = {plane.depth, 0},
+            .columns = x.count,
+            .rows = y.count,
+            .repeats_x = plane.repeats_s,
+            .repeats_y = plane.repeats_t,
+            .has_places = view_.with_points};
+        image_.columns_ = x.count;
+        image_.pixel_area_ = x.pitch * y.pitch * plane.area;
+    }
+
     [[nodiscard]] std::size_t pixels() const {
         return static_cast<std::size_t>(image_.grid_.columns * image_.grid_.rows);
     }
     /// Calls `draw(image, corners)` for all images of a triangle that may touch the grid.
     template <typename Draw>
-    void for_each_image(std::uint32_t triangle, const Draw& draw) const;
+    void for_each_image(std::uint32_t triangle, const Draw& draw) const {
+        const RasterGrid& grid = image_.grid_;
+        const auto columns = static_cast<double>(grid.columns),
+                   rows = static_cast<double>(grid.rows);
+        const ProjectedTriangle corners = image_.seen(triangle);
+        if (!grid.repeats_x && !grid.repeats_y) {
+            draw(Image{triangle, 0, 0}, corners);
+            return;
+        }
+        const auto [low, high] = std::minmax({corners.y[0], corners.y[1], corners.y[2]});
+        const Periods y = periods_of(low, high, rows, grid.repeats_y);
+        const auto [left, right] = std::minmax({corners.x[0], corners.x[1], corners.x[2]});
+        const Periods all_along_x = periods_of(left, right, columns, grid.repeats_x);
+        for (std::int32_t py = y.first; py <= y.last; ++py) {
+            const Periods x = grid.repeats_y
+                                  ? periods_in_row(corners, py, rows, columns, grid.repeats_x)
+                                  : all_along_x;
+            for (std::int32_t px = x.first; px <= x.last; ++px) {
+                const Image image{triangle, px, py};
+                draw(image, image_.moved(corners, image));
+            }
+        }
+    }
+
     /// Calls `span(first pixel, count, depth there, depth from pixel to pixel)` row by row.
     template <typename Span>
-    void rasterize(const ProjectedTriangle& corners, const Span& span) const;
-    void draw_opaque_triangles();
-    void draw_opaque(std::uint32_t triangle);
-    void draw_block(std::uint32_t first);
+    void rasterize(const ProjectedTriangle& c, const Span& span) const {
+        const std::uint32_t columns = image_.columns_;
+        const auto rows = static_cast<std::uint32_t>(image_.grid_.rows);
+        const auto within = [](double x, std::uint32_t end) {
+            return ceil_to_int(std::min(std::max(x, 0.0), static_cast<double>(end)));
+        };
+        const std::int32_t end = within(std::max({c.y[0], c.y[1], c.y[2]}), rows);
+        std::int32_t row = within(std::min({c.y[0], c.y[1], c.y[2]}), rows);
+        if (row >= end) {
+            return;
+        }
+        const double ax = c.x[1] - c.x[0];
+        const double ay = c.y[1] - c.y[0];
+        const double bx = c.x[2] - c.x[0];
+        const double by = c.y[2] - c.y[0];
+        const double twice_area = ax * by - ay * bx;
+        // Corners are told apart in single precision: what is thinner is seen edge-on.
+        constexpr double kEdgeOn = 0x1p-24;
+        if (std::abs(twice_area) <= kEdgeOn * (ax * ax + ay * ay + bx * bx + by * by)) {
+            return;
+        }
+        const double per_area = 1 / twice_area;
+        const double z_by_x = ((c.z[1] - c.z[0]) * by - (c.z[2] - c.z[0]) * ay) * per_area;
+        const double z_by_y = ((c.z[2] - c.z[0]) * ax - (c.z[1] - c.z[0]) * bx) * per_area;
+        const SidesByRow sides(c);
+        for (; row < end; ++row) {
+            const auto [left, right] = sides.at(row);
+            const std::int32_t first = within(left, columns);
+            const std::int32_t last = within(right, columns);
+            if (first < last) {
+                const double z = c.z[0] + (first - c.x[0]) * z_by_x + (row - c.y[0]) * z_by_y;
+                span(
+                    std::size_t{columns} * static_cast<std::size_t>(row) +
+                        static_cast<std::size_t>(first),
+                    last - first, static_cast<float>(z), static_cast<float>(z_by_x));
+            }
+        }
+    }
+
+    void draw_opaque_triangles() {
+        const ProjectedScene& scene = image_.scene_;
+        const bool is_open = !image_.grid_.repeats_x && !image_.grid_.repeats_y;
+        const std::uint32_t step = is_open ? kBlockLanes : 1;
+        for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); i += step) {
+            scene.check_stop();
+            if (is_open) {
+                draw_block(i);
+            } else if (scene.role(i) == VisibilityRole::opaque) {
+                draw_opaque(i);
+            }
+        }
+    }
+
+    void draw_opaque(std::uint32_t triangle) {
+        for_each_image(triangle, [&](const Image& image, const ProjectedTriangle& corners) {
+            const auto id = static_cast<std::int32_t>(scratch_.images_.size());
+            scratch_.spans_.clear();
+            float step = 0;
+            rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float z_step) {
+                scratch_.spans_.push_back({first, count, z});
+                step = z_step;
+            });
+            if (!scratch_.spans_.empty()) {
+                draw_.spans(buffer(), scratch_.spans_, step, id);
+                scratch_.images_.push_back(image);
+                scratch_.cosines_.push_back(image_.scene_.cosine(triangle, view_.direction));
+                if (view_.with_points) {
+                    const TrianglePlane plane(corners);
+                    scratch_.points_.push_back({plane.gradient(0, 1, 0), plane.gradient(0, 0, 1)});
+                }
+            }
+        });
+    }
+
+    /// Draws triangles from `first` on side by side, where nothing repeats itself: the same pixels
+    /// as draw_opaque() finds.
+    void draw_block(std::uint32_t first) {
+        const TriangleBlock block = block_of(image_.scene_, first);
+        BlockSpans& found = scratch_.spans_of_block_;
+        if (!loops_.set(block, image_.grid_, found)) {
+            return;
+        }
+        std::vector<Image>& images = scratch_.images_;
+        const std::size_t size = images.size();
+        const auto first_id = static_cast<std::int32_t>(size);
+        images.resize(size + kBlockLanes);
+        for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+            images[size + lane] = {first + lane, 0, 0};
+        }
+        scratch_.cosines_.resize(size + kBlockLanes);
+        loops_.cosines(block, view_.direction, &scratch_.cosines_[size]);
+        if (view_.with_points) {
+            add_points(found);
+        }
+        while (loops_.next(image_.grid_, found)) {
+            draw_.rows(buffer(), found, first_id);
+        }
+    }
+
     [[nodiscard]] DepthBuffer buffer() {
         return {scratch_.depths_.data(), scratch_.ids_.data(), image_.columns_};
     }
-    void add_points(const BlockSpans& block);
-    void find_runs();
-    void list_items();
-    void add_sensors();
-    void add_sensor(std::uint32_t triangle);
+    void add_points(const BlockSpans& block) {
+        const auto of_lane = [](const BlockGradient& all, std::size_t lane) {
+            return PlaneGradient{all.at[lane], all.by_x[lane], all.by_y[lane]};
+        };
+        for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+            scratch_.points_.push_back({of_lane(block.u, lane), of_lane(block.v, lane)});
+        }
+    }
+
+    void find_runs() {
+        std::vector<std::uint32_t>& ends = scratch_.ends_;
+        const auto count = static_cast<std::uint32_t>(pixels());
+        scratch_.ids_[count] = -1;  // ends the last
+        ends.resize(std::max<std::size_t>(ends.size(), count));
+        const std::size_t runs = draw_.run_ends(scratch_.ids_.data(), count, ends.data());
+        image_.run_ends_ = std::span(ends).first(runs);
+    }
+
+    /// Lists the images that are seen, without a branch for each: which of them are can't be
+    /// foreseen.
+    void list_items() {
+        const std::vector<Image>& images = scratch_.images_;
+        std::vector<std::uint32_t>& counts = scratch_.counts_;
+        counts.assign(images.size(), 0);
+        image_.ids_ = scratch_.ids_;
+        image_.for_each_run([&](const ItemBuffer::Run& run) { counts[run.id] += run.count; });
+        scratch_.items_.resize(images.size());
+        std::size_t size = 0;
+        for (std::uint32_t id = 1; id < images.size(); ++id) {
+            scratch_.items_[size] = {images[id].triangle, id, counts[id], scratch_.cosines_[id]};
+            size += counts[id] > 0 ? 1 : 0;
+        }
+        scratch_.items_.resize(size);
+    }
+
+    void add_sensors() {
+        const ProjectedScene& scene = image_.scene_;
+        for (std::uint32_t i = 0; !scene.roles.empty() && i < scene.mesh->triangle_count(); ++i) {
+            if (scene.role(i) == VisibilityRole::sensor) {
+                add_sensor(i);
+            }
+        }
+    }
+
+    void add_sensor(std::uint32_t triangle) {
+        std::uint32_t seen = 0;
+        for_each_image(triangle, [&](const Image&, const ProjectedTriangle& corners) {
+            rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
+                for (std::int32_t i = 0; i < count; ++i) {
+                    const std::size_t pixel = first + static_cast<std::size_t>(i);
+                    seen += z + step * static_cast<float>(i) < scratch_.depths_[pixel] ? 1 : 0;
+                }
+            });
+        });
+        if (seen > 0) {
+            scratch_.items_.push_back(
+                {triangle, 0, seen, image_.scene_.cosine(triangle, view_.direction)});
+        }
+    }
 
     const ItemBuffer::View& view_;
     ItemScratch& scratch_;
@@ -111,214 +307,6 @@ class ItemDrawing {
     DrawLoops draw_ = best_draw_loops();
     ItemBuffer image_;
 };
-
-void ItemDrawing::set_grid() {
-    const ProjectionPlane plane(
-        image_.scene_, view_.direction, view_.rotation, AlongPeriods::straight);
-    if (!(plane.size_s > 0 && plane.size_t > 0)) {
-        return;  // seen edge-on
-    }
-    // Squares, unless the scene is so narrow that there would be no end of them.
-    const double pitch = std::max(
-        std::sqrt(plane.size_s * plane.size_t / view_.pixels),
-        std::max(plane.size_s, plane.size_t) / view_.pixels);
-    const Rays x = rays_of(plane.size_s, plane.repeats_s, pitch);
-    const Rays y = rays_of(plane.size_t, plane.repeats_t, pitch);
-    image_.grid_ = {
-        .x = {plane.s / x.pitch, -plane.low_s / x.pitch - view_.shift_s},
-        .y = {plane.t / y.pitch, -plane.low_t / y.pitch - view_.shift_t},
-        .z = {plane.depth, 0},
-        .columns = x.count,
-        .rows = y.count,
-        .repeats_x = plane.repeats_s,
-        .repeats_y = plane.repeats_t,
-        .has_places = view_.with_points};
-    image_.columns_ = x.count;
-    image_.pixel_area_ = x.pitch * y.pitch * plane.area;
-}
-
-template <typename Draw>
-void ItemDrawing::for_each_image(std::uint32_t triangle, const Draw& draw) const {
-    const RasterGrid& grid = image_.grid_;
-    const auto columns = static_cast<double>(grid.columns), rows = static_cast<double>(grid.rows);
-    const ProjectedTriangle corners = image_.seen(triangle);
-    if (!grid.repeats_x && !grid.repeats_y) {
-        draw(Image{triangle, 0, 0}, corners);
-        return;
-    }
-    const auto [low, high] = std::minmax({corners.y[0], corners.y[1], corners.y[2]});
-    const Periods y = periods_of(low, high, rows, grid.repeats_y);
-    const auto [left, right] = std::minmax({corners.x[0], corners.x[1], corners.x[2]});
-    const Periods all_along_x = periods_of(left, right, columns, grid.repeats_x);
-    for (std::int32_t py = y.first; py <= y.last; ++py) {
-        const Periods x = grid.repeats_y
-                              ? periods_in_row(corners, py, rows, columns, grid.repeats_x)
-                              : all_along_x;
-        for (std::int32_t px = x.first; px <= x.last; ++px) {
-            const Image image{triangle, px, py};
-            draw(image, image_.moved(corners, image));
-        }
-    }
-}
-
-template <typename Span>
-void ItemDrawing::rasterize(const ProjectedTriangle& c, const Span& span) const {
-    const std::uint32_t columns = image_.columns_;
-    const auto rows = static_cast<std::uint32_t>(image_.grid_.rows);
-    const auto within = [](double x, std::uint32_t end) {
-        return ceil_to_int(std::min(std::max(x, 0.0), static_cast<double>(end)));
-    };
-    const std::int32_t end = within(std::max({c.y[0], c.y[1], c.y[2]}), rows);
-    std::int32_t row = within(std::min({c.y[0], c.y[1], c.y[2]}), rows);
-    if (row >= end) {
-        return;
-    }
-    const double ax = c.x[1] - c.x[0];
-    const double ay = c.y[1] - c.y[0];
-    const double bx = c.x[2] - c.x[0];
-    const double by = c.y[2] - c.y[0];
-    const double twice_area = ax * by - ay * bx;
-    // Corners are told apart in single precision: what is thinner is seen edge-on.
-    constexpr double kEdgeOn = 0x1p-24;
-    if (std::abs(twice_area) <= kEdgeOn * (ax * ax + ay * ay + bx * bx + by * by)) {
-        return;
-    }
-    const double per_area = 1 / twice_area;
-    const double z_by_x = ((c.z[1] - c.z[0]) * by - (c.z[2] - c.z[0]) * ay) * per_area;
-    const double z_by_y = ((c.z[2] - c.z[0]) * ax - (c.z[1] - c.z[0]) * bx) * per_area;
-    const SidesByRow sides(c);
-    for (; row < end; ++row) {
-        const auto [left, right] = sides.at(row);
-        const std::int32_t first = within(left, columns);
-        const std::int32_t last = within(right, columns);
-        if (first < last) {
-            const double z = c.z[0] + (first - c.x[0]) * z_by_x + (row - c.y[0]) * z_by_y;
-            span(
-                std::size_t{columns} * static_cast<std::size_t>(row) +
-                    static_cast<std::size_t>(first),
-                last - first, static_cast<float>(z), static_cast<float>(z_by_x));
-        }
-    }
-}
-
-void ItemDrawing::draw_opaque_triangles() {
-    const ProjectedScene& scene = image_.scene_;
-    const bool is_open = !image_.grid_.repeats_x && !image_.grid_.repeats_y;
-    const std::uint32_t step = is_open ? kBlockLanes : 1;
-    for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); i += step) {
-        scene.check_stop();
-        if (is_open) {
-            draw_block(i);
-        } else if (scene.role(i) == VisibilityRole::opaque) {
-            draw_opaque(i);
-        }
-    }
-}
-
-void ItemDrawing::draw_opaque(std::uint32_t triangle) {
-    for_each_image(triangle, [&](const Image& image, const ProjectedTriangle& corners) {
-        const auto id = static_cast<std::int32_t>(scratch_.images_.size());
-        scratch_.spans_.clear();
-        float step = 0;
-        rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float z_step) {
-            scratch_.spans_.push_back({first, count, z});
-            step = z_step;
-        });
-        if (!scratch_.spans_.empty()) {
-            draw_.spans(buffer(), scratch_.spans_, step, id);
-            scratch_.images_.push_back(image);
-            scratch_.cosines_.push_back(image_.scene_.cosine(triangle, view_.direction));
-            if (view_.with_points) {
-                const TrianglePlane plane(corners);
-                scratch_.points_.push_back({plane.gradient(0, 1, 0), plane.gradient(0, 0, 1)});
-            }
-        }
-    });
-}
-
-/// Draws triangles from `first` on side by side, where nothing repeats itself: the same pixels as
-/// draw_opaque() finds.
-void ItemDrawing::draw_block(std::uint32_t first) {
-    const TriangleBlock block = block_of(image_.scene_, first);
-    BlockSpans& found = scratch_.spans_of_block_;
-    if (!loops_.set(block, image_.grid_, found)) {
-        return;
-    }
-    std::vector<Image>& images = scratch_.images_;
-    const std::size_t size = images.size();
-    const auto first_id = static_cast<std::int32_t>(size);
-    images.resize(size + kBlockLanes);
-    for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-        images[size + lane] = {first + lane, 0, 0};
-    }
-    scratch_.cosines_.resize(size + kBlockLanes);
-    loops_.cosines(block, view_.direction, &scratch_.cosines_[size]);
-    if (view_.with_points) {
-        add_points(found);
-    }
-    while (loops_.next(image_.grid_, found)) {
-        draw_.rows(buffer(), found, first_id);
-    }
-}
-
-void ItemDrawing::add_points(const BlockSpans& block) {
-    const auto of_lane = [](const BlockGradient& all, std::size_t lane) {
-        return PlaneGradient{all.at[lane], all.by_x[lane], all.by_y[lane]};
-    };
-    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-        scratch_.points_.push_back({of_lane(block.u, lane), of_lane(block.v, lane)});
-    }
-}
-
-void ItemDrawing::find_runs() {
-    std::vector<std::uint32_t>& ends = scratch_.ends_;
-    const auto count = static_cast<std::uint32_t>(pixels());
-    scratch_.ids_[count] = -1;  // ends the last
-    ends.resize(std::max<std::size_t>(ends.size(), count));
-    const std::size_t runs = draw_.run_ends(scratch_.ids_.data(), count, ends.data());
-    image_.run_ends_ = std::span(ends).first(runs);
-}
-
-/// Lists the images that are seen, without a branch for each: which of them are can't be foreseen.
-void ItemDrawing::list_items() {
-    const std::vector<Image>& images = scratch_.images_;
-    std::vector<std::uint32_t>& counts = scratch_.counts_;
-    counts.assign(images.size(), 0);
-    image_.ids_ = scratch_.ids_;
-    image_.for_each_run([&](const ItemBuffer::Run& run) { counts[run.id] += run.count; });
-    scratch_.items_.resize(images.size());
-    std::size_t size = 0;
-    for (std::uint32_t id = 1; id < images.size(); ++id) {
-        scratch_.items_[size] = {images[id].triangle, id, counts[id], scratch_.cosines_[id]};
-        size += counts[id] > 0 ? 1 : 0;
-    }
-    scratch_.items_.resize(size);
-}
-
-void ItemDrawing::add_sensors() {
-    const ProjectedScene& scene = image_.scene_;
-    for (std::uint32_t i = 0; !scene.roles.empty() && i < scene.mesh->triangle_count(); ++i) {
-        if (scene.role(i) == VisibilityRole::sensor) {
-            add_sensor(i);
-        }
-    }
-}
-
-void ItemDrawing::add_sensor(std::uint32_t triangle) {
-    std::uint32_t seen = 0;
-    for_each_image(triangle, [&](const Image&, const ProjectedTriangle& corners) {
-        rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float step) {
-            for (std::int32_t i = 0; i < count; ++i) {
-                const std::size_t pixel = first + static_cast<std::size_t>(i);
-                seen += z + step * static_cast<float>(i) < scratch_.depths_[pixel] ? 1 : 0;
-            }
-        });
-    });
-    if (seen > 0) {
-        scratch_.items_.push_back(
-            {triangle, 0, seen, image_.scene_.cosine(triangle, view_.direction)});
-    }
-}
 
 ItemBuffer draw(const ProjectedScene& scene, const ItemBuffer::View& view, ItemScratch& scratch) {
     EXPECT(view.pixels >= 1);

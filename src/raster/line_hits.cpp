@@ -144,14 +144,199 @@ class LineHitFinder {
   private:
     using Hit = LineHits::Hit;
 
-    void set_grid(const ProjectedScene& scene, const LineHits::Spec& spec);
-    void set_square_rows(const ProjectionPlane& plane, const LineHits::Spec& spec, double lines);
-    void draw_block(std::size_t block);
-    void draw_span(const LineTriangle& triangle, std::size_t lane, std::size_t span);
+    /// Across an open scene lines stand on squares. Along the periods of a periodic one there is a
+    /// whole number of them.
+    void set_grid(const ProjectedScene& scene, const LineHits::Spec& spec) {
+        const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
+        if (!(plane.size_s > 0 && plane.size_t > 0)) {
+            return;  // seen edge-on
+        }
+        grid_.repeats_x = plane.repeats_s;
+        grid_.repeats_y = plane.repeats_t;
+        const double area = plane.size_s * plane.size_t * plane.area;
+        const double lines = std::clamp(area / spec.line_area, 1.0, kMostLines);
+        if (grid_.repeats_x && grid_.repeats_y) {
+            set_square_rows(plane, spec, lines);
+            return;
+        }
+        const double pitch = std::max(
+            std::sqrt(plane.size_s * plane.size_t / lines),
+            std::max(plane.size_s, plane.size_t) / lines);
+        const auto steps = [&](double size, bool repeats) {
+            return std::max(1.0, repeats ? std::round(size / pitch) : std::ceil(size / pitch));
+        };
+        const double across = steps(plane.size_s, grid_.repeats_x);
+        const double up = steps(plane.size_t, grid_.repeats_y);
+        const double pitch_x = grid_.repeats_x ? plane.size_s / across : pitch;
+        const double pitch_y = grid_.repeats_y ? plane.size_t / up : pitch;
+        grid_.columns = static_cast<std::int64_t>(across);
+        grid_.rows = static_cast<std::int64_t>(up);
+        grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
+        grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
+        grid_.z = {plane.depth, 0};
+        found_.line_area_ = pitch_x * pitch_y * plane.area;
+    }
+
+    /// Of a layer without end: as many columns as make squares across the beam, not on the
+    /// horizontal, and each row so far beside the last that these are squares, not rhombs.
+    void set_square_rows(const ProjectionPlane& plane, const LineHits::Spec& spec, double lines) {
+        // Steps along s and t on the horizontal, as seen across the beam.
+        const Vec3 s{plane.s.x, plane.s.y, 0};
+        const Vec3 t{plane.t.x, plane.t.y, 0};
+        const double along_s = dot(s, spec.direction);
+        const double ss = dot(s, s) - along_s * along_s;
+        const double st = dot(s, t) - along_s * dot(t, spec.direction);
+        const double side = std::sqrt(plane.size_s * plane.size_t * plane.area / lines);
+        const double across =
+            std::clamp(std::round(plane.size_s * std::sqrt(ss) / side), 1.0, std::floor(lines));
+        const double up = std::max(1.0, std::round(lines / across));
+        grid_.columns = static_cast<std::int64_t>(across);
+        grid_.rows = static_cast<std::int64_t>(up);
+        const double pitch_x = plane.size_s / across;
+        const double pitch_y = plane.size_t / up;
+        grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
+        grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
+        grid_.z = {plane.depth, 0};
+        grid_.row_shift = ss > 0 ? -pitch_y * st / ss / pitch_x : 0;
+        found_.line_area_ = pitch_x * pitch_y * plane.area;
+    }
+
+    void draw_block(std::size_t block) {
+        const TriangleBlock& corners = triangles_.corners[block];
+        BlockSpans& spans = scratch_.spans_;
+        if (!loops_.set(corners, grid_, spans)) {
+            return;
+        }
+        std::uint32_t* counts = &scratch_.counts_[block * kBlockLanes];
+        const LineTriangle* each = &triangles_.each[block * kBlockLanes];
+        // Light comes to the lower side if the corners turn to the left, seen along it.
+        BlockPatches patches = triangles_.patches[block];
+        for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+            patches.passed[lane] |= (spans.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
+        }
+        const std::uint32_t plain = triangles_.plain[block];
+        while (loops_.next(grid_, spans)) {
+            std::size_t places = 0;
+            spans.for_each([&](std::size_t lane, std::size_t span) {
+                const LineTriangle& triangle = each[lane];
+                const auto count = static_cast<std::uint32_t>(spans.last[span] - spans.first[span]);
+                if ((plain >> lane & 1U) != 0) {
+                    places += count;
+                } else if (
+                    !(triangle.least_cosine > 0) ||
+                    is_in_view(corners, lane, double{triangle.least_cosine}, direction_)) {
+                    draw_span(triangle, lane, span);
+                } else {
+                    return;
+                }
+                counts[lane] += count;
+            });
+            reserve(places);
+            found_.size_ += loops_.place(
+                grid_, spans, patches, plain,
+                {scratch_.lines_.data() + found_.size_, scratch_.keys_.data() + found_.size_});
+        }
+    }
+
+    void draw_span(const LineTriangle& triangle, std::size_t lane, std::size_t span) {
+        const BlockSpans& spans = scratch_.spans_;
+        const auto gradient = [lane](const BlockGradient& g) {
+            return PlaneGradient{g.at[lane], g.by_x[lane], g.by_y[lane]};
+        };
+        const PlaneGradient of_depth = gradient(spans.depth);
+        const PlaneGradient of_u = gradient(spans.u), of_v = gradient(spans.v);
+        const double y = spans.y[span], shift = spans.shift[span];
+        const double z = of_depth.at + of_depth.by_y * y;
+        const double u = of_u.at + of_u.by_y * y;
+        const double v = of_v.at + of_v.by_y * y;
+        const double low = spans.low_depth[lane], high = spans.high_depth[lane];
+        // Light comes to the lower side if the corners turn to the left, seen along it.
+        const Hit lower = (spans.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
+        const Hit passed = first_passed(triangle) | lower;
+        const auto first = static_cast<std::int64_t>(spans.first[span]);
+        const auto last = static_cast<std::int64_t>(spans.last[span]);
+        const auto row_begin = static_cast<std::int64_t>(spans.in_row[span]) * grid_.columns;
+        std::int64_t line = grid_.repeats_x ? wrapped(first, grid_.columns) : first;
+        reserve(static_cast<std::size_t>(last - first));
+        std::uint32_t* next_line = scratch_.lines_.data() + found_.size_;
+        std::uint64_t* next_key = scratch_.keys_.data() + found_.size_;
+        found_.size_ += static_cast<std::size_t>(last - first);
+        for (std::int64_t column = first; column < last; ++column) {
+            const double x = static_cast<double>(column) + shift;
+            const double depth = std::clamp(z + of_depth.by_x * x, low, high);
+            std::uint32_t part = 0;
+            if (triangle.level > 0) {
+                const double at_u = u + of_u.by_x * x;
+                const double at_v = v + of_v.by_x * x;
+                part = TriangleParts(triangle.level).at(at_u, at_v);
+                part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
+            }
+            *next_line++ = static_cast<std::uint32_t>(row_begin + line);
+            *next_key++ = depth_key(static_cast<float>(depth), passed + 2 * part);
+            ++line;
+            line = line == grid_.columns && grid_.repeats_x ? 0 : line;
+        }
+    }
+
     /// Makes room for `more` hits.
-    void reserve(std::size_t more);
-    void sort_lines();
-    void sort_sparse_lines();
+    void reserve(std::size_t more) {
+        if (scratch_.keys_.size() < found_.size_ + more) {
+            scratch_.lines_.resize(2 * found_.size_ + more);
+            scratch_.keys_.resize(scratch_.lines_.size());
+        }
+    }
+
+    /// Sorts hits by line, and along each by depth.
+    void sort_lines() {
+        const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
+        const std::size_t size = found_.size_;
+        std::vector<std::uint64_t>& sorted = scratch_.sorted_;
+        std::vector<Hit>& hits = scratch_.hits_;
+        if (hits.size() < size + LineHits::kReadAhead) {
+            hits.resize(scratch_.keys_.size() + LineHits::kReadAhead);
+            sorted.resize(scratch_.keys_.size());
+        }
+        if (lines > kSparse * size + kSparse) {
+            sort_sparse_lines();
+            return;
+        }
+        std::vector<std::uint32_t>& first = scratch_.first_;
+        first.assign(lines + 1, 0);
+        for (std::size_t i = 0; i < size; ++i) {
+            ++first[scratch_.lines_[i]];
+        }
+        std::uint32_t end = 0;
+        for (std::uint32_t& each : first) {
+            end += each;
+            each = end;
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            sorted[--first[scratch_.lines_[i]]] = scratch_.keys_[i];
+        }
+        for (std::size_t line = 0; line < lines; ++line) {
+            sort_keys(sorted.data() + first[line], first[line + 1] - first[line]);
+        }
+        for (std::size_t i = 0; i < size; ++i) {
+            hits[i] = static_cast<Hit>(sorted[i]);
+        }
+    }
+
+    void sort_sparse_lines() {
+        const std::vector<std::uint32_t>& lines = scratch_.lines_;
+        const std::vector<std::uint64_t>& keys = scratch_.keys_;
+        std::vector<std::uint32_t> order(found_.size_);
+        std::iota(order.begin(), order.end(), 0U);
+        std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return lines[a] != lines[b] ? lines[a] < lines[b] : keys[a] < keys[b];
+        });
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (i == 0 || lines[order[i]] != lines[order[i - 1]]) {
+                scratch_.first_.push_back(static_cast<std::uint32_t>(i));
+            }
+            scratch_.hits_[i] = static_cast<Hit>(keys[order[i]]);
+        }
+        scratch_.first_.push_back(static_cast<std::uint32_t>(order.size()));
+    }
 
     const LineTriangles& triangles_;
     Vec3 direction_;
@@ -161,193 +346,6 @@ class LineHitFinder {
     bool is_turned_ = false;  // grid and direction are no right-handed frame
     LineHits found_;
 };
-
-/// Across an open scene lines stand on squares. Along the periods of a periodic one there is a
-/// whole number of them.
-void LineHitFinder::set_grid(const ProjectedScene& scene, const LineHits::Spec& spec) {
-    const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
-    if (!(plane.size_s > 0 && plane.size_t > 0)) {
-        return;  // seen edge-on
-    }
-    grid_.repeats_x = plane.repeats_s;
-    grid_.repeats_y = plane.repeats_t;
-    const double area = plane.size_s * plane.size_t * plane.area;
-    const double lines = std::clamp(area / spec.line_area, 1.0, kMostLines);
-    if (grid_.repeats_x && grid_.repeats_y) {
-        set_square_rows(plane, spec, lines);
-        return;
-    }
-    const double pitch = std::max(
-        std::sqrt(plane.size_s * plane.size_t / lines),
-        std::max(plane.size_s, plane.size_t) / lines);
-    const auto steps = [&](double size, bool repeats) {
-        return std::max(1.0, repeats ? std::round(size / pitch) : std::ceil(size / pitch));
-    };
-    const double across = steps(plane.size_s, grid_.repeats_x);
-    const double up = steps(plane.size_t, grid_.repeats_y);
-    const double pitch_x = grid_.repeats_x ? plane.size_s / across : pitch;
-    const double pitch_y = grid_.repeats_y ? plane.size_t / up : pitch;
-    grid_.columns = static_cast<std::int64_t>(across);
-    grid_.rows = static_cast<std::int64_t>(up);
-    grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
-    grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
-    grid_.z = {plane.depth, 0};
-    found_.line_area_ = pitch_x * pitch_y * plane.area;
-}
-
-/// Of a layer without end: as many columns as make squares across the beam, not on the horizontal,
-/// and each row so far beside the last that these are squares, not rhombs.
-void LineHitFinder::set_square_rows(
-    const ProjectionPlane& plane, const LineHits::Spec& spec, double lines) {
-    // Steps along s and t on the horizontal, as seen across the beam.
-    const Vec3 s{plane.s.x, plane.s.y, 0};
-    const Vec3 t{plane.t.x, plane.t.y, 0};
-    const double along_s = dot(s, spec.direction);
-    const double ss = dot(s, s) - along_s * along_s;
-    const double st = dot(s, t) - along_s * dot(t, spec.direction);
-    const double side = std::sqrt(plane.size_s * plane.size_t * plane.area / lines);
-    const double across =
-        std::clamp(std::round(plane.size_s * std::sqrt(ss) / side), 1.0, std::floor(lines));
-    const double up = std::max(1.0, std::round(lines / across));
-    grid_.columns = static_cast<std::int64_t>(across);
-    grid_.rows = static_cast<std::int64_t>(up);
-    const double pitch_x = plane.size_s / across;
-    const double pitch_y = plane.size_t / up;
-    grid_.x = {plane.s / pitch_x, -plane.low_s / pitch_x - spec.shift_s};
-    grid_.y = {plane.t / pitch_y, -plane.low_t / pitch_y - spec.shift_t};
-    grid_.z = {plane.depth, 0};
-    grid_.row_shift = ss > 0 ? -pitch_y * st / ss / pitch_x : 0;
-    found_.line_area_ = pitch_x * pitch_y * plane.area;
-}
-
-void LineHitFinder::draw_block(std::size_t block) {
-    const TriangleBlock& corners = triangles_.corners[block];
-    if (!loops_.set(corners, grid_, scratch_.spans_)) {
-        return;
-    }
-    const LineTriangle* each = &triangles_.each[block * kBlockLanes];
-    // Light comes to the lower side if the corners turn to the left, seen along it.
-    BlockPatches patches = triangles_.patches[block];
-    for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-        patches.passed[lane] |= (scratch_.spans_.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
-    }
-    const std::uint32_t plain = triangles_.plain[block];
-    while (loops_.next(grid_, scratch_.spans_)) {
-        std::size_t places = 0;
-        scratch_.spans_.for_each([&](std::size_t lane, std::size_t span) {
-            const LineTriangle& triangle = each[lane];
-            const auto count = static_cast<std::uint32_t>(
-                scratch_.spans_.last[span] - scratch_.spans_.first[span]);
-            if ((plain >> lane & 1U) != 0) {
-                places += count;
-            } else if (
-                !(triangle.least_cosine > 0) ||
-                is_in_view(corners, lane, double{triangle.least_cosine}, direction_)) {
-                draw_span(triangle, lane, span);
-            } else {
-                return;
-            }
-            scratch_.counts_[block * kBlockLanes + lane] += count;
-        });
-        reserve(places);
-        found_.size_ += loops_.place(
-            grid_, scratch_.spans_, patches, plain,
-            {scratch_.lines_.data() + found_.size_, scratch_.keys_.data() + found_.size_});
-    }
-}
-
-void LineHitFinder::reserve(std::size_t more) {
-    if (scratch_.keys_.size() < found_.size_ + more) {
-        scratch_.lines_.resize(2 * found_.size_ + more);
-        scratch_.keys_.resize(scratch_.lines_.size());
-    }
-}
-
-void LineHitFinder::draw_span(const LineTriangle& triangle, std::size_t lane, std::size_t span) {
-    const auto gradient = [lane](const BlockGradient& g) {
-        return PlaneGradient{g.at[lane], g.by_x[lane], g.by_y[lane]};
-    };
-    const PlaneGradient of_depth = gradient(scratch_.spans_.depth);
-    const PlaneGradient of_u = gradient(scratch_.spans_.u), of_v = gradient(scratch_.spans_.v);
-    const double y = scratch_.spans_.y[span], shift = scratch_.spans_.shift[span];
-    const double z = of_depth.at + of_depth.by_y * y;
-    const double u = of_u.at + of_u.by_y * y;
-    const double v = of_v.at + of_v.by_y * y;
-    const double low = scratch_.spans_.low_depth[lane], high = scratch_.spans_.high_depth[lane];
-    // Light comes to the lower side if the corners turn to the left, seen along it.
-    const Hit lower = (scratch_.spans_.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
-    const Hit passed = first_passed(triangle) | lower;
-    const auto first = static_cast<std::int64_t>(scratch_.spans_.first[span]);
-    const auto last = static_cast<std::int64_t>(scratch_.spans_.last[span]);
-    const auto row_begin = static_cast<std::int64_t>(scratch_.spans_.in_row[span]) * grid_.columns;
-    std::int64_t line = grid_.repeats_x ? wrapped(first, grid_.columns) : first;
-    const auto count = static_cast<std::size_t>(last - first);
-    reserve(count);
-    for (std::int64_t column = first; column < last; ++column) {
-        const double x = static_cast<double>(column) + shift;
-        const double depth = std::clamp(z + of_depth.by_x * x, low, high);
-        std::uint32_t part = 0;
-        if (triangle.level > 0) {
-            const double at_u = u + of_u.by_x * x;
-            const double at_v = v + of_v.by_x * x;
-            part = TriangleParts(triangle.level).at(at_u, at_v);
-            part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
-        }
-        scratch_.lines_[found_.size_] = static_cast<std::uint32_t>(row_begin + line);
-        scratch_.keys_[found_.size_++] = depth_key(static_cast<float>(depth), passed + 2 * part);
-        ++line;
-        line = line == grid_.columns && grid_.repeats_x ? 0 : line;
-    }
-}
-
-/// By line, and along each by depth.
-void LineHitFinder::sort_lines() {
-    const auto lines = static_cast<std::size_t>(grid_.columns * grid_.rows);
-    if (scratch_.hits_.size() < found_.size_ + LineHits::kReadAhead) {
-        scratch_.hits_.resize(scratch_.keys_.size() + LineHits::kReadAhead);
-        scratch_.sorted_.resize(scratch_.keys_.size());
-    }
-    if (lines > kSparse * found_.size_ + kSparse) {
-        sort_sparse_lines();
-        return;
-    }
-    scratch_.first_.assign(lines + 1, 0);
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        ++scratch_.first_[scratch_.lines_[i]];
-    }
-    std::uint32_t end = 0;
-    for (std::uint32_t& first : scratch_.first_) {
-        end += first;
-        first = end;
-    }
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        scratch_.sorted_[--scratch_.first_[scratch_.lines_[i]]] = scratch_.keys_[i];
-    }
-    for (std::size_t line = 0; line < lines; ++line) {
-        sort_keys(
-            scratch_.sorted_.data() + scratch_.first_[line],
-            scratch_.first_[line + 1] - scratch_.first_[line]);
-    }
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        scratch_.hits_[i] = static_cast<Hit>(scratch_.sorted_[i]);
-    }
-}
-
-void LineHitFinder::sort_sparse_lines() {
-    std::vector<std::uint32_t> order(found_.size_);
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return scratch_.lines_[a] != scratch_.lines_[b] ? scratch_.lines_[a] < scratch_.lines_[b]
-                                                        : scratch_.keys_[a] < scratch_.keys_[b];
-    });
-    for (std::size_t i = 0; i < found_.size_; ++i) {
-        if (i == 0 || scratch_.lines_[order[i]] != scratch_.lines_[order[i - 1]]) {
-            scratch_.first_.push_back(static_cast<std::uint32_t>(i));
-        }
-        scratch_.hits_[i] = static_cast<Hit>(scratch_.keys_[order[i]]);
-    }
-    scratch_.first_.push_back(static_cast<std::uint32_t>(found_.size_));
-}
 
 LineHits find_line_hits(
     const ProjectedScene& scene,

@@ -9,7 +9,7 @@
 #include "geometry/cast/ray_caster.h"
 #include "geometry/mesh/cell.h"
 #include "geometry/mesh/local_mesh.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "scene/scene.h"
 

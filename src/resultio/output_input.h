@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "runfile/output_catalogue.h"
 

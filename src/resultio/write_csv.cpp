@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "resultio/csv_parts.h"
@@ -146,10 +146,9 @@ void CsvWriter::write_head(const Result* result) {
 
 /// @param first   what each row begins with
 /// @param append  adds what follows the organ or the group, whose number it takes
+template <typename Append>
 void CsvWriter::write_rows(
-    const std::string& first,
-    const std::vector<OrganGroup>& groups,
-    const std::function<void(std::string&, std::size_t)>& append) const {
+    const std::string& first, const std::vector<OrganGroup>& groups, Append append) const {
     const std::vector<Organ>& organs = run_->scene.organs();
     const bool is_of_organs = rows_ == CsvRows::organs;
     std::string out;

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "resultio/field_formats.h"
 
 namespace quasimc {

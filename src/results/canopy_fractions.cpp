@@ -30,8 +30,9 @@ GroundFind find_on_ground(
     const EvaluationSpec& spec,
     const Organ& ground,
     std::size_t band) {
-    const OrganReader reader(sums, scene, spec, ground);
-    const double find = reader.flux_per_find(band);
+    const SumReader sum_reader(sums);
+    const OrganReader reader(sum_reader, scene, spec, ground);
+    const double find = reader.largest_direct(band);
     return {find, find * reader.largest_absorptance(band)};
 }
 
@@ -80,7 +81,7 @@ std::vector<CanopyFractions> evaluate_canopy(
         const FractionMaker maker(flows[b], std::move(incident));
         CanopyFractions& own = fractions[b];
         own = {
-            endless ? sums.emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,
+            endless ? sums->emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,
             maker.fraction(&Flows::organs), kUnknownEstimate};
         if (ground != nullptr) {
             const GroundFind find = find_on_ground(sums, scene, spec, *ground, b);

@@ -34,10 +34,11 @@ class OrganEvaluator {
   public:
     explicit OrganEvaluator(const Given& given)
         : sums_(given.sums),
+          reader_(given.sums),
           scene_(given.scene),
           spec_(given.spec),
-          values_(given.sums.replicates.size()),
-          incident_(given.sums.layout.bands, {values_, {}}) {
+          values_(given.sums->replicates.size()),
+          incident_(given.sums->bands(), {values_, {}}) {
         samples_.fill(values_);
     }
 
@@ -45,7 +46,7 @@ class OrganEvaluator {
     /// @param finds  per band: gets those of what it absorbs, where one more or less counts
     void evaluate(std::size_t index, Result& result, std::span<TotalFind> finds) {
         const Organ& organ = scene_.organs()[index];
-        const OrganReader reader(sums_, scene_, spec_, organ);
+        const OrganReader reader(reader_, scene_, spec_, organ);
         const auto& ratios = spec_.ratios;
         if (!is_measured(sums_, organ)) {
             leave_out(index, ratios.size(), result);
@@ -108,18 +109,19 @@ class OrganEvaluator {
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
-        if (sums_.layout.unoccluded_light == UnoccludedLight::left_out && reader.kinds() > 0) {
+        if (!reader.knows_unoccluded() && reader.strategies() > 0) {
             const SingleFind one = OrganFinds::sunlit_find(reader);
             return estimate_finds(values_, {one.more * per_area, one.less * per_area});
         }
         const double find =
-            reader.sunlit_area_per_find() * per_area / static_cast<double>(values_.size());
-        return sums_.layout.unoccluded_light == UnoccludedLight::summed
+            reader.largest_sunlit() * per_area / static_cast<double>(values_.size());
+        return reader.knows_unoccluded()
                    ? estimate_sunlit_points(values_, 1, find)
-                   : estimate_seen_or_bound(values_, reader.sunlit_area_per_find() * per_area);
+                   : estimate_seen_or_bound(values_, reader.largest_sunlit() * per_area);
     }
 
     const Sums& sums_;
+    SumReader reader_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
     std::vector<double> values_;  // per replicate
@@ -135,7 +137,7 @@ void evaluate_organs(const Given& given, const IsDone& is_done, TotalFinds& find
     constexpr std::size_t kOrgansPerStep = 1 << 15;
     const std::size_t organs = given.scene.organs().size();
     const std::size_t values = kQuantities * result.bands;
-    const bool has_sun = given.sums.units.sunlit_area > 0;
+    const bool has_sun = given.sums->units.sunlit_area > 0;
     result.values.reserve(organs * values);
     result.ratio_values.reserve(organs * result.ratios);
     result.sunlit_fraction.reserve(has_sun ? organs : 0);
@@ -160,9 +162,9 @@ void evaluate_organs(const Given& given, const IsDone& is_done, TotalFinds& find
 template <typename IsDone>
 Result evaluate_sums(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const IsDone& is_done) {
-    EXPECT(sums.samples > 0 && sums.layout.regions == scene.regions().size());
+    EXPECT(sums->samples > 0 && sums->layout.regions() == scene.regions().size());
     Result result;
-    result.bands = sums.layout.bands;
+    result.bands = sums->bands();
     result.names = scene.names();
     result.ratios = spec.ratios.size();
     // All that reads the sums of many organs comes before these are given back.
@@ -171,40 +173,23 @@ Result evaluate_sums(
     result.budget = evaluate_budget(flows);
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
-    result.rays = count_rays(sums);
+    result.rays = sums.rays();
     TotalFinds finds(result.bands);
     evaluate_organs({sums, scene, spec}, is_done, finds, result);
     tell_errors_of_totals(sums, scene, finds, result);
-    result.escaped_is_remainder = sums.escaped == EscapedLight::remainder;
-    result.paths = sums.paths;
-    result.replicates = static_cast<std::uint32_t>(sums.replicates.size());
+    result.escaped_is_remainder = sums->escaped == EscapedLight::remainder;
+    result.paths = sums.paths();
+    result.replicates = static_cast<std::uint32_t>(sums->replicates.size());
     if (has_two_levels(sums)) {
         add_patch_errors(
             evaluate_means(coarser_sums(sums), scene, spec, result.groups.groups), scene, spec,
             result);
     }
-    cut_intervals(LightLimits(scene, spec, sums.emitted_flux), scene, spec, result);
+    cut_intervals(LightLimits(scene, spec, sums->emitted_flux), scene, spec, result);
     return result;
 }
 
 }  // namespace
-
-const std::array<QuantityEntry, kQuantities>& quantity_table() {
-    static constexpr std::array<QuantityEntry, kQuantities> kTable{{
-        {Quantity::absorbed_flux, "absorbed_flux", "light absorbed by the organ", true},
-        {Quantity::absorbed_flux_density, "absorbed_flux_density",
-         "light absorbed per one-sided area", false},
-        {Quantity::incident_upper, "incident_upper", "light falling on the upper side per area",
-         false},
-        {Quantity::incident_lower, "incident_lower", "light falling on the lower side per area",
-         false},
-        {Quantity::incident_direct, "incident_direct",
-         "light falling on both sides straight from the sources per area", false},
-        {Quantity::incident_scattered, "incident_scattered",
-         "light falling on both sides after other surfaces per area", false},
-    }};
-    return kTable;
-}
 
 Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     return evaluate_sums(sums, scene, spec, [](std::size_t, std::size_t) {});
@@ -218,9 +203,10 @@ Result evaluate(Sums&& sums, const Scene& scene, const EvaluationSpec& spec) {
     return evaluate_sums(own, scene, spec, [&](std::size_t first, std::size_t last) {
         const std::vector<Organ>& organs = scene.organs();
         const std::size_t end =
-            last < organs.size() ? organs[last].first_region : own.layout.regions;
-        for (ExactBins& bins : own.replicates) {
-            bins.clear(organs[first].first_region * own.layout.stride(), end * own.layout.stride());
+            last < organs.size() ? organs[last].first_region : own->layout.regions();
+        const std::size_t stride = own->layout.stride();
+        for (ExactBins& bins : own->replicates) {
+            bins.clear(organs[first].first_region * stride, end * stride);
         }
     });
 }

@@ -2,7 +2,9 @@
 
 #include "detectors/catalogue.h"
 #include "results/evaluate.h"
+#include "sums/light_blocks.h"
 #include "sums/statistics.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 namespace {
@@ -10,13 +12,13 @@ namespace {
 /// The flux of one bin of the sums, of scattered light in a band; of one in which nothing was seen,
 /// the bound.
 Estimate estimate_bin(const Sums& sums, std::size_t bin, std::size_t band) {
-    const auto samples = static_cast<double>(sums.samples);
-    const double unit = sums.units.flux[band] / samples;
+    const auto samples = static_cast<double>(sums->samples);
+    const double unit = sums->units.flux[band] / samples;
     std::vector<double> values;
-    for (const ExactBins& bins : sums.replicates) {
+    for (const ExactBins& bins : sums->replicates) {
         values.push_back(bins.value(bin) * unit);
     }
-    return estimate_seen_or_bound(values, sums.units.flux_per_find[band] / samples);
+    return estimate_seen_or_bound(values, sums->bound("direct").largest[band] / samples);
 }
 
 DetectorResult unseen_result(const DetectorSpec& spec, std::size_t bands) {
@@ -37,11 +39,12 @@ std::vector<DetectorResult> dark_detectors(const Scene& scene) {
 }
 
 std::vector<DetectorResult> evaluate_detectors(const Sums& sums, const Scene& scene) {
+    const LightBlocks blocks(sums->layout);
     std::vector<DetectorResult> results = dark_detectors(scene);
     for (std::size_t d = 0; d < results.size(); ++d) {
-        const std::size_t first = sums.layout.detector(d);
+        const std::size_t first = blocks.detector(d);
         for (std::size_t i = 0; i < results[d].values.size(); ++i) {
-            results[d].values[i] = estimate_bin(sums, first + i, i % sums.layout.bands);
+            results[d].values[i] = estimate_bin(sums, first + i, i % sums->bands());
         }
     }
     return results;

@@ -35,17 +35,17 @@ class GroupEvaluator {
   public:
     GroupEvaluator(
         const Sums& sums, const Scene& scene, const EvaluationSpec& spec, GroupResults& results)
-        : sums_(sums), scene_(scene), spec_(spec), results_(results) {}
+        : sums_(sums), reader_(sums), scene_(scene), spec_(spec), results_(results) {}
 
     [[nodiscard]] GroupSums empty() const {
-        const std::size_t replicates = sums_.replicates.size();
+        const std::size_t replicates = sums_->replicates.size();
         return {
             std::vector<Incident>(replicates * results_.bands), std::vector<double>(replicates)};
     }
 
     /// Adds up the organs of a group in their order, as one replicate saw them.
     void sum_up(std::size_t group, std::uint32_t replicate, GroupSums& sums) const {
-        const std::size_t replicates = sums_.replicates.size();
+        const std::size_t replicates = sums_->replicates.size();
         for (const std::uint32_t index : results_.groups[group].organs) {
             const OrganReader reader = reader_of(index);
             for (std::size_t b = 0; b < results_.bands; ++b) {
@@ -76,13 +76,11 @@ class GroupEvaluator {
     [[nodiscard]] bool has_sun() const { return !results_.sunlit_fraction.empty(); }
 
     /// Whether it is known what light could have been found.
-    [[nodiscard]] bool knows_unoccluded() const {
-        return sums_.layout.unoccluded_light == UnoccludedLight::summed;
-    }
+    [[nodiscard]] bool knows_unoccluded() const { return reader_.unoccluded().exists(); }
 
     /// Whether it is known what a find may bring.
     [[nodiscard]] bool knows_finds() const {
-        return knows_unoccluded() || !sums_.units.kinds.empty();
+        return knows_unoccluded() || !sums_->strategies.empty();
     }
 
     [[nodiscard]] Estimate sunlit_area(
@@ -91,7 +89,7 @@ class GroupEvaluator {
         SingleFind known;
         for (const std::uint32_t index : results_.groups[group].organs) {
             const OrganReader reader = reader_of(index);
-            most = std::max(most, reader.sunlit_area_per_find());
+            most = std::max(most, reader.largest_sunlit());
             if (knows_finds() && !knows_unoccluded()) {
                 known = together(known, OrganFinds::sunlit_find(reader));
             }
@@ -106,7 +104,7 @@ class GroupEvaluator {
     }
 
     [[nodiscard]] OrganReader reader_of(std::uint32_t organ) const {
-        return {sums_, scene_, spec_, scene_.organs()[organ]};
+        return {reader_, scene_, spec_, scene_.organs()[organ]};
     }
 
     /// Of what one sample finds, the most that it brings to an organ; else each organ's own.
@@ -123,7 +121,7 @@ class GroupEvaluator {
         GroupFind most;
         for (const std::uint32_t index : results_.groups[group].organs) {
             const OrganReader reader = reader_of(index);
-            const double find = reader.flux_per_find(band);
+            const double find = reader.largest_direct(band);
             most.incident = std::max(most.incident, find);
             most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
             const OrganFinds finds(reader, band);
@@ -150,7 +148,7 @@ class GroupEvaluator {
         const double area = results_.groups[group].area;
         const double per_area = area > 0 ? 1 / area : 0;
         const GroupFind find = find_of(group, band);
-        const std::size_t replicates = sums_.replicates.size();
+        const std::size_t replicates = sums_->replicates.size();
         QuantitySamples samples;
         samples.fill(std::vector<double>(replicates));
         IncidentLight incident{{}, find.on_both_sides};
@@ -162,8 +160,7 @@ class GroupEvaluator {
         }
         for (const QuantityEntry& entry : quantity_table()) {
             const double unit = entry.is_flux ? 1 : per_area;
-            const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
-                                     entry.quantity == Quantity::absorbed_flux_density;
+            const bool is_absorbed = parts_of(entry.quantity).is_absorbed;
             const double most = (is_absorbed ? find.absorbed : find.incident) * unit;
             const auto q = static_cast<std::size_t>(entry.quantity);
             const bool is_dark = std::all_of(
@@ -179,6 +176,7 @@ class GroupEvaluator {
     }
 
     const Sums& sums_;
+    SumReader reader_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
     GroupResults& results_;
@@ -201,12 +199,12 @@ GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t
 GroupResults evaluate_groups(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     GroupResults results = empty_groups(scene, spec.groups, spec.ratios.size());
     const std::size_t count = results.groups.size();
-    if (sums.units.sunlit_area > 0) {
+    if (sums->units.sunlit_area > 0) {
         results.sunlit_fraction.resize(count);
         results.sunlit_area.resize(count);
     }
     const GroupEvaluator evaluator(sums, scene, spec, results);
-    const std::size_t replicates = sums.replicates.size();
+    const std::size_t replicates = sums->replicates.size();
     for (std::size_t first = 0; first < count; first += kGroupsPerBatch) {
         const std::size_t batch = std::min(kGroupsPerBatch, count - first);
         std::vector<GroupSums> of_groups(batch, evaluator.empty());

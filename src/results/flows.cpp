@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "sums/light_blocks.h"
+#include "sums/sum_data.h"
+
 namespace quasimc {
 namespace {
 
@@ -10,12 +13,12 @@ namespace {
 class FlowReader {
   public:
     FlowReader(const Sums& sums, const Scene& scene, std::size_t band)
-        : sums_(sums), layout_(sums.layout), scene_(scene), band_(band) {}
+        : sums_(*sums), blocks_(sums_.layout), scene_(scene), band_(band) {}
 
     /// Of each replicate.
     [[nodiscard]] std::vector<Flows> flows() const {
         std::vector<Flows> flows(sums_.replicates.size());
-        for (std::size_t region = 0; region < layout_.regions; ++region) {
+        for (std::size_t region = 0; region < sums_.layout.regions(); ++region) {
             add_region(region, flows);
         }
         for (std::size_t r = 0; r < flows.size(); ++r) {
@@ -38,12 +41,12 @@ class FlowReader {
         const Material& material = data_of(scene_).material(region);
         const bool is_ground = scene_.organs()[region.organ.value].is_ground;
         double Flows::*absorbed = is_ground ? &Flows::ground : &Flows::organs;
-        const bool is_summed = layout_.absorbed_light == AbsorbedLight::summed;
+        const bool is_summed = blocks_.has_absorbed();
         const double unit = this->unit(index);
         for (std::size_t r = 0; is_summed && r < flows.size(); ++r) {
             const ExactBins& bins = sums_.replicates[r];
-            const double own = (bins.value(layout_.absorbed_direct(index) + band_) +
-                                bins.value(layout_.absorbed_scattered(index) + band_)) *
+            const double own = (bins.value(blocks_.absorbed_direct(index) + band_) +
+                                bins.value(blocks_.absorbed_scattered(index) + band_)) *
                                unit;
             flows[r].*absorbed += own;
             flows[r].roulette += !material.is_transparent() ? own : 0;
@@ -63,9 +66,9 @@ class FlowReader {
     /// Units of light on a side.
     [[nodiscard]] double incident(
         const ExactBins& bins, std::size_t region, SurfaceSide side) const {
-        double sum = bins.value(layout_.scattered(region, side) + band_);
-        const std::size_t direct = layout_.direct(region, side, 0);
-        for (std::size_t s = 0; s < layout_.spectra; ++s) {
+        double sum = bins.value(blocks_.scattered(region, side) + band_);
+        const std::size_t direct = blocks_.direct(region, side, 0);
+        for (std::size_t s = 0; s < sums_.spectra.size(); ++s) {
             sum += bins.value(direct + s) * sums_.spectra[s][band_];
         }
         return sum;
@@ -89,20 +92,20 @@ class FlowReader {
 
     [[nodiscard]] Flows with_escaped(const ExactBins& bins, Flows flows) const {
         const double unit = this->unit(0);
-        for (std::size_t s = 0; s < layout_.spectra; ++s) {
+        for (std::size_t s = 0; s < sums_.spectra.size(); ++s) {
             const double weight = sums_.spectra[s][band_] * unit;
-            flows.emitted += bins.value(layout_.emitted() + s) * weight;
-            flows.escaped += bins.value(layout_.escaped_direct() + s) * weight;
+            flows.emitted += bins.value(blocks_.emitted() + s) * weight;
+            flows.escaped += bins.value(blocks_.escaped_direct() + s) * weight;
         }
-        flows.escaped_scattered = bins.value(layout_.escaped_scattered() + band_) * unit;
+        flows.escaped_scattered = bins.value(blocks_.escaped_scattered() + band_) * unit;
         flows.escaped += flows.escaped_scattered;
-        flows.cut_off = bins.value(layout_.cut_off() + band_) * unit;
-        flows.roulette += bins.value(layout_.scattered_out() + band_) * unit;
+        flows.cut_off = bins.value(blocks_.cut_off() + band_) * unit;
+        flows.roulette += bins.value(blocks_.scattered_out() + band_) * unit;
         return flows;
     }
 
-    const Sums& sums_;
-    const SumLayout& layout_;
+    const SumData& sums_;
+    LightBlocks blocks_;
     const Scene& scene_;
     std::size_t band_;
 };
@@ -111,7 +114,7 @@ class FlowReader {
 
 BandFlows read_flows(const Sums& sums, const Scene& scene) {
     BandFlows flows;
-    for (std::size_t b = 0; b < sums.layout.bands; ++b) {
+    for (std::size_t b = 0; b < sums->bands(); ++b) {
         flows.push_back(FlowReader(sums, scene, b).flows());
     }
     return flows;

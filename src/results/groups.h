@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "quasimc/error.h"
-#include "quasimc/groups.h"
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
 #include "scene/scene.h"

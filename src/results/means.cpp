@@ -64,7 +64,7 @@ class MeansWriter {
 class SceneMeans {
   public:
     SceneMeans(const Sums& sums, const Scene& scene, const EvaluationSpec& spec, Result& result)
-        : sums_(sums), scene_(scene), spec_(spec), result_(result) {}
+        : sums_(sums), reader_(sums), scene_(scene), spec_(spec), result_(result) {}
 
     void write_organs() const {
         result_.values.resize(scene_.organs().size() * kQuantities * result_.bands);
@@ -87,7 +87,7 @@ class SceneMeans {
         parallel_blocks(groups.size(), spec_.threads, [&](std::uint64_t g, unsigned) {
             std::vector<Incident> light(to.bands);
             for (const std::uint32_t organ : groups[g].organs) {
-                const OrganReader reader(sums_, scene_, spec_, scene_.organs()[organ]);
+                const OrganReader reader(reader_, scene_, spec_, scene_.organs()[organ]);
                 for (std::size_t b = 0; b < to.bands; ++b) {
                     light[b] += reader.incident(0, b);
                 }
@@ -109,7 +109,7 @@ class SceneMeans {
             std::fill(ratios.begin(), ratios.end(), kUnknownEstimate);
             return;
         }
-        const OrganReader reader(sums_, scene_, spec_, organ);
+        const OrganReader reader(reader_, scene_, spec_, organ);
         for (std::size_t b = 0; b < light.size(); ++b) {
             light[b] = reader.incident(0, b);
         }
@@ -117,6 +117,7 @@ class SceneMeans {
     }
 
     const Sums& sums_;
+    SumReader reader_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
     Result& result_;
@@ -129,9 +130,9 @@ Result evaluate_means(
     const Scene& scene,
     const EvaluationSpec& spec,
     const std::vector<OrganGroup>& groups) {
-    EXPECT(sums.samples > 0 && sums.replicates.size() == 1);
+    EXPECT(sums->samples > 0 && sums->replicates.size() == 1);
     Result result;
-    result.bands = sums.layout.bands;
+    result.bands = sums->bands();
     result.names = scene.names();
     result.ratios = spec.ratios.size();
     const BandFlows flows = read_flows(sums, scene);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,8 @@ void add_absorbed(const OrganReader& reader, std::vector<double>& flux) {
 
 /// Mean flux that a measured organ absorbs, per band: the same on any number of threads.
 std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    const std::size_t bands = sums.layout.bands;
+    const std::size_t bands = sums->bands();
+    const SumReader reader(sums);
     std::vector<std::vector<double>> of_block(blocks_of(scene));
     std::atomic<std::size_t> count{0};
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
@@ -40,7 +42,7 @@ std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const Evalu
         for (std::size_t i = first; i < last; ++i) {
             const Organ& organ = scene.organs()[i];
             if (is_measured(sums, organ)) {
-                add_absorbed(OrganReader(sums, scene, spec, organ), flux);
+                add_absorbed(OrganReader(reader, scene, spec, organ), flux);
                 ++count;
             }
         }
@@ -76,8 +78,11 @@ double scattered_part(const OrganReader& reader, std::size_t band) {
 
 /// What organs absorb on the two levels of patches, per band: the same on any number of threads.
 std::vector<PatchErrorPool> pool_of(
-    const Sums& fine, const Sums& coarse, const Scene& scene, const EvaluationSpec& spec) {
-    const std::size_t bands = fine.layout.bands;
+    const SumReader& fine,
+    const SumReader& coarse,
+    const Scene& scene,
+    const EvaluationSpec& spec) {
+    const std::size_t bands = fine.data().bands();
     std::vector<std::vector<PatchErrorPool>> of_block(blocks_of(scene));
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
         std::vector<PatchErrorPool>& pools = of_block[first / kOrgansPerBlock];
@@ -111,20 +116,21 @@ std::vector<PatchErrorPool> pool_of(
 class AbsorbedByOrgans {
   public:
     AbsorbedByOrgans(const Sums& sums, const Scene& scene, const EvaluationSpec& spec)
-        : sums_(sums), scene_(scene), spec_(spec), has_two_(has_two_levels(sums)) {
-        if (has_two_) {
-            coarse_ = coarser_sums(sums);
-            pools_ = pool_of(sums_, coarse_, scene_, spec_);
+        : fine_(sums), scene_(scene), spec_(spec) {
+        if (has_two_levels(sums)) {
+            coarse_sums_ = coarser_sums(sums);
+            coarse_.emplace(coarse_sums_);
+            pools_ = pool_of(fine_, *coarse_, scene_, spec_);
         }
     }
 
     /// Of an organ, [band].
     void find(const Organ& organ, std::vector<Estimate>& absorbed) const {
-        const OrganReader reader(sums_, scene_, spec_, organ);
-        const OrganReader other(coarse_, scene_, spec_, organ);
+        const OrganReader reader(fine_, scene_, spec_, organ);
         for (std::size_t b = 0; b < absorbed.size(); ++b) {
             absorbed[b] = absorbed_flux(reader, b);
-            if (has_two_) {
+            if (coarse_) {
+                const OrganReader other(*coarse_, scene_, spec_, organ);
                 const double own = absorbed[b].mean - absorbed_flux(other, b).mean;
                 const double scattered = absorbed[b].mean * scattered_part(reader, b);
                 absorbed[b] = with_patch_error(
@@ -134,11 +140,11 @@ class AbsorbedByOrgans {
     }
 
   private:
-    const Sums& sums_;
+    SumReader fine_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
-    bool has_two_;
-    Sums coarse_;
+    Sums coarse_sums_;  // where there are two levels
+    std::optional<SumReader> coarse_;
     std::vector<PatchErrorPool> pools_;
 };
 
@@ -183,7 +189,7 @@ ErrorSpread spread_of(std::vector<double> errors) {
 
 RoundErrors errors_so_far(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
-    const std::size_t bands = sums.layout.bands;
+    const std::size_t bands = sums->bands();
     const AbsorbedByOrgans light(sums, scene, spec);
     const std::vector<double> usual =
         target > 0 ? usual_flux(sums, scene, spec) : std::vector<double>();
@@ -210,7 +216,7 @@ RoundErrors errors_so_far(
     const auto organs = static_cast<double>(scene.organs().size());
     const ErrorSpread spread = spread_of(std::move(errors));
     return {
-        .paths = sums.paths,
+        .paths = sums.paths(),
         .median = spread.median,
         .worst = spread.worst,
         .fraction_at_target = target > 0 ? static_cast<double>(reached) / organs : 0};

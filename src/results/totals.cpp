@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "sums/sum_data.h"
+
 namespace quasimc {
 namespace {
 
@@ -69,7 +71,7 @@ void tell_errors_of_totals(
         for (Estimate* part :
              {&budget.absorbed_by_organs, &budget.absorbed_by_ground, &budget.escaped}) {
             *part = with_mean(
-                sums.emitted_flux.empty() ? *part : not_above(*part, sums.emitted_flux[b]));
+                sums->emitted_flux.empty() ? *part : not_above(*part, sums->emitted_flux[b]));
         }
     }
 }

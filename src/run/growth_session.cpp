@@ -1,5 +1,3 @@
-#include "quasimc/growth_session.h"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -10,6 +8,7 @@
 
 #include "base/function_ref.h"
 #include "quasimc/error.h"
+#include "quasimc/run.h"
 #include "scene/build_scene.h"
 #include "scene/lint.h"
 #include "scene/overlap/known_overlaps.h"

@@ -24,6 +24,7 @@
 #include "run/trace_plan.h"
 #include "run/trace_rounds.h"
 #include "samplers/hash.h"
+#include "sums/sum_data.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
@@ -63,8 +64,9 @@ void order_to_prepare(const SumsOrigin& origin, std::size_t time_step, const Run
 
 /// @throws InputError  if sums from elsewhere are not those of the run
 void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec& spec) {
-    const bool is_this_run = sums.digest == digest_of(prepared, spec) && sums.paths == spec.paths &&
-                             sums.replicates.size() == spec.replicates;
+    const bool is_this_run = sums.digest() == digest_of(prepared, spec) &&
+                             sums.paths() == spec.paths &&
+                             sums->replicates.size() == spec.replicates;
     if (!is_this_run) {
         throw InputError(
             {{"sums", "they are of another run", "scene, sources, options or version differ", ""}});
@@ -74,9 +76,9 @@ void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec&
 /// Reports sums from elsewhere as one round.
 void report_given(const Sums& sums, const RunFacts& facts, const RunControl& control) {
     RoundsState state;
-    state.done = sums.paths;
-    state.pace.add(sums.paths, 0);
-    report(control, &RunListener::on_last_round, {facts, sums, state, sums.paths});
+    state.done = sums.paths();
+    state.pace.add(sums.paths(), 0);
+    report(control, &RunListener::on_last_round, {facts, sums, state, sums.paths()});
 }
 
 Stopped stopped_without_result(StopReason why, const RunSpec& spec) {

@@ -88,7 +88,7 @@ std::optional<RunState> state_to_go_on_from(StoredStates* states, const RunFacts
         return std::nullopt;
     }
     const auto fits = [&](const std::optional<Sums>& sums) {
-        return !sums || sums->replicates.size() == facts.spec.replicates;
+        return !sums || (*sums)->replicates.size() == facts.spec.replicates;
     };
     if (stored->position.digest != facts.digest() || !fits(stored->done) ||
         !fits(stored->partial)) {

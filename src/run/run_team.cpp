@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sums/sum_data.h"
+
 namespace quasimc {
 namespace {
 
@@ -36,7 +38,7 @@ void take_steps(const std::vector<std::int64_t>& numbers, std::size_t first, Exa
 }  // namespace
 
 void add_up(RunTeam& team, Sums& sums) {
-    for (ExactBins& bins : sums.replicates) {
+    for (ExactBins& bins : sums->replicates) {
         ExactBins total(bins.size());
         for (std::size_t first = 0; first < bins.size(); first += kBinsAtOnce) {
             std::vector<std::int64_t> numbers(3 * std::min(kBinsAtOnce, bins.size() - first));

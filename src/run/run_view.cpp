@@ -4,27 +4,10 @@
 
 #include "run/digest.h"
 #include "run/evaluation_of.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 namespace {
-
-/// Sums of the first replicates alone, that have traced all of a round.
-Sums first_replicates(
-    const Sums& sums, std::size_t count, std::uint64_t paths, std::uint64_t samples) {
-    Sums first;
-    first.layout = sums.layout;
-    first.units = sums.units;
-    first.spectra = sums.spectra;
-    first.emitted_flux = sums.emitted_flux;
-    first.measured = sums.measured;
-    first.escaped = sums.escaped;
-    first.replicates.assign(
-        sums.replicates.begin(), sums.replicates.begin() + static_cast<std::ptrdiff_t>(count));
-    first.paths = paths;
-    first.samples = samples;
-    first.per_find = sums.per_find;
-    return first;
-}
 
 /// The result of the sums of a run that goes on.
 Result preview_of(const Sums& sums, const RunFacts& facts) {
@@ -74,7 +57,7 @@ void report(
 std::size_t RunWithinRound::replicates() const {
     const bool is_first = round_.start.round.first == 0;
     return is_first && pause_.last > 0
-               ? pause_.done_of_last * round_.sums.replicates.size() / pause_.last
+               ? pause_.done_of_last * round_.sums->replicates.size() / pause_.last
                : 0;
 }
 

@@ -9,6 +9,7 @@
 #include "quasimc/run.h"
 #include "run/round_solver.h"
 #include "run/run_state.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 
@@ -45,7 +46,7 @@ class RunBetweenRounds final : public RunSoFar {
         : facts_(facts), sums_(sums), state_(state), first_paths_(first_paths) {}
 
     [[nodiscard]] std::size_t time_step() const override { return facts_.time_step; }
-    [[nodiscard]] std::size_t replicates() const override { return sums_.replicates.size(); }
+    [[nodiscard]] std::size_t replicates() const override { return sums_->replicates.size(); }
     [[nodiscard]] Result result() const override;
     [[nodiscard]] RunSnapshot snapshot() const override;
 

@@ -55,9 +55,9 @@ Sums Simulator::State::sums(
         scene, sources, planned.window, caster_.caster_for(scene, spec.engine, control.stop),
         control.stop);
     Sums sums = empty_sums(prepared, planned);
-    sums.digest = digest_of(prepared, planned);
+    sums->digest = digest_of(prepared, planned);
     if (prepared.lights().empty()) {
-        sums.paths = sums.samples = planned.paths;
+        sums->paths = sums->samples = planned.paths;
         return sums;
     }
     TaskProgress progress(work);

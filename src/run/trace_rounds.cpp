@@ -40,7 +40,7 @@ std::optional<DoneRounds> take_done(std::optional<RunState>& kept) {
         return std::nullopt;
     }
     DoneRounds done{std::move(*kept->done), kept->position.rounds, kept->position.first_paths};
-    done.paths_before = static_cast<double>(done.sums.paths);
+    done.paths_before = static_cast<double>(done.sums.paths());
     return done;
 }
 

@@ -2,7 +2,6 @@
 
 #include "base/text.h"
 #include "quasimc/source.h"
-#include "quasimc/sun.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/run_file_source_kinds.h"
 #include "weather/civil_time_text.h"

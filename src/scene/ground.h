@@ -1,7 +1,7 @@
 #pragma once
 
 #include "quasimc/error.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "scene/scene.h"
 
 namespace quasimc {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "scene/scene.h"
 
 // What lint() is made of. To add a warning: write a function like these, and call it in

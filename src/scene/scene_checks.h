@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "quasimc/error.h"
+#include "quasimc/mesh.h"
 #include "quasimc/scene.h"
-#include "quasimc/vec3.h"
 #include "scene/scene.h"
 
 namespace quasimc {

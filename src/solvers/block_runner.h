@@ -48,13 +48,13 @@ class BlockRunner {
         while (scratch_.size() < tasks.workers()) {
             scratch_.push_back(std::make_unique<Aligned>(bands_));
         }
-        SumCollector collector(sums, tasks.workers(), most_private_bytes_, private_regions_);
+        SumCollector collector(*sums, tasks.workers(), most_private_bytes_, private_regions_);
         const auto run_task = [&](std::uint64_t task, unsigned worker) {
             const auto replicate = static_cast<std::uint32_t>(task / blocks);
             Tally& tally = collector.tally_for(worker, replicate);
             trace(replicate, task % blocks, scratch_[worker]->scratch, tally);
         };
-        tasks.run(blocks * sums.replicates.size(), run_task, [&] { collector.collect(); });
+        tasks.run(blocks * sums->replicates.size(), run_task, [&] { collector.collect(); });
         collector.collect();
     }
 

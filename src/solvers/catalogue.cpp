@@ -67,25 +67,22 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     const SolverEntry* entry = find_solver(spec.method);
     EXPECT(entry != nullptr);
     SumMeaning meaning = entry->meaning(prepared, spec);
-    std::vector<DetectorBins> detectors;
+    SumBlocks blocks = light_blocks(
+        prepared.lights().spectra().size(), prepared.bands(),
+        !prepared.optics().has_constant_albedos);
+    blocks.insert(blocks.end(), meaning.blocks.begin(), meaning.blocks.end());
     for (std::size_t i = 0; i < prepared.detectors().size(); ++i) {
-        const std::size_t bins = prepared.detectors()[i]->axis().bins.size();
-        detectors.push_back({prepared.scene().detectors()[i].name, bins * prepared.bands()});
+        blocks.push_back(detector_block(
+            prepared.scene().detectors()[i].name, prepared.detectors()[i]->axis().bins.size(),
+            prepared.bands()));
     }
-    Sums sums;
-    sums.layout = {
-        .regions = prepared.scene().regions().size(),
-        .spectra = prepared.lights().spectra().size(),
-        .bands = prepared.bands(),
-        .absorbed_light = prepared.optics().has_constant_albedos ? AbsorbedLight::inferred
-                                                                 : AbsorbedLight::summed,
-        .unoccluded_light = meaning.unoccluded_light,
-        .detectors = std::move(detectors),
-        .counted_kinds = meaning.counted_kinds,
-        .patch_levels = meaning.patch_levels};
+    SumData sums;
+    sums.layout = SumLayout(prepared.scene().regions().size(), std::move(blocks));
     sums.units = std::move(meaning.units);
-    for (const LightKind& kind : sums.units.kinds) {
-        sums.per_find.push_back(kind.found_by == FoundBy::paths ? 1 : 0);
+    sums.bounds = std::move(meaning.bounds);
+    sums.strategies = std::move(meaning.strategies);
+    for (const SamplingStrategy& strategy : sums.strategies) {
+        sums.per_contribution.push_back(strategy.by == SampledBy::paths ? 1 : 0);
     }
     sums.spectra = prepared.lights().spectra();
     sums.emitted_flux = prepared.lights().flux();
@@ -94,7 +91,7 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     for (std::uint32_t r = 0; r < spec.replicates; ++r) {
         sums.replicates.emplace_back(sums.layout.bins());
     }
-    return sums;
+    return Sums(std::move(sums));
 }
 
 }  // namespace quasimc

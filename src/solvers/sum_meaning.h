@@ -1,18 +1,25 @@
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
+#include <string_view>
+#include <vector>
 
-#include "quasimc/sums.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 
-/// What the bins of a solver mean.
+/// What a solver declares of its sums: see SumData.
 struct SumMeaning {
     SumUnits units;
+    std::vector<ContributionBound> bounds = {};
+    std::vector<SamplingStrategy> strategies = {};
+    SumBlocks blocks = {};  ///< its own, beside light_blocks()
     MeasuredOrgans measured = MeasuredOrgans::all;
-    UnoccludedLight unoccluded_light = UnoccludedLight::left_out;
-    std::size_t counted_kinds = 0;  ///< SumLayout::counted_kinds
-    PatchLevels patch_levels = PatchLevels::none;
+
+    /// The bound of a quantity, which must be declared.
+    [[nodiscard]] ContributionBound& bound(std::string_view quantity) {
+        return *std::ranges::find(bounds, quantity, &ContributionBound::quantity);
+    }
 };
 
 }  // namespace quasimc

@@ -1,9 +1,10 @@
+#include "sums/exact_bins.h"
+
 #include <atomic>
 #include <stdexcept>
 
 #include "base/checks.h"
 #include "base/free_memory.h"
-#include "quasimc/sums.h"
 #include "sums/fixed_point.h"
 
 namespace quasimc {

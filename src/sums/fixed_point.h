@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "quasimc/sums.h"
+#include "sums/exact_bins.h"
 
 namespace quasimc {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "quasimc/sums.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 namespace {
@@ -29,11 +29,23 @@ std::uint64_t checksum(std::string_view bytes) {
 template <typename T>
 concept Plain = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-template <typename Visit, typename KindOrConst>
-void visit_kind(Visit& visit, KindOrConst& kind) {
-    visit(kind.found_by), visit(kind.has_suns), visit(kind.spectra), visit(kind.flux);
-    visit(kind.reach), visit(kind.sunlit_reach), visit(kind.step), visit(kind.many);
-    visit(kind.unseen_reach);
+template <typename Visit, typename ColumnOrConst>
+void visit_column(Visit& visit, ColumnOrConst& column) {
+    visit(column.of), visit(column.index);
+}
+template <typename Visit, typename BlockOrConst>
+void visit_block(Visit& visit, BlockOrConst& block) {
+    visit(block.name), visit(block.rows), visit(block.columns);
+}
+template <typename Visit, typename BoundOrConst>
+void visit_bound(Visit& visit, BoundOrConst& bound) {
+    visit(bound.quantity), visit(bound.largest), visit(bound.scale);
+}
+template <typename Visit, typename StrategyOrConst>
+void visit_strategy(Visit& visit, StrategyOrConst& strategy) {
+    visit(strategy.by), visit(strategy.has_suns), visit(strategy.spectra), visit(strategy.flux);
+    visit(strategy.reach), visit(strategy.sunlit_reach), visit(strategy.step);
+    visit(strategy.many), visit(strategy.unseen_reach);
 }
 
 class Writer {
@@ -55,10 +67,13 @@ class Writer {
             (*this)(value);
         }
     }
-    void operator()(const DetectorBins& detector) {
-        (*this)(detector.name), (*this)(detector.bins);
+    void operator()(const SumLayout& layout) {
+        (*this)(std::uint64_t{layout.regions()}), (*this)(layout.blocks());
     }
-    void operator()(const LightKind& kind) { visit_kind(*this, kind); }
+    void operator()(const SumColumn& column) { visit_column(*this, column); }
+    void operator()(const SumBlock& block) { visit_block(*this, block); }
+    void operator()(const ContributionBound& bound) { visit_bound(*this, bound); }
+    void operator()(const SamplingStrategy& strategy) { visit_strategy(*this, strategy); }
     void operator()(const ExactBins& bins) {
         (*this)(std::uint64_t{bins.size()});
         for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -94,8 +109,16 @@ class Reader {
             (*this)(value);
         }
     }
-    void operator()(DetectorBins& detector) { (*this)(detector.name), (*this)(detector.bins); }
-    void operator()(LightKind& kind) { visit_kind(*this, kind); }
+    void operator()(SumLayout& layout) {
+        std::uint64_t regions = 0;
+        SumBlocks blocks;
+        (*this)(regions), (*this)(blocks);
+        layout = SumLayout(regions, std::move(blocks));
+    }
+    void operator()(SumColumn& column) { visit_column(*this, column); }
+    void operator()(SumBlock& block) { visit_block(*this, block); }
+    void operator()(ContributionBound& bound) { visit_bound(*this, bound); }
+    void operator()(SamplingStrategy& strategy) { visit_strategy(*this, strategy); }
     void operator()(ExactBins& bins) {
         bins = ExactBins(length(2 * sizeof(std::int64_t)));
         for (std::size_t i = 0; i < bins.size(); ++i) {
@@ -131,22 +154,15 @@ class Reader {
 /// Visits every field.
 template <typename Visit, typename SumsOrConst>
 void visit_fields(Visit& visit, SumsOrConst& sums) {
-    auto& layout = sums.layout;
-    visit(layout.regions), visit(layout.spectra), visit(layout.bands);
-    visit(layout.absorbed_light), visit(layout.unoccluded_light), visit(layout.detectors);
-    visit(layout.counted_kinds), visit(layout.patch_levels);
     auto& units = sums.units;
-    visit(units.flux), visit(units.flux_per_find), visit(units.scattered_flux_per_find);
-    visit(units.flux_per_light_path), visit(units.light_path_part);
-    visit(units.sunlit_area), visit(units.sunlit_area_per_find), visit(units.region_scale);
-    visit(units.find_scale), visit(units.kinds);
-    visit(sums.spectra), visit(sums.emitted_flux);
+    visit(sums.layout), visit(units.flux), visit(units.sunlit_area), visit(units.region_scale);
+    visit(sums.bounds), visit(sums.strategies), visit(sums.spectra), visit(sums.emitted_flux);
     visit(sums.measured), visit(sums.escaped);
     visit(sums.replicates);
-    visit(sums.paths), visit(sums.samples), visit(sums.per_find), visit(sums.digest);
+    visit(sums.paths), visit(sums.samples), visit(sums.per_contribution), visit(sums.digest);
 }
 
-void check_sizes(const Sums& sums) {
+void check_sizes(const SumData& sums) {
     for (const ExactBins& bins : sums.replicates) {
         if (bins.size() != sums.layout.bins()) {
             throw std::invalid_argument("sums do not fit their layout");
@@ -160,9 +176,9 @@ std::string save_sums(const Sums& sums) {
     constexpr std::size_t kRest = 4096;
     constexpr std::size_t kBytesOfBin = 2 * sizeof(std::int64_t);
     Writer writer(
-        kRest + sums.replicates.size() * (sums.layout.bins() * kBytesOfBin + sizeof kMark));
+        kRest + sums->replicates.size() * (sums->layout.bins() * kBytesOfBin + sizeof kMark));
     writer(kMark);
-    visit_fields(writer, sums);
+    visit_fields(writer, *sums);
     return writer.take();
 }
 
@@ -182,13 +198,13 @@ Sums load_sums(std::string_view bytes) {
         throw std::invalid_argument("sums were changed or are cut off");
     }
     Reader reader(bytes.substr(sizeof mark));
-    Sums sums;
+    SumData sums;
     visit_fields(reader, sums);
     if (!reader.is_at_end()) {
         throw std::invalid_argument("sums have something behind them");
     }
     check_sizes(sums);
-    return sums;
+    return Sums(std::move(sums));
 }
 
 }  // namespace quasimc

@@ -11,18 +11,18 @@ namespace {
 bool are_rarely_met(const SumLayout& layout) {
     constexpr std::size_t kManyRegions = 1 << 17;
     constexpr std::size_t kFewBins = 8;
-    return layout.regions >= kManyRegions && layout.stride() <= kFewBins;
+    return layout.regions() >= kManyRegions && layout.stride() <= kFewBins;
 }
 
 }  // namespace
 
 SumCollector::SumCollector(
-    Sums& sums, unsigned workers, double most_private_bytes, std::size_t private_regions)
+    SumData& sums, unsigned workers, double most_private_bytes, std::size_t private_regions)
     : sums_(sums), mutexes_(sums.replicates.size()) {
     const SumLayout& layout = sums.layout;
     const double bytes = static_cast<double>(layout.bins()) * sizeof(std::int64_t) * workers;
     if (bytes > most_private_bytes || are_rarely_met(layout)) {
-        shared_regions_ = layout.regions - std::min(private_regions, layout.regions);
+        shared_regions_ = layout.regions() - std::min(private_regions, layout.regions());
     }
     for (unsigned i = 0; i < workers; ++i) {
         workers_.push_back({Tally(layout, shared_regions_, sums.replicates[0].shared()), 0});

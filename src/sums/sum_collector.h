@@ -4,7 +4,7 @@
 #include <mutex>
 #include <vector>
 
-#include "quasimc/sums.h"
+#include "sums/sum_data.h"
 #include "sums/tally.h"
 
 namespace quasimc {
@@ -19,7 +19,7 @@ class SumCollector {
     /// @param private_regions  the last so many regions are always the workers' own: those that
     ///        most light hits
     SumCollector(
-        Sums& sums, unsigned workers, double most_private_bytes, std::size_t private_regions);
+        SumData& sums, unsigned workers, double most_private_bytes, std::size_t private_regions);
 
     /// The worker's tally, set to add to `replicate`. What it holds of another replicate, or more
     /// than it should, is left there first.
@@ -34,7 +34,7 @@ class SumCollector {
     };
     void leave(Worker& worker);
 
-    Sums& sums_;
+    SumData& sums_;
     std::size_t shared_regions_ = 0;
     std::vector<Worker> workers_;
     std::vector<std::mutex> mutexes_;

@@ -2,52 +2,106 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
+
+#include "sums/sum_data.h"
 
 namespace quasimc {
 
 namespace {
 
 /// Adds the bins of sums of one run.
-void add_replicates(Sums& sums, const Sums& other) {
+void add_replicates(SumData& sums, const SumData& other) {
     const bool is_same_run =
-        sums.layout == other.layout && sums.units == other.units && sums.spectra == other.spectra &&
+        sums.layout == other.layout && sums.units == other.units && sums.bounds == other.bounds &&
+        sums.strategies == other.strategies && sums.spectra == other.spectra &&
         sums.emitted_flux == other.emitted_flux && sums.measured == other.measured &&
         sums.escaped == other.escaped && sums.replicates.size() == other.replicates.size() &&
-        sums.per_find.size() == other.per_find.size() && sums.digest == other.digest;
+        sums.per_contribution.size() == other.per_contribution.size() &&
+        sums.digest == other.digest;
     if (!is_same_run) {
         throw std::invalid_argument("sums of different runs can't be added");
     }
     for (std::size_t r = 0; r < sums.replicates.size(); ++r) {
         sums.replicates[r] += other.replicates[r];
     }
-    for (std::size_t i = 0; i < sums.per_find.size(); ++i) {
-        sums.per_find[i] = std::max(sums.per_find[i], other.per_find[i]);
+    for (std::size_t i = 0; i < sums.per_contribution.size(); ++i) {
+        sums.per_contribution[i] = std::max(sums.per_contribution[i], other.per_contribution[i]);
     }
 }
 
 }  // namespace
 
+Sums::Sums() : data_(std::make_unique<SumData>()) {}
+Sums::Sums(SumData data) : data_(std::make_unique<SumData>(std::move(data))) {}
+Sums::Sums(const Sums& other) : data_(std::make_unique<SumData>(*other)) {}
+Sums::Sums(Sums&& other) noexcept = default;
+Sums& Sums::operator=(Sums&& other) noexcept = default;
+Sums::~Sums() = default;
+
+Sums& Sums::operator=(const Sums& other) {
+    data_ = std::make_unique<SumData>(*other);
+    return *this;
+}
+
 Sums& Sums::operator+=(const Sums& other) {
-    add_replicates(*this, other);
-    paths += other.paths;
-    samples += other.samples;
+    add_replicates(*data_, *other);
+    data_->paths += other->paths;
+    data_->samples += other->samples;
     return *this;
 }
 
 Sums& Sums::add_share(const Sums& other) {
-    if (paths != other.paths || samples != other.samples) {
+    if (data_->paths != other->paths || data_->samples != other->samples) {
         throw std::invalid_argument("shares of different numbers of paths can't be added");
     }
-    add_replicates(*this, other);
+    add_replicates(*data_, *other);
     return *this;
 }
 
-std::uint64_t count_rays(const Sums& sums) {
+std::uint64_t Sums::paths() const {
+    return data_->paths;
+}
+
+std::uint64_t Sums::rays() const {
+    const BlockBins block = data_->layout.find("rays");
     std::uint64_t rays = 0;
-    for (const ExactBins& bins : sums.replicates) {
-        rays += static_cast<std::uint64_t>(bins.steps(sums.layout.rays()).low);
+    for (const ExactBins& bins : data_->replicates) {
+        rays += block.exists() ? static_cast<std::uint64_t>(bins.steps(block.first).low) : 0;
     }
     return rays;
+}
+
+std::uint64_t Sums::digest() const {
+    return data_->digest;
+}
+
+bool operator==(const Sums& a, const Sums& b) {
+    return *a == *b;
+}
+
+const ContributionBound& SumData::bound(std::string_view quantity) const {
+    static const ContributionBound kNone;
+    const auto found = std::ranges::find(bounds, quantity, &ContributionBound::quantity);
+    return found == bounds.end() ? kNone : *found;
+}
+
+Sums first_replicates(
+    const Sums& sums, std::size_t count, std::uint64_t paths, std::uint64_t samples) {
+    const auto& all = sums->replicates;
+    return Sums(
+        {.layout = sums->layout,
+         .units = sums->units,
+         .bounds = sums->bounds,
+         .strategies = sums->strategies,
+         .spectra = sums->spectra,
+         .emitted_flux = sums->emitted_flux,
+         .measured = sums->measured,
+         .escaped = sums->escaped,
+         .replicates = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)},
+         .paths = paths,
+         .samples = samples,
+         .per_contribution = sums->per_contribution});
 }
 
 }  // namespace quasimc

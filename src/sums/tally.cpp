@@ -17,13 +17,13 @@ void refuse_amount(double amount) {
 }
 
 Tally::Tally(const SumLayout& layout, std::size_t shared_regions, std::span<std::int64_t> shared)
-    : layout_(layout),
-      stride_(layout.stride()),
+    : blocks_(layout),
+      bins_(layout.bins()),
       shared_bins_(shared_regions * layout.stride()),
       shared_(shared) {
     resize_apart(own_, layout.bins() - shared_bins_);
     EXPECT(shared_regions == 0 || shared.size() == layout.bins());
-    EXPECT(shared_regions <= layout.regions);
+    EXPECT(shared_regions <= layout.regions());
 }
 
 void Tally::add_signed(std::size_t bin, std::int64_t amount) {
@@ -37,7 +37,7 @@ void Tally::add_signed(std::size_t bin, std::int64_t amount) {
 }
 
 void Tally::move_into(ExactBins& total) {
-    EXPECT(total.size() == layout_.bins());
+    EXPECT(total.size() == bins_);
     if (written_ < 0) {
         throw InputError(
             {{"sources", "light too strong to be summed",

@@ -6,8 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "quasimc/sums.h"
+#include "sums/exact_bins.h"
 #include "sums/fixed_point.h"
+#include "sums/light_blocks.h"
 
 namespace quasimc {
 
@@ -25,7 +26,8 @@ class Tally {
         std::size_t shared_regions = 0,
         std::span<std::int64_t> shared = {});
 
-    [[nodiscard]] const SumLayout& layout() const { return layout_; }
+    /// The blocks that every method adds to. A solver finds its own in the layout.
+    [[nodiscard]] const LightBlocks& blocks() const { return blocks_; }
 
     void add(std::size_t bin, std::int64_t amount) {
         if (bin >= shared_bins_) {
@@ -42,7 +44,7 @@ class Tally {
         std::int64_t a,
         std::size_t place_b,
         std::int64_t b) {
-        const std::size_t row = region * stride_;
+        const std::size_t row = region * blocks_.stride();
         if (row >= shared_bins_) {
             std::int64_t* bins = &own_[row - shared_bins_];
             written_ |= add_to(bins[place_a], a);
@@ -94,8 +96,8 @@ class Tally {
         written_ |= add_to(sum, amount);
     }
 
-    SumLayout layout_;
-    std::size_t stride_;
+    LightBlocks blocks_;
+    std::size_t bins_;
     std::size_t shared_bins_ = 0;
     std::span<std::int64_t> shared_;
     std::vector<std::int64_t> own_;

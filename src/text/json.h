@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 
 namespace quasimc {
 

@@ -3,14 +3,14 @@
 namespace quasimc {
 
 void score_absorbed(const PreparedScene& prepared, const Arrival& arrival, Tally& tally) {
-    const SumLayout& layout = tally.layout();
-    if (layout.absorbed_light == AbsorbedLight::inferred) {
+    const LightBlocks& blocks = tally.blocks();
+    if (!blocks.has_absorbed()) {
         return;
     }
     const Side& side = prepared.material(arrival.region).side(arrival.side);
     const std::size_t first = arrival.part == LightPart::direct
-                                  ? layout.absorbed_direct(arrival.region)
-                                  : layout.absorbed_scattered(arrival.region);
+                                  ? blocks.absorbed_direct(arrival.region)
+                                  : blocks.absorbed_scattered(arrival.region);
     for (std::size_t b = 0; b < arrival.weights.size(); ++b) {
         const double absorbed = side.absorptance(b, arrival.cosine);
         tally.add(first + b, to_fixed(arrival.factor * arrival.weights[b] * absorbed));

@@ -22,7 +22,7 @@ struct Arrival {
 };
 
 /// Adds what the surface absorbs of light that falls on it, where that is summed on its own
-/// (AbsorbedLight::summed); elsewhere it follows from what falls on surfaces.
+/// (LightBlocks::has_absorbed); elsewhere it follows from what falls on surfaces.
 void score_absorbed(const PreparedScene& prepared, const Arrival& arrival, Tally& tally);
 
 }  // namespace quasimc

@@ -84,7 +84,7 @@ class ParticleTracer {
         if (path_.light->lit_area > 0 && surface.cosine > 0 &&
             prepared_.rounding().is_sunlit(surface.triangle, direction_, surface.cosine)) {
             tally_.add(
-                tally_.layout().sunlit(surface.region),
+                tally_.blocks().sunlit(surface.region),
                 to_fixed(
                     prepared_.rounding().area_share(surface.triangle) * path_.weight *
                     path_.light->lit_area / surface.cosine));
@@ -97,16 +97,16 @@ class ParticleTracer {
         if (prepared_.material(surface.region).is_transparent()) {
             return;
         }
-        const SumLayout& layout = tally_.layout();
+        const LightBlocks& blocks = tally_.blocks();
         if (direct_) {
             tally_.add_signed(
-                layout.escaped_direct() + path_.light->spectrum,
+                blocks.escaped_direct() + path_.light->spectrum,
                 to_fixed(path_.weight) - to_fixed((1 - part) * path_.weight));
             return;
         }
         for (std::size_t b = 0; b < weights_.size(); ++b) {
             tally_.add_signed(
-                layout.escaped_scattered() + b, fixed_[b] - to_fixed((1 - part) * weights_[b]));
+                blocks.escaped_scattered() + b, fixed_[b] - to_fixed((1 - part) * weights_[b]));
         }
     }
 
@@ -136,31 +136,31 @@ class ParticleTracer {
         for (std::size_t b = 0; b < weights_.size(); ++b) {
             fixed_[b] = to_fixed(weights_[b]);
         }
-        tally_.add(tally_.layout().scattered_out(), fixed_);
+        tally_.add(tally_.blocks().scattered_out(), fixed_);
     }
 
     /// Adds light that has left the scene, or is lost between the layers of a periodic one.
     void score_end(RayEnd end) {
-        const SumLayout& layout = tally_.layout();
+        const LightBlocks& blocks = tally_.blocks();
         if (direct_ && end == RayEnd::escaped) {
-            tally_.add(layout.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
+            tally_.add(blocks.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
         } else if (direct_) {
             set_start_weights(path_, weights_);
             for (std::size_t b = 0; b < weights_.size(); ++b) {
-                tally_.add(layout.cut_off() + b, to_fixed(weights_[b]));
+                tally_.add(blocks.cut_off() + b, to_fixed(weights_[b]));
             }
         } else if (end == RayEnd::escaped) {
-            tally_.add(layout.escaped_scattered(), fixed_);
+            tally_.add(blocks.escaped_scattered(), fixed_);
             score_detectors();
         } else {
-            tally_.add(layout.cut_off(), fixed_);
+            tally_.add(blocks.cut_off(), fixed_);
         }
     }
 
     void score_detectors() {
         const auto& detectors = prepared_.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
-            detectors[i]->on_escape(direction_, fixed_, tally_.layout().detector(i), tally_);
+            detectors[i]->on_escape(direction_, fixed_, tally_.blocks().detector(i), tally_);
         }
     }
 

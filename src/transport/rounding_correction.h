@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "geometry/cast/ray_caster.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "scene/scene.h"
 
 namespace quasimc {

@@ -58,8 +58,8 @@ inline void score_cut_off(
     const Side& side, double cosine, std::span<const double> weights, Tally& tally) {
     for (std::size_t b = 0; b < weights.size(); ++b) {
         const std::int64_t fixed = to_fixed(weights[b] * side.albedo(b, cosine));
-        tally.add(tally.layout().scattered_out() + b, fixed);
-        tally.add(tally.layout().cut_off() + b, fixed);
+        tally.add(tally.blocks().scattered_out() + b, fixed);
+        tally.add(tally.blocks().cut_off() + b, fixed);
     }
 }
 

@@ -18,8 +18,8 @@ inline void score_direct(
     const BoundSource& light,
     double amount,
     Tally& tally) {
-    const SumLayout& layout = tally.layout();
-    tally.add(layout.direct(at.region, at.side, light.spectrum), to_fixed(amount));
+    const LightBlocks& blocks = tally.blocks();
+    tally.add(blocks.direct(at.region, at.side, light.spectrum), to_fixed(amount));
     score_absorbed(
         prepared, {at.region, at.side, at.cosine, LightPart::direct, amount, light.start_weights},
         tally);
@@ -33,8 +33,8 @@ inline void score_scattered(
     double factor,
     std::span<const double> weights,
     Tally& tally) {
-    const SumLayout& layout = tally.layout();
-    const std::size_t bins = layout.scattered(at.region, at.side);
+    const LightBlocks& blocks = tally.blocks();
+    const std::size_t bins = blocks.scattered(at.region, at.side);
     for (std::size_t b = 0; b < weights.size(); ++b) {
         tally.add(bins + b, to_fixed(weights[b] * factor));
     }

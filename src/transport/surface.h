@@ -1,6 +1,6 @@
 #pragma once
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {

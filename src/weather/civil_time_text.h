@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "quasimc/error.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 

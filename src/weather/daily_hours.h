@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 

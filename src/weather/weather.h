@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "light/daylight/hour_light.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 #include "text/table_reader.h"
 
 namespace quasimc {

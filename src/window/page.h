@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "quasimc/file.h"
+#include "quasimc/error.h"
 #include "window/window_data.h"
 
 namespace quasimc {

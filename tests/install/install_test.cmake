@@ -21,8 +21,8 @@ file(MAKE_DIRECTORY "${work}")
 file(RENAME "${work}/prefix" "${work}/moved")
 
 # What users see of the library. Whoever adds to it, adds it here.
-set(public capi.h detector.h error.h file.h groups.h growth_session.h material.h mesh.h quasimc.h result.h result_file.h run.h run_file.h run_listener.h run_spec.h scene.h series.h
-           share.h source.h sums.h sun.h vec3.h version.h)
+set(public capi.h error.h material.h mesh.h quasimc.h result.h result_file.h run.h run_file.h run_spec.h scene.h series.h
+           share.h source.h sums.h version.h)
 list(TRANSFORM public PREPEND quasimc/)
 file(GLOB_RECURSE installed RELATIVE "${work}/moved/include" "${work}/moved/include/*")
 list(SORT installed)

@@ -120,7 +120,7 @@ Work work_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
         Sums sums = empty_sums(prepared, spec);
         Executor executor(1);
         make_solver({prepared, sampler, spec})->solve({0, spec.paths}, executor, sums);
-        work.rays = static_cast<double>(count_rays(sums));
+        work.rays = static_cast<double>(sums.rays());
     });
     work.numbers = static_cast<double>(sampler.drawn());
     return work;

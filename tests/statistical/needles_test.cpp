@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

@@ -248,7 +248,7 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
     const Sums sums = Simulator().sums(scene, sources, spec, 0);
     const Sums coarse = coarser_sums(sums);
     // Two sides of two regions, and three flows.
-    EXPECT_EQ(coarse.layout.bins() + 7, sums.layout.bins());
+    EXPECT_EQ(coarse->layout.bins() + 7, sums->layout.bins());
     const Estimate told =
         evaluate_run(sums, scene, spec, sources).at(1, Quantity::absorbed_flux, 0);
     const Result fine = evaluate_run(sums, scene, spec, sources);

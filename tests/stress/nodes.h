@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "text/document.h"
 
 // Run files as values: made, changed, and written as TOML.

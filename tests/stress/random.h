@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "samplers/hash.h"
 
 namespace quasimc::stress {

@@ -10,7 +10,7 @@
 #include "base/text.h"
 #include "geometry/shapes/shapes.h"
 #include "quasimc/error.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "text/line_scanner.h"
 #include "text/numbers.h"
 

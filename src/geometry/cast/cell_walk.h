@@ -8,7 +8,7 @@
 #include "geometry/cast/intersector.h"
 #include "geometry/cast/rounding.h"
 #include "geometry/mesh/cell.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

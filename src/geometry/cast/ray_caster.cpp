@@ -10,7 +10,7 @@
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
 #include "geometry/cast/sliver_place.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

@@ -10,7 +10,7 @@
 
 #include "base/checks.h"
 #include "quasimc/error.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

@@ -14,7 +14,6 @@
 #include "geometry/range_index.h"
 #include "geometry/scene_geometry.h"
 #include "quasimc/mesh.h"
-#include "quasimc/vec3.h"
 
 namespace quasimc {
 

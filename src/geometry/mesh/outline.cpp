@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/checks.h"
 #include "geometry/shapes/shapes.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

@@ -8,9 +8,8 @@
 #include "light/daylight/clear_sky.h"
 #include "light/daylight/daylight.h"
 #include "light/daylight/diffuse_fraction.h"
+#include "quasimc/mesh.h"
 #include "quasimc/source.h"
-#include "quasimc/sun.h"
-#include "quasimc/vec3.h"
 
 namespace quasimc {
 

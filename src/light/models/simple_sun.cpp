@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 

@@ -5,7 +5,7 @@
 
 #include "base/range.h"
 #include "base/text.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "light/sun/sun_ephemeris.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "base/angles.h"
 #include "light/sun/sun_ephemeris.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc {
 namespace {

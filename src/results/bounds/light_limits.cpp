@@ -53,19 +53,12 @@ double least_absorptance(const Scene& scene, const Organ& organ, std::size_t ban
 }  // namespace
 
 double OrganLimits::of(Quantity quantity, std::size_t band) const {
-    switch (quantity) {
-        case Quantity::incident_upper:
-            return direct_upper[band] + scattered[band];
-        case Quantity::incident_lower:
-            return direct_lower[band] + scattered[band];
-        case Quantity::incident_direct:
-            return direct_upper[band] + direct_lower[band];
-        case Quantity::incident_scattered:
-            return scattered[band];
-        default:  // What is absorbed fell on it.
-            return std::min(
-                emitted[band], direct_upper[band] + direct_lower[band] + scattered[band]);
-    }
+    const LightParts& parts = parts_of(quantity);
+    double most = 0;
+    most += parts.direct && parts.upper ? direct_upper[band] : 0;
+    most += parts.direct && parts.lower ? direct_lower[band] : 0;
+    most += parts.scattered ? scattered[band] : 0;
+    return parts.is_absorbed ? std::min(emitted[band], most) : most;  // what is absorbed fell on it
 }
 
 OrganLimits& OrganLimits::operator+=(const OrganLimits& other) {

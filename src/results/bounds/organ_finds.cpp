@@ -47,9 +47,9 @@ SingleFind direct_find(double found, double unoccluded, double tries, double by_
 
 OrganFinds::OrganFinds(const OrganReader& reader, std::size_t band)
     : knows_unoccluded_(reader.knows_unoccluded()),
-      knows_kinds_(!knows_unoccluded_ && reader.kinds() > 0),
+      knows_kinds_(!knows_unoccluded_ && reader.strategies() > 0),
       absorptance_(reader.largest_absorptance(band)),
-      bound_(reader.flux_per_find(band)) {
+      bound_(reader.largest_direct(band)) {
     if (knows_unoccluded_) {
         set_unoccluded(reader, band);
     } else if (knows_kinds_) {
@@ -70,7 +70,7 @@ void OrganFinds::set_unoccluded(const OrganReader& reader, std::size_t band) {
         mean.unoccluded_lower += in.unoccluded_lower / count;
     }
     const double tries = count * reader.samples();
-    const double by_path = reader.flux_per_light_path(band) / count;
+    const double by_path = reader.largest_by_light_path(band) / count;
     // Where the points can't see a source, light paths may bring its light.
     const bool is_hidden = mean.unoccluded_upper == 0 && mean.unoccluded_lower == 0;
     const double direct_path = is_hidden ? by_path : 0;
@@ -86,7 +86,7 @@ void OrganFinds::set_unoccluded(const OrganReader& reader, std::size_t band) {
     // What points have found must not hide that light paths have found nothing. A sample looks for
     // scattered light on one of the two sides.
     const double find =
-        std::hypot(reader.part_in_view() * reader.scattered_flux_per_find(band) / count, by_path);
+        std::hypot(reader.part_in_view() * reader.largest_scattered(band) / count, by_path);
     const auto scattered = [&](double found) { return SingleFind{find, found == 0 ? 0 : find}; };
     scattered_ = {scattered(mean.scattered_upper), scattered(mean.scattered_lower)};
     on_either_ = scattered(mean.scattered_upper + mean.scattered_lower);
@@ -98,13 +98,13 @@ namespace {
 /// evenly that of 4.96 expected nearly all replicates find 5. They do not tell then how often one
 /// has another number.
 bool agrees_by_chance(const OrganReader& reader, std::size_t kind, SurfaceSide side) {
-    return reader.kind(kind).found_by == FoundBy::paths && reader.found_alike(kind, side);
+    return reader.strategy(kind).by == SampledBy::paths && reader.found_alike(kind, side);
 }
 
 /// Whether the first replicate alone has so many finds that all together have enough: most have.
 bool has_plenty(const OrganReader& reader, std::size_t kind, SurfaceSide side) {
     const OrganReader::Found first = reader.found(kind, side, 1);
-    return first.units > 0 && first.finds() >= 2 * reader.kind(kind).many &&
+    return first.units > 0 && first.finds() >= 2 * reader.strategy(kind).many &&
            !agrees_by_chance(reader, kind, side);
 }
 
@@ -118,10 +118,10 @@ SingleFind at_least_one(const SingleFind& find, double mean, double finds) {
 
 void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
     const auto count = static_cast<double>(reader.replicates());
-    for (std::size_t i = 0; i < reader.kinds(); ++i) {
-        const LightKind& light = reader.kind(i);
+    for (std::size_t i = 0; i < reader.strategies(); ++i) {
+        const SamplingStrategy& light = reader.strategy(i);
         const double flux = reader.flux_per_unit(i, band) / count;
-        const bool is_path = light.found_by == FoundBy::paths;
+        const bool is_path = light.by == SampledBy::paths;
         for (const SurfaceSide side : kSurfaceSides) {
             if (has_plenty(reader, i, side)) {
                 continue;
@@ -129,7 +129,7 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
             const OrganReader::Found found = reader.found(i, side, reader.replicates());
             SingleFind find = find_among(
                 found.units * flux, found.finds(),
-                reader.units_per_find(i, side, found.units > 0) * flux, count, light.many);
+                reader.units_per_contribution(i, side, found.units > 0) * flux, count, light.many);
             find.less = light.spectra.empty() ? find.more : find.less;
             if (agrees_by_chance(reader, i, side)) {
                 find = at_least_one(find, found.units * flux, found.finds());
@@ -149,7 +149,7 @@ void OrganFinds::set_kinds(const OrganReader& reader, std::size_t band) {
 
 void OrganFinds::set_scattered(const OrganReader& reader, std::size_t band) {
     const auto count = static_cast<double>(reader.replicates());
-    const double once = reader.scattered_flux_per_find(band) / count;
+    const double once = reader.largest_scattered(band) / count;
     const double upper = reader.scattered(SurfaceSide::upper, band) / count;
     const double lower = reader.scattered(SurfaceSide::lower, band) / count;
     const auto by_find = [&](double mean, double find) {
@@ -180,37 +180,30 @@ SingleFind OrganFinds::incident_find() const {
     if (!knows_finds() || is_settled_) {
         return {};
     }
-    const Parts found = incident_parts();
+    const Parts found = parts(kIncidentLight);
     return both(found.by_look, found.by_path);
 }
 
+/// Of the light that comes straight from the sources, or that paths of theirs bring, on the sides
+/// of some parts.
+template <typename Together>
+SingleFind OrganFinds::on_sides(const Kind& kind, const LightParts& parts, Together together) {
+    return parts.upper && parts.lower ? together(kind.upper, kind.lower)
+                                      : (parts.upper ? kind.upper : kind.lower);
+}
+
 /// Paths are finds whatever they bring: one more may bring direct light, or scattered.
-OrganFinds::Parts OrganFinds::incident_parts() const {
-    const SingleFind direct = both(direct_.upper, direct_.lower);
-    return knows_unoccluded_
-               ? Parts{{}, both(direct, on_either_)}
-               : Parts{direct, larger(larger(by_path_.upper, by_path_.lower), on_either_)};
-}
-
-OrganFinds::Parts OrganFinds::parts(Quantity quantity) const {
-    return knows_unoccluded_ ? Parts{{}, find_among_points(quantity)} : parts_of_kinds(quantity);
-}
-
-OrganFinds::Parts OrganFinds::parts_of_kinds(Quantity quantity) const {
-    switch (quantity) {
-        case Quantity::incident_upper:
-            return {direct_.upper, larger(by_path_.upper, scattered_.upper)};
-        case Quantity::incident_lower:
-            return {direct_.lower, larger(by_path_.lower, scattered_.lower)};
-        case Quantity::incident_direct:
-            return {both(direct_.upper, direct_.lower), larger(by_path_.upper, by_path_.lower)};
-        case Quantity::incident_scattered:
-            return {{}, on_either_};
-        default: {
-            const Parts incident = incident_parts();
-            return {incident.by_look * absorptance_, incident.by_path * absorptance_};
-        }
-    }
+OrganFinds::Parts OrganFinds::parts(const LightParts& parts) const {
+    const bool has_both_sides = parts.upper && parts.lower;
+    const SingleFind direct = parts.direct ? on_sides(direct_, parts, both) : SingleFind{};
+    const SingleFind by_path = parts.direct ? on_sides(by_path_, parts, larger) : SingleFind{};
+    const SingleFind scattered = !parts.scattered ? SingleFind{}
+                                 : has_both_sides ? on_either_
+                                                  : on_sides(scattered_, parts, both);
+    const Parts found = knows_unoccluded_ ? Parts{{}, both(direct, scattered)}
+                                          : Parts{direct, larger(by_path, scattered)};
+    return parts.is_absorbed ? Parts{found.by_look * absorptance_, found.by_path * absorptance_}
+                             : found;
 }
 
 namespace {
@@ -224,8 +217,8 @@ double sunlit_area_by(
     for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
         area += reader.sunlit_area(r) / reader.replicates();
     }
-    for (std::size_t other = 0; other < reader.kinds(); ++other) {
-        if (other != kind && reader.kind(other).has_suns) {
+    for (std::size_t other = 0; other < reader.strategies(); ++other) {
+        if (other != kind && reader.strategy(other).has_suns) {
             return found.units > 0 ? std::min(area, found.finds() * most) : 0;
         }
     }
@@ -243,12 +236,12 @@ SingleFind sunlit_find_of(const OrganReader& reader, std::size_t kind) {
     found = {found.units + lower.units, found.squares + lower.squares};
     const auto count = static_cast<double>(reader.replicates());
     const auto most = [&](bool is_seen) {
-        return reader.sunlit_per_find(kind, is_seen) * reader.sunlit_area_per_find() / count;
+        return reader.sunlit_per_contribution(kind, is_seen) * reader.largest_sunlit() / count;
     };
-    const bool is_known = !reader.kind(kind).spectra.empty();
+    const bool is_known = !reader.strategy(kind).spectra.empty();
     const double area = is_known ? sunlit_area_by(reader, kind, found, most(true)) : 0;
     SingleFind find =
-        find_among(area, found.finds(), most(area > 0), count, reader.kind(kind).many);
+        find_among(area, found.finds(), most(area > 0), count, reader.strategy(kind).many);
     find.less = is_known ? find.less : find.more;
     return agrees_by_chance(reader, kind, SurfaceSide::upper) &&
                    agrees_by_chance(reader, kind, SurfaceSide::lower)
@@ -260,27 +253,12 @@ SingleFind sunlit_find_of(const OrganReader& reader, std::size_t kind) {
 
 SingleFind OrganFinds::sunlit_find(const OrganReader& reader) {
     SingleFind sum;
-    for (std::size_t i = 0; i < reader.kinds(); ++i) {
-        if (reader.kind(i).has_suns) {
+    for (std::size_t i = 0; i < reader.strategies(); ++i) {
+        if (reader.strategy(i).has_suns) {
             sum = both(sum, sunlit_find_of(reader, i));
         }
     }
     return sum;
-}
-
-SingleFind OrganFinds::find_among_points(Quantity quantity) const {
-    switch (quantity) {
-        case Quantity::incident_upper:
-            return both(direct_.upper, scattered_.upper);
-        case Quantity::incident_lower:
-            return both(direct_.lower, scattered_.lower);
-        case Quantity::incident_direct:
-            return both(direct_.upper, direct_.lower);
-        case Quantity::incident_scattered:
-            return on_either_;
-        default:
-            return incident_parts().by_path * absorptance_;
-    }
 }
 
 Estimate OrganFinds::estimate(
@@ -293,9 +271,8 @@ Estimate OrganFinds::estimate(
         const SingleFind one = find(entry.quantity);
         return estimate_finds(values, {one.more * unit, one.less * unit});
     }
-    const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
-                             entry.quantity == Quantity::absorbed_flux_density;
-    return estimate_seen_or_bound(values, bound_ * unit * (is_absorbed ? absorptance_ : 1));
+    const double part = parts_of(entry.quantity).is_absorbed ? absorptance_ : 1;
+    return estimate_seen_or_bound(values, bound_ * unit * part);
 }
 
 Estimate estimate_sunlit_points(std::span<const double> values, double all, double find) {

@@ -37,7 +37,8 @@ class OrganFinds {
     struct Parts {
         SingleFind by_look, by_path;
     };
-    [[nodiscard]] Parts parts(Quantity quantity) const;
+    [[nodiscard]] Parts parts(Quantity quantity) const { return parts(parts_of(quantity)); }
+    [[nodiscard]] Parts parts(const LightParts& parts) const;
 
     /// A find of the sunlit area of an organ, where kinds of light are known.
     [[nodiscard]] static SingleFind sunlit_find(const OrganReader& reader);
@@ -46,14 +47,13 @@ class OrganFinds {
     void set_unoccluded(const OrganReader& reader, std::size_t band);
     void set_kinds(const OrganReader& reader, std::size_t band);
     void set_scattered(const OrganReader& reader, std::size_t band);
-    [[nodiscard]] SingleFind find_among_points(Quantity quantity) const;
-    [[nodiscard]] Parts parts_of_kinds(Quantity quantity) const;
-    [[nodiscard]] Parts incident_parts() const;
 
     /// One kind of light.
     struct Kind {
         SingleFind upper, lower;
     };
+    template <typename Together>
+    static SingleFind on_sides(const Kind& kind, const LightParts& parts, Together together);
 
     bool knows_unoccluded_, knows_kinds_;
     bool is_settled_ = false;

@@ -8,11 +8,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
+#include "results/quantities.h"
 #include "scene/scene.h"
+#include "sums/light_blocks.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 
@@ -22,6 +26,15 @@ struct Incident {
     double absorbed = 0;
     double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
 
+    /// The flux of some parts.
+    [[nodiscard]] double of(const LightParts& parts) const {
+        double sum = 0;
+        sum += parts.direct && parts.upper ? direct_upper : 0;
+        sum += parts.direct && parts.lower ? direct_lower : 0;
+        sum += parts.scattered && parts.upper ? scattered_upper : 0;
+        sum += parts.scattered && parts.lower ? scattered_lower : 0;
+        return parts.is_absorbed ? absorbed : sum;
+    }
     Incident& operator+=(const Incident& part) {
         direct_upper += part.direct_upper;
         direct_lower += part.direct_lower;
@@ -38,13 +51,11 @@ struct Incident {
 /// @param per_area  1 / area of what it fell on; 0 for no area, which receives nothing
 inline std::array<double, kQuantities> quantities_of(const Incident& in, double per_area) {
     std::array<double, kQuantities> all{};
-    const auto put = [&](Quantity q, double value) { all[static_cast<std::size_t>(q)] = value; };
-    put(Quantity::absorbed_flux, in.absorbed);
-    put(Quantity::absorbed_flux_density, in.absorbed * per_area);
-    put(Quantity::incident_upper, (in.direct_upper + in.scattered_upper) * per_area);
-    put(Quantity::incident_lower, (in.direct_lower + in.scattered_lower) * per_area);
-    put(Quantity::incident_direct, (in.direct_upper + in.direct_lower) * per_area);
-    put(Quantity::incident_scattered, (in.scattered_upper + in.scattered_lower) * per_area);
+    const auto put = [&]<std::size_t... q>(std::index_sequence<q...>) {
+        const auto unit = [&](const QuantityEntry& entry) { return entry.is_flux ? 1 : per_area; };
+        ((all[q] = in.of(kQuantityRows[q].parts) * unit(kQuantityRows[q].entry)), ...);
+    };
+    put(std::make_index_sequence<kQuantities>());  // unrolled: all else of a row is known then
     return all;
 }
 
@@ -63,46 +74,69 @@ inline void put_sample(
 /// What a fraction of 1 comes out as, or more.
 inline constexpr double kFullyLit = 1 - 1e-12;
 
-/// What sums mean, band by band: the units of Sums after all its samples.
-class Units {
+/// Reads sums: the handles of their blocks and bounds, found once, and what bins mean after all
+/// samples.
+class SumReader {
   public:
-    explicit Units(const Sums& sums) : sums_(sums), samples_(static_cast<double>(sums.samples)) {}
+    explicit SumReader(const Sums& sums)
+        : data_(*sums),
+          blocks_(data_.layout),
+          unoccluded_(data_.layout, "unoccluded"),
+          squares_(data_.layout, "squares"),
+          direct_(data_.bound("direct")),
+          scattered_(data_.bound("scattered")),
+          light_path_(data_.bound("light_path")),
+          sunlit_(data_.bound("sunlit")),
+          samples_(static_cast<double>(data_.samples)) {}
+
+    [[nodiscard]] const SumData& data() const { return data_; }
+    [[nodiscard]] const LightBlocks& blocks() const { return blocks_; }
+    /// What would come straight from the sources if nothing stood in its way; may be missing.
+    [[nodiscard]] const SideBlocks& unoccluded() const { return unoccluded_; }
+    /// By strategy whose contributions are counted: the sum of their squares.
+    [[nodiscard]] const SideBlocks& squares() const { return squares_; }
+    [[nodiscard]] double samples() const { return samples_; }
 
     /// Flux in `band` of a unit of scattered light, or of direct light of a spectrum of 1.
     [[nodiscard]] double flux(std::size_t region, std::size_t band) const {
-        return sums_.units.flux[band] * sums_.units.scale(region) / samples_;
-    }
-    [[nodiscard]] double flux_per_find(std::size_t region, std::size_t band) const {
-        return sums_.units.flux_per_find[band] * sums_.units.scale_of_find(region) / samples_;
-    }
-    [[nodiscard]] double scattered_flux_per_find(std::size_t region, std::size_t band) const {
-        const auto& own = sums_.units.scattered_flux_per_find;
-        return (own.empty() ? sums_.units.flux_per_find : own)[band] *
-               sums_.units.scale_of_find(region) / samples_;
+        return data_.units.flux[band] * data_.units.scale(region) / samples_;
     }
     [[nodiscard]] double sunlit_area(std::size_t region) const {
-        return sums_.units.sunlit_area * sums_.units.scale(region) / samples_;
+        return data_.units.sunlit_area * data_.units.scale(region) / samples_;
     }
-    [[nodiscard]] double sunlit_area_per_find(std::size_t region) const {
-        return sums_.units.sunlit_area_per_find * sums_.units.scale_of_find(region) / samples_;
+    /// The largest contribution of a single sample: flux, of what is sunlit area.
+    [[nodiscard]] double largest_direct(std::size_t region, std::size_t band) const {
+        return direct_.of(region, band) / samples_;
+    }
+    [[nodiscard]] double largest_scattered(std::size_t region, std::size_t band) const {
+        return scattered_.of(region, band) / samples_;
+    }
+    [[nodiscard]] double largest_by_light_path(std::size_t region, std::size_t band) const {
+        return light_path_.of(region, band) / samples_;
+    }
+    [[nodiscard]] double largest_sunlit(std::size_t region) const {
+        return sunlit_.of(region) / samples_;
     }
 
   private:
-    const Sums& sums_;
+    const SumData& data_;
+    LightBlocks blocks_;
+    SideBlocks unoccluded_, squares_;
+    const ContributionBound &direct_, &scattered_, &light_path_, &sunlit_;
     double samples_;
 };
 
 /// Whether the light of an organ was summed.
 inline bool is_measured(const Sums& sums, const Organ& organ) {
-    return sums.measured == MeasuredOrgans::all || organ.measured;
+    return sums->measured == MeasuredOrgans::all || organ.measured;
 }
 
 /// Reads an organ's sums.
 class OrganReader {
   public:
     OrganReader(
-        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const Organ& organ)
-        : sums_(sums), units_(sums), scene_(scene), spec_(spec), organ_(organ) {}
+        const SumReader& sums, const Scene& scene, const EvaluationSpec& spec, const Organ& organ)
+        : sums_(sums.data()), reader_(sums), scene_(scene), spec_(spec), organ_(organ) {}
 
     [[nodiscard]] Incident incident(std::uint32_t replicate, std::size_t band) const {
         Incident sum;
@@ -118,7 +152,7 @@ class OrganReader {
         double sum = 0;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
-            sum += bins.value(sums_.layout.sunlit(region)) * units_.sunlit_area(region);
+            sum += bins.value(reader_.blocks().sunlit(region)) * reader_.sunlit_area(region);
         }
         return sum;
     }
@@ -157,31 +191,28 @@ class OrganReader {
             twice_area > 0 ? std::max(0.0, 1 - length(opening) / twice_area) : 0};
     }
 
-    /// SumUnits::flux_per_find of the organ; nothing falls on one of no area.
-    [[nodiscard]] double flux_per_find(std::size_t band) const {
-        return organ_.area > 0 ? units_.flux_per_find(organ_.first_region, band) : 0;
+    /// The largest contribution of a sample to the organ's direct light, as flux; nothing falls on
+    /// one of no area.
+    [[nodiscard]] double largest_direct(std::size_t band) const {
+        return organ_.area > 0 ? reader_.largest_direct(organ_.first_region, band) : 0;
     }
     /// The same of scattered light.
-    [[nodiscard]] double scattered_flux_per_find(std::size_t band) const {
-        return organ_.area > 0 ? units_.scattered_flux_per_find(organ_.first_region, band) : 0;
+    [[nodiscard]] double largest_scattered(std::size_t band) const {
+        return organ_.area > 0 ? reader_.largest_scattered(organ_.first_region, band) : 0;
     }
     /// The part of the light from an even surrounding that lies within the field of view.
     [[nodiscard]] double part_in_view() const {
         return 1 - organ_.least_cosine * organ_.least_cosine;
     }
-    /// flux_per_find() of a light path; 0 if there are none.
-    [[nodiscard]] double flux_per_light_path(std::size_t band) const {
-        const auto& flux = sums_.units.flux_per_light_path;
-        const auto& parts = sums_.units.light_path_part;
-        const double part = parts.empty() ? 1 : parts[organ_.first_region];
-        return organ_.area > 0 && !flux.empty() ? part * flux[band] / samples() : 0;
+    /// The same of a light path that is followed along with a sample; 0 if there are none.
+    [[nodiscard]] double largest_by_light_path(std::size_t band) const {
+        return organ_.area > 0 ? reader_.largest_by_light_path(organ_.first_region, band) : 0;
     }
     /// Samples of a replicate.
-    [[nodiscard]] double samples() const { return static_cast<double>(sums_.samples); }
+    [[nodiscard]] double samples() const { return reader_.samples(); }
     [[nodiscard]] std::uint32_t replicates() const {
         return static_cast<std::uint32_t>(sums_.replicates.size());
     }
-    /// Whether it is known what light could have been found.
     /// Whether its triangles lie in parallel planes, so that a sun shines on all of them alike.
     [[nodiscard]] bool is_flat() const {
         constexpr double kParallel = 1 - 1e-9;
@@ -198,17 +229,18 @@ class OrganReader {
         }
         return true;
     }
-    [[nodiscard]] bool knows_unoccluded() const {
-        return sums_.layout.unoccluded_light == UnoccludedLight::summed;
-    }
-    [[nodiscard]] double sunlit_area_per_find() const {
-        return units_.sunlit_area_per_find(organ_.first_region);
+    /// Whether it is known what light could have been found.
+    [[nodiscard]] bool knows_unoccluded() const { return reader_.unoccluded().exists(); }
+    [[nodiscard]] double largest_sunlit() const {
+        return reader_.largest_sunlit(organ_.first_region);
     }
 
-    /// Kinds of lights of which it is known what one find brings; 0: see flux_per_find().
-    [[nodiscard]] std::size_t kinds() const { return sums_.units.kinds.size(); }
-    [[nodiscard]] const LightKind& kind(std::size_t i) const { return sums_.units.kinds[i]; }
-    /// What replicates together found of a kind of light on a side.
+    /// Strategies of which it is known what one contribution brings; 0: see largest_direct().
+    [[nodiscard]] std::size_t strategies() const { return sums_.strategies.size(); }
+    [[nodiscard]] const SamplingStrategy& strategy(std::size_t i) const {
+        return sums_.strategies[i];
+    }
+    /// What replicates together found of a strategy's light on a side.
     struct Found {
         double units = 0;    ///< of light
         double squares = 0;  ///< sum of squares of what each find brought
@@ -219,32 +251,33 @@ class OrganReader {
         [[nodiscard]] double usual() const { return units > 0 ? squares / units : 0; }
     };
     /// @param replicates  the first so many
-    [[nodiscard]] Found found(std::size_t kind, SurfaceSide side, std::size_t replicates) const {
+    [[nodiscard]] Found found(
+        std::size_t strategy, SurfaceSide side, std::size_t replicates) const {
         Found sum;
-        const SumLayout& layout = sums_.layout;
-        const LightKind& light = sums_.units.kinds[kind];
+        const SideBlocks& squares = reader_.squares();
+        const SamplingStrategy& light = sums_.strategies[strategy];
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
             double units = 0;
             for (const std::size_t spectrum : light.spectra) {
-                units += sum_of(layout.direct(region, side, spectrum), replicates);
+                units += sum_of(reader_.blocks().direct(region, side, spectrum), replicates);
             }
-            const double step = reach_of(region, kind, side) * light.step;
+            const double step = reach_of(region, strategy, side) * light.step;
             sum.units += units;
             sum.squares +=
-                kind < layout.counted_kinds
-                    ? sum_of(layout.squares(region, side, kind), replicates) * step * step
+                strategy < squares.columns()
+                    ? sum_of(squares.bin(region, side, strategy), replicates) * step * step
                     : units;
         }
         return sum;
     }
-    /// Whether each replicate found as much of a kind of light on a side as every other, but for
-    /// less than half of what a find brings: as the directions of a sun's disk make it.
-    [[nodiscard]] bool found_alike(std::size_t kind, SurfaceSide side) const {
-        const double half = found(kind, side, 1).usual() / 2;
-        const double first = units_of(0, kind, side);
+    /// Whether each replicate found as much of a strategy's light on a side as every other, but for
+    /// less than half of a contribution: as the directions of a sun's disk make it.
+    [[nodiscard]] bool found_alike(std::size_t strategy, SurfaceSide side) const {
+        const double half = found(strategy, side, 1).usual() / 2;
+        const double first = units_of(0, strategy, side);
         for (std::uint32_t r = 1; r < replicates(); ++r) {
-            if (std::abs(units_of(r, kind, side) - first) > half) {
+            if (std::abs(units_of(r, strategy, side) - first) > half) {
                 return false;
             }
         }
@@ -255,42 +288,43 @@ class OrganReader {
         double sum = 0;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
-            const std::size_t bin = sums_.layout.scattered(region, side) + band;
-            sum += sum_of(bin, sums_.replicates.size()) * units_.flux(region, band);
+            const std::size_t bin = reader_.blocks().scattered(region, side) + band;
+            sum += sum_of(bin, sums_.replicates.size()) * reader_.flux(region, band);
         }
         return sum;
     }
-    /// The most units of light that one find of a kind may bring to a side.
+    /// The most units of light that one contribution of a strategy may bring to a side.
     /// @param is_seen  whether some was found
-    [[nodiscard]] double units_per_find(std::size_t kind, SurfaceSide side, bool is_seen) const {
-        const double most =
-            is_seen ? std::numeric_limits<double>::infinity() : this->kind(kind).unseen_reach;
+    [[nodiscard]] double units_per_contribution(
+        std::size_t strategy, SurfaceSide side, bool is_seen) const {
+        const double most = is_seen ? std::numeric_limits<double>::infinity()
+                                    : this->strategy(strategy).unseen_reach;
         double sum = 0;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            sum += std::min(most, reach_of(organ_.first_region + i, kind, side));
+            sum += std::min(most, reach_of(organ_.first_region + i, strategy, side));
         }
-        return organ_.area > 0 ? sum * sums_.per_find[kind] : 0;
+        return organ_.area > 0 ? sum * sums_.per_contribution[strategy] : 0;
     }
-    /// The same of area lit by suns, units of sunlit_area_per_find().
+    /// The same of area lit by suns, units of largest_sunlit().
     /// @param is_seen  whether some was found
-    [[nodiscard]] double sunlit_per_find(std::size_t kind, bool is_seen) const {
-        const LightKind& light = this->kind(kind);
+    [[nodiscard]] double sunlit_per_contribution(std::size_t strategy, bool is_seen) const {
+        const SamplingStrategy& light = this->strategy(strategy);
         double sum = light.sunlit_reach.empty() ? 1 : 0;
         for (std::uint32_t i = 0; !light.sunlit_reach.empty() && i < organ_.region_count; ++i) {
             const std::uint32_t region = organ_.first_region + i;
             const double longest = std::max(
-                reach_of(region, kind, SurfaceSide::upper),
-                reach_of(region, kind, SurfaceSide::lower));
+                reach_of(region, strategy, SurfaceSide::upper),
+                reach_of(region, strategy, SurfaceSide::lower));
             const double part =
                 is_seen || longest <= light.unseen_reach ? 1 : light.unseen_reach / longest;
             sum += part * light.sunlit_reach[region];
         }
-        return sum * sums_.per_find[kind];
+        return sum * sums_.per_contribution[strategy];
     }
-    /// Flux in `band` of a unit of light of a kind; 0 where direct light does not count.
-    [[nodiscard]] double flux_per_unit(std::size_t kind, std::size_t band) const {
+    /// Flux in `band` of a unit of a strategy's light; 0 where direct light does not count.
+    [[nodiscard]] double flux_per_unit(std::size_t strategy, std::size_t band) const {
         return spec_.direct_light == DirectLight::counted
-                   ? this->kind(kind).flux[band] * sums_.units.scale(organ_.first_region) /
+                   ? this->strategy(strategy).flux[band] * sums_.units.scale(organ_.first_region) /
                          samples()
                    : 0;
     }
@@ -325,20 +359,21 @@ class OrganReader {
         return sum;
     }
 
-    /// Units of light of a kind that a replicate found on a side.
+    /// Units of a strategy's light that a replicate found on a side.
     [[nodiscard]] double units_of(
-        std::uint32_t replicate, std::size_t kind, SurfaceSide side) const {
+        std::uint32_t replicate, std::size_t strategy, SurfaceSide side) const {
         double sum = 0;
         for (std::uint32_t i = 0; i < organ_.region_count; ++i) {
-            for (const std::size_t spectrum : sums_.units.kinds[kind].spectra) {
+            for (const std::size_t spectrum : sums_.strategies[strategy].spectra) {
                 sum += sums_.replicates[replicate].value(
-                    sums_.layout.direct(organ_.first_region + i, side, spectrum));
+                    reader_.blocks().direct(organ_.first_region + i, side, spectrum));
             }
         }
         return sum;
     }
-    [[nodiscard]] double reach_of(std::uint32_t region, std::size_t kind, SurfaceSide side) const {
-        const auto& reach = this->kind(kind).reach;
+    [[nodiscard]] double reach_of(
+        std::uint32_t region, std::size_t strategy, SurfaceSide side) const {
+        const auto& reach = this->strategy(strategy).reach;
         return reach.empty() ? (region == organ_.first_region ? 1 : 0)
                              : reach[std::size_t{2} * region + index_of(side)];
     }
@@ -348,27 +383,28 @@ class OrganReader {
 
     [[nodiscard]] Incident region_incident(
         std::uint32_t replicate, std::uint32_t region, std::size_t band) const {
-        const SumLayout& layout = sums_.layout;
+        const LightBlocks& blocks = reader_.blocks();
+        const SideBlocks& unoccluded = reader_.unoccluded();
         const ExactBins& bins = sums_.replicates[replicate];
-        const double unit = units_.flux(region, band);
+        const double unit = reader_.flux(region, band);
         Incident sum;
         const bool is_counted = spec_.direct_light == DirectLight::counted;
-        for (std::size_t s = 0; is_counted && s < layout.spectra; ++s) {
+        for (std::size_t s = 0; is_counted && s < sums_.spectra.size(); ++s) {
             const double weight = sums_.spectra[s][band] * unit;
-            sum.direct_upper += bins.value(layout.direct(region, SurfaceSide::upper, s)) * weight;
-            sum.direct_lower += bins.value(layout.direct(region, SurfaceSide::lower, s)) * weight;
+            sum.direct_upper += bins.value(blocks.direct(region, SurfaceSide::upper, s)) * weight;
+            sum.direct_lower += bins.value(blocks.direct(region, SurfaceSide::lower, s)) * weight;
         }
-        for (std::size_t s = 0; is_counted && s < layout.unoccluded_spectra(); ++s) {
+        for (std::size_t s = 0; is_counted && s < unoccluded.columns(); ++s) {
             const double weight = sums_.spectra[s][band] * unit;
             sum.unoccluded_upper +=
-                bins.value(layout.unoccluded(region, SurfaceSide::upper, s)) * weight;
+                bins.value(unoccluded.bin(region, SurfaceSide::upper, s)) * weight;
             sum.unoccluded_lower +=
-                bins.value(layout.unoccluded(region, SurfaceSide::lower, s)) * weight;
+                bins.value(unoccluded.bin(region, SurfaceSide::lower, s)) * weight;
         }
         sum.scattered_upper =
-            bins.value(layout.scattered(region, SurfaceSide::upper) + band) * unit;
+            bins.value(blocks.scattered(region, SurfaceSide::upper) + band) * unit;
         sum.scattered_lower =
-            bins.value(layout.scattered(region, SurfaceSide::lower) + band) * unit;
+            bins.value(blocks.scattered(region, SurfaceSide::lower) + band) * unit;
         sum.absorbed = absorbed(bins, region, band, sum);
         return sum;
     }
@@ -376,12 +412,12 @@ class OrganReader {
     /// What a region absorbs: summed, or what follows from the light that falls on it.
     [[nodiscard]] double absorbed(
         const ExactBins& bins, std::uint32_t region, std::size_t band, const Incident& in) const {
-        if (sums_.layout.absorbed_light == AbsorbedLight::summed) {
-            const SumLayout& layout = sums_.layout;
+        const LightBlocks& blocks = reader_.blocks();
+        if (blocks.has_absorbed()) {
             const bool is_counted = spec_.direct_light == DirectLight::counted;
-            const double direct = bins.value(layout.absorbed_direct(region) + band);
-            const double scattered = bins.value(layout.absorbed_scattered(region) + band);
-            return ((is_counted ? direct : 0) + scattered) * units_.flux(region, band);
+            const double direct = bins.value(blocks.absorbed_direct(region) + band);
+            const double scattered = bins.value(blocks.absorbed_scattered(region) + band);
+            return ((is_counted ? direct : 0) + scattered) * reader_.flux(region, band);
         }
         const Material& material = material_of(region);
         return (in.direct_upper + in.scattered_upper) *
@@ -390,8 +426,8 @@ class OrganReader {
                    material.side(SurfaceSide::lower).absorptance()[band];
     }
 
-    const Sums& sums_;
-    Units units_;
+    const SumData& sums_;
+    const SumReader& reader_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
     const Organ& organ_;

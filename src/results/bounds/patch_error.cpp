@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/checks.h"
@@ -10,19 +11,6 @@
 
 namespace quasimc {
 namespace {
-
-/// A block of the coarser sums in those of both levels.
-SumBlock coarse_block(const std::vector<SumBlock>& blocks, const std::string& name) {
-    const auto find = [&](const std::string& wanted) {
-        return std::find_if(blocks.begin(), blocks.end(), [&](const SumBlock& block) {
-            return block.name == wanted;
-        });
-    };
-    const auto coarse = find("coarse_" + name);
-    const auto same = coarse == blocks.end() ? find(name) : coarse;
-    EXPECT(same != blocks.end());
-    return *same;
-}
 
 /// Widens all estimates of a result by what those of another one differ.
 class Widening {
@@ -86,41 +74,57 @@ void Widening::widen(const Result& other, Result& result) const {
     }
 }
 
-/// Adds the bins of a block to those of another one of the same shape.
+/// Adds the bins of a block to those of another one of the same columns.
+/// @param rows  of both
 void copy_block(
-    const ExactBins& from, const SumBlock& block, const SumBlock& target, ExactBins& to) {
-    for (std::size_t row = 0; row < target.rows; ++row) {
+    const ExactBins& from,
+    const BlockBins& block,
+    const BlockBins& target,
+    std::size_t rows,
+    ExactBins& to) {
+    for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column < target.columns; ++column) {
             to.add(target.bin(row, column), from.steps(block.bin(row, column)));
         }
     }
 }
 
+/// The layout without the blocks of the coarser level.
+SumLayout coarser_layout(const SumLayout& layout) {
+    SumBlocks blocks = layout.blocks();
+    std::erase_if(blocks, [](const SumBlock& block) { return block.name.starts_with(kCoarse); });
+    return {layout.regions(), std::move(blocks)};
+}
+
 }  // namespace
 
 Sums coarser_sums(const Sums& sums) {
-    Sums coarse{
-        .layout = sums.layout,
-        .units = sums.units,
-        .spectra = sums.spectra,
-        .emitted_flux = sums.emitted_flux,
-        .measured = sums.measured,
-        .escaped = sums.escaped,
+    const SumLayout& from = sums->layout;
+    SumData coarse{
+        .layout = coarser_layout(from),
+        .units = sums->units,
+        .bounds = sums->bounds,
+        .strategies = sums->strategies,
+        .spectra = sums->spectra,
+        .emitted_flux = sums->emitted_flux,
+        .measured = sums->measured,
+        .escaped = sums->escaped,
         .replicates = {},
-        .paths = sums.paths,
-        .samples = sums.samples * sums.replicates.size(),
-        .per_find = sums.per_find,
-        .digest = sums.digest};
-    coarse.layout.patch_levels = PatchLevels::none;
-    const std::vector<SumBlock> from = sums.layout.blocks();
+        .paths = sums->paths,
+        .samples = sums->samples * sums->replicates.size(),
+        .per_contribution = sums->per_contribution,
+        .digest = sums->digest};
     ExactBins bins(coarse.layout.bins());
     for (const SumBlock& block : coarse.layout.blocks()) {
-        for (const ExactBins& replicate : sums.replicates) {
-            copy_block(replicate, coarse_block(from, block.name), block, bins);
+        const BlockBins own = from.find(kCoarse + block.name);
+        const BlockBins source = own.exists() ? own : from.find(block.name);
+        const std::size_t rows = block.rows == SumBlock::Rows::regions ? from.regions() : 1;
+        for (const ExactBins& replicate : sums->replicates) {
+            copy_block(replicate, source, coarse.layout.find(block.name), rows, bins);
         }
     }
     coarse.replicates.push_back(std::move(bins));
-    return coarse;
+    return Sums(std::move(coarse));
 }
 
 Estimate with_patch_error(const Estimate& e, double difference) {

@@ -3,12 +3,14 @@
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
 #include "scene/scene.h"
+#include "sums/light_blocks.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 
 /// Whether sums hold light computed with two levels of patches.
 [[nodiscard]] inline bool has_two_levels(const Sums& sums) {
-    return sums.layout.patch_levels == PatchLevels::two;
+    return ScatteredBlocks(sums->layout, kCoarse).on_surfaces.exists();
 }
 
 /// Of sums with two levels of patches those of the coarser one, as sums of their own: of one

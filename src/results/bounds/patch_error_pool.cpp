@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "results/quantities.h"
+
 namespace quasimc {
 namespace {
 
@@ -106,8 +108,7 @@ void pool_quantity(
     std::size_t band,
     const Result& fine,
     Result& coarse) {
-    const bool is_absorbed = entry.quantity == Quantity::absorbed_flux ||
-                             entry.quantity == Quantity::absorbed_flux_density;
+    const bool is_absorbed = parts_of(entry.quantity).is_absorbed;
     const auto of_organ = [&](std::size_t i) {
         return is_absorbed ? fine.at(i, Quantity::absorbed_flux_density, band).mean *
                                  scattered_part(fine, i, band)

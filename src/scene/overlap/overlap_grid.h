@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/scene_geometry.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

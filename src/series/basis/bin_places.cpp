@@ -1,35 +1,49 @@
 #include "series/basis/bin_places.h"
 
-namespace quasimc {
+#include <utility>
 
-SumLayout common_layout(const Scene& scene) {
-    return {
-        .regions = scene.regions().size(),
-        .spectra = scene.bands().size(),
-        .bands = scene.bands().size(),
-        .patch_levels = PatchLevels::two};
+namespace quasimc {
+namespace {
+
+SumLayout sum_layout(std::size_t regions, std::size_t bands) {
+    SumBlocks blocks = light_blocks(bands, bands);
+    declare_scattered_on_surfaces(kCoarse, bands, blocks);
+    declare_scattered_of_run(kCoarse, bands, blocks);
+    return {regions, std::move(blocks)};
 }
 
-std::vector<BinPart> bin_parts(const SumLayout& layout) {
-    SumLayout one = layout;
-    one.regions = 1;
-    std::vector<BinPart> parts(one.bins());
+BinPart part_of(const SumColumn& column) {
     using Kind = BinPart::Kind;
-    const std::size_t bands = one.bands;
-    for (std::size_t b = 0; b < bands; ++b) {
-        for (const SurfaceSide side : kSurfaceSides) {
-            parts[one.direct(0, side, b)] = {Kind::direct, b};
-            parts[one.scattered(0, side) + b] = {Kind::scattered, b};
-            parts[one.coarse_scattered(0, side) + b] = {Kind::scattered, b};
-        }
-        parts[one.emitted() + b] = parts[one.escaped_direct() + b] = {Kind::direct, b};
-        for (const std::size_t first :
-             {one.escaped_scattered(), one.scattered_out(), one.cut_off(), one.coarse_escaped(),
-              one.coarse_escaped() + bands, one.coarse_escaped() + 2 * bands}) {
-            parts[first + b] = {Kind::scattered, b};
+    switch (column.of) {
+        case SumColumn::Of::spectrum:
+            return {Kind::direct, column.index};
+        case SumColumn::Of::band:
+            return {Kind::scattered, column.index};
+        case SumColumn::Of::area:
+            return {Kind::sunlit, 0};
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+BasisLayout::BasisLayout(std::size_t region_count, std::size_t band_count)
+    : sums(sum_layout(region_count, band_count)),
+      light(sums),
+      coarse(sums, kCoarse),
+      regions(region_count),
+      bands(band_count) {}
+
+std::vector<BinPart> bin_parts(const BasisLayout& layout) {
+    std::vector<BinPart> parts;
+    for (const SumBlock::Rows rows : {SumBlock::Rows::regions, SumBlock::Rows::run}) {
+        for (const SumBlock& block : layout.sums.blocks()) {
+            for (std::size_t i = 0; block.rows == rows && i < block.columns.size(); ++i) {
+                parts.push_back(part_of(block.columns[i]));
+            }
         }
     }
-    parts[one.sunlit(0)] = {Kind::sunlit, 0};
     return parts;
 }
 

@@ -3,16 +3,24 @@
 #include <cstddef>
 #include <vector>
 
-#include "quasimc/sums.h"
-#include "scene/scene.h"
+#include "sums/light_blocks.h"
 
 namespace quasimc {
 
 /// The bins of light that is put together from several runs: a spectrum for each band, so that
 /// amounts of all of them can be added, and two levels of patches.
-[[nodiscard]] SumLayout common_layout(const Scene& scene);
+struct BasisLayout {
+    BasisLayout(std::size_t regions, std::size_t bands);
 
-/// What a bin of common_layout() holds.
+    SumLayout sums;
+    LightBlocks light;
+    ScatteredBlocks coarse;
+    std::size_t regions, bands;
+
+    [[nodiscard]] std::size_t bins() const { return sums.bins(); }
+};
+
+/// What a bin of a basis holds.
 struct BinPart {
     enum class Kind { direct, scattered, sunlit, none };
     Kind kind = Kind::none;
@@ -26,14 +34,14 @@ struct BinPart {
     }
 };
 /// Of the bins of a region, then of those of the run.
-[[nodiscard]] std::vector<BinPart> bin_parts(const SumLayout& layout);
+[[nodiscard]] std::vector<BinPart> bin_parts(const BasisLayout& layout);
 
 /// Where bins stand in a response: part by part, the first bin of all regions, the second of all
 /// regions, ..., then those of the run.
 class BinPlaces {
   public:
-    explicit BinPlaces(const SumLayout& layout)
-        : regions_(layout.regions), stride_(layout.stride()), tail_(regions_ * stride_) {}
+    explicit BinPlaces(const BasisLayout& layout)
+        : regions_(layout.regions), stride_(layout.sums.stride()), tail_(regions_ * stride_) {}
 
     [[nodiscard]] std::size_t of(std::size_t bin) const {
         return bin < tail_ ? bin % stride_ * regions_ + bin / stride_ : bin;

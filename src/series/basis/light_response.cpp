@@ -4,7 +4,9 @@
 #include <span>
 
 #include "base/checks.h"
+#include "results/bounds/patch_error.h"
 #include "scene/repeat_bands.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 namespace {
@@ -12,13 +14,18 @@ namespace {
 /// Reads one replicate of sums.
 class ResponseReader {
   public:
-    ResponseReader(const Sums& sums, std::size_t copy, const SumLayout& layout)
-        : sums_(sums), from_(sums.layout), to_(layout), places_(layout), copy_(copy) {
+    ResponseReader(const SumData& sums, std::size_t copy, const BasisLayout& layout)
+        : sums_(sums),
+          from_(sums.layout),
+          from_coarse_(sums.layout, kCoarse),
+          to_(layout),
+          places_(layout),
+          copy_(copy) {
         const auto samples = static_cast<double>(sums.samples);
         for (std::size_t b = 0; b < to_.bands; ++b) {
             flux_.push_back(sums.units.flux[own(b)] / samples);
             spectra_.emplace_back();
-            for (std::size_t s = 0; s < from_.spectra; ++s) {
+            for (std::size_t s = 0; s < sums.spectra.size(); ++s) {
                 if (sums.spectra[s][own(b)] > 0) {
                     spectra_[b].push_back(s);
                 }
@@ -33,14 +40,10 @@ class ResponseReader {
             read_region(bins, region, flux);
         }
         for (std::size_t b = 0; b < to_.bands; ++b) {
-            put(flux, to_.emitted() + b, direct(bins, from_.emitted(), b));
-            put(flux, to_.escaped_direct() + b, direct(bins, from_.escaped_direct(), b));
-            for (std::size_t i = 0; i < 3; ++i) {  // escaped, scattered out, cut off
-                const std::size_t fine = from_.escaped_scattered() + i * from_.bands;
-                const std::size_t coarse = from_.coarse_escaped() + i * from_.bands;
-                put(flux, to_.escaped_scattered() + i * to_.bands + b, band(bins, fine, b));
-                put(flux, to_.coarse_escaped() + i * to_.bands + b, band(bins, coarse, b));
-            }
+            put(flux, to_.light.emitted() + b, direct(bins, from_.emitted(), b));
+            put(flux, to_.light.escaped_direct() + b, direct(bins, from_.escaped_direct(), b));
+            read_flows(bins, b, from_.scattered_blocks(), to_.light.scattered_blocks(), flux);
+            read_flows(bins, b, from_coarse_, to_.coarse, flux);
         }
         settle(flux);
         return flux;
@@ -48,7 +51,7 @@ class ResponseReader {
 
     /// Of the bands that the light has for itself.
     [[nodiscard]] std::size_t own(std::size_t band) const {
-        return repeated_band(band, copy_, from_.bands / to_.bands);
+        return repeated_band(band, copy_, sums_.bands() / to_.bands);
     }
 
   private:
@@ -57,7 +60,7 @@ class ResponseReader {
     void settle(std::vector<float>& flux) const {
         std::vector<float> factors(to_.bands, 1);
         for (std::size_t b = 0; b < to_.bands; ++b) {
-            const float drawn = flux[to_.emitted() + b];
+            const float drawn = flux[to_.light.emitted() + b];
             if (drawn > 0) {
                 factors[b] = static_cast<float>(sums_.emitted_flux[own(b)]) / drawn;
             }
@@ -71,18 +74,31 @@ class ResponseReader {
             }
         }
     }
+    /// Where scattered light of a band went.
+    void read_flows(
+        const ExactBins& bins,
+        std::size_t b,
+        const ScatteredBlocks& from,
+        const ScatteredBlocks& to,
+        std::vector<float>& flux) const {
+        for (BlockBins ScatteredBlocks::*flow :
+             {&ScatteredBlocks::escaped, &ScatteredBlocks::scattered_out,
+              &ScatteredBlocks::cut_off}) {
+            put(flux, (to.*flow).bin(0, b), band(bins, (from.*flow).first, b));
+        }
+    }
     void read_region(const ExactBins& bins, std::size_t region, std::vector<float>& flux) const {
         for (const SurfaceSide side : kSurfaceSides) {
             for (std::size_t b = 0; b < to_.bands; ++b) {
-                put(flux, to_.direct(region, side, b),
+                put(flux, to_.light.direct(region, side, b),
                     direct(bins, from_.direct(region, side, 0), b));
-                put(flux, to_.scattered(region, side) + b,
+                put(flux, to_.light.scattered(region, side) + b,
                     band(bins, from_.scattered(region, side), b));
-                put(flux, to_.coarse_scattered(region, side) + b,
-                    band(bins, from_.coarse_scattered(region, side), b));
+                put(flux, to_.coarse.on_surfaces.bin(region, side, b),
+                    band(bins, from_coarse_.on_surfaces.bin(region, side), b));
             }
         }
-        put(flux, to_.sunlit(region), bins.value(from_.sunlit(region)) * sunlit_);
+        put(flux, to_.light.sunlit(region), bins.value(from_.sunlit(region)) * sunlit_);
     }
     void put(std::vector<float>& flux, std::size_t bin, double value) const {
         flux[places_.of(bin)] = static_cast<float>(value);
@@ -100,8 +116,10 @@ class ResponseReader {
         return sum * flux_[b];
     }
 
-    const Sums& sums_;
-    const SumLayout &from_, &to_;
+    const SumData& sums_;
+    LightBlocks from_;
+    ScatteredBlocks from_coarse_;
+    const BasisLayout& to_;
     BinPlaces places_;
     std::size_t copy_;
     std::vector<double> flux_;                       // per band, of a unit
@@ -110,7 +128,7 @@ class ResponseReader {
 };
 
 /// What one replicate sees of suns.
-std::vector<float> bins_of_suns(const SunLight& light, const SumLayout& layout) {
+std::vector<float> bins_of_suns(const SunLight& light, const BasisLayout& layout) {
     const BinPlaces places(layout);
     std::vector<float> bins(layout.bins());
     const auto put = [&](std::size_t bin, double value) {
@@ -119,34 +137,34 @@ std::vector<float> bins_of_suns(const SunLight& light, const SumLayout& layout) 
     for (std::size_t i = 0; i < light.flux.size(); ++i) {
         const std::size_t region = i / (2 * layout.bands);
         const SurfaceSide side = kSurfaceSides[i / layout.bands % 2];
-        put(layout.direct(region, side, i % layout.bands), light.flux[i]);
+        put(layout.light.direct(region, side, i % layout.bands), light.flux[i]);
     }
     for (std::size_t region = 0; region < layout.regions; ++region) {
-        put(layout.sunlit(region), light.sunlit_area[region]);
+        put(layout.light.sunlit(region), light.sunlit_area[region]);
     }
     for (std::size_t b = 0; b < layout.bands; ++b) {
-        put(layout.emitted() + b, light.emitted[b]);
-        put(layout.escaped_direct() + b, light.escaped[b]);
+        put(layout.light.emitted() + b, light.emitted[b]);
+        put(layout.light.escaped_direct() + b, light.escaped[b]);
     }
     return bins;
 }
 
 }  // namespace
 
-LightResponse read_response(const Sums& sums, std::size_t copy, const SumLayout& layout) {
-    EXPECT(sums.layout.patch_levels == PatchLevels::two && sums.units.region_scale.empty());
-    const ResponseReader reader(sums, copy, layout);
+LightResponse read_response(const Sums& sums, std::size_t copy, const BasisLayout& layout) {
+    EXPECT(has_two_levels(sums) && sums->units.region_scale.empty());
+    const ResponseReader reader(*sums, copy, layout);
     LightResponse response;
-    for (const ExactBins& bins : sums.replicates) {
+    for (const ExactBins& bins : sums->replicates) {
         response.bins.push_back(reader.read(bins));
     }
     for (std::size_t b = 0; b < layout.bands; ++b) {
-        response.emitted.push_back(sums.emitted_flux[reader.own(b)]);
+        response.emitted.push_back(sums->emitted_flux[reader.own(b)]);
     }
     return response;
 }
 
-LightResponse response_of_suns(const std::vector<SunLight>& replicates, const SumLayout& layout) {
+LightResponse response_of_suns(const std::vector<SunLight>& replicates, const BasisLayout& layout) {
     LightResponse response;
     for (const SunLight& light : replicates) {
         response.bins.push_back(bins_of_suns(light, layout));

@@ -24,11 +24,11 @@ struct LightResponse {
 /// Reads what those lights bring that have one copy of all bands for themselves.
 /// @param sums  of with_repeated_bands()
 [[nodiscard]] LightResponse read_response(
-    const Sums& sums, std::size_t copy, const SumLayout& layout);
+    const Sums& sums, std::size_t copy, const BasisLayout& layout);
 
 /// What comes straight from suns.
 /// @param replicates  what each sees
 [[nodiscard]] LightResponse response_of_suns(
-    const std::vector<SunLight>& replicates, const SumLayout& layout);
+    const std::vector<SunLight>& replicates, const BasisLayout& layout);
 
 }  // namespace quasimc

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "series/basis/add_responses.h"
 #include "sums/statistics.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 namespace {
@@ -88,7 +89,7 @@ void add_all(
 
 }  // namespace
 
-LightSum::LightSum(const SumLayout& layout, std::size_t replicates)
+LightSum::LightSum(const BasisLayout& layout, std::size_t replicates)
     : layout_(layout),
       bins_(replicates, std::vector<double>(layout.bins())),
       emitted_(layout.bands) {}
@@ -205,18 +206,19 @@ void LightSum::raise(std::span<const double> parts) {
         for (std::size_t i = 0; i < bins.size(); ++i) {
             bins[i] += parts[i] * bins[i];
         }
-        const auto copy = [&](std::size_t from, std::size_t to, std::size_t count) {
-            for (std::size_t i = 0; i < count; ++i) {
-                std::copy_n(
-                    &bins[places.of(from + i)], places.count(from + i), &bins[places.of(to + i)]);
-            }
+        const std::size_t tail = layout_.regions * layout_.sums.stride();
+        const auto copy = [&](std::size_t from, std::size_t to) {
+            const std::size_t count = from < tail ? layout_.regions : 1;
+            std::copy_n(&bins[places.of(from)], count, &bins[places.of(to)]);
         };
-        // Bins of region 0 are parts.
-        copy(
-            layout_.scattered(0, SurfaceSide::upper),
-            layout_.coarse_scattered(0, SurfaceSide::upper), 2 * layout_.bands);
-        for (std::size_t b = 0; b < 3 * layout_.bands; ++b) {
-            bins[layout_.coarse_escaped() + b] = bins[layout_.escaped_scattered() + b];
+        const ScatteredBlocks &fine = layout_.light.scattered_blocks(), &coarse = layout_.coarse;
+        for (std::size_t b = 0; b < layout_.bands; ++b) {
+            for (const SurfaceSide side : kSurfaceSides) {  // bins of region 0 are parts
+                copy(fine.on_surfaces.bin(0, side, b), coarse.on_surfaces.bin(0, side, b));
+            }
+            copy(fine.escaped.bin(0, b), coarse.escaped.bin(0, b));
+            copy(fine.scattered_out.bin(0, b), coarse.scattered_out.bin(0, b));
+            copy(fine.cut_off.bin(0, b), coarse.cut_off.bin(0, b));
         }
     }
 }
@@ -243,8 +245,8 @@ LightSpread LightSum::spread(std::span<const double> errors) const {
         const std::size_t band = i % layout_.bands;
         std::vector<std::size_t> own;
         for (const SurfaceSide side : kSurfaceSides) {
-            own.push_back(places.of(layout_.direct(region, side, band)));
-            own.push_back(places.of(layout_.scattered(region, side) + band));
+            own.push_back(places.of(layout_.light.direct(region, side, band)));
+            own.push_back(places.of(layout_.light.scattered(region, side) + band));
         }
         std::fill(light.begin(), light.end(), 0);
         double error = 0;
@@ -267,7 +269,7 @@ bool LightSum::is_dark() const {
 
 /// @param units  light of a unit, by bin of a region and then of the run
 ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> units) const {
-    const std::size_t stride = layout_.stride();
+    const std::size_t stride = layout_.sums.stride();
     const BinPlaces places(layout_);
     ExactBins bins(layout_.bins());
     const auto put = [&](std::size_t bin, double value, double unit) {
@@ -286,20 +288,21 @@ ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> un
 }
 
 Sums LightSum::sums(const Reading& reading) const {
-    Sums sums;
-    sums.layout = layout_;
+    SumData sums;
+    sums.layout = layout_.sums;
     sums.paths = reading.paths;
     sums.samples = 1;
     sums.emitted_flux = emitted_;
     const auto paths = static_cast<double>(reading.paths);
+    ContributionBound light{"direct", {}};
     for (std::size_t b = 0; b < layout_.bands; ++b) {
         sums.units.flux.push_back(emitted_[b] / kUnits);
-        sums.units.flux_per_find.push_back(emitted_[b] / paths);
+        light.largest.push_back(emitted_[b] / paths);
         sums.spectra.emplace_back(layout_.bands);
         sums.spectra.back()[b] = 1;
     }
     sums.units.sunlit_area = reading.sunlit_area / kUnits;
-    sums.units.sunlit_area_per_find = reading.sunlit_area / paths;
+    sums.bounds = {light, {"scattered", light.largest}, {"sunlit", {reading.sunlit_area / paths}}};
     std::vector<double> units;
     for (const BinPart& bin : bin_parts(layout_)) {
         const bool is_area = bin.kind == BinPart::Kind::sunlit;
@@ -308,7 +311,7 @@ Sums LightSum::sums(const Reading& reading) const {
     for (std::size_t r = 0; r < bins_.size(); ++r) {
         sums.replicates.push_back(exact_bins(r, units));
     }
-    return sums;
+    return Sums(std::move(sums));
 }
 
 }  // namespace quasimc

@@ -17,7 +17,7 @@ struct LightSpread {
 /// Light of several responses, each so many times.
 class LightSum {
   public:
-    LightSum(const SumLayout& layout, std::size_t replicates);
+    LightSum(const BasisLayout& layout, std::size_t replicates);
 
     /// Makes several sums of the same responses, in one go: they are read once for all.
     /// @param amounts  of each sum: [response][amounts of add()]
@@ -61,7 +61,7 @@ class LightSum {
     void set_emitted(std::span<const LightResponse> responses, std::span<const double> amounts);
     [[nodiscard]] ExactBins exact_bins(std::size_t replicate, std::span<const double> units) const;
 
-    SumLayout layout_;
+    BasisLayout layout_;
     std::vector<std::vector<double>> bins_;  // [replicate][place]
     std::vector<double> emitted_;            // per band
 };

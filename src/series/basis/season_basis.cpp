@@ -183,7 +183,7 @@ class SeasonBasis::Solving {
                 static_cast<double>(first) / all, static_cast<double>(count) / all)};
         const Scene repeated = with_repeated_bands(scene_, count);
         const Sums sums = simulator_.sums(repeated, sources, spec_, 0, {}, own);
-        basis_.rays_ += count_rays(sums);
+        basis_.rays_ += sums.rays();
         for (std::size_t i = 0; i < count; ++i) {
             *lights_[first + i].to = read_response(sums, i, basis_.layout_);
         }
@@ -207,7 +207,7 @@ SeasonBasis::SeasonBasis(
     const RunSpec& spec,
     const RunControl& control)
     : mesh_(kRings),
-      layout_(common_layout(scene)),
+      layout_(scene.regions().size(), scene.bands().size()),
       replicates_(spec.replicates),
       threads_(thread_count(spec.threads)),
       albedos_(albedos_of(scene)),
@@ -285,7 +285,7 @@ std::vector<double> SeasonBasis::scattered_first(const LightResponse& direct) co
     for (std::size_t i = 0; i < albedos_.size(); ++i) {
         const std::size_t region = i / (2 * bands);
         const SurfaceSide side = kSurfaceSides[i / bands % 2];
-        const std::size_t place = places.of(layout_.direct(region, side, i % bands));
+        const std::size_t place = places.of(layout_.light.direct(region, side, i % bands));
         for (const std::vector<float>& bins : direct.bins) {
             sums[i % bands] += albedos_[i] * static_cast<double>(bins[place]) /
                                static_cast<double>(direct.bins.size());

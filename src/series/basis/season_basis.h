@@ -58,7 +58,7 @@ class SeasonBasis {
     /// The times that were solved for as they are.
     [[nodiscard]] const std::vector<std::size_t>& left_out() const { return left_out_; }
 
-    [[nodiscard]] const SumLayout& layout() const { return layout_; }
+    [[nodiscard]] const BasisLayout& layout() const { return layout_; }
     /// Lights that were solved for, and rays of all of them.
     [[nodiscard]] std::size_t lights() const { return lights_; }
     [[nodiscard]] std::uint64_t rays() const { return rays_; }
@@ -79,7 +79,7 @@ class SeasonBasis {
     void set_errors(const std::vector<LeftOut>& left_out);
 
     SkyMesh mesh_;
-    SumLayout layout_;
+    BasisLayout layout_;
     std::size_t replicates_, lights_ = 0;
     unsigned threads_;
     std::uint64_t rays_ = 0;

@@ -12,7 +12,7 @@ namespace quasimc {
 /// count alike.
 class SeasonErrors {
   public:
-    explicit SeasonErrors(const SumLayout& layout) : layout_(layout), light_(layout.bins()) {}
+    explicit SeasonErrors(const BasisLayout& layout) : layout_(layout), light_(layout.bins()) {}
 
     /// Adds a time.
     void add(const LightSum& together, const LightSum& as_it_is);
@@ -24,7 +24,7 @@ class SeasonErrors {
     void add_parts(const std::vector<double>& squares, const std::vector<double>& lights);
     [[nodiscard]] double relative(const std::vector<std::size_t>& places) const;
 
-    SumLayout layout_;
+    BasisLayout layout_;
     std::vector<double> light_;                // by place: squares, in parts of those of a time
     std::vector<std::vector<float>> squares_;  // [time][place]: of differences, less noise
 };

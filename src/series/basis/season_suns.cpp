@@ -33,7 +33,7 @@ SeasonSuns::SeasonSuns(
     Simulator& simulator,
     const Scene& scene,
     const RunSpec& spec,
-    const SumLayout& layout,
+    const BasisLayout& layout,
     std::stop_token stop)
     : simulator_(simulator),
       scene_(scene),

@@ -26,7 +26,7 @@ class SeasonSuns {
         Simulator& simulator,
         const Scene& scene,
         const RunSpec& spec,
-        const SumLayout& layout,
+        const BasisLayout& layout,
         std::stop_token stop);
 
     /// Sets the pixels of each sun, from what a few times say.
@@ -45,7 +45,7 @@ class SeasonSuns {
     Simulator& simulator_;
     const Scene& scene_;
     const RunSpec& spec_;
-    SumLayout layout_;
+    BasisLayout layout_;
     std::stop_token stop_;
     double pixels_;
 };

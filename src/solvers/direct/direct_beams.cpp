@@ -6,7 +6,6 @@
 #include <bit>
 
 #include "light/models/source.h"
-#include "solvers/light_kinds.h"
 #include "solvers/light_tracing/light_tracing.h"
 
 namespace quasimc {
@@ -23,13 +22,11 @@ TracedLights traced_lights(const PreparedScene& prepared, const SamplingBudget& 
     return traced;
 }
 
-/// The kind of lights that a task looks at: place in units.kinds.
-std::size_t kind_of(const VisibilityTask& task, const SumUnits& units) {
-    const FoundBy by = task.is_sky ? FoundBy::directions : FoundBy::lines;
-    const auto kind = std::find_if(
-        units.kinds.begin(), units.kinds.end(),
-        [&](const LightKind& each) { return each.found_by == by; });
-    return static_cast<std::size_t>(kind - units.kinds.begin());
+/// The index of a task's strategy.
+std::size_t strategy_of(const VisibilityTask& task, std::span<const SamplingStrategy> strategies) {
+    const SampledBy by = task.is_sky ? SampledBy::directions : SampledBy::lines;
+    const auto found = std::ranges::find(strategies, by, &SamplingStrategy::by);
+    return static_cast<std::size_t>(found - strategies.begin());
 }
 
 /// A block's part of the light of a beam; all parts add up to it.
@@ -65,8 +62,8 @@ DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
 std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
     std::vector<VisibilityTask> tasks = budget_.tasks(round);
     for (const VisibilityTask& task : tasks) {
-        const double brought = budget_.light_per_look(task, round);
-        double& most = sums.per_find[kind_of(task, sums.units)];
+        const double brought = budget_.light_per_sample(task, round);
+        double& most = sums->per_contribution[strategy_of(task, sums->strategies)];
         most = std::max(most, brought);
     }
     return tasks;
@@ -75,17 +72,18 @@ std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) c
 DirectBeams::Work DirectBeams::work_of(
     const std::vector<VisibilityTask>& tasks,
     const Round& round,
-    const SumUnits& units,
+    const CountedStrategies& counted,
     std::uint32_t replicate,
     std::uint64_t block) {
     const std::uint32_t i = task_of_block(tasks, block);
-    return {round,
-            replicate,
-            i,
-            tasks[i],
-            units,
-            kind_of(tasks[i], units),
-            block - tasks[i].first_block};
+    return {
+        round,
+        replicate,
+        i,
+        tasks[i],
+        counted,
+        strategy_of(tasks[i], counted.strategies),
+        block - tasks[i].first_block};
 }
 
 Stream DirectBeams::stream_of(const Work& work, std::uint64_t i) const {
@@ -127,7 +125,7 @@ DirectBeams::Beam DirectBeams::beam_of(const Work& work) const {
     }
     // All beams of a disk are placed by the same three numbers.
     const Work first{work.round, work.replicate, work.number - work.task.beam,
-                     work.task,  work.units,     work.kind,
+                     work.task,  work.counted,   work.strategy,
                      0};
     const Stream placing = stream_of(first, 0);
     return beam_along(
@@ -168,7 +166,7 @@ void DirectBeams::score_strip(
     const double most = std::min(work.task.count, ScanLines::kStrip);
     DirectLightScore::score(prepared_, lit.share, tally, [&](DirectLightScore& direct) {
         ContributionCounter::count(
-            prepared_, work.units, work.kind, most, tally, [&](ContributionCounter& counter) {
+            prepared_, work.counted, work.strategy, most, tally, [&](ContributionCounter& counter) {
                 for (std::size_t i = 0; i < triangles.size(); ++i) {
                     const auto [triangle, cosine] = triangles[i];
                     if (visible[i].length > 0) {
@@ -206,7 +204,7 @@ void DirectBeams::count_contributions(const Work& work, const SkyView& view, Tal
     const double area = prepared_.projection().entry_box().projected_area(view.from.direction);
     const double amount = view.paths * view.image.pixel_area() / area;
     ContributionCounter::count(
-        prepared_, work.units, work.kind, 1, tally, [&](ContributionCounter& counter) {
+        prepared_, work.counted, work.strategy, 1, tally, [&](ContributionCounter& counter) {
             for (const ItemBuffer::Item& item : view.image.items()) {
                 counter.add(item.triangle, item.cosine, amount * item.pixels);
             }
@@ -220,32 +218,32 @@ SumMeaning direct_beams_meaning(
     const SeenScene seen(prepared);
     const SamplingBudget budget(prepared, skies, seen.projected(), spec.paths, scattered);
     const Round first{0, spec.paths};
-    std::vector<LightKind> counted;
+    std::vector<SamplingStrategy> counted;
     double of_line = 0;
     double spacing = 0;
     for (const VisibilityTask& task : budget.tasks(first)) {
-        const double step = budget.light_per_look(task, first);
+        const double step = budget.light_per_sample(task, first);
         if (task.is_sky) {
-            counted.push_back(kind_by_direction(prepared, task.count, step));
+            counted.push_back(strategy_by_direction(prepared, task.count, step));
         } else {
             of_line = std::max(of_line, step);
             spacing = std::max(spacing, budget.spacing(task));
         }
     }
     if (of_line > 0) {
-        counted.push_back(kind_by_line(prepared, budget.lights_with_lines(), of_line, spacing));
+        counted.push_back(strategy_by_line(prepared, budget.lights_with_lines(), of_line, spacing));
     }
-    std::vector<LightKind>& kinds = meaning.units.kinds;
-    std::erase_if(kinds, [&](const LightKind& kind) {
-        return std::any_of(counted.begin(), counted.end(), [&](const LightKind& each) {
-            return std::ranges::includes(each.spectra, kind.spectra);
+    std::vector<SamplingStrategy>& strategies = meaning.strategies;
+    std::erase_if(strategies, [&](const SamplingStrategy& strategy) {
+        return std::any_of(counted.begin(), counted.end(), [&](const SamplingStrategy& each) {
+            return std::ranges::includes(each.spectra, strategy.spectra);
         });
     });
-    meaning.counted_kinds = counted.size();
+    CountedStrategies::declare(counted.size(), meaning.blocks);
     if (of_line > 0 && budget.traces_suns()) {
-        kinds.push_back(kind_of_traced_suns(prepared, budget.lights_with_lines()));
+        strategies.push_back(strategy_of_traced_suns(prepared, budget.lights_with_lines()));
     }
-    kinds.insert(kinds.begin(), counted.begin(), counted.end());
+    strategies.insert(strategies.begin(), counted.begin(), counted.end());
     return meaning;
 }
 

@@ -13,6 +13,7 @@
 #include "solvers/direct/sampling_budget.h"
 #include "solvers/direct/seen_scene.h"
 #include "solvers/light_tracing/light_tracer.h"
+#include "solvers/sampling_strategies.h"
 #include "solvers/solver.h"
 #include "solvers/sum_meaning.h"
 
@@ -30,9 +31,9 @@ class DirectBeams {
         std::uint32_t replicate;
         std::uint32_t number;  ///< of the task
         const VisibilityTask& task;
-        const SumUnits& units;
-        std::size_t kind;     ///< of the light, in units.kinds
-        std::uint64_t block;  ///< of the task
+        const CountedStrategies& counted;
+        std::size_t strategy;  ///< of the light, in `counted`
+        std::uint64_t block;   ///< of the task
     };
     /// A beam and the area across it, through which its light enters; local units squared.
     struct Beam : SurfaceBeam {
@@ -66,7 +67,10 @@ class DirectBeams {
 
     [[nodiscard]] const ProjectedScene& scene() const { return seen_.projected(); }
     [[nodiscard]] const SkyDirections& skies() const { return skies_; }
-    [[nodiscard]] bool looks_at_skies() const { return budget_.sees_skies(); }
+    /// The skies whose direct light is found by pixels; null if it is not.
+    [[nodiscard]] const SkyDirections* viewed_skies() const {
+        return budget_.sees_skies() ? &skies_ : nullptr;
+    }
     /// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
     [[nodiscard]] const TracedLights& traced() const { return traced_; }
     /// The tasks of a round; raises the bounds of contributions in the sums.
@@ -75,7 +79,7 @@ class DirectBeams {
     [[nodiscard]] static Work work_of(
         const std::vector<VisibilityTask>& tasks,
         const Round& round,
-        const SumUnits& units,
+        const CountedStrategies& counted,
         std::uint32_t replicate,
         std::uint64_t block);
 

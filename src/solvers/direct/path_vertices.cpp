@@ -79,7 +79,7 @@ void DirectLightScore::add_sunlit(std::uint32_t triangle, double along, double a
     if (prepared_.rounding().is_sunlit(triangle, beam_.direction, along)) {
         const double area =
             prepared_.rounding().area_share(triangle) * beam_.light->lit_area / std::abs(along);
-        tally_.add(tally_.layout().sunlit(prepared_.region(triangle)), to_fixed(amount * area));
+        tally_.add(tally_.blocks().sunlit(prepared_.region(triangle)), to_fixed(amount * area));
     }
 }
 
@@ -92,10 +92,10 @@ void DirectLightScore::add_absorbed(std::uint32_t region, double along, double a
 }
 
 void DirectLightScore::add_escaped() {
-    const SumLayout& layout = tally_.layout();
+    const LightBlocks& blocks = tally_.blocks();
     const std::int64_t emitted = to_fixed(beam_.paths);
-    tally_.add(layout.emitted() + beam_.light->spectrum, emitted);
-    tally_.add_signed(layout.escaped_direct() + beam_.light->spectrum, emitted - stopped_);
+    tally_.add(blocks.emitted() + beam_.light->spectrum, emitted);
+    tally_.add_signed(blocks.escaped_direct() + beam_.light->spectrum, emitted - stopped_);
 }
 
 void order_by_place(

@@ -133,12 +133,12 @@ class DirectLightScore {
         : prepared_(prepared),
           beam_(beam),
           tally_(tally),
-          stride_(tally.layout().stride()),
+          stride_(tally.blocks().stride()),
           sides_{
-              tally.layout().direct(0, SurfaceSide::upper, beam.light->spectrum),
-              tally.layout().direct(0, SurfaceSide::lower, beam.light->spectrum)},
+              tally.blocks().direct(0, SurfaceSide::upper, beam.light->spectrum),
+              tally.blocks().direct(0, SurfaceSide::lower, beam.light->spectrum)},
           finds_sunlit_(beam.light->lit_area > 0),
-          sums_absorbed_(tally.layout().absorbed_light == AbsorbedLight::summed) {}
+          sums_absorbed_(tally.blocks().has_absorbed()) {}
 
     void add_sunlit(std::uint32_t triangle, double along, double amount);
     void add_absorbed(std::uint32_t region, double along, double amount);

@@ -16,13 +16,13 @@ constexpr SamplingDensity kDarkDensity{
     .pixels_per_path = 40,
     .pixels_per_root = 640,
     .cuts_per_path = 10,
-    .paths_per_look = 4};
+    .paths_per_sample = 4};
 constexpr SamplingDensity kBrightDensity{
     .paths_per_line = 160,
     .pixels_per_path = 10,
     .pixels_per_root = 640,
     .cuts_per_path = 10,
-    .paths_per_look = 4};
+    .paths_per_sample = 4};
 /// Errors of lines fall with the third power of their number, those of bundles with the square root
 /// of theirs, at every albedo. For a path bundles take several times as long, and lines may too.
 constexpr SamplingDensity kBrightBundleDensity{
@@ -31,7 +31,7 @@ constexpr SamplingDensity kBrightBundleDensity{
     .pixels_per_root = 320,
     .most_over_root = 2,
     .cuts_per_path = 160,
-    .paths_per_look = 2};
+    .paths_per_sample = 2};
 /// So many times the pixels in each of as many directions.
 constexpr SamplingDensity with_pixels(SamplingDensity density, double times) {
     density.pixels_per_path *= times;
@@ -169,8 +169,8 @@ bool SamplingBudget::are_close(const VisibilityTask& task, double paths) const {
     const double organ = std::sqrt(median_measured_area(prepared_.scene()));
     // Of an organ that no line finds lit, twice the distance of lines may be
     // (theory/statistics.md).
-    return light_per_look(task, round) * std::min(organ, 2 * spacing(task)) <=
-           density_.paths_per_look;
+    return light_per_sample(task, round) * std::min(organ, 2 * spacing(task)) <=
+           density_.paths_per_sample;
 }
 
 bool SamplingBudget::traces_suns() const {
@@ -211,7 +211,7 @@ std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
     return tasks;
 }
 
-double SamplingBudget::light_per_look(const VisibilityTask& task, const Round& round) const {
+double SamplingBudget::light_per_sample(const VisibilityTask& task, const Round& round) const {
     const auto paths = static_cast<double>(round.count);
     if (task.is_sky) {
         return skies_.probability() * paths / task.count;

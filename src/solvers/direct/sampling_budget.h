@@ -25,7 +25,7 @@ struct VisibilityTask {
 };
 
 /// What scattered light is found by. Along bundles it is known so much better for the time that
-/// more of the error is in direct light, which then is looked at more closely.
+/// more of the error is in direct light, which then is sampled more densely.
 enum class ScatteredBy { paths, bundles };
 
 /// How densely direct light is sampled for each path that may start.
@@ -37,12 +37,12 @@ struct SamplingDensity {
     double most_over_root = 1;   ///< so many times that, where triangles would have few pixels
     double cuts_per_path = 0;    ///< images of triangles that the lines of a sun may cut
     /// Paths' light that a line may bring a typical organ where cuts leave fewer lines than usual.
-    double paths_per_look = 0;
+    double paths_per_sample = 0;
 };
 
-/// How much is looked at for how many paths. Direct light and scattered light each have their
-/// error; these numbers make the figure of merit of both together the largest in our measurements
-/// (docs/theory/first-hits.md).
+/// How densely direct light is sampled for how many paths. Direct light and scattered light each
+/// have their error; these numbers make the figure of merit of both together the largest in our
+/// measurements (docs/theory/first-hits.md).
 class SamplingBudget {
   public:
     /// @param seen  the scene as beams see it
@@ -74,9 +74,9 @@ class SamplingBudget {
     /// Whether some sun has none, and is traced from itself.
     [[nodiscard]] bool traces_suns() const;
 
-    /// What a task's looks bring, in paths' light: a direction of the skies all that comes along
-    /// it, a scan line so much for each unit of its length, local units, at most.
-    [[nodiscard]] double light_per_look(const VisibilityTask& task, const Round& round) const;
+    /// The largest contribution of a sample of a task, in paths' light: of a direction of the skies
+    /// all light along it, of a scan line that on a unit of its length, local units.
+    [[nodiscard]] double light_per_sample(const VisibilityTask& task, const Round& round) const;
     /// How far apart the scan lines of a task stand at most, local units.
     [[nodiscard]] double spacing(const VisibilityTask& task) const;
 

@@ -40,16 +40,17 @@ class FirstHits final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::vector<VisibilityTask> tasks = direct_.tasks(round, sums);
+        const CountedStrategies counted(*sums);
         const TracedLights& traced = direct_.traced();
         const std::uint64_t blocks =
             tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
         const bool is_traced = std::find(traced.begin(), traced.end(), true) != traced.end();
         const std::uint64_t traced_blocks = is_traced ? LightTracer::blocks(round) : 0;
-        TaskRound all = executor.begin((blocks + traced_blocks) * sums.replicates.size());
+        TaskRound all = executor.begin((blocks + traced_blocks) * sums->replicates.size());
         runner_.run(
             blocks, all, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
-                const Work work = DirectBeams::work_of(tasks, round, sums.units, replicate, block);
+                const Work work = DirectBeams::work_of(tasks, round, counted, replicate, block);
                 work.task.is_sky ? trace_skies(work, scratch, tally)
                                  : trace_lines(work, scratch, tally);
             });
@@ -57,8 +58,8 @@ class FirstHits final : public Solver {
             traced_blocks, all, sums,
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
-        sums.paths += round.count;
-        sums.samples += samples_of(round);
+        sums->paths += round.count;
+        sums->samples += samples_of(round);
     }
 
   private:
@@ -194,8 +195,10 @@ std::vector<double> scattered_flux_per_path(const PreparedScene& prepared) {
 
 SumMeaning first_hits_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec);
-    if (meaning.counted_kinds == meaning.units.kinds.size()) {
-        meaning.units.scattered_flux_per_find = scattered_flux_per_path(prepared);
+    const bool traces_sources =
+        std::ranges::count(meaning.strategies, SampledBy::paths, &SamplingStrategy::by) > 0;
+    if (!traces_sources) {
+        meaning.bound("scattered").largest = scattered_flux_per_path(prepared);
     }
     return meaning;
 }

@@ -74,14 +74,16 @@ class FromOrgans final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t count = blocks(round);
-        TaskRound tasks = executor.begin(count * sums.replicates.size());
+        const SideBlocks unoccluded(sums->layout, "unoccluded");
+        TaskRound tasks = executor.begin(count * sums->replicates.size());
         runner_.run(
             count, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
+                scratch.unoccluded = unoccluded;
                 trace(round, replicate, block, scratch, tally);
             });
-        sums.paths += round.count;
-        sums.samples += samples_of(round);
+        sums->paths += round.count;
+        sums->samples += samples_of(round);
     }
     [[nodiscard]] std::uint64_t samples_of(const Round& round) const override {
         return points(round.count);
@@ -92,6 +94,7 @@ class FromOrgans final : public Solver {
         explicit Scratch(std::size_t bands) : path(bands), subpath(bands) {}
         GatherScratch path;
         LightSubpathScratch subpath;
+        SideBlocks unoccluded;  // light that would come if nothing stood in its way
     };
 
     /// Points per organ of so many paths: a power of two, as point sets like it.
@@ -126,7 +129,7 @@ class FromOrgans final : public Solver {
             const Stream stream{spec_.seed, organ + 1, replicate, first, each};
             rays += trace_point(stream, organ, index, scratch, tally);
         }
-        tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
+        tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
     }
 
     [[nodiscard]] std::uint64_t organs() const { return measured_.organs.size(); }
@@ -156,12 +159,17 @@ class FromOrgans final : public Solver {
         if (!subpaths_.are_connected_with(point.region)) {
             scratch.subpath.vertices.clear();
         }
-        return sample_sources(stream, point, tally) + sample_vertices(point, scratch, tally) +
+        return sample_sources(stream, point, scratch.unoccluded, tally) +
+               sample_vertices(point, scratch, tally) +
                sample_surfaces(stream, point, scratch, tally);
     }
 
     /// Adds the light of one source, drawn for the point, that comes straight to it.
-    std::uint64_t sample_sources(const Stream& stream, const Point& point, Tally& tally) const {
+    std::uint64_t sample_sources(
+        const Stream& stream,
+        const Point& point,
+        const SideBlocks& unoccluded,
+        Tally& tally) const {
         const LightSample sample = next_event_.sample_light(
             stream, point.index, 2, point.place,
             {point.up, prepared_.fields_of_view().least_cosine(point.region)});
@@ -171,11 +179,11 @@ class FromOrgans final : public Solver {
             !prepared_.fields_of_view().contain(point.region, std::abs(cosine))) {
             return 0;
         }
-        const SumLayout& layout = tally.layout();
+        const LightBlocks& blocks = tally.blocks();
         const SurfaceSide side = side_facing(-cosine);
         const double part = part_of_unit_[point.region];
         const double amount = part * sample.factor * std::abs(cosine);
-        tally.add(layout.unoccluded(point.region, side, sample.light->spectrum), to_fixed(amount));
+        tally.add(unoccluded.bin(point.region, side, sample.light->spectrum), to_fixed(amount));
         if (!is_visible_source(
                 prepared_, point.place, sample.to_light, sample.distance, point.triangle)) {
             return 1;
@@ -185,7 +193,7 @@ class FromOrgans final : public Solver {
         if (sample.light->sun_share > 0 &&
             prepared_.rounding().is_sunlit(point.triangle, sample.to_light, cosine)) {
             tally.add(
-                layout.sunlit(point.region),
+                blocks.sunlit(point.region),
                 to_fixed(part * kFinerSteps * sample.light->sun_share / sample.probability));
         }
         return 1;

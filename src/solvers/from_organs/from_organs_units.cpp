@@ -106,22 +106,23 @@ void set_light_paths(
     const PreparedScene& prepared,
     const MeasuredArea& measured,
     const std::vector<double>& parts,
-    SumUnits& units) {
+    SumMeaning& meaning) {
     const Scene& scene = prepared.scene();
+    ContributionBound bound{"light_path", {}};
     for (const double flux : prepared.lights().flux()) {
-        units.flux_per_light_path.push_back(flux / static_cast<double>(measured.organs.size()));
+        bound.largest.push_back(flux / static_cast<double>(measured.organs.size()));
     }
-    units.find_scale = units.region_scale;
     for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured)) {
-        units.region_scale[i++] *= coarser;
+        meaning.units.region_scale[i++] *= coarser;
     }
     // Light that is followed through lobes may come to all.
     if (!has_followed_lobes(prepared)) {
-        units.light_path_part = parts;
-        for (double& part : units.light_path_part) {
+        bound.scale = parts;
+        for (double& part : bound.scale) {
             part = part < kFewOfPaths ? part : 1;
         }
     }
+    meaning.bounds.push_back(std::move(bound));
 }
 
 }  // namespace
@@ -193,11 +194,14 @@ bool needs_light_paths(const PreparedScene& prepared, const LampNearField& near)
 SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const Scene& scene = prepared.scene();
     const MeasuredArea measured = measured_area(scene);
-    SumMeaning meaning{
-        .units = {},
-        .measured = MeasuredOrgans::asked_for,
-        .unoccluded_light = UnoccludedLight::summed};
+    SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::asked_for};
+    // Light that would come straight from the sources if nothing stood in its way: what a sample of
+    // an organ could have found.
+    declare_sides(
+        "unoccluded", columns_of(SumColumn::Of::spectrum, prepared.lights().spectra().size()),
+        meaning.blocks);
     SumUnits& units = meaning.units;
+    ContributionBound direct{"direct", {}}, scattered{"scattered", {}}, sunlit{"sunlit", {0}};
     const LampNearField near(prepared);
     const std::vector<double> albedo = largest_albedos(scene);
     const double sharp_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
@@ -217,22 +221,25 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
                              ? own * albedo[b] * albedo[b] * irradiance_by_vertex(near, light)
                              : 0;
         }
-        units.flux_per_find.push_back(irradiance * kFinerSteps);
-        units.scattered_flux_per_find.push_back(
+        direct.largest.push_back(irradiance * kFinerSteps);
+        scattered.largest.push_back(
             kFinerSteps * (2 * brightest(prepared, b, sharp_from) * on_surfaces + by_vertex));
     }
     units.sunlit_area = prepared.lights().sun_area() > 0 ? 1 : 0;
-    units.sunlit_area_per_find = 0;
     for (const BoundSource& light : prepared.lights()) {
-        units.sunlit_area_per_find =
-            std::max(units.sunlit_area_per_find, kFinerSteps * light.sun_share / light.probability);
+        sunlit.largest[0] =
+            std::max(sunlit.largest[0], kFinerSteps * light.sun_share / light.probability);
     }
     // A power of two: the division is exact.
     for (const Region& region : scene.regions()) {
         units.region_scale.push_back(scene.organs()[region.organ.value].area / kFinerSteps);
     }
+    for (ContributionBound* bound : {&direct, &scattered, &sunlit}) {
+        bound->scale = units.region_scale;
+        meaning.bounds.push_back(std::move(*bound));
+    }
     if (needs_light_paths(prepared, near)) {
-        set_light_paths(prepared, measured, parts, units);
+        set_light_paths(prepared, measured, parts, meaning);
     }
     return meaning;
 }

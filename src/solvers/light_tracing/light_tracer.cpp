@@ -96,7 +96,7 @@ void LightTracer::trace(
         rays += beams_[group.source] ? trace_packet(points, group, scratch, tally)
                                      : trace_single(points, group, scratch, tally);
     }
-    tally.add(tally.layout().rays(), static_cast<std::int64_t>(rays));
+    tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
 }
 
 /// By spectrum, the start weights of a path that counts most.
@@ -180,7 +180,7 @@ std::uint64_t LightTracer::trace_single(
             continue;  // to where the lamp doesn't shine
         }
         emission.weight *= weight;
-        tally.add(tally.layout().emitted() + light.spectrum, to_fixed(emission.weight));
+        tally.add(tally.blocks().emitted() + light.spectrum, to_fixed(emission.weight));
         const CastHit at = cast_from_source(prepared_, light, emission);
         rays += 1 + trace_particle(
                         block.rules, {&light, point, emission.direction, emission.weight}, at,
@@ -212,7 +212,7 @@ std::uint64_t LightTracer::trace_packet(
     std::array<RayEnd, kPacket> ends;
     prepared_.caster().cast(packet, n, ends);
     tally.add(
-        tally.layout().emitted() + light.spectrum,
+        tally.blocks().emitted() + light.spectrum,
         static_cast<std::int64_t>(n) * to_fixed(shares_.weight(group.source)));
     return n + shade(block, group, packet, ends, scratch, tally);
 }
@@ -226,7 +226,7 @@ std::uint64_t LightTracer::shade(
     const std::array<RayEnd, kPacket>& ends,
     Scratch& scratch,
     Tally& tally) const {
-    const SumLayout& layout = tally.layout();
+    const LightBlocks& blocks = tally.blocks();
     const BoundSource& light = prepared_.lights()[group.source];
     const double* survival =
         &survival_[2 * light.spectrum * data_of(prepared_.scene()).materials.size()];
@@ -250,8 +250,8 @@ std::uint64_t LightTracer::shade(
                 is_sunlit ? prepared_.rounding().area_share(packet.triangle[lane]) : 0;
             if (prepared_.fields_of_view().contain(primitive.region, cosine)) {
                 tally.add_two(
-                    primitive.region, layout.direct(0, side, light.spectrum), to_fixed(share),
-                    layout.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));
+                    primitive.region, blocks.direct(0, side, light.spectrum), to_fixed(share),
+                    blocks.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));
                 score_absorbed(
                     prepared_,
                     {primitive.region, side, cosine, LightPart::direct, share, light.start_weights},
@@ -259,7 +259,7 @@ std::uint64_t LightTracer::shade(
             }
             if (share != path.weight && !prepared_.material(primitive.region).is_transparent()) {
                 tally.add_signed(
-                    layout.escaped_direct() + light.spectrum,
+                    blocks.escaped_direct() + light.spectrum,
                     to_fixed(path.weight) - to_fixed(share));
             }
             if (scratch.u2[group.points[lane]] >=

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "solvers/block_runner.h"
-#include "solvers/light_kinds.h"
 #include "solvers/light_tracing/light_tracer.h"
+#include "solvers/sampling_strategies.h"
 
 namespace quasimc {
 namespace {
@@ -15,13 +15,13 @@ class LightTracing final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         const std::uint64_t blocks = LightTracer::blocks(round);
-        TaskRound tasks = executor.begin(blocks * sums.replicates.size());
+        TaskRound tasks = executor.begin(blocks * sums->replicates.size());
         runner_.run(
             blocks, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, LightTracer::Scratch& scratch,
                 Tally& tally) { tracer_.trace(round, replicate, block, scratch, tally); });
-        sums.paths += round.count;
-        sums.samples += samples_of(round);
+        sums->paths += round.count;
+        sums->samples += samples_of(round);
     }
 
   private:
@@ -38,16 +38,17 @@ std::unique_ptr<Solver> make_light_tracing(const SolverInput& input) {
 SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) {
     // A path of a sun that is seldom picked stands for many.
     double largest = 0;
-    for (const BoundSource& light : prepared.lights()) {
+    const auto& lights = prepared.lights();
+    for (const BoundSource& light : lights) {
         largest = std::max(largest, light.lit_area);
     }
     return {
-        .units = {
-            .flux = prepared.lights().flux(),
-            .flux_per_find = prepared.lights().flux(),
-            .sunlit_area = prepared.lights().sun_area(),
-            .sunlit_area_per_find = prepared.lights().sun_area() * largest,
-            .kinds = kinds_by_path(prepared)}};
+        .units = {.flux = lights.flux(), .sunlit_area = lights.sun_area()},
+        .bounds =
+            {{"direct", lights.flux()},
+             {"scattered", lights.flux()},
+             {"sunlit", {lights.sun_area() * largest}}},
+        .strategies = strategies_by_path(prepared)};
 }
 
 bool do_light_tracing_rounds_add_up(const Scene& /*scene*/, std::uint64_t first_paths) {

@@ -1,7 +1,6 @@
 #include "solvers/ray_bundles/direct_on_patches.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -9,6 +8,7 @@
 
 #include "base/stop.h"
 #include "samplers/hash.h"
+#include "solvers/ray_bundles/deposit.h"
 #include "transport/surface.h"
 
 namespace quasimc {
@@ -62,90 +62,6 @@ SurfaceSide lit_side(double along) {
     return along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
 }
 
-/// Bands of a pack that a source lights, and its light in each.
-struct LitBands {
-    PatchSides<0> sides;              // in the bands of the pack
-    std::size_t first = 0;            // in the pack
-    std::span<const double> weights;  // of the bands from the first on
-
-    /// Adds `amount` times the weights to the light on a side.
-    void add(std::size_t side, double amount) const {
-        double* to = sides.incident(side) + first;
-        for (std::size_t i = 0; i < weights.size(); ++i) {
-            to[i] += amount * weights[i];
-        }
-    }
-    void fetch(std::size_t side) const { sides.fetch_incident(side, first, weights.size()); }
-};
-
-/// All bands that a source lights, pack by pack; of those between them, some may get 0.
-/// @param weights  of all bands, which must outlive it
-std::vector<LitBands> lit_bands(PatchLight& light, std::span<const double> weights) {
-    const auto is_lit = [](double weight) { return weight != 0; };
-    std::vector<LitBands> lit;
-    for (std::size_t p = 0; p < light.packs().size(); ++p) {
-        const BandPack& pack = light.packs()[p];
-        const auto own = weights.subspan(pack.first, pack.bands);
-        const auto first = std::find_if(own.begin(), own.end(), is_lit);
-        if (first != own.end()) {
-            const auto end = std::find_if(own.rbegin(), own.rend(), is_lit).base();
-            lit.push_back(
-                {light.sides(p), static_cast<std::size_t>(first - own.begin()), {first, end}});
-        }
-    }
-    return lit;
-}
-
-void add_to(std::span<const LitBands> lit, std::size_t side, double amount) {
-    for (const LitBands& bands : lit) {
-        bands.add(side, amount);
-    }
-}
-
-/// Adds light to patches some additions later, in the same order: by then their numbers have come
-/// from memory, for which each addition would wait.
-class PrefetchedAdds {
-  public:
-    /// Adds all light that `add_all(adds)` adds.
-    template <typename AddAll>
-    static void add(std::span<const LitBands> lit, const AddAll& add_all) {
-        PrefetchedAdds adds(lit);
-        add_all(adds);
-        adds.add_rest();
-    }
-
-    void add(std::size_t side, double amount) {
-        for (const LitBands& bands : lit_) {
-            bands.fetch(side);
-        }
-        Add& oldest = adds_[count_ % kLate];
-        if (count_++ >= kLate) {
-            add_to(lit_, oldest.side, oldest.amount);
-        }
-        oldest = {side, amount};
-    }
-
-  private:
-    static constexpr std::size_t kLate = 16;
-    struct Add {
-        std::size_t side = 0;
-        double amount = 0;
-    };
-
-    explicit PrefetchedAdds(std::span<const LitBands> lit) : lit_(lit) {}
-
-    void add_rest() const {
-        for (std::size_t i = count_ > kLate ? count_ - kLate : 0; i < count_; ++i) {
-            const Add& each = adds_[i % kLate];
-            add_to(lit_, each.side, each.amount);
-        }
-    }
-
-    std::span<const LitBands> lit_;
-    std::array<Add, kLate> adds_{};
-    std::size_t count_ = 0;
-};
-
 /// Finds and deposits the direct light of one replicate.
 class DirectDeposit {
   public:
@@ -164,7 +80,7 @@ class DirectDeposit {
           light_(light),
           scratch_(scratch),
           tally_(tally),
-          open_(beams.looks_at_skies() ? 2 * patches_.region_areas.size() : 0) {}
+          open_(beams.viewed_skies() != nullptr ? 2 * patches_.region_areas.size() : 0) {}
 
     /// @returns how open sides are
     OpenAreas run() {
@@ -173,7 +89,7 @@ class DirectDeposit {
             tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
         for (std::uint64_t block = 0; block < blocks; ++block) {
             const Work work =
-                DirectBeams::work_of(tasks, task_.round, task_.units, task_.replicate, block);
+                DirectBeams::work_of(tasks, task_.round, task_.counted, task_.replicate, block);
             work.task.is_sky ? deposit_skies(work) : deposit_strip(work);
         }
         const TracedLights& traced = beams_.traced();
@@ -188,22 +104,216 @@ class DirectDeposit {
     using Work = DirectBeams::Work;
     using Beam = DirectBeams::Beam;
 
-    void deposit_strip(const Work& work);
+    void deposit_strip(const Work& work) {
+        const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch_.beams);
+        const DepositedSamples deposited(
+            beams_.stream_of(work, 0), work.task.count, kDepositedLines);
+        const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
+        const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
+            throw_if_stopped(input_.stop);
+            const std::uint32_t factor = deposited.factor(line.number);
+            if (factor > 0) {
+                deposit_line(lit, line, factor * lit.per_length, bands);
+            }
+        });
+        beams_.score_strip(work, lit, visible, tally_);
+    }
+
     void deposit_line(
         const DirectBeams::LitStrip& lit,
         const LineStrip::Line& line,
         double per_length,
-        std::span<const LitBands> bands);
-    void deposit_skies(const Work& work);
-    void score(const DirectBeams::SkyView& view, const Beam& beam);
+        std::span<const LitBands> bands) {
+        const LocalMesh& mesh = prepared_.caster().mesh();
+        for (const VisibleSegment& segment : line.segments) {
+            const auto [triangle, cosine] = lit.strip.triangles()[segment.surface];
+            if (prepared_.material(prepared_.region(triangle)).is_transparent() ||
+                !(segment.length() > 0)) {
+                continue;
+            }
+            const double amount =
+                per_length * segment.length() * mesh.exact_share(triangle, lit.share.direction);
+            const SurfaceSide side = lit_side(cosine);
+            patches_.patches.cut(
+                triangle, lit.strip.point(line, segment, 0), lit.strip.point(line, segment, 1),
+                scratch_.segments, [&](std::uint32_t patch, double share) {
+                    add_to(bands, side_of(patch, side), amount * share);
+                });
+        }
+    }
+
+    void deposit_skies(const Work& work) {
+        const SkyDirections& skies = beams_.skies();
+        const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
+        const DepositedSamples deposited(
+            beams_.stream_of(work, 0), static_cast<std::uint32_t>(of_each),
+            patches_.mean_albedo < kDark ? kDepositedOnDark : kDepositedDirections);
+        for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
+             i += static_cast<std::uint32_t>(work.task.blocks)) {
+            throw_if_stopped(input_.stop);
+            const std::uint32_t factor = deposited.factor(i);
+            const DirectBeams::SkyView view = beams_.sky_view(work, i, factor > 0, scratch_.beams);
+            std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
+            for (const Beam& beam : view.beams) {
+                if (beam.paths > 0) {
+                    score(view, beam);
+                    const double of_pixel =
+                        factor * beam.paths * view.image.pixel_area() / beam.area;
+                    for (std::size_t b = 0; b < weights.size(); ++b) {
+                        weights[b] += of_pixel * beam.light->start_weights[b];
+                    }
+                }
+            }
+            if (view.paths > 0 && factor > 0) {
+                deposit_pixels(view, deposited.rows(i), lit_bands(light_, weights));
+            }
+            beams_.count_contributions(work, view, tally_);
+            // An exitance of 1 is a radiance of 1 / pi.
+            const double open = sky_weight(skies, view.from.direction) /
+                                (view.from.density * work.task.count) / std::numbers::pi *
+                                view.image.pixel_area();
+            add_open_pixels(patches_, view.image, open, open_);
+        }
+    }
+
+    void score(const DirectBeams::SkyView& view, const Beam& beam) {
+        DirectLightScore::score(prepared_, beam, tally_, [&](DirectLightScore& direct) {
+            for (const ItemBuffer::Item& item : view.image.items()) {
+                direct.add(item.triangle, item.cosine, view.per_pixel(beam) * item.pixels);
+            }
+        });
+    }
+
+    /// @param lit  by one pixel
     void deposit_pixels(
         const DirectBeams::SkyView& view,
         const DepositedRows& rows,
-        std::span<const LitBands> lit) const;
-    void trace();
+        std::span<const LitBands> lit) const {
+        struct Seen {
+            const ItemBuffer::Item* item = nullptr;
+            double share = 1;
+        };
+        const ItemBuffer& image = view.image;
+        const LocalMesh& mesh = prepared_.caster().mesh();
+        std::vector<Seen> by_id(image.id_count());
+        for (const ItemBuffer::Item& item : image.items()) {
+            if (item.id > 0) {
+                by_id[item.id] = {&item, mesh.exact_share(item.triangle, view.from.direction)};
+            }
+        }
+        const auto deposit_run = [&](const ItemBuffer::RowRun& run, PrefetchedAdds& adds) {
+            const Seen& seen = by_id[run.id];
+            if (seen.item == nullptr) {
+                return;
+            }
+            const SurfaceSide side = lit_side(seen.item->cosine);
+            const ItemBuffer::Points& points = image.points(run.id);
+            // Pixels next to each other mostly see the same patch.
+            std::uint32_t patch = 0, count = 0;
+            for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
+                const Point2 at = points.of(x, run.row);
+                const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
+                if (count > 0 && next != patch) {
+                    adds.add(side_of(patch, side), count * seen.share);
+                    count = 0;
+                }
+                patch = next;
+                count += rows.of;
+            }
+            adds.add(side_of(patch, side), count * seen.share);
+        };
+        PrefetchedAdds::add(lit, [&](PrefetchedAdds& adds) {
+            image.for_each_run_of_rows(rows.first, rows.of, [&](const ItemBuffer::RowRun& run) {
+                deposit_run(run, adds);
+            });
+        });
+    }
+
+    /// Traces paths from sources, to their first hits.
+    void trace() {
+        const Round& round = task_.round;
+        const Sampler& sampler = input_.sampler;
+        const Stream stream{input_.spec.seed, 0, task_.replicate, round.first, round.count};
+        std::vector<std::vector<LitBands>> lit;
+        for (const BoundSource& source : prepared_.lights()) {
+            lit.push_back(lit_bands(light_, source.start_weights));
+        }
+        std::uint64_t rays = 0;
+        for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
+            throw_if_stopped(input_.stop);
+            const LightPick pick = prepared_.lights().pick(sampler.coordinate(stream, point, 0));
+            if (!beams_.traced()[pick.index]) {
+                continue;
+            }
+            const BoundSource& source = prepared_.lights()[pick.index];
+            const auto u = [&](std::uint32_t i) { return sampler.coordinate(stream, point, i); };
+            const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
+            if (start.weight > 0) {
+                rays += trace_path(source, start, lit[pick.index]);
+            }
+        }
+        tally_.add(tally_.blocks().rays(), static_cast<std::int64_t>(rays));
+    }
+
+    /// @returns the rays cast
     std::uint64_t trace_path(
-        const BoundSource& source, const Emission& start, std::span<const LitBands> lit);
-    void copy_to_coarse();
+        const BoundSource& source, const Emission& start, std::span<const LitBands> lit) {
+        const LightBlocks& blocks = tally_.blocks();
+        const RayCaster& caster = prepared_.caster();
+        tally_.add(blocks.emitted() + source.spectrum, to_fixed(start.weight));
+        CastHit at = source.source->is_lamp()
+                         ? caster.cast_from_lamp(start.origin, start.direction)
+                         : caster.cast(start.origin, start.direction, kNoTriangle);
+        std::uint64_t rays = 1;
+        for (; at.end == RayEnd::hit; ++rays) {
+            const Surface surface = surface_at(prepared_, at.hit, start.direction);
+            const double amount =
+                start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
+            if (prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
+                tally_.add(
+                    blocks.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
+                const bool is_sunlit = source.lit_area > 0 && surface.cosine > 0 &&
+                                       prepared_.rounding().is_sunlit(
+                                           surface.triangle, start.direction, surface.cosine);
+                const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
+                tally_.add(
+                    blocks.sunlit(surface.region),
+                    to_fixed(
+                        start.weight * prepared_.rounding().area_share(surface.triangle) * area));
+            }
+            if (!prepared_.material(surface.region).is_transparent()) {
+                tally_.add_signed(
+                    blocks.escaped_direct() + source.spectrum,
+                    to_fixed(start.weight) - to_fixed(amount));
+                const std::uint32_t triangle = patches_.representative(surface.triangle);
+                add_to(
+                    lit, side_of(patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side),
+                    amount);
+                return rays;
+            }
+            at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
+        }
+        if (at.end == RayEnd::escaped) {
+            tally_.add(blocks.escaped_direct() + source.spectrum, to_fixed(start.weight));
+            return rays;
+        }
+        for (std::size_t b = 0; b < prepared_.bands(); ++b) {
+            tally_.add(blocks.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
+        }
+        return rays;
+    }
+
+    /// Light straight from a source is the same on both levels.
+    void copy_to_coarse() {
+        for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
+            const PatchSides<0> all = light_.sides(pack);
+            const std::size_t bands = light_.packs()[pack].bands;
+            for (std::size_t side = 0; side < 2 * std::size_t{patches_.patches.count()}; ++side) {
+                double* came = all.incident(side);
+                std::copy_n(came, bands, came + bands);
+            }
+        }
+    }
 
     const SolverInput& input_;
     const PreparedScene& prepared_;
@@ -215,212 +325,6 @@ class DirectDeposit {
     Tally& tally_;
     OpenAreas open_;
 };
-
-void DirectDeposit::deposit_strip(const Work& work) {
-    const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch_.beams);
-    const DepositedSamples deposited(beams_.stream_of(work, 0), work.task.count, kDepositedLines);
-    const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
-    const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
-        throw_if_stopped(input_.stop);
-        const std::uint32_t factor = deposited.factor(line.number);
-        if (factor > 0) {
-            deposit_line(lit, line, factor * lit.per_length, bands);
-        }
-    });
-    beams_.score_strip(work, lit, visible, tally_);
-}
-
-void DirectDeposit::deposit_line(
-    const DirectBeams::LitStrip& lit,
-    const LineStrip::Line& line,
-    double per_length,
-    std::span<const LitBands> bands) {
-    const LocalMesh& mesh = prepared_.caster().mesh();
-    for (const VisibleSegment& segment : line.segments) {
-        const auto [triangle, cosine] = lit.strip.triangles()[segment.surface];
-        if (prepared_.material(prepared_.region(triangle)).is_transparent() ||
-            !(segment.length() > 0)) {
-            continue;
-        }
-        const double amount =
-            per_length * segment.length() * mesh.exact_share(triangle, lit.share.direction);
-        const SurfaceSide side = lit_side(cosine);
-        patches_.patches.cut(
-            triangle, lit.strip.point(line, segment, 0), lit.strip.point(line, segment, 1),
-            scratch_.segments, [&](std::uint32_t patch, double share) {
-                add_to(bands, side_of(patch, side), amount * share);
-            });
-    }
-}
-
-void DirectDeposit::deposit_skies(const Work& work) {
-    const SkyDirections& skies = beams_.skies();
-    const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
-    const DepositedSamples deposited(
-        beams_.stream_of(work, 0), static_cast<std::uint32_t>(of_each),
-        patches_.mean_albedo < kDark ? kDepositedOnDark : kDepositedDirections);
-    for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
-         i += static_cast<std::uint32_t>(work.task.blocks)) {
-        throw_if_stopped(input_.stop);
-        const std::uint32_t factor = deposited.factor(i);
-        const DirectBeams::SkyView view = beams_.sky_view(work, i, factor > 0, scratch_.beams);
-        std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
-        for (const Beam& beam : view.beams) {
-            if (beam.paths > 0) {
-                score(view, beam);
-                const double of_pixel = factor * beam.paths * view.image.pixel_area() / beam.area;
-                for (std::size_t b = 0; b < weights.size(); ++b) {
-                    weights[b] += of_pixel * beam.light->start_weights[b];
-                }
-            }
-        }
-        if (view.paths > 0 && factor > 0) {
-            deposit_pixels(view, deposited.rows(i), lit_bands(light_, weights));
-        }
-        beams_.count_contributions(work, view, tally_);
-        // An exitance of 1 is a radiance of 1 / pi.
-        const double open = sky_weight(skies, view.from.direction) /
-                            (view.from.density * work.task.count) / std::numbers::pi *
-                            view.image.pixel_area();
-        add_open_pixels(patches_, view.image, open, open_);
-    }
-}
-
-void DirectDeposit::score(const DirectBeams::SkyView& view, const Beam& beam) {
-    DirectLightScore::score(prepared_, beam, tally_, [&](DirectLightScore& direct) {
-        for (const ItemBuffer::Item& item : view.image.items()) {
-            direct.add(item.triangle, item.cosine, view.per_pixel(beam) * item.pixels);
-        }
-    });
-}
-
-/// @param lit  by one pixel
-void DirectDeposit::deposit_pixels(
-    const DirectBeams::SkyView& view,
-    const DepositedRows& rows,
-    std::span<const LitBands> lit) const {
-    struct Seen {
-        const ItemBuffer::Item* item = nullptr;
-        double share = 1;
-    };
-    const ItemBuffer& image = view.image;
-    const LocalMesh& mesh = prepared_.caster().mesh();
-    std::vector<Seen> by_id(image.id_count());
-    for (const ItemBuffer::Item& item : image.items()) {
-        if (item.id > 0) {
-            by_id[item.id] = {&item, mesh.exact_share(item.triangle, view.from.direction)};
-        }
-    }
-    const auto deposit_run = [&](const ItemBuffer::RowRun& run, PrefetchedAdds& adds) {
-        const Seen& seen = by_id[run.id];
-        if (seen.item == nullptr) {
-            return;
-        }
-        const SurfaceSide side = lit_side(seen.item->cosine);
-        const ItemBuffer::Points& points = image.points(run.id);
-        // Pixels next to each other mostly see the same patch.
-        std::uint32_t patch = 0, count = 0;
-        for (std::uint32_t x = run.x; x < run.x + run.count; ++x) {
-            const Point2 at = points.of(x, run.row);
-            const std::uint32_t next = patches_.patches.at(seen.item->triangle, at.s, at.t);
-            if (count > 0 && next != patch) {
-                adds.add(side_of(patch, side), count * seen.share);
-                count = 0;
-            }
-            patch = next;
-            count += rows.of;
-        }
-        adds.add(side_of(patch, side), count * seen.share);
-    };
-    PrefetchedAdds::add(lit, [&](PrefetchedAdds& adds) {
-        image.for_each_run_of_rows(
-            rows.first, rows.of, [&](const ItemBuffer::RowRun& run) { deposit_run(run, adds); });
-    });
-}
-
-/// Traces paths from sources, to their first hits.
-void DirectDeposit::trace() {
-    const Round& round = task_.round;
-    const Sampler& sampler = input_.sampler;
-    const Stream stream{input_.spec.seed, 0, task_.replicate, round.first, round.count};
-    std::vector<std::vector<LitBands>> lit;
-    for (const BoundSource& source : prepared_.lights()) {
-        lit.push_back(lit_bands(light_, source.start_weights));
-    }
-    std::uint64_t rays = 0;
-    for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {
-        throw_if_stopped(input_.stop);
-        const LightPick pick = prepared_.lights().pick(sampler.coordinate(stream, point, 0));
-        if (!beams_.traced()[pick.index]) {
-            continue;
-        }
-        const BoundSource& source = prepared_.lights()[pick.index];
-        const auto u = [&](std::uint32_t i) { return sampler.coordinate(stream, point, i); };
-        const Emission start = source.source_sampler->emit({pick.u, u(1), u(2), u(3)});
-        if (start.weight > 0) {
-            rays += trace_path(source, start, lit[pick.index]);
-        }
-    }
-    tally_.add(tally_.layout().rays(), static_cast<std::int64_t>(rays));
-}
-
-/// @returns the rays cast
-std::uint64_t DirectDeposit::trace_path(
-    const BoundSource& source, const Emission& start, std::span<const LitBands> lit) {
-    const SumLayout& layout = tally_.layout();
-    const RayCaster& caster = prepared_.caster();
-    tally_.add(layout.emitted() + source.spectrum, to_fixed(start.weight));
-    CastHit at = source.source->is_lamp() ? caster.cast_from_lamp(start.origin, start.direction)
-                                          : caster.cast(start.origin, start.direction, kNoTriangle);
-    std::uint64_t rays = 1;
-    for (; at.end == RayEnd::hit; ++rays) {
-        const Surface surface = surface_at(prepared_, at.hit, start.direction);
-        const double amount =
-            start.weight * caster.mesh().exact_share(surface.triangle, start.direction);
-        if (prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
-            tally_.add(
-                layout.direct(surface.region, surface.side, source.spectrum), to_fixed(amount));
-            const bool is_sunlit =
-                source.lit_area > 0 && surface.cosine > 0 &&
-                prepared_.rounding().is_sunlit(surface.triangle, start.direction, surface.cosine);
-            const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
-            tally_.add(
-                layout.sunlit(surface.region),
-                to_fixed(start.weight * prepared_.rounding().area_share(surface.triangle) * area));
-        }
-        if (!prepared_.material(surface.region).is_transparent()) {
-            tally_.add_signed(
-                layout.escaped_direct() + source.spectrum,
-                to_fixed(start.weight) - to_fixed(amount));
-            const std::uint32_t triangle = patches_.representative(surface.triangle);
-            add_to(
-                lit, side_of(patches_.patches.at(triangle, at.hit.u, at.hit.v), surface.side),
-                amount);
-            return rays;
-        }
-        at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
-    }
-    if (at.end == RayEnd::escaped) {
-        tally_.add(layout.escaped_direct() + source.spectrum, to_fixed(start.weight));
-        return rays;
-    }
-    for (std::size_t b = 0; b < layout.bands; ++b) {
-        tally_.add(layout.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
-    }
-    return rays;
-}
-
-/// Light straight from a source is the same on both levels.
-void DirectDeposit::copy_to_coarse() {
-    for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
-        const PatchSides<0> all = light_.sides(pack);
-        const std::size_t bands = light_.packs()[pack].bands;
-        for (std::size_t side = 0; side < 2 * std::size_t{patches_.patches.count()}; ++side) {
-            double* came = all.incident(side);
-            std::copy_n(came, bands, came + bands);
-        }
-    }
-}
 
 }  // namespace
 

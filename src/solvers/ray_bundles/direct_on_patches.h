@@ -14,7 +14,8 @@ namespace quasimc {
 struct ReplicateTask {
     const Round& round;
     const std::vector<VisibilityTask>& tasks;  ///< of the round
-    const SumUnits& units;
+    const CountedStrategies& counted;
+    const ScatteredBlocks& coarse;  ///< of the coarser level of patches
     std::uint32_t replicate = 0;
 };
 

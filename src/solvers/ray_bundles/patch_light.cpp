@@ -46,7 +46,7 @@ class PackScatter {
             if (surface.is_sensor) {
                 const auto [first, end] = patches_of(scene_, surface);
                 for (std::size_t patch = first; patch < end; ++patch) {
-                    each_.forget_incident(patch);
+                    each_.clear_incident(patch);
                 }
                 continue;
             }

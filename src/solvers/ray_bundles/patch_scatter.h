@@ -20,12 +20,12 @@ class PatchScatter {
 
     /// @param sides  in the bands of a pack
     /// @param first_band  of the pack
-    /// @param kept  exitance of all steps, [2 * patch + side][column]
-    PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* kept)
-        : sides_(sides), first_band_(first_band), kept_(kept) {}
+    /// @param total  sum of the exitances of orders, [2 * patch + side][column]
+    PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* total)
+        : sides_(sides), first_band_(first_band), total_(total) {}
 
-    /// Sets the exitance, which is remembered, to what is sent on, and forgets what came. The
-    /// cosine law: light leaves a patch equally bright in all directions.
+    /// Adds the exitance to the total, sets it to the light that is scattered, and clears the
+    /// incident light.
     /// @param scattered  what leaves is added to it, [column]
     void scatter(
         const PatchOptics& upper,
@@ -34,9 +34,9 @@ class PatchScatter {
         double* scattered) const {
         scatter_side(2 * sent.patch, upper, lower, sent, scattered);
         scatter_side(2 * sent.patch + 1, lower, upper, sent, scattered);
-        forget_incident(sent.patch);
+        clear_incident(sent.patch);
     }
-    void forget_incident(std::size_t patch) const {
+    void clear_incident(std::size_t patch) const {
         std::fill_n(sides_.incident(2 * patch), sides_.columns(), 0.0);
         std::fill_n(sides_.incident(2 * patch + 1), sides_.columns(), 0.0);
     }
@@ -74,11 +74,11 @@ class PatchScatter {
         const double* came = sides_.incident(side);
         const double* across = sides_.incident(side ^ 1U);
         double* out = sides_.exitance(side);
-        double* kept = kept_ + side * sides_.columns();
+        double* total = total_ + side * sides_.columns();
         for (std::size_t level = 0; level < sides_.columns(); level += bands()) {
             for (std::size_t b = 0; b < bands(); ++b) {
                 const std::size_t i = level + b;
-                kept[i] += out[i];
+                total[i] += out[i];
                 out[i] = (reflected[b] * came[i] + transmitted[b] * across[i]) * per_area;
                 scattered[i] += out[i] * sent.area;
             }
@@ -88,7 +88,7 @@ class PatchScatter {
 
     PatchSides<2 * kBands> sides_;
     std::size_t first_band_;
-    double* kept_;
+    double* total_;
 };
 
 }  // namespace quasimc

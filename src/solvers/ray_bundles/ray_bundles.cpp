@@ -1,7 +1,7 @@
 // Ray bundles: all scattered light at once.
 //
-// Direct light falls on patches of surfaces (solvers/ray_bundles/direct_on_patches.h). Matt
-// surfaces send on what falls on them equally bright in all directions, so that light need not be
+// Direct light falls on patches of surfaces (solvers/ray_bundles/direct_on_patches.h).
+// Lambertian surfaces scatter it equally bright in all directions, so that light need not be
 // followed ray by ray: along lines in one direction through the whole scene each patch sends light
 // to the next one, both ways (solvers/ray_bundles/bundle_exchange.h). Step by step all light that
 // has not yet been sent on goes along lines in new directions, drawn independently of all before:
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
 #include <memory>
 
 #include <fmt/format.h>
@@ -43,6 +42,16 @@ struct Flow {
     std::vector<std::int64_t> escaped, cut_off;
 };
 
+/// Where fewer replicates are left than there are threads, each uses several.
+struct ThreadShares {
+    std::atomic<std::size_t> replicates;  // that are left
+    std::size_t workers = 1;
+
+    [[nodiscard]] unsigned of_each() const {
+        return static_cast<unsigned>(workers / std::clamp<std::size_t>(replicates, 1, workers));
+    }
+};
+
 class RayBundles final : public Solver {
   public:
     explicit RayBundles(const SolverInput& input)
@@ -51,21 +60,19 @@ class RayBundles final : public Solver {
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         cut_for(round);
         const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
-        TaskRound replicates = executor.begin(sums.replicates.size());
-        std::atomic<std::size_t> left = sums.replicates.size();
-        // Where fewer replicates are left than there are threads, each uses several.
-        const auto threads = [&left, workers = executor.workers()] {
-            const std::size_t busy = std::clamp<std::size_t>(left, 1, workers);
-            return static_cast<unsigned>(workers / busy);
-        };
+        const CountedStrategies counted(*sums);
+        const ScatteredBlocks coarse(sums->layout, kCoarse);
+        TaskRound replicates = executor.begin(sums->replicates.size());
+        ThreadShares threads{sums->replicates.size(), executor.workers()};
         runner_.run(
             1, replicates, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
-                solve_replicate({round, tasks, sums.units, replicate}, threads, scratch, tally);
-                --left;
+                solve_replicate(
+                    {round, tasks, counted, coarse, replicate}, threads, scratch, tally);
+                --threads.replicates;
             });
-        sums.paths += round.count;
-        sums.samples += samples_of(round);
+        sums->paths += round.count;
+        sums->samples += samples_of(round);
     }
 
   private:
@@ -103,22 +110,21 @@ class RayBundles final : public Solver {
     /// Solves the radiosity equation, order by order, for the exitance B and the irradiance E of
     /// patches: R scatters, and T exchanges light along a bundle of lines
     /// (docs/theory/ray-bundles.md).
-    /// @param threads  tells how many may be at work now
     void solve_replicate(
         const ReplicateTask& task,
-        const std::function<unsigned()>& threads,
+        const ThreadShares& threads,
         Scratch& scratch,
         Tally& tally) const {
         const auto exchange_along = [&](PatchExitance exitance, const BundleGroup& bundle,
                                         ExchangeOptions options) {
             throw_if_stopped(input_.stop);
-            options.threads = threads();
+            options.threads = threads.of_each();
             auto irradiance = exchange(std::move(exitance), bundle, options, scratch.bundles);
             const std::uint64_t segments = irradiance.lines->segments;
-            tally.add(tally.layout().rays(), static_cast<std::int64_t>(segments));
+            tally.add(tally.blocks().rays(), static_cast<std::int64_t>(segments));
             return irradiance;
         };
-        const SkyDirections* skies = beams_.looks_at_skies() ? &beams_.skies() : nullptr;
+        const SkyDirections* skies = beams_.viewed_skies();
 
         // E_direct, whose flux is in the tally, and B = R E_direct
         DirectOnPatches direct =
@@ -142,7 +148,8 @@ class RayBundles final : public Solver {
         }
         Flow flow{std::vector<std::int64_t>(exitance.leaving.size()), fixed(exitance.leaving)};
         if (k == 1) {
-            add_sums(RegionFlux(tally.layout().regions, flow.escaped.size()), flow, tally);
+            const std::size_t regions = input_.prepared.scene().regions().size();
+            add_sums(RegionFlux(regions, flow.escaped.size()), flow, task.coarse, tally);
             scratch.light = std::move(exitance.light);
             return;
         }
@@ -154,7 +161,7 @@ class RayBundles final : public Solver {
              }});
         const std::vector<double> corrections =
             sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
-        add_sums(RegionFlux(irradiance, corrections), flow, tally);
+        add_sums(RegionFlux(irradiance, corrections), flow, task.coarse, tally);
         scratch.light = std::move(irradiance.light);
     }
 
@@ -206,52 +213,54 @@ class RayBundles final : public Solver {
         for (std::size_t i = 0; i < detectors.size(); ++i) {
             detectors[i]->on_escape(
                 direction, std::span(amounts).first(input_.prepared.bands()),
-                tally.layout().detector(i), tally);
+                tally.blocks().detector(i), tally);
         }
     }
 
     /// What went out is what came to surfaces, escaped or was cut off: exactly.
-    void add_sums(const RegionFlux& flux, Flow flow, Tally& tally) const {
+    void add_sums(
+        const RegionFlux& flux, Flow flow, const ScatteredBlocks& coarse, Tally& tally) const {
         const std::vector<std::int64_t> missed = fixed(flux.missed());
         for (std::size_t c = 0; c < missed.size(); ++c) {
             flow.escaped[c] += missed[c];
         }
-        const SumLayout& layout = tally.layout();
+        const ScatteredBlocks& fine = tally.blocks().scattered_blocks();
         const std::size_t bands = input_.prepared.bands();
         std::vector<std::int64_t> out(flow.escaped.size());
-        for (std::uint32_t region = 0; region < layout.regions; ++region) {
+        for (std::uint32_t region = 0; region < input_.prepared.scene().regions().size();
+             ++region) {
             const bool is_opaque = !input_.prepared.material(region).is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
                 const std::span<const double> sum = flux.of(region, side);
                 for (std::size_t b = 0; b < bands; ++b) {
-                    const std::int64_t fine = to_fixed(sum[b]);
-                    const std::int64_t coarse = to_fixed(sum[bands + b]);
-                    tally.add(layout.scattered(region, side) + b, fine);
-                    tally.add(layout.coarse_scattered(region, side) + b, coarse);
-                    out[b] += is_opaque ? fine : 0;
-                    out[bands + b] += is_opaque ? coarse : 0;
+                    const std::int64_t by_fine = to_fixed(sum[b]);
+                    const std::int64_t by_coarse = to_fixed(sum[bands + b]);
+                    tally.add(fine.on_surfaces.bin(region, side, b), by_fine);
+                    tally.add(coarse.on_surfaces.bin(region, side, b), by_coarse);
+                    out[b] += is_opaque ? by_fine : 0;
+                    out[bands + b] += is_opaque ? by_coarse : 0;
                 }
             }
         }
         for (std::size_t b = 0; b < bands; ++b) {
-            add_flow(layout.escaped_scattered() + b, out, flow, b, tally);
-            add_flow(layout.coarse_escaped() + b, out, flow, bands + b, tally);
+            add_flow(fine, b, out, flow, b, tally);
+            add_flow(coarse, b, out, flow, bands + b, tally);
         }
     }
 
-    /// Adds what escaped to `bin`, and with it, as the layout has them, what was scattered and what
-    /// was cut off.
+    /// Adds what escaped in a band, what was scattered and what was cut off.
     static void add_flow(
-        std::size_t bin,
+        const ScatteredBlocks& blocks,
+        std::size_t band,
         const std::vector<std::int64_t>& arrived,
         const Flow& flow,
         std::size_t column,
         Tally& tally) {
-        const std::size_t bands = tally.layout().bands;
-        tally.add_signed(bin, flow.escaped[column]);
+        tally.add_signed(blocks.escaped.bin(0, band), flow.escaped[column]);
         tally.add_signed(
-            bin + bands, arrived[column] + flow.escaped[column] + flow.cut_off[column]);
-        tally.add(bin + 2 * bands, flow.cut_off[column]);
+            blocks.scattered_out.bin(0, band),
+            arrived[column] + flow.escaped[column] + flow.cut_off[column]);
+        tally.add(blocks.cut_off.bin(0, band), flow.cut_off[column]);
     }
 
     SolverInput input_;
@@ -281,9 +290,9 @@ void check_matt(const Scene& scene, Faults& faults) {
 
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
-    meaning.patch_levels = PatchLevels::two;
-    meaning.units.scattered_flux_per_find = prepared.lights().flux();
-    for (double& flux : meaning.units.scattered_flux_per_find) {
+    declare_scattered_on_surfaces(kCoarse, prepared.bands(), meaning.blocks);
+    declare_scattered_of_run(kCoarse, prepared.bands(), meaning.blocks);
+    for (double& flux : meaning.bound("scattered").largest) {
         flux *= light_of_stretch();
     }
     return meaning;

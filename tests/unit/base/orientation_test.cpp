@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 namespace {

@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "quasimc/mesh.h"
 #include "quasimc/scene.h"
-#include "quasimc/vec3.h"
 
 namespace quasimc {
 namespace {

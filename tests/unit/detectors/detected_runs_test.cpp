@@ -97,7 +97,9 @@ TEST(DetectedRuns, AreNeverPlannedFromTheOrgans) {
 
 TEST(DetectedRuns, HaveADigestOfTheirOwn) {
     const auto digest = [](std::vector<DetectorSpec> detectors) {
-        return Simulator().sums(plate(std::move(detectors)), {sky({1, 1})}, short_spec(), 0).digest;
+        return Simulator()
+            .sums(plate(std::move(detectors)), {sky({1, 1})}, short_spec(), 0)
+            .digest();
     };
     DetectorSpec twelve = kNineRings;
     twelve.parameters["rings"] = 12;

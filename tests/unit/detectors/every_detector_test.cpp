@@ -42,16 +42,16 @@ class EveryDetector : public ::testing::TestWithParam<std::string> {
 
     /// The bins that light of a direction is added to; the first is the detector's own first.
     [[nodiscard]] ExactBins bins_of(const Vec3& direction) const {
-        SumLayout layout{
-            .regions = 0,
-            .bands = kBands,
-            .detectors = {
-                {"before", kBefore}, {"it", axis_.bins.size() * kBands}, {"after", kBefore}}};
+        const SumLayout layout(
+            0,
+            {detector_block("before", kBefore, 1), detector_block("it", axis_.bins.size(), kBands),
+             detector_block("after", kBefore, 1)});
         Tally tally(layout);
-        detector_->on_escape(direction, kAmounts, layout.detector(1), tally);
+        const std::size_t first = tally.blocks().detector(1);
+        detector_->on_escape(direction, kAmounts, first, tally);
         ExactBins bins(layout.bins());
         tally.move_into(bins);
-        first_ = layout.detector(1);
+        first_ = first;
         return bins;
     }
 

@@ -10,7 +10,7 @@
 
 #include "geometry/shapes/shapes.h"
 #include "geometry_testing.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 
 namespace quasimc {
 

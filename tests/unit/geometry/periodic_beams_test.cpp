@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/cast/ray_caster.h"
-#include "quasimc/vec3.h"
+#include "quasimc/mesh.h"
 #include "raster/item_buffer.h"
 #include "raster/scan_lines.h"
 #include "raster/scene_projection.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc::test {
 namespace {

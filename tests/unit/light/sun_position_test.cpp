@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 
 namespace quasimc::test {
 namespace {

@@ -1,5 +1,3 @@
-#include "quasimc/growth_session.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -10,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "quasimc/run.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

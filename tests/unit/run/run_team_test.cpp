@@ -24,6 +24,7 @@
 #include "parallel/team_helper.h"
 #include "run/run_state.h"
 #include "statistical/scenes.h"
+#include "sums/sum_data.h"
 #include "support/listening.h"
 
 namespace quasimc::test {
@@ -386,17 +387,17 @@ TEST(AddUp, IsExactForLargeSumsOfEitherSign) {
     Meeting meeting(5);
     const auto bins_of = [&](unsigned rank) {
         Sums sums;
-        sums.replicates = {ExactBins(values.size())};
+        sums->replicates = {ExactBins(values.size())};
         for (std::size_t i = 0; i < values.size(); ++i) {
             for (unsigned times = 0; times <= rank; ++times) {
-                sums.replicates[0].add(i, i % 2 == 0 ? values[i] : values[i] / (rank + 1));
+                sums->replicates[0].add(i, i % 2 == 0 ? values[i] : values[i] / (rank + 1));
             }
         }
         return sums;
     };
     std::vector<std::jthread> others;
     for (unsigned rank = 0; rank < 5; ++rank) {
-        expected += bins_of(rank).replicates[0];
+        expected += bins_of(rank)->replicates[0];
         if (rank > 0) {
             others.emplace_back([&, rank] {
                 Sums own = bins_of(rank);
@@ -408,7 +409,7 @@ TEST(AddUp, IsExactForLargeSumsOfEitherSign) {
     Sums first = bins_of(0);
     Member member(meeting, 0);
     add_up(member, first);
-    EXPECT_EQ(first.replicates[0], expected);
+    EXPECT_EQ(first->replicates[0], expected);
 }
 
 }  // namespace

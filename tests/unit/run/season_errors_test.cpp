@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t kRegions = 200, kReplicatesOfLight = 4;
 
-SumLayout layout_of_regions() {
-    return {.regions = kRegions, .spectra = 1, .bands = 1, .patch_levels = PatchLevels::two};
+BasisLayout layout_of_regions() {
+    return {kRegions, 1};
 }
 
 /// Light that falls straight on regions, the second half ten times as bright, times a factor, with
 /// relative noise.
 LightSum light(double factor, double noise, std::mt19937_64& random) {
-    const SumLayout layout = layout_of_regions();
+    const BasisLayout layout = layout_of_regions();
     std::normal_distribution<double> normal;
     LightResponse response{
         std::vector<std::vector<float>>(kReplicatesOfLight, std::vector<float>(layout.bins())),
@@ -27,7 +27,7 @@ LightSum light(double factor, double noise, std::mt19937_64& random) {
     for (std::vector<float>& bins : response.bins) {
         for (std::size_t region = 0; region < kRegions; ++region) {
             const double bright = region < kRegions / 2 ? 1 : 10;
-            bins[BinPlaces(layout).of(layout.direct(region, SurfaceSide::upper, 0))] =
+            bins[BinPlaces(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))] =
                 static_cast<float>(bright * factor * (1 + noise * normal(random)));
         }
     }
@@ -46,9 +46,9 @@ std::pair<double, double> errors_told(double noise, double off) {
         errors.add(light(1 + sign * off, noise, random), light(1, noise, random));
     }
     const std::vector<double> told = errors.relative();
-    const SumLayout layout = layout_of_regions();
+    const BasisLayout layout = layout_of_regions();
     const auto at = [&](std::size_t region) {
-        return told[BinPlaces(layout).of(layout.direct(region, SurfaceSide::upper, 0))];
+        return told[BinPlaces(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))];
     };
     return {at(0), at(kRegions - 1)};
 }

@@ -118,7 +118,7 @@ TEST_P(Unlit, SumsAddUpAndSayZero) {
     Simulator simulator;
     Sums sums = load_sums(save_sums(simulator.sums(scene, {sun(0, {1})}, one)));
     sums += simulator.sums(scene, {sun(0, {1})}, one, one.paths);
-    EXPECT_EQ(sums.paths, 2 * one.paths);
+    EXPECT_EQ(sums.paths(), 2 * one.paths);
     const Result result = evaluate_run(sums, scene, one);
     for (const QuantityEntry& entry : quantity_table()) {
         expect_zero(result.at(0, entry.quantity, 0), entry.name);

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "light/models/source.h"
-#include "quasimc/sun.h"
+#include "quasimc/source.h"
 #include "unit/runfile/io_testing.h"
 #include "weather/read_sky_table.h"
 

@@ -114,15 +114,15 @@ TEST_P(EverySolver, AddsTheSameSumsInAnyNumberOfThreads) {
     few.replicates = 3;
     few.threads = 1;
     const Sums one = Simulator().sums(scene, sources, few, 0);
-    EXPECT_EQ(one.paths, 1024U);
-    EXPECT_GT(one.samples, 0U);
+    EXPECT_EQ(one.paths(), 1024U);
+    EXPECT_GT(one->samples, 0U);
     // As many as replicates; fewer than one for each; several for each.
     for (const unsigned threads : {3U, 2U, 8U}) {
         few.threads = threads;
         EXPECT_EQ(one, Simulator().sums(scene, sources, few, 0)) << threads;
     }
     few.seed = 2;
-    EXPECT_NE(one.replicates, Simulator().sums(scene, sources, few, 0).replicates);
+    EXPECT_NE(one->replicates, Simulator().sums(scene, sources, few, 0)->replicates);
 }
 
 }  // namespace

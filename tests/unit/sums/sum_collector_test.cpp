@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/parallel.h"
+#include "support/light_layout.h"
 
 namespace quasimc {
 namespace {
@@ -12,8 +13,8 @@ namespace {
 constexpr double kPrivate = 1e9;
 constexpr double kShared = 0;
 
-Sums sums_of(const SumLayout& layout, std::size_t replicates) {
-    Sums sums;
+SumData sums_of(const SumLayout& layout, std::size_t replicates) {
+    SumData sums;
     sums.layout = layout;
     sums.replicates.assign(replicates, ExactBins(layout.bins()));
     return sums;
@@ -21,19 +22,19 @@ Sums sums_of(const SumLayout& layout, std::size_t replicates) {
 
 /// The sums of four replicates of a made-up run: every block adds to three bins of its replicate,
 /// `amount` to one of them.
-Sums counted(
+SumData counted(
     unsigned workers,
     double most_private_bytes,
     std::size_t private_regions,
     std::int64_t amount = 1) {
-    const SumLayout layout{6, 1, 2};
-    Sums sums = sums_of(layout, 4);
+    const LightLayout layout(6, 1, 2);
+    SumData sums = sums_of(layout, 4);
     SumCollector collector(sums, workers, most_private_bytes, private_regions);
     constexpr std::uint64_t kBlocks = 400;
     parallel_blocks(kBlocks, workers, [&](std::uint64_t block, unsigned worker) {
         const auto replicate = static_cast<std::uint32_t>(block * 7 % 4);
         Tally& tally = collector.tally_for(worker, replicate);
-        for (std::size_t e = 0; e < layout.regions; ++e) {
+        for (std::size_t e = 0; e < layout.regions(); ++e) {
             tally.add(layout.sunlit(e), static_cast<std::int64_t>(block + e));
             tally.add(
                 layout.scattered(e, SurfaceSide::lower), std::array<std::int64_t, 2>{amount, 2});
@@ -45,7 +46,7 @@ Sums counted(
 }
 
 TEST(SumCollector, SumsEachReplicateForItself) {
-    const Sums sums = counted(1, kPrivate, 0);
+    const SumData sums = counted(1, kPrivate, 0);
     ASSERT_EQ(sums.replicates.size(), 4U);
     for (std::uint32_t r = 0; r < 4; ++r) {
         std::int64_t sum = 0;
@@ -53,9 +54,10 @@ TEST(SumCollector, SumsEachReplicateForItself) {
             sum += block * 7 % 4 == r ? static_cast<std::int64_t>(block + 2) : 0;
         }
         const ExactBins& bins = sums.replicates[r];
-        EXPECT_EQ(bins.steps(sums.layout.rays()).low, 100);
-        EXPECT_EQ(bins.steps(sums.layout.sunlit(2)).low, sum);
-        EXPECT_EQ(bins.steps(sums.layout.scattered(5, SurfaceSide::lower) + 1).low, 200);
+        EXPECT_EQ(bins.steps(LightBlocks(sums.layout).rays()).low, 100);
+        EXPECT_EQ(bins.steps(LightBlocks(sums.layout).sunlit(2)).low, sum);
+        EXPECT_EQ(
+            bins.steps(LightBlocks(sums.layout).scattered(5, SurfaceSide::lower) + 1).low, 200);
     }
 }
 
@@ -64,11 +66,11 @@ TEST(SumCollector, SumsTheSamePrivateOrSharedOnAnyNumberOfWorkers) {
     // full, each of seven workers may add to it before one of them empties it, and it has room for
     // as much again.
     for (const std::int64_t amount : {std::int64_t{1}, ExactBins::kCarry / 8}) {
-        const Sums expected = counted(1, kPrivate, 0, amount);
+        const SumData expected = counted(1, kPrivate, 0, amount);
         for (const unsigned workers : {1U, 2U, 7U}) {
             EXPECT_TRUE(counted(workers, kPrivate, 0, amount) == expected) << workers;
             for (const std::size_t private_regions : {0U, 1U, 6U, 100U}) {
-                Sums shared = counted(workers, kShared, private_regions, amount);
+                SumData shared = counted(workers, kShared, private_regions, amount);
                 for (ExactBins& bins : shared.replicates) {
                     bins.settle();
                 }
@@ -79,18 +81,18 @@ TEST(SumCollector, SumsTheSamePrivateOrSharedOnAnyNumberOfWorkers) {
 }
 
 TEST(SumCollector, SumsWhatNoNumberOfItsOwnCouldHold) {
-    const Sums sums = counted(2, kPrivate, 0, ExactBins::kCarry / 4 * 3);
+    const SumData sums = counted(2, kPrivate, 0, ExactBins::kCarry / 4 * 3);
     const ExactBins::Steps steps =
-        sums.replicates[1].steps(sums.layout.scattered(3, SurfaceSide::lower));
+        sums.replicates[1].steps(LightBlocks(sums.layout).scattered(3, SurfaceSide::lower));
     EXPECT_EQ(steps, (ExactBins::Steps{75, 0}));
     EXPECT_EQ(
-        sums.replicates[1].value(sums.layout.scattered(3, SurfaceSide::lower)),
+        sums.replicates[1].value(LightBlocks(sums.layout).scattered(3, SurfaceSide::lower)),
         75 * from_fixed(ExactBins::kCarry));
 }
 
 /// Whether what a worker adds is in the sums at once.
-bool is_shared(const SumLayout& layout) {
-    Sums sums = sums_of(layout, 1);
+bool is_shared(const LightLayout& layout) {
+    SumData sums = sums_of(layout, 1);
     SumCollector collector(sums, 1, kPrivate, 2);
     collector.tally_for(0, 0).add(layout.sunlit(5), 3);
     const bool is_there = sums.replicates[0].steps(layout.sunlit(5)).low == 3;
@@ -107,8 +109,8 @@ TEST(SumCollector, SharesWhatManyRegionsAreMetIn) {
 }
 
 TEST(SumCollector, KeepsNothingBackAfterCollecting) {
-    Sums sums = sums_of({1, 1, 1}, 2);
-    const std::size_t rays = sums.layout.rays();
+    SumData sums = sums_of(LightLayout(1, 1, 1), 2);
+    const std::size_t rays = LightBlocks(sums.layout).rays();
     SumCollector collector(sums, 1, kPrivate, 0);
     collector.tally_for(0, 1).add(rays, 3);
     collector.collect();

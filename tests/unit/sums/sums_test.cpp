@@ -1,27 +1,25 @@
 #include "quasimc/sums.h"
 
 #include <stdexcept>
+#include <utility>
 
 #include <gtest/gtest.h>
+
+#include "sums/light_blocks.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 namespace {
 
 Sums some_sums() {
-    Sums sums;
-    sums.layout = {
-        .regions = 2,
-        .spectra = 1,
-        .bands = 2,
-        .absorbed_light = AbsorbedLight::summed,
-        .detectors = {{"escaped by direction", 3}}};
-    sums.units = {
-        .flux = {1.5, 2},
-        .flux_per_find = {1, 1},
-        .sunlit_area = .25,
-        .sunlit_area_per_find = 1,
-        .region_scale = {1, 2},
-        .find_scale = {1, .5}};
+    SumBlocks blocks = light_blocks(1, 2, true);
+    blocks.push_back(detector_block("escaped by direction", 3, 1));
+    SumData sums;
+    sums.layout = SumLayout(2, blocks);
+    sums.units = {.flux = {1.5, 2}, .sunlit_area = .25, .region_scale = {1, 2}};
+    sums.bounds = {{"direct", {1, 1}, {1, .5}}, {"sunlit", {1}}};
+    sums.strategies = {{.has_suns = true, .spectra = {0}, .flux = {1, 2}, .reach = {1, 0, 1, 1}}};
+    sums.per_contribution = {2};
     sums.spectra = {{1, .5}};
     sums.emitted_flux = {3, 4};
     sums.escaped = EscapedLight::remainder;
@@ -33,31 +31,31 @@ Sums some_sums() {
     sums.paths = 64;
     sums.samples = 32;
     sums.digest = 0x1234;
-    return sums;
+    return Sums(std::move(sums));
 }
 
 TEST(Sums, AddPathsOfTheSameRun) {
     const Sums one = some_sums();
     Sums two = one;
     two += one;
-    EXPECT_EQ(two.paths, 128U);
-    EXPECT_EQ(two.samples, 64U);
+    EXPECT_EQ(two.paths(), 128U);
+    EXPECT_EQ(two->samples, 64U);
     for (std::size_t r = 0; r < 3; ++r) {
-        for (std::size_t i = 0; i < one.layout.bins(); ++i) {
-            EXPECT_EQ(two.replicates[r].steps(i).low, 2 * one.replicates[r].steps(i).low);
+        for (std::size_t i = 0; i < one->layout.bins(); ++i) {
+            EXPECT_EQ(two->replicates[r].steps(i).low, 2 * one->replicates[r].steps(i).low);
         }
     }
-    EXPECT_EQ(two.replicates[1].steps(0).carries, 2);
+    EXPECT_EQ(two->replicates[1].steps(0).carries, 2);
 }
 
 TEST(Sums, RefuseToAddAnotherRuns) {
     const Sums one = some_sums();
     std::vector<Sums> others(5, one);
-    others[0].digest = 1;
-    others[1].units.flux[0] = 7;
-    others[2].replicates.pop_back();
-    others[3].layout.detectors.clear();
-    others[4].spectra[0][1] = .6;
+    others[0]->digest = 1;
+    others[1]->units.flux[0] = 7;
+    others[2]->replicates.pop_back();
+    others[3]->bounds.clear();
+    others[4]->spectra[0][1] = .6;
     for (const Sums& other : others) {
         Sums sums = one;
         EXPECT_THROW(sums += other, std::invalid_argument);
@@ -84,16 +82,27 @@ TEST(Sums, AreNotReadFromBytesThatChanged) {
 }
 
 TEST(Sums, NameEveryBinOnce) {
-    const SumLayout layout = some_sums().layout;
+    const SumLayout layout = some_sums()->layout;
     std::vector<int> names(layout.bins());
     for (const SumBlock& block : layout.blocks()) {
-        for (std::size_t row = 0; row < block.rows; ++row) {
-            for (std::size_t column = 0; column < block.columns; ++column) {
-                ++names[block.bin(row, column)];
+        const BlockBins bins = layout.find(block.name);
+        const std::size_t rows = block.rows == SumBlock::Rows::regions ? layout.regions() : 1;
+        for (std::size_t row = 0; row < rows; ++row) {
+            for (std::size_t column = 0; column < block.columns.size(); ++column) {
+                ++names[bins.bin(row, column)];
             }
         }
     }
     EXPECT_EQ(names, std::vector<int>(layout.bins(), 1));
+}
+
+TEST(Sums, KeepTheirFirstReplicates) {
+    const Sums all = some_sums();
+    const Sums first = first_replicates(all, 2, 16, 8);
+    ASSERT_EQ(first->replicates.size(), 2U);
+    EXPECT_EQ(first->replicates[1], all->replicates[1]);
+    EXPECT_EQ(first.paths(), 16U);
+    EXPECT_EQ(first->samples, 8U);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "sums/tally.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -14,6 +15,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "quasimc/error.h"
+#include "support/light_layout.h"
 
 namespace quasimc {
 namespace {
@@ -43,35 +45,37 @@ TEST(FixedPoint, AddsTheSameInAnyOrder) {
 }
 
 /// Every bin of a layout with what it is for.
-std::multimap<std::size_t, std::string> bins_of(const SumLayout& layout) {
+std::multimap<std::size_t, std::string> bins_of(
+    const LightLayout& layout, std::size_t spectra, std::size_t bands) {
     std::multimap<std::size_t, std::string> bins;
     const auto add_row = [&](std::size_t first, std::size_t count, const std::string& what) {
         for (std::size_t i = 0; i < count; ++i) {
             bins.emplace(first + i, what);
         }
     };
-    for (std::size_t e = 0; e < layout.regions; ++e) {
+    for (std::size_t e = 0; e < layout.regions(); ++e) {
         for (const SurfaceSide side : kSurfaceSides) {
-            for (std::size_t s = 0; s < layout.spectra; ++s) {
+            for (std::size_t s = 0; s < spectra; ++s) {
                 add_row(layout.direct(e, side, s), 1, "direct");
             }
-            add_row(layout.scattered(e, side), layout.bands, "scattered");
+            add_row(layout.scattered(e, side), bands, "scattered");
         }
         add_row(layout.sunlit(e), 1, "sunlit");
     }
-    add_row(layout.emitted(), layout.spectra, "emitted");
-    add_row(layout.escaped_direct(), layout.spectra, "escaped direct");
-    add_row(layout.escaped_scattered(), layout.bands, "escaped scattered");
-    add_row(layout.scattered_out(), layout.bands, "scattered out");
-    add_row(layout.cut_off(), layout.bands, "cut off");
+    add_row(layout.emitted(), spectra, "emitted");
+    add_row(layout.escaped_direct(), spectra, "escaped direct");
+    add_row(layout.escaped_scattered(), bands, "escaped scattered");
+    add_row(layout.scattered_out(), bands, "scattered out");
+    add_row(layout.cut_off(), bands, "cut off");
     add_row(layout.rays(), 1, "rays");
     return bins;
 }
 
 TEST(SumLayout, GivesEveryBinOneMeaning) {
-    for (const SumLayout& layout :
-         {SumLayout{0, 1, 1}, {1, 1, 1}, {3, 1, 4}, {3, 5, 1}, {7, 2, 3}, {2, 0, 2}}) {
-        const std::multimap<std::size_t, std::string> bins = bins_of(layout);
+    for (const auto& [regions, spectra, bands] :
+         {std::array<std::size_t, 3>{0, 1, 1}, {1, 1, 1}, {3, 1, 4}, {3, 5, 1}, {7, 2, 3}}) {
+        const LightLayout layout(regions, spectra, bands);
+        const std::multimap<std::size_t, std::string> bins = bins_of(layout, spectra, bands);
         EXPECT_EQ(bins.size(), layout.bins());
         std::size_t next = 0;
         for (const auto& [bin, what] : bins) {
@@ -81,8 +85,21 @@ TEST(SumLayout, GivesEveryBinOneMeaning) {
     }
 }
 
+TEST(SumLayout, FindsBlocksByName) {
+    const SumLayout layout(
+        3, {{"a", SumBlock::Rows::regions, columns_of(SumColumn::Of::band, 2)},
+            {"all", SumBlock::Rows::run, {{SumColumn::Of::number}}},
+            {"b", SumBlock::Rows::regions, {{SumColumn::Of::area}}}});
+    EXPECT_EQ(layout.bins(), 10U);
+    EXPECT_EQ(layout.find("a").bin(1, 1), 4U);
+    EXPECT_EQ(layout.find("b").bin(2), 8U);
+    EXPECT_EQ(layout.find("all").bin(0), 9U);
+    EXPECT_TRUE(layout.find("b").exists());
+    EXPECT_FALSE(layout.find("c").exists());
+}
+
 TEST(SumLayout, KeepsTheBinsOfARegionTogether) {
-    const SumLayout layout{4, 2, 3};
+    const LightLayout layout(4, 2, 3);
     EXPECT_EQ(layout.stride(), 2U * 2 + 2 * 3 + 1);
     for (std::size_t e = 0; e < 4; ++e) {
         EXPECT_EQ(layout.direct(e, SurfaceSide::upper, 0), e * layout.stride());
@@ -91,7 +108,7 @@ TEST(SumLayout, KeepsTheBinsOfARegionTogether) {
 }
 
 TEST(Tally, AddsRowsAndSingleBins) {
-    const SumLayout layout{2, 1, 2};
+    const LightLayout layout(2, 1, 2);
     Tally tally(layout);
     tally.add(layout.sunlit(1), 5);
     const std::vector<std::int64_t> amounts{7, 8};
@@ -112,7 +129,7 @@ TEST(Tally, AddsRowsAndSingleBins) {
 }
 
 TEST(Tally, IsEmptyAfterMerging) {
-    const SumLayout layout{2, 1, 1};
+    const LightLayout layout(2, 1, 1);
     Tally tally(layout);
     tally.add(layout.rays(), 3);
     ExactBins total(layout.bins());
@@ -122,7 +139,7 @@ TEST(Tally, IsEmptyAfterMerging) {
 }
 
 TEST(Tally, LeavesSharedBinsToTheSharedArrayAndKeepsTheOthers) {
-    const SumLayout layout{3, 1, 1};
+    const LightLayout layout(3, 1, 1);
     ExactBins sums(layout.bins());
     const std::span<std::int64_t> shared = sums.shared();
     Tally tally(layout, 2, shared);
@@ -139,7 +156,7 @@ TEST(Tally, LeavesSharedBinsToTheSharedArrayAndKeepsTheOthers) {
 }
 
 TEST(Tally, AddsTwoBinsOfARegionWhereverItIs) {
-    const SumLayout layout{3, 2, 2};
+    const LightLayout layout(3, 2, 2);
     for (const std::size_t shared_regions : {0, 1, 2, 3}) {
         ExactBins sums(layout.bins());
         const std::span<std::int64_t> bins = sums.shared();
@@ -153,7 +170,7 @@ TEST(Tally, AddsTwoBinsOfARegionWhereverItIs) {
 
 /// What `threads` workers count together, each adding pseudo-random amounts, when the first
 /// `shared` regions are shared. The first worker starts last, on purpose.
-ExactBins counted(const SumLayout& layout, unsigned threads, std::size_t shared) {
+ExactBins counted(const LightLayout& layout, unsigned threads, std::size_t shared) {
     ExactBins sums(layout.bins());
     std::vector<Tally> tallies(threads, Tally(layout, shared, sums.shared()));
     constexpr unsigned kJobs = 12;
@@ -164,10 +181,10 @@ ExactBins counted(const SumLayout& layout, unsigned threads, std::size_t shared)
             for (int i = 0; i < kAdditions; ++i) {
                 const std::size_t bin = bits() % layout.bins();
                 tallies[worker].add(bin, static_cast<std::int64_t>(bits() % 1000));
-                const std::vector<std::int64_t> row(layout.bands, 1);
+                const std::vector<std::int64_t> row(layout.scattered_blocks().escaped.columns, 1);
                 tallies[worker].add(
-                    layout.scattered(bits() % layout.regions, SurfaceSide::upper), row);
-                tallies[worker].add_two(bits() % layout.regions, 0, 2, layout.sunlit(0), 3);
+                    layout.scattered(bits() % layout.regions(), SurfaceSide::upper), row);
+                tallies[worker].add_two(bits() % layout.regions(), 0, 2, layout.sunlit(0), 3);
             }
         }
     };
@@ -188,7 +205,7 @@ ExactBins counted(const SumLayout& layout, unsigned threads, std::size_t shared)
 }
 
 TEST(Tally, CountsTheSamePrivateOrSharedOnAnyNumberOfThreads) {
-    const SumLayout layout{5, 2, 3};
+    const LightLayout layout(5, 2, 3);
     const ExactBins expected = counted(layout, 1, 0);
     for (const unsigned threads : {1U, 2U, 5U}) {
         for (const std::size_t shared : {0U, 3U, 5U}) {
@@ -206,7 +223,7 @@ TEST(FixedPoint, RefusesWhatIsNoNumberOrTooLarge) {
 }
 
 TEST(Tally, TellsWhenItIsFull) {
-    const SumLayout layout{1, 1, 1};
+    const LightLayout layout(1, 1, 1);
     Tally tally(layout);
     tally.add(0, ExactBins::kCarry - 1);
     EXPECT_FALSE(tally.is_full());
@@ -219,7 +236,7 @@ TEST(Tally, TellsWhenItIsFull) {
 }
 
 TEST(Tally, NeverWrapsInSilence) {
-    const SumLayout layout{1, 1, 2};
+    const LightLayout layout(1, 1, 2);
     const std::vector<std::int64_t> row{1, ExactBins::kCarry};
     const std::vector<std::function<void(Tally&)>> ways{
         [](Tally& t) { t.add(0, ExactBins::kCarry); },
@@ -238,7 +255,7 @@ TEST(Tally, NeverWrapsInSilence) {
 
 /// Adding an amount 2^k times gives 2^k times the amount, however large.
 RC_GTEST_PROP(Tally, SumsManyEqualAmountsExactly, ()) {
-    const SumLayout layout{1, 1, 1};
+    const LightLayout layout(1, 1, 1);
     const auto amount = *rc::gen::inRange<std::int64_t>(1, std::int64_t{1} << 61U);
     const auto log2_count = *rc::gen::inRange(0, 12);
     const bool is_shared = *rc::gen::arbitrary<bool>();

@@ -6,51 +6,67 @@
 #include <span>
 #include <vector>
 
-#include "quasimc/sums.h"
 #include "sums/fixed_point.h"
+#include "sums/light_blocks.h"
+#include "sums/sum_data.h"
 #include "sums/tally.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
 
-/// Lights of which each path is a find of its own: one kind of suns, one of skies, one of lamps;
-/// those there are.
-[[nodiscard]] std::vector<LightKind> kinds_by_path(const PreparedScene& prepared);
+/// Strategies for lights of which each path is a contribution of its own: one for suns, one for
+/// skies, one for lamps; those there are.
+[[nodiscard]] std::vector<SamplingStrategy> strategies_by_path(const PreparedScene& prepared);
 
-/// The skies, whose light is found along directions.
+/// The strategy for skies, whose light is sampled along directions.
 /// @param directions  in each replicate, of the first round
 /// @param step  units of light of each
-[[nodiscard]] LightKind kind_by_direction(
+[[nodiscard]] SamplingStrategy strategy_by_direction(
     const PreparedScene& prepared, std::uint32_t directions, double step);
 
-/// The suns, whose light is found along lines.
+/// The strategy for suns, whose light is sampled along lines.
 /// @param has_lines  by light: those of which it is
 /// @param step  units of light that a unit of length of a line brings
 /// @param spacing  of the lines, local units, at most
-[[nodiscard]] LightKind kind_by_line(
+[[nodiscard]] SamplingStrategy strategy_by_line(
     const PreparedScene& prepared, const std::vector<bool>& has_lines, double step, double spacing);
 
-/// The suns that are traced from themselves beside others whose light is found along lines. What
-/// they bring is summed with that of the others: of none of it is it known that it was found.
+/// The strategy for suns that are sampled by paths beside others whose light is sampled along
+/// lines. What they contribute is summed with that of the others: of none of it is it known whose
+/// it is.
 /// @param has_lines  by light: those of which it is not
-[[nodiscard]] LightKind kind_of_traced_suns(
+[[nodiscard]] SamplingStrategy strategy_of_traced_suns(
     const PreparedScene& prepared, const std::vector<bool>& has_lines);
+
+/// The strategies of sums, and where squares of the contributions of the first of them are summed:
+/// of the light that each brought, in squares of the most it could (SamplingStrategy::step).
+struct CountedStrategies {
+    explicit CountedStrategies(const SumData& sums)
+        : strategies(sums.strategies), squares(sums.layout, "squares") {}
+    /// Declares the blocks of squares for so many strategies.
+    static void declare(std::size_t strategies, SumBlocks& blocks) {
+        declare_sides("squares", columns_of(SumColumn::Of::strategy, strategies), blocks);
+    }
+
+    std::span<const SamplingStrategy> strategies;
+    SideBlocks squares;
+};
 
 /// Counts the contributions of one sample (a direction, or some lines) to each side of each region.
 class ContributionCounter {
   public:
     /// Counts what `add_all(counter)` adds.
-    /// @param kind  place in SumUnits::kinds
+    /// @param strategy  its index
     /// @param lines  that the sample consists of; 1 for a direction
     template <typename AddAll>
     static void count(
         const PreparedScene& prepared,
-        const SumUnits& units,
-        std::size_t kind,
+        const CountedStrategies& counted,
+        std::size_t strategy,
         double lines,
         Tally& tally,
         const AddAll& add_all) {
-        ContributionCounter counter(prepared, units, kind, lines, tally);
+        ContributionCounter counter(prepared, counted, strategy, lines, tally);
         add_all(counter);
         counter.finish_region();
     }
@@ -86,42 +102,45 @@ class ContributionCounter {
 
     ContributionCounter(
         const PreparedScene& prepared,
-        const SumUnits& units,
-        std::size_t kind,
+        const CountedStrategies& counted,
+        std::size_t strategy,
         double lines,
         Tally& tally)
         : prepared_(prepared),
-          reach_(units.kinds[kind].reach),
-          step_(units.kinds[kind].step),
+          reach_(counted.strategies[strategy].reach),
+          step_(counted.strategies[strategy].step),
           lines_(lines),
-          first_bin_(tally.layout().squares(0, SurfaceSide::upper, kind)),
-          stride_(tally.layout().stride()),
+          squares_(counted.squares),
+          strategy_(strategy),
           tally_(tally) {}
 
     void finish_region() {
         if (std::min(upper_.amount, lower_.amount) > 0) [[unlikely]] {
-            add_squares(0, upper_);
-            add_squares(1, lower_);
+            add_squares(SurfaceSide::upper, upper_);
+            add_squares(SurfaceSide::lower, lower_);
         } else {
             const double segments = upper_.segments + lower_.segments;
-            add_squares(lower_.amount > 0 ? 1 : 0, {upper_.amount + lower_.amount, segments});
+            add_squares(
+                lower_.amount > 0 ? SurfaceSide::lower : SurfaceSide::upper,
+                {upper_.amount + lower_.amount, segments});
         }
         upper_ = lower_ = {};
     }
 
-    void add_squares(std::size_t side, const Contribution& found) {
-        const double most = reach_[std::size_t{2} * region_ + side] * step_;
+    void add_squares(SurfaceSide side, const Contribution& found) {
+        const double most = reach_[std::size_t{2} * region_ + index_of(side)] * step_;
         if (found.amount > 0 && most > 0) {
             const double square =
                 found.amount * found.amount / (most * most * std::min(found.segments, lines_));
-            tally_.add(first_bin_ + region_ * stride_ + side, to_fixed(square));
+            tally_.add(squares_.bin(region_, side, strategy_), to_fixed(square));
         }
     }
 
     const PreparedScene& prepared_;
     std::span<const double> reach_;
     double step_, lines_;
-    std::size_t first_bin_, stride_;
+    SideBlocks squares_;
+    std::size_t strategy_;
     Tally& tally_;
     std::uint32_t region_ = 0;
     Contribution upper_, lower_;  // of the region

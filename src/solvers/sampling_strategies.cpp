@@ -1,6 +1,6 @@
-// What one find may bring to each side of the regions: docs/theory/statistics.md.
+// What one contribution may bring to each side of the regions: docs/theory/statistics.md.
 
-#include "solvers/light_kinds.h"
+#include "solvers/sampling_strategies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,27 +18,27 @@ bool is_lamp(const BoundSource& light) {
     return light.source->is_lamp();
 }
 
-/// A kind of the lights that are `wanted`, found by paths.
+/// A strategy for the lights that are `wanted`, sampled by paths.
 template <typename Wanted>
-LightKind kind_of(const PreparedScene& prepared, const Wanted& wanted) {
-    LightKind kind;
-    kind.flux.assign(prepared.bands(), 0);
+SamplingStrategy strategy_of(const PreparedScene& prepared, const Wanted& wanted) {
+    SamplingStrategy strategy;
+    strategy.flux.assign(prepared.bands(), 0);
     std::vector<bool> has(prepared.lights().spectra().size());
     for (const BoundSource& light : prepared.lights()) {
         if (!wanted(light)) {
             continue;
         }
-        kind.has_suns = kind.has_suns || is_sun(light);
+        strategy.has_suns = strategy.has_suns || is_sun(light);
         if (!has[light.spectrum]) {
             has[light.spectrum] = true;
-            kind.spectra.push_back(light.spectrum);
+            strategy.spectra.push_back(light.spectrum);
         }
-        for (std::size_t b = 0; b < kind.flux.size(); ++b) {
-            kind.flux[b] =
-                std::max(kind.flux[b], prepared.lights().flux()[b] * light.start_weights[b]);
+        for (std::size_t b = 0; b < strategy.flux.size(); ++b) {
+            strategy.flux[b] =
+                std::max(strategy.flux[b], prepared.lights().flux()[b] * light.start_weights[b]);
         }
     }
-    return kind;
+    return strategy;
 }
 
 /// Calls `visit(triangle, region, area vector)` for each triangle once, not for its images.
@@ -108,8 +108,8 @@ std::vector<double> slants(const PreparedScene& prepared, const Wanted& wanted) 
     return most;
 }
 
-/// By region, the area that a path of a sun lights at most: of the unit of a find, which is a path
-/// of the sun that is picked most seldom.
+/// By region, the area that a path of a sun lights at most: of the unit of a contribution, which is
+/// a path of the sun that is picked most seldom.
 template <typename Wanted>
 std::vector<double> sunlit_by_path(const PreparedScene& prepared, const Wanted& wanted) {
     double largest = 0;
@@ -125,46 +125,50 @@ std::vector<double> sunlit_by_path(const PreparedScene& prepared, const Wanted& 
     return lit;
 }
 
-/// The kinds of the lights that are `wanted`, found by paths: a spectrum is one, so that what many
-/// paths of bright lights tell does not hide that a faint one has few; all are one if they are
+/// The strategies for the lights that are `wanted`, found by paths: a spectrum is one, so that what
+/// many paths of bright lights tell does not hide that a faint one has few; all are one if they are
 /// many.
 template <typename Wanted>
-void add_kinds(const PreparedScene& prepared, const Wanted& wanted, std::vector<LightKind>& kinds) {
+void add_strategies(
+    const PreparedScene& prepared,
+    const Wanted& wanted,
+    std::vector<SamplingStrategy>& strategies) {
     constexpr std::size_t kMostApart = 8;
-    const std::vector<std::size_t> spectra = kind_of(prepared, wanted).spectra;
+    const std::vector<std::size_t> spectra = strategy_of(prepared, wanted).spectra;
     const std::size_t count = spectra.size() <= kMostApart ? spectra.size() : 1;
     for (std::size_t i = 0; i < count; ++i) {
         const auto is_own = [&](const BoundSource& light) {
             return wanted(light) && (count == 1 || light.spectrum == spectra[i]);
         };
-        kinds.push_back(kind_of(prepared, is_own));
-        if (kinds.back().has_suns) {
-            kinds.back().sunlit_reach = sunlit_by_path(prepared, is_own);
+        strategies.push_back(strategy_of(prepared, is_own));
+        if (strategies.back().has_suns) {
+            strategies.back().sunlit_reach = sunlit_by_path(prepared, is_own);
         }
     }
 }
 
 }  // namespace
 
-std::vector<LightKind> kinds_by_path(const PreparedScene& prepared) {
-    std::vector<LightKind> kinds;
-    add_kinds(prepared, is_sun, kinds);
-    add_kinds(
-        prepared, [](const BoundSource& light) { return light.is_extended(); }, kinds);
-    add_kinds(prepared, is_lamp, kinds);
-    return kinds;
+std::vector<SamplingStrategy> strategies_by_path(const PreparedScene& prepared) {
+    std::vector<SamplingStrategy> strategies;
+    add_strategies(prepared, is_sun, strategies);
+    add_strategies(
+        prepared, [](const BoundSource& light) { return light.is_extended(); }, strategies);
+    add_strategies(prepared, is_lamp, strategies);
+    return strategies;
 }
 
 /// Of the light along a direction a region gets the part that it takes of the box around the scene,
 /// as seen along it: at most what it is along one of the axes, since both are sums over these.
-LightKind kind_by_direction(const PreparedScene& prepared, std::uint32_t directions, double step) {
-    LightKind kind =
-        kind_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
-    kind.found_by = FoundBy::directions;
+SamplingStrategy strategy_by_direction(
+    const PreparedScene& prepared, std::uint32_t directions, double step) {
+    SamplingStrategy strategy =
+        strategy_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
+    strategy.by = SampledBy::directions;
     // Not sheared, as many are, more replicates see the same number.
     constexpr double kManyAlike = 7;
-    kind.many = directions > kMostShearedDirections ? kManyAlike : kind.many;
-    kind.step = step;
+    strategy.many = directions > kMostShearedDirections ? kManyAlike : strategy.many;
+    strategy.step = step;
     std::vector<Vec3> up(prepared.scene().regions().size());
     std::vector<Vec3> down(up.size());
     for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
@@ -186,10 +190,10 @@ LightKind kind_by_direction(const PreparedScene& prepared, std::uint32_t directi
             1.0, std::max({of(area.x, face.x), of(area.y, face.y), of(area.z, face.z)}));
     };
     for (std::size_t i = 0; i < up.size(); ++i) {
-        kind.reach.push_back(part(up[i]));
-        kind.reach.push_back(part(down[i]));
+        strategy.reach.push_back(part(up[i]));
+        strategy.reach.push_back(part(down[i]));
     }
-    return kind;
+    return strategy;
 }
 
 /// A line brings a region at most what falls on a stretch as long as the region.
@@ -197,18 +201,18 @@ LightKind kind_by_direction(const PreparedScene& prepared, std::uint32_t directi
 /// Lines of a replicate lie `spacing` apart, in a direction of their own: a lit part that is wider
 /// across them is met. One that no replicate has met is thus about as narrow in all of their
 /// directions, and a line that met it would cut no more than twice that.
-LightKind kind_by_line(
+SamplingStrategy strategy_by_line(
     const PreparedScene& prepared,
     const std::vector<bool>& has_lines,
     double step,
     double spacing) {
-    LightKind kind = kind_of(prepared, is_sun);
-    kind.found_by = FoundBy::lines;
-    kind.step = step;
-    kind.unseen_reach = 2 * spacing;
+    SamplingStrategy strategy = strategy_of(prepared, is_sun);
+    strategy.by = SampledBy::lines;
+    strategy.step = step;
+    strategy.unseen_reach = 2 * spacing;
     const std::vector<double> longest = diameters(prepared);
-    kind.reach.assign(2 * longest.size(), 0);
-    kind.sunlit_reach.assign(longest.size(), 0);
+    strategy.reach.assign(2 * longest.size(), 0);
+    strategy.sunlit_reach.assign(longest.size(), 0);
     for (std::size_t light = 0; light < has_lines.size(); ++light) {
         if (!has_lines[light]) {
             continue;
@@ -221,42 +225,43 @@ LightKind kind_by_line(
             looks[region].area += length(area);
             // What is seen at less is seen edge-on, as along the lines.
             if (std::abs(along) > kEdgeOn * length(area)) {
-                kind.reach[std::size_t{2} * region + (along > 0 ? 1 : 0)] = longest[region];
+                strategy.reach[std::size_t{2} * region + (along > 0 ? 1 : 0)] = longest[region];
             }
         });
         for (std::size_t i = 0; i < looks.size(); ++i) {
             const double slant = looks[i].seen > 0 ? looks[i].area / looks[i].seen : 0;
-            kind.sunlit_reach[i] = std::max(kind.sunlit_reach[i], longest[i] * slant);
+            strategy.sunlit_reach[i] = std::max(strategy.sunlit_reach[i], longest[i] * slant);
         }
     }
-    return kind;
+    return strategy;
 }
 
-LightKind kind_of_traced_suns(const PreparedScene& prepared, const std::vector<bool>& has_lines) {
+SamplingStrategy strategy_of_traced_suns(
+    const PreparedScene& prepared, const std::vector<bool>& has_lines) {
     const auto is_wanted = [&](const BoundSource& light) {
         const auto number = prepared.lights().index_of(light);
         return is_sun(light) && !has_lines[number];
     };
-    LightKind kind = kind_of(prepared, is_wanted);
-    kind.spectra.clear();
-    kind.sunlit_reach = slants(prepared, is_wanted);
+    SamplingStrategy strategy = strategy_of(prepared, is_wanted);
+    strategy.spectra.clear();
+    strategy.sunlit_reach = slants(prepared, is_wanted);
     const Scene& scene = prepared.scene();
-    kind.reach.assign(2 * scene.regions().size(), 0);
+    strategy.reach.assign(2 * scene.regions().size(), 0);
     for (const BoundSource& light : prepared.lights()) {
         if (!is_wanted(light)) {
             continue;
         }
         const Vec3 direction = direction_of(light);
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
-            // A path is one find, whichever region of the organ it meets.
+            // A path is one contribution, whichever region of the organ it meets.
             const Organ& organ = scene.organs()[scene.regions()[region].organ.value];
             const double along = dot(area, direction);
             if (std::abs(along) > kEdgeOn * length(area)) {
-                kind.reach[std::size_t{2} * organ.first_region + (along > 0 ? 1 : 0)] = 1;
+                strategy.reach[std::size_t{2} * organ.first_region + (along > 0 ? 1 : 0)] = 1;
             }
         });
     }
-    return kind;
+    return strategy;
 }
 
 }  // namespace quasimc

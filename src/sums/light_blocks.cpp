@@ -1,0 +1,91 @@
+#include "sums/light_blocks.h"
+
+namespace quasimc {
+namespace {
+
+using Rows = SumBlock::Rows;
+using Of = SumColumn::Of;
+
+constexpr std::array kSideNames{"_upper", "_lower"};
+/// Names of detectors are the user's, and may be those of other blocks.
+const std::string kDetector = "detector ";
+
+}  // namespace
+
+SideBlocks::SideBlocks(const SumLayout& layout, std::string_view name) {
+    for (std::size_t side = 0; side < first_.size(); ++side) {
+        const BlockBins block = layout.find(std::string(name) + kSideNames[side]);
+        first_[side] = block.first;
+        stride_ = block.stride;
+        columns_ = block.columns;
+    }
+}
+
+void declare_sides(const std::string& name, const SumColumns& columns, SumBlocks& blocks) {
+    for (const char* side : kSideNames) {
+        blocks.push_back({name + side, Rows::regions, columns});
+    }
+}
+
+ScatteredBlocks::ScatteredBlocks(const SumLayout& layout, const std::string& prefix)
+    : on_surfaces(layout, prefix + "scattered"),
+      escaped(layout.find(prefix + "escaped_scattered")),
+      scattered_out(layout.find(prefix + "scattered_out")),
+      cut_off(layout.find(prefix + "cut_off")) {}
+
+void declare_scattered_on_surfaces(
+    const std::string& prefix, std::size_t bands, SumBlocks& blocks) {
+    declare_sides(prefix + "scattered", columns_of(Of::band, bands), blocks);
+}
+
+void declare_scattered_of_run(const std::string& prefix, std::size_t bands, SumBlocks& blocks) {
+    for (const char* name : {"escaped_scattered", "scattered_out", "cut_off"}) {
+        blocks.push_back({prefix + name, Rows::run, columns_of(Of::band, bands)});
+    }
+}
+
+SumBlocks light_blocks(std::size_t spectra, std::size_t bands, bool sums_absorbed) {
+    const SumColumns by_spectrum = columns_of(Of::spectrum, spectra);
+    SumBlocks blocks;
+    declare_sides("direct", by_spectrum, blocks);
+    declare_scattered_on_surfaces("", bands, blocks);
+    blocks.push_back({"sunlit", Rows::regions, {{Of::area}}});
+    if (sums_absorbed) {
+        blocks.push_back({"absorbed_direct", Rows::regions, columns_of(Of::band, bands)});
+        blocks.push_back({"absorbed_scattered", Rows::regions, columns_of(Of::band, bands)});
+    }
+    blocks.push_back({"emitted", Rows::run, by_spectrum});
+    blocks.push_back({"escaped_direct", Rows::run, by_spectrum});
+    declare_scattered_of_run("", bands, blocks);
+    blocks.push_back({"rays", Rows::run, {{Of::number}}});
+    return blocks;
+}
+
+SumBlock detector_block(const std::string& name, std::size_t axis_bins, std::size_t bands) {
+    SumBlock block{kDetector + name, Rows::run, {}};
+    for (std::size_t bin = 0; bin < axis_bins; ++bin) {
+        for (std::uint32_t b = 0; b < bands; ++b) {
+            block.columns.push_back({Of::band, b});
+        }
+    }
+    return block;
+}
+
+LightBlocks::LightBlocks(const SumLayout& layout)
+    : stride_(layout.stride()),
+      direct_(layout, "direct"),
+      scattered_(layout),
+      sunlit_(layout.find("sunlit")),
+      absorbed_direct_(layout.find("absorbed_direct")),
+      absorbed_scattered_(layout.find("absorbed_scattered")),
+      emitted_(layout.find("emitted")),
+      escaped_direct_(layout.find("escaped_direct")),
+      rays_(layout.find("rays")) {
+    for (const SumBlock& block : layout.blocks()) {
+        if (block.name.starts_with(kDetector)) {
+            detectors_.push_back(layout.find(block.name).first);
+        }
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quasimc/mesh.h"
+#include "sums/sum_layout.h"
+
+namespace quasimc {
+
+/// A pair of blocks holds a quantity of each side of the regions: "NAME_upper" and "NAME_lower".
+class SideBlocks {
+  public:
+    SideBlocks() = default;
+    SideBlocks(const SumLayout& layout, std::string_view name);
+
+    [[nodiscard]] bool exists() const { return columns_ > 0; }
+    [[nodiscard]] std::size_t columns() const { return columns_; }
+    [[nodiscard]] std::size_t bin(
+        std::size_t region, SurfaceSide side, std::size_t column = 0) const {
+        return first_[index_of(side)] + region * stride_ + column;
+    }
+
+  private:
+    std::array<std::size_t, 2> first_{};
+    std::size_t stride_ = 0, columns_ = 0;
+};
+
+/// Declares a pair of blocks.
+void declare_sides(const std::string& name, const SumColumns& columns, SumBlocks& blocks);
+
+/// Begins the names of blocks of scattered light on the coarser of two levels of patches. The
+/// difference of the two tells the error of the finer (docs/theory/ray-bundles.md).
+inline constexpr const char* kCoarse = "coarse_";
+
+/// The blocks of scattered light: what falls on surfaces, and where the rest went.
+struct ScatteredBlocks {
+    /// @param prefix  of their names
+    explicit ScatteredBlocks(const SumLayout& layout, const std::string& prefix = {});
+
+    SideBlocks on_surfaces;
+    BlockBins escaped, scattered_out, cut_off;  ///< per band
+};
+
+/// Declares blocks of scattered light on surfaces, and of where the rest went.
+void declare_scattered_on_surfaces(const std::string& prefix, std::size_t bands, SumBlocks& blocks);
+void declare_scattered_of_run(const std::string& prefix, std::size_t bands, SumBlocks& blocks);
+
+/// Declares the blocks that every method sums.
+///
+/// Light that arrives straight from a source is summed per spectrum, not per band: all bands of it
+/// follow by multiplication. So a band costs memory and time only where light has been scattered.
+/// @param sums_absorbed  whether what surfaces absorb is summed on its own, per band. It follows
+///        from the light that falls on them, and need not be, where no albedo depends on the angle.
+[[nodiscard]] SumBlocks light_blocks(
+    std::size_t spectra, std::size_t bands, bool sums_absorbed = false);
+
+/// A detector's block has a column for each band, for each of its bins.
+[[nodiscard]] SumBlock detector_block(
+    const std::string& name, std::size_t axis_bins, std::size_t bands);
+
+/// The handles of light_blocks() and of detectors. Functions give the first bin of a row, or that
+/// of a column where they ask for one.
+class LightBlocks {
+  public:
+    explicit LightBlocks(const SumLayout& layout);
+
+    [[nodiscard]] std::size_t stride() const { return stride_; }
+    [[nodiscard]] std::size_t direct(
+        std::size_t region, SurfaceSide side, std::size_t spectrum) const {
+        return direct_.bin(region, side, spectrum);
+    }
+    [[nodiscard]] std::size_t scattered(std::size_t region, SurfaceSide side) const {
+        return scattered_.on_surfaces.bin(region, side);
+    }
+    [[nodiscard]] std::size_t sunlit(std::size_t region) const { return sunlit_.bin(region); }
+    [[nodiscard]] bool has_absorbed() const { return absorbed_direct_.exists(); }
+    [[nodiscard]] std::size_t absorbed_direct(std::size_t region) const {
+        return absorbed_direct_.bin(region);
+    }
+    [[nodiscard]] std::size_t absorbed_scattered(std::size_t region) const {
+        return absorbed_scattered_.bin(region);
+    }
+    [[nodiscard]] std::size_t emitted() const { return emitted_.first; }
+    [[nodiscard]] std::size_t escaped_direct() const { return escaped_direct_.first; }
+    [[nodiscard]] std::size_t escaped_scattered() const { return scattered_.escaped.first; }
+    [[nodiscard]] std::size_t scattered_out() const { return scattered_.scattered_out.first; }
+    [[nodiscard]] std::size_t cut_off() const { return scattered_.cut_off.first; }
+    [[nodiscard]] std::size_t rays() const { return rays_.first; }
+    /// The first bin of a detector, in the order of their declaration.
+    [[nodiscard]] std::size_t detector(std::size_t index) const { return detectors_[index]; }
+
+    [[nodiscard]] const ScatteredBlocks& scattered_blocks() const { return scattered_; }
+
+  private:
+    std::size_t stride_;
+    SideBlocks direct_;
+    ScatteredBlocks scattered_;
+    BlockBins sunlit_, absorbed_direct_, absorbed_scattered_, emitted_, escaped_direct_, rays_;
+    std::vector<std::size_t> detectors_;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quasimc {
+
+/// A column of a block tells what its bins sum: light of a spectrum or of a band, contributions of
+/// a sampling strategy, a sunlit area, or a number.
+struct SumColumn {
+    enum class Of : std::uint8_t { spectrum, band, strategy, area, number };
+    Of of = Of::number;
+    std::uint32_t index = 0;  ///< of the spectrum, the band or the strategy
+
+    friend bool operator==(const SumColumn&, const SumColumn&) = default;
+};
+using SumColumns = std::vector<SumColumn>;
+
+/// Makes a column for each of `count` spectra, bands or strategies.
+[[nodiscard]] SumColumns columns_of(SumColumn::Of of, std::size_t count);
+
+/// A block is a named table of bins that a solver or a detector declares: with a row for each
+/// region (a part of an organ that is of one material), or with a single one for the run.
+struct SumBlock {
+    enum class Rows : std::uint8_t { regions, run };
+    std::string name;
+    Rows rows = Rows::regions;
+    SumColumns columns;
+
+    friend bool operator==(const SumBlock&, const SumBlock&) = default;
+};
+using SumBlocks = std::vector<SumBlock>;
+
+/// A handle tells where the bins of a block are. That of a block which was not declared has no
+/// columns.
+struct BlockBins {
+    std::size_t first = 0;
+    std::size_t stride = 0;  ///< bins from one region to the next; 0 of a block of the run
+    std::size_t columns = 0;
+
+    [[nodiscard]] bool exists() const { return columns > 0; }
+    [[nodiscard]] std::size_t bin(std::size_t region, std::size_t column = 0) const {
+        return first + region * stride + column;
+    }
+};
+
+/// A layout numbers the bins of all blocks of a run. For each region the bins of all blocks are
+/// next to each other, in the order of their declaration, because a hit adds to several; those of
+/// the run come behind all regions.
+class SumLayout {
+  public:
+    SumLayout() = default;
+    /// @param blocks  of different names
+    SumLayout(std::size_t regions, SumBlocks blocks);
+
+    [[nodiscard]] const SumBlocks& blocks() const { return blocks_; }
+    /// The handle of a block, found by its name: to be asked for once, not for each hit.
+    [[nodiscard]] BlockBins find(std::string_view name) const;
+
+    [[nodiscard]] std::size_t regions() const { return regions_; }
+    /// Bins of a region.
+    [[nodiscard]] std::size_t stride() const { return stride_; }
+    [[nodiscard]] std::size_t bins() const { return bins_; }
+
+    friend bool operator==(const SumLayout&, const SumLayout&) = default;
+
+  private:
+    std::size_t regions_ = 0, stride_ = 0, bins_ = 0;
+    SumBlocks blocks_;
+};
+
+}  // namespace quasimc
