@@ -194,7 +194,9 @@ TEST(Digest, ChangesWithEveryParameterOfEveryDetector) {
 class SpottedSky final : public SourceModel {
   public:
     explicit SpottedSky(double spot)
-        : Source("spotted", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})), spot_(spot) {}
+        : SourceModel("spotted", {1}, kSkyTraits, 1),
+          sky_(make_uniform_sky("sky", {1})),
+          spot_(spot) {}
     [[nodiscard]] ModelParameters parameters() const override { return {"spotted", {spot_}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {

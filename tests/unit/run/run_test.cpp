@@ -21,7 +21,7 @@ namespace {
 /// A uniform sky in which every 512th look takes three milliseconds.
 class TiredSky final : public SourceModel {
   public:
-    TiredSky() : Source("tired", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})) {}
+    TiredSky() : SourceModel("tired", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})) {}
     [[nodiscard]] ModelParameters parameters() const override { return {"tired_sky", {}}; }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
