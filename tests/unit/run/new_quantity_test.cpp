@@ -45,9 +45,9 @@ class PointCounter final : public Solver {
         const BlockBins points = sums->layout.find("points");
         const std::size_t all = sums->layout.find("all_points").first;
         const std::uint64_t blocks = round.count / kPointsPerTask;
-        executor.announce(blocks * sums->replicates.size());
+        TaskRound tasks = executor.begin(blocks * sums->replicates.size());
         runner_.run(
-            blocks, executor, sums,
+            blocks, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch&, Tally& tally) {
                 for (std::uint64_t i = 0; i < kPointsPerTask; ++i) {
                     const std::uint64_t point = round.first + block * kPointsPerTask + i;
@@ -88,7 +88,7 @@ class NewQuantity : public ::testing::Test {
         return sums;
     }
     [[nodiscard]] Sums traced(const Round& round, unsigned workers = 1, Share share = {}) const {
-        return traced(round, Executor(workers, {}, {}, share));
+        return traced(round, Executor(workers, {.share = share}));
     }
 
     static constexpr std::uint32_t kReplicateCount = 2;
@@ -139,19 +139,44 @@ TEST_F(NewQuantity, IsSavedAndAdded) {
     EXPECT_THROW(shares += Sums(), std::invalid_argument);
 }
 
+/// One of two ranks, which does nothing but add up: the second sends, then the first receives.
+class AddingRank final : public RunTeam {
+  public:
+    AddingRank(std::uint64_t rank, std::vector<std::int64_t>& sent) : rank_(rank), sent_(sent) {}
+
+    [[nodiscard]] std::uint64_t rank() const override { return rank_; }
+    [[nodiscard]] std::uint64_t size() const override { return 2; }
+    void add_up(std::vector<std::int64_t>& numbers) override {
+        if (rank_ == 1) {
+            sent_ = numbers;
+            return;
+        }
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            numbers[i] += sent_.at(i);
+        }
+    }
+    [[nodiscard]] bool meet(bool is_done) override { return is_done; }
+    TeamOrder order(const TeamOrder& order) override { return order; }
+    void share_bytes(std::string& /*bytes*/) override {}
+    void send(std::string_view /*bytes*/) override {}
+    [[nodiscard]] std::string receive(
+        std::uint64_t /*rank*/, const std::stop_token& /*stop*/) override {
+        return "";
+    }
+    void stop() override {}
+    [[nodiscard]] bool is_stopped() override { return false; }
+    void await_stop() override {}
+
+  private:
+    std::uint64_t rank_;
+    std::vector<std::int64_t>& sent_;
+};
+
 TEST_F(NewQuantity, IsAddedUpByRanks) {
     std::vector<std::int64_t> sent;
-    RunTeam second;
-    second.rank = 1;
-    second.add_up = [&](std::vector<std::int64_t>& numbers) { sent = numbers; };
+    AddingRank first(0, sent), second(1, sent);
     Sums of_second = traced(kRound, 1, share_of(2, 2));
     add_up(second, of_second);  // its last replicate is the last that is sent
-    RunTeam first;
-    first.add_up = [&](std::vector<std::int64_t>& numbers) {
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            numbers[i] += sent.at(i);
-        }
-    };
     Sums sums = traced(kRound, 1, share_of(1, 2));
     sums->replicates = {sums->replicates.back()};
     add_up(first, sums);
