@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "run/run_team.h"
 #include "samplers/catalogue.h"
 #include "scene/scene.h"
 #include "solvers/block_runner.h"
@@ -45,9 +44,9 @@ class PointCounter final : public Solver {
         const BlockBins points = sums->layout.find("points");
         const std::size_t all = sums->layout.find("all_points").first;
         const std::uint64_t blocks = round.count / kPointsPerTask;
-        executor.announce(blocks * sums->replicates.size());
+        TaskRound tasks = executor.begin(blocks * sums->replicates.size());
         runner_.run(
-            blocks, executor, sums,
+            blocks, tasks, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch&, Tally& tally) {
                 for (std::uint64_t i = 0; i < kPointsPerTask; ++i) {
                     const std::uint64_t point = round.first + block * kPointsPerTask + i;
@@ -88,7 +87,7 @@ class NewQuantity : public ::testing::Test {
         return sums;
     }
     [[nodiscard]] Sums traced(const Round& round, unsigned workers = 1, Share share = {}) const {
-        return traced(round, Executor(workers, {}, {}, share));
+        return traced(round, Executor(workers, {.share = share}));
     }
 
     static constexpr std::uint32_t kReplicateCount = 2;
@@ -137,25 +136,6 @@ TEST_F(NewQuantity, IsSavedAndAdded) {
     shares.add_share(load_sums(save_sums(traced(kRound, 2, {1, 3, 3}))));
     EXPECT_EQ(shares, traced(kRound));
     EXPECT_THROW(shares += Sums(), std::invalid_argument);
-}
-
-TEST_F(NewQuantity, IsAddedUpByRanks) {
-    std::vector<std::int64_t> sent;
-    RunTeam second;
-    second.rank = 1;
-    second.add_up = [&](std::vector<std::int64_t>& numbers) { sent = numbers; };
-    Sums of_second = traced(kRound, 1, share_of(2, 2));
-    add_up(second, of_second);  // its last replicate is the last that is sent
-    RunTeam first;
-    first.add_up = [&](std::vector<std::int64_t>& numbers) {
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            numbers[i] += sent.at(i);
-        }
-    };
-    Sums sums = traced(kRound, 1, share_of(1, 2));
-    sums->replicates = {sums->replicates.back()};
-    add_up(first, sums);
-    EXPECT_EQ(sums->replicates.front(), traced(kRound)->replicates.back());
 }
 
 }  // namespace
