@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include "run/run_team.h"
 #include "samplers/catalogue.h"
 #include "scene/scene.h"
 #include "solvers/block_runner.h"
@@ -137,50 +136,6 @@ TEST_F(NewQuantity, IsSavedAndAdded) {
     shares.add_share(load_sums(save_sums(traced(kRound, 2, {1, 3, 3}))));
     EXPECT_EQ(shares, traced(kRound));
     EXPECT_THROW(shares += Sums(), std::invalid_argument);
-}
-
-/// One of two ranks, which does nothing but add up: the second sends, then the first receives.
-class AddingRank final : public RunTeam {
-  public:
-    AddingRank(std::uint64_t rank, std::vector<std::int64_t>& sent) : rank_(rank), sent_(sent) {}
-
-    [[nodiscard]] std::uint64_t rank() const override { return rank_; }
-    [[nodiscard]] std::uint64_t size() const override { return 2; }
-    void add_up(std::vector<std::int64_t>& numbers) override {
-        if (rank_ == 1) {
-            sent_ = numbers;
-            return;
-        }
-        for (std::size_t i = 0; i < numbers.size(); ++i) {
-            numbers[i] += sent_.at(i);
-        }
-    }
-    [[nodiscard]] bool meet(bool is_done) override { return is_done; }
-    TeamOrder order(const TeamOrder& order) override { return order; }
-    void share_bytes(std::string& /*bytes*/) override {}
-    void send(std::string_view /*bytes*/) override {}
-    [[nodiscard]] std::string receive(
-        std::uint64_t /*rank*/, const std::stop_token& /*stop*/) override {
-        return "";
-    }
-    void stop() override {}
-    [[nodiscard]] bool is_stopped() override { return false; }
-    void await_stop() override {}
-
-  private:
-    std::uint64_t rank_;
-    std::vector<std::int64_t>& sent_;
-};
-
-TEST_F(NewQuantity, IsAddedUpByRanks) {
-    std::vector<std::int64_t> sent;
-    AddingRank first(0, sent), second(1, sent);
-    Sums of_second = traced(kRound, 1, share_of(2, 2));
-    add_up(second, of_second);  // its last replicate is the last that is sent
-    Sums sums = traced(kRound, 1, share_of(1, 2));
-    sums->replicates = {sums->replicates.back()};
-    add_up(first, sums);
-    EXPECT_EQ(sums->replicates.front(), traced(kRound)->replicates.back());
 }
 
 }  // namespace
