@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {
@@ -67,7 +68,7 @@ TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
     const Sources suns({sun(0, {1})});
     const PreparedScene prepared(
         scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(scene.shared_triangles(), scene.cell(), Engine::embree));
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
     const ProjectedScene seen{&prepared.caster().mesh(), {}};
     const PatchScene patches(prepared, seen, make_patches(prepared, {}, 64, {}));
 
