@@ -26,6 +26,7 @@ class CheckpointRun final : public quasimc::RunListener, public quasimc::StoredS
     void on_pause(const quasimc::RunSoFar& run) override;
     void on_round(const quasimc::RunSoFar& run) override;
     void on_last_round(const quasimc::RunSoFar& run) override;
+    [[nodiscard]] bool wants(quasimc::SeriesPart /*part*/) const override { return false; }
 
     /// Saves what was not saved yet.
     void flush();

@@ -52,7 +52,7 @@ void convert_to_netcdf(
     };
     events.on_day = [&](std::size_t day, const auto& sum) { writer->add_day(day, sum); };
     quasimc::read_light(text, input, run, events);
-    writer->on_end({});
+    writer->finish({});
     outputs.commit();
     outputs.throw_if_given_up();
 }

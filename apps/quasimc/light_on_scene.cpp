@@ -71,14 +71,17 @@ class LightOnScene final : public quasimc::OutputWriter {
             add_traits(*run_, step.result, values_);
         }
     }
-    void on_end(const quasimc::SeriesSummary& of_the_last) override {
+    void finish(const quasimc::SeriesSummary& of_the_last) override {
         if (run_->series && !of_the_last.total.values.empty()) {
             values_ = light_values(
                 *run_, quasimc::in_summed_units(*run_, of_the_last.total), columns_(*run_));
         }
         write_(*run_, values_, sink_);
     }
-    [[nodiscard]] bool wants_total() const override { return run_->series.has_value(); }
+    [[nodiscard]] bool wants(quasimc::SeriesPart part) const override {
+        return part ==
+               (run_->series ? quasimc::SeriesPart::total : quasimc::SeriesPart::time_steps);
+    }
 
   private:
     const quasimc::RunFile* run_;

@@ -49,7 +49,7 @@ void trace_points(
                 {.stop = interrupt.token(),
                  .work = all.part(static_cast<double>(point) * each, each)});
         } catch (const quasimc::InputError& error) {
-            rethrow_of_file(error, run, arguments.flags.overrides());
+            throw error_of_file(error, run, arguments.flags.overrides());
         }
         before += moments.size();
     }

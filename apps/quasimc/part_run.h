@@ -19,7 +19,7 @@
 [[nodiscard]] std::function<void()> stopping_note(const RunArguments& arguments);
 /// Faults that show only when a run begins are of the run file, or of the flags that set what is
 /// wrong.
-[[noreturn]] void rethrow_of_file(
+[[nodiscard]] quasimc::InputError error_of_file(
     const quasimc::InputError& error,
     const quasimc::RunFile& file,
     const std::vector<quasimc::Override>& flags);

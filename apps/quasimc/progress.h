@@ -22,6 +22,7 @@ class ProgressLine final : public quasimc::RunListener {
     explicit ProgressLine(ProgressLines lines, std::string what = "");
 
     void on_progress(const quasimc::Progress& progress) override;
+    [[nodiscard]] bool wants(quasimc::SeriesPart /*part*/) const override { return false; }
     [[nodiscard]] bool is_written() const { return on_terminal_ || in_lines_; }
 
   private:

@@ -57,7 +57,7 @@ std::function<void()> stopping_note(const RunArguments& arguments) {
     return [] { std::fputs("\nstopping; Ctrl-C again ends at once\n", stderr); };
 }
 
-void rethrow_of_file(
+quasimc::InputError error_of_file(
     const quasimc::InputError& error,
     const quasimc::RunFile& file,
     const std::vector<quasimc::Override>& flags) {
@@ -68,7 +68,7 @@ void rethrow_of_file(
         });
         fault.place = flag != flags.end() ? flag->place : file.path + ": " + fault.place;
     }
-    throw quasimc::InputError(std::move(faults));
+    return quasimc::InputError(std::move(faults));
 }
 
 namespace {
@@ -121,9 +121,9 @@ Exit run(
         parts->expect_end();
     }
     end_progress_line();
-    const std::string digest = sweep.writers().finish(sweep.last());
+    const RunWriters::Repeated repeated = sweep.writers().finish(sweep.last());
     const Repetition repetition =
-        judge_repetition(arguments, stored, digest, sweep.writers().difference(), sweep.all().stop);
+        judge_repetition(arguments, stored, repeated.digest, repeated.difference, sweep.all().stop);
     print_unlit(sweep.all(), stored.runs.size() > 1 || sweep.file().series.has_value());
     print_audit(sweep.all().audit_chance);
     if (!arguments.quiet) {
@@ -132,7 +132,7 @@ Exit run(
                              ? ""
                              : fmt::format("{:<10}{}\n", "repeated", repetition.verdict));
     }
-    sweep.writers().throw_if_given_up();
+    sweep.writers().faults().throw_if_any();
     sweep.checkpoint().throw_if_given_up();
     if (repetition.has_failed) {
         throw quasimc::InputError({{"--from", repetition.verdict, "", ""}});

@@ -32,6 +32,9 @@ class RunWindow final : public quasimc::RunListener {
     void on_round(const quasimc::RunSoFar& run) override;
     void on_last_round(const quasimc::RunSoFar& /*run*/) override { shown_ = 0; }
     void on_time_step(const quasimc::TimeStepResult& step) override;
+    [[nodiscard]] bool wants(quasimc::SeriesPart part) const override {
+        return part == quasimc::SeriesPart::time_steps;
+    }
 
   private:
     using Clock = std::chrono::steady_clock;

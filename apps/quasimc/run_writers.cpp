@@ -57,11 +57,6 @@ void refuse_checkpoint(
     faults.throw_if_any();
 }
 
-struct AskedOutput {
-    quasimc::OutputPath file;
-    quasimc::MakeOutput* make;
-};
-
 /// Finds the outputs that were asked for. Paths on the command line count from the current folder,
 /// and override those of the run file.
 std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) {
@@ -88,21 +83,27 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
     return asked;
 }
 
-std::vector<quasimc::OutputPath> asked_paths(
-    const RunArguments& arguments, const quasimc::RunFile& run) {
+std::vector<quasimc::OutputPath> paths_of(
+    const std::vector<AskedOutput>& asked, const std::string& checkpoint) {
     std::vector<quasimc::OutputPath> paths;
-    for (const AskedOutput& output : asked_outputs(arguments, run)) {
+    for (const AskedOutput& output : asked) {
         paths.push_back(output.file);
     }
-    refuse_checkpoint(arguments.checkpoint, paths);
+    refuse_checkpoint(checkpoint, paths);
     return paths;
 }
 
 }  // namespace
 
 RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& first)
-    : files_(asked_paths(arguments, first), inputs_of(arguments, first)), summary_(first) {
-    for (const auto& [file, make] : asked_outputs(arguments, first)) {
+    : RunWriters(arguments, first, asked_outputs(arguments, first)) {}
+
+RunWriters::RunWriters(
+    const RunArguments& arguments,
+    const quasimc::RunFile& first,
+    const std::vector<AskedOutput>& asked)
+    : files_(paths_of(asked, arguments.checkpoint), inputs_of(arguments, first)), summary_(first) {
+    for (const auto& [file, make] : asked) {
         outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.place}));
     }
     if (arguments.from.empty()) {
@@ -138,41 +139,36 @@ void RunWriters::for_each_writer(Action action) {
 
 void RunWriters::on_time_step(const quasimc::TimeStepResult& step) {
     end_progress_line();
-    for_each_writer([&](quasimc::OutputWriter& writer) { writer.on_time_step(step); });
+    for_each_writer([&](quasimc::OutputWriter& writer) {
+        if (writer.wants(quasimc::SeriesPart::time_steps)) {
+            writer.on_time_step(step);
+        }
+    });
 }
 
 void RunWriters::on_day(std::size_t day, const quasimc::SeriesSum& sum) {
-    for_each_writer([&](quasimc::OutputWriter& writer) { writer.on_day(day, sum); });
+    for_each_writer([&](quasimc::OutputWriter& writer) {
+        if (writer.wants(quasimc::SeriesPart::days)) {
+            writer.on_day(day, sum);
+        }
+    });
 }
 
-template <typename Wants>
-bool RunWriters::any_writer(Wants wants) const {
-    return (repeated_ && wants(*repeated_)) ||
+bool RunWriters::wants(quasimc::SeriesPart part) const {
+    return part == quasimc::SeriesPart::time_steps || (repeated_ && repeated_->wants(part)) ||
            std::any_of(outputs_.begin(), outputs_.end(), [&](const auto& writer) {
-               return writer && wants(*writer);
+               return writer && writer->wants(part);
            });
-}
-
-bool RunWriters::wants_days() const {
-    return any_writer([](const quasimc::OutputWriter& writer) { return writer.wants_days(); });
-}
-
-bool RunWriters::wants_total() const {
-    return any_writer([](const quasimc::OutputWriter& writer) { return writer.wants_total(); });
 }
 
 void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& of_the_last) {
     for_each_writer([&](quasimc::OutputWriter& writer) { writer.next_run(run, of_the_last); });
 }
 
-std::string RunWriters::finish(const quasimc::SeriesSummary& of_the_last) {
-    for_each_writer([&](quasimc::OutputWriter& writer) { writer.on_end(of_the_last); });
+RunWriters::Repeated RunWriters::finish(const quasimc::SeriesSummary& of_the_last) {
+    for_each_writer([&](quasimc::OutputWriter& writer) { writer.finish(of_the_last); });
     files_.commit();
-    return repeated_ ? repeated_->digest() : "";
-}
-
-std::string RunWriters::difference() {
-    return comparison_ ? comparison_->difference() : "";
+    return {repeated_ ? repeated_->digest() : "", comparison_ ? comparison_->difference() : ""};
 }
 
 void RunWriters::print_summary(

@@ -13,6 +13,7 @@
 #include "output_choice.h"
 #include "quasimc/quasimc.h"
 #include "resultio/row_comparison.h"
+#include "runfile/output_catalogue.h"
 
 /// "--groups-csv". @param output  its key
 [[nodiscard]] std::string flag_of(std::string_view output);
@@ -37,6 +38,12 @@ struct RunArguments {
 [[nodiscard]] std::vector<quasimc::InputFile> inputs_of(
     const RunArguments& arguments, const quasimc::RunFile& run);
 
+/// An output that was asked for.
+struct AskedOutput {
+    quasimc::OutputPath file;
+    quasimc::MakeOutput* make;
+};
+
 /// Writes what the runs of a sweep compute, one after the other, to all files that were asked for,
 /// and sums it up.
 class RunWriters : public quasimc::RunListener {
@@ -48,31 +55,34 @@ class RunWriters : public quasimc::RunListener {
 
     void on_time_step(const quasimc::TimeStepResult& step) override;
     void on_day(std::size_t day, const quasimc::SeriesSum& sum) override;
-    [[nodiscard]] bool wants_days() const override;
-    [[nodiscard]] bool wants_total() const override;
+    [[nodiscard]] bool wants(quasimc::SeriesPart part) const override;
     /// What follows is of the next point. @param of_the_last  of the point that ends
     void next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& of_the_last);
-    /// Gives the files their names.
-    /// @param of_the_last  of the last point
-    /// @returns the digest of the organs of a run that is repeated, else ""
-    std::string finish(const quasimc::SeriesSummary& of_the_last);
-    /// Where the rows of numbers differ from those of the result that is repeated, in words; "" if
-    /// nowhere or without --from. To be asked after finish().
-    [[nodiscard]] std::string difference();
+    /// How a run that is repeated compares with its result; "" where it isn't one.
+    struct Repeated {
+        std::string digest;      ///< of the organs
+        std::string difference;  ///< of the rows of numbers, in words; "" if there is none
+    };
+    /// Ends the files and gives them their names. @param of_the_last  of the last point
+    Repeated finish(const quasimc::SeriesSummary& of_the_last);
 
     /// @param all  of all points
     /// @param comparison  with the result that was repeated; ends the text
     void print_summary(const quasimc::SeriesSummary& all, const std::string& comparison) const;
 
-    /// @throws InputError  if some of the files could not be written
-    void throw_if_given_up() const { files_.throw_if_given_up(); }
+    /// Why some of the files could not be written.
+    [[nodiscard]] const quasimc::Faults& faults() const { return files_.faults(); }
+    /// Whether files were asked for, and none of them can be written any more.
+    [[nodiscard]] bool are_all_given_up() const { return files_.are_all_given_up(); }
 
   private:
+    RunWriters(
+        const RunArguments& arguments,
+        const quasimc::RunFile& first,
+        const std::vector<AskedOutput>& asked);
     /// Does it with all writers. A file whose writer fails is given up, and the others are written.
     template <typename Action>
     void for_each_writer(Action action);
-    template <typename Wants>
-    [[nodiscard]] bool any_writer(Wants wants) const;
 
     quasimc::OutputFiles files_;
     std::vector<std::unique_ptr<quasimc::OutputWriter>> outputs_;  // of files; null: given up

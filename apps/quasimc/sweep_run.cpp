@@ -134,11 +134,14 @@ bool SweepRun::trace(const std::stop_token& stop) {
         add_point(last_, all_);
         return false;
     } catch (const quasimc::InputError& error) {
-        writers_.throw_if_given_up();
-        if (parts_ != nullptr) {
-            throw;
+        checkpoint_.flush();
+        if (writers_.are_all_given_up()) {
+            throw;  // it says so
         }
-        rethrow_of_file(error, *run_, arguments_.flags.overrides());
+        quasimc::Faults faults = writers_.faults();
+        faults.add(
+            parts_ != nullptr ? error : error_of_file(error, *run_, arguments_.flags.overrides()));
+        faults.throw_if_any();
     }
     add_point(last_, all_);
     return true;

@@ -35,12 +35,14 @@ struct StoredSweep {
 /// next_run().
 class OutputWriter : public RunListener {
   public:
-    /// What follows is of the next point of a sweep; the writer's on_end() is for the last one
-    /// alone.
+    /// What follows is of the next point of a sweep.
     /// @param of_the_last  of the point that ends
     virtual void next_run(const RunFile& run, const SeriesSummary& of_the_last) = 0;
-    /// Ends the file.
-    void on_end(const SeriesSummary& /*of_the_last*/) override {}
+    /// Ends the file, once all runs are computed. @param of_the_last  of the last point
+    virtual void finish(const SeriesSummary& /*of_the_last*/) {}
+    [[nodiscard]] bool wants(SeriesPart part) const override {
+        return part == SeriesPart::time_steps;
+    }
 };
 
 /// What the rows of a table are of, and what for.
@@ -61,7 +63,9 @@ class CsvWriter : public OutputWriter {
 
     void on_time_step(const TimeStepResult& step) override;
     void on_day(std::size_t day, const SeriesSum& sum) override;
-    [[nodiscard]] bool wants_days() const override { return times_ == CsvTimes::days; }
+    [[nodiscard]] bool wants(SeriesPart part) const override {
+        return part == (times_ == CsvTimes::days ? SeriesPart::days : SeriesPart::time_steps);
+    }
     void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
         run_ = &run;
     }
@@ -92,9 +96,8 @@ class JsonWriter : public OutputWriter {
 
     void on_time_step(const TimeStepResult& step) override;
     void on_day(std::size_t day, const SeriesSum& sum) override;
-    void on_end(const SeriesSummary& of_the_last) override;
-    [[nodiscard]] bool wants_days() const override;
-    [[nodiscard]] bool wants_total() const override;
+    void finish(const SeriesSummary& of_the_last) override;
+    [[nodiscard]] bool wants(SeriesPart part) const override;
     void next_run(const RunFile& run, const SeriesSummary& of_the_last) override;
 
     /// The SHA-256 of the organs of all times so far, by which two results are compared.

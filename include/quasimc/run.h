@@ -65,9 +65,17 @@ class RunSoFar {
     RunSoFar() = default;
 };
 
+/// What a series computes for its listeners beside the runs themselves.
+enum class SeriesPart {
+    time_steps,  ///< the result of every time, where it isn't that of a run
+    days,        ///< the sums over days
+    total,       ///< SeriesSummary::total
+};
+
 /// Receives the events of runs. All functions are called from the thread that called run(), in the
 /// order of the list of listeners; each does nothing unless it is overridden. No listener changes
-/// a number.
+/// a number. A single run reports progress, pauses and rounds; a series reports its times, its days
+/// and its end as well.
 class RunListener {
   public:
     virtual ~RunListener() = default;
@@ -83,14 +91,12 @@ class RunListener {
     /// All rounds of a run are complete, or its time is up.
     virtual void on_last_round(const RunSoFar& /*run*/) {}
     virtual void on_time_step(const TimeStepResult& /*step*/) {}
-    /// The sum over a day. It is computed, and reported to listeners that want it, only if some
-    /// listener wants_days().
     virtual void on_day(std::size_t /*day*/, const SeriesSum& /*sum*/) {}
     virtual void on_end(const SeriesSummary& /*summary*/) {}
 
-    [[nodiscard]] virtual bool wants_days() const { return false; }
-    /// Whether SeriesSummary::total is to be computed. It is as well if there are no listeners.
-    [[nodiscard]] virtual bool wants_total() const { return false; }
+    /// Whether the listener needs a part of a series. A part that no listener needs isn't computed;
+    /// without any listener the total is.
+    [[nodiscard]] virtual bool wants(SeriesPart /*part*/) const { return true; }
 
   protected:
     RunListener() = default;

@@ -24,16 +24,15 @@ class SeriesHandle final : public RunListener {
     SeriesHandle(TimeSeries of, bool keeps) : series(std::move(of)), keeps_times(keeps) {}
 
     void on_time_step(const TimeStepResult& step) override {
-        if (keeps_times) {
-            results.push_back(reported_result(step.result));
-        }
+        results.push_back(reported_result(step.result));
+    }
+    [[nodiscard]] bool wants(SeriesPart part) const override {
+        return keeps_times || part != SeriesPart::time_steps;
     }
     void on_day(std::size_t day, const SeriesSum& sum) override {
         days.push_back(day);
         sums.push_back(reported_sum(sum));
     }
-    [[nodiscard]] bool wants_days() const override { return true; }
-    [[nodiscard]] bool wants_total() const override { return true; }
 
     TimeSeries series;
     bool keeps_times;

@@ -33,6 +33,7 @@ class WatchedWork final : private RunListener {
     void do_work(const Task& task);
     void watch();
     void on_progress(const Progress& progress) override;
+    [[nodiscard]] bool wants(SeriesPart /*part*/) const override { return false; }
     void listen();
 
     py::object on_progress_;

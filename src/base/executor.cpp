@@ -21,6 +21,12 @@ void Executor::run(std::uint64_t tasks, Work work) {
     begin(tasks).run(tasks, work, [] {});
 }
 
+void Executor::give_up() {
+    if (options_.team != nullptr && !has_met_) {
+        static_cast<void>(options_.team->meet(false));
+    }
+}
+
 TaskRound::TaskRound(Executor& executor, std::uint64_t tasks)
     : executor_(executor), tasks_of_all_(tasks) {
     const auto [begin, end] = executor.options_.share.range(tasks);
@@ -64,6 +70,7 @@ Pause TaskRound::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t
 /// Runs the tasks [begin, end), as other processes do theirs.
 void TaskRound::run_with_team(std::uint64_t begin, std::uint64_t end, Executor::Work work) {
     TaskTeam& team = *executor_.options_.team;
+    executor_.has_met_ = true;
     try {
         static_cast<void>(run_until_pause(begin, end, work));
     } catch (...) {

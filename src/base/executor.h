@@ -84,6 +84,8 @@ class Executor {
     [[nodiscard]] TaskRound begin(std::uint64_t tasks);
     /// A round of one call: as TaskRound::run().
     void run(std::uint64_t tasks, Work work);
+    /// Tells the team, if there is one that has not met, that no task is run here.
+    void give_up();
     /// The part of the tasks of the last round that was done already (done_before).
     [[nodiscard]] double part_done_before() const { return part_done_before_; }
 
@@ -93,6 +95,7 @@ class Executor {
     unsigned workers_;
     ExecutorOptions options_;
     double part_done_before_ = 0;
+    bool has_met_ = false;  // its team
 };
 
 /// Tasks that are run together.

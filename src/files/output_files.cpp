@@ -87,9 +87,13 @@ void OutputFiles::give_up(std::size_t output, const InputError& error) {
     throw_if_none_is_left();
 }
 
-void OutputFiles::throw_if_none_is_left() const {
+bool OutputFiles::are_all_given_up() const {
     const auto is_left = [](const auto& file) { return file != nullptr; };
-    if (std::none_of(files_.begin(), files_.end(), is_left)) {
+    return !files_.empty() && std::none_of(files_.begin(), files_.end(), is_left);
+}
+
+void OutputFiles::throw_if_none_is_left() const {
+    if (are_all_given_up()) {
         throw_if_given_up();
         throw ReaderGone();
     }

@@ -40,6 +40,10 @@ class OutputFiles {
     /// The outputs that are files and were not given up, as stated.
     [[nodiscard]] std::vector<std::string> written() const;
     [[nodiscard]] bool uses_standard_output() const { return uses_standard_output_; }
+    /// Why outputs were given up.
+    [[nodiscard]] const Faults& faults() const { return faults_; }
+    /// Whether there are outputs, but none is left.
+    [[nodiscard]] bool are_all_given_up() const;
     /// @throws InputError  if outputs were given up, with the reasons
     void throw_if_given_up() const { faults_.throw_if_any(); }
 

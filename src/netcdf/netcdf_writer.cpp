@@ -56,7 +56,10 @@ class NetcdfLight final : public NetcdfWriter {
         add_day(day, in_summed_units(*run_, sum));
     }
 
-    [[nodiscard]] bool wants_days() const override { return run_->series.has_value(); }
+    [[nodiscard]] bool wants(SeriesPart part) const override {
+        return part == SeriesPart::time_steps ||
+               (part == SeriesPart::days && run_->series.has_value());
+    }
 
     void add_day(std::size_t day, const SeriesSum& sum) override {
         std::vector<std::size_t> start = layout_.place_of(*run_);
@@ -80,7 +83,7 @@ class NetcdfLight final : public NetcdfWriter {
         layout_.put_areas(run);
     }
 
-    void on_end(const SeriesSummary& /*of_the_last*/) override { file_.copy_to(sink_); }
+    void finish(const SeriesSummary& /*of_the_last*/) override { file_.copy_to(sink_); }
 
   private:
     static std::vector<std::string> times_of(const RunFile& run) {

@@ -16,6 +16,7 @@ class StopByTeam final : public RunListener, public TaskWatcher {
 
     void on_progress(const Progress& /*progress*/) override { ask(); }
     void on_progress(double /*part*/) override { ask(); }
+    [[nodiscard]] bool wants(SeriesPart /*part*/) const override { return false; }
     void ask() {
         if (team_.is_stopped()) {
             stop_.request_stop();

@@ -283,7 +283,7 @@ void JsonWriter::on_day(std::size_t day, const SeriesSum& sum) {
     state_->add_day(day, sum);
 }
 
-void JsonWriter::on_end(const SeriesSummary& of_the_last) {
+void JsonWriter::finish(const SeriesSummary& of_the_last) {
     state_->finish(of_the_last);
 }
 
@@ -291,12 +291,8 @@ void JsonWriter::next_run(const RunFile& run, const SeriesSummary& of_the_last) 
     state_->next_run(run, of_the_last);
 }
 
-bool JsonWriter::wants_days() const {
-    return wants_total();
-}
-
-bool JsonWriter::wants_total() const {
-    return state_->writes() && state_->has_times();
+bool JsonWriter::wants(SeriesPart part) const {
+    return part == SeriesPart::time_steps || (state_->writes() && state_->has_times());
 }
 
 std::string JsonWriter::digest() const {
@@ -310,7 +306,7 @@ std::unique_ptr<OutputWriter> make_json(const OutputInput& input) {
 std::string write_json(const RunFile& run, const Result& result, const TextSink& sink) {
     JsonWriter writer(run, sink);
     writer.on_time_step({0, result});
-    writer.on_end({});
+    writer.finish({});
     return writer.digest();
 }
 

@@ -77,7 +77,12 @@ SolvedRound RoundSolver::solve(const RoundStart& start, Sums& sums, TaskWatcher*
         {.stop = stop_, .watcher = watcher, .team = team_.team, .done_before = start.tasks});
     order(start);
     const Stopwatch watch;
-    solver.solve(start.round, executor, sums);
+    try {
+        solver.solve(start.round, executor, sums);
+    } catch (...) {
+        executor.give_up();
+        throw;
+    }
     SolvedRound solved{.part_done_before = executor.part_done_before()};
     if (team_.team != nullptr) {
         add_up(*team_.team, sums);

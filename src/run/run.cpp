@@ -136,8 +136,7 @@ Result Simulator::State::run(
         result.chosen = std::move(chosen);
         add_sunlit_of_hidden_suns(scene, sources, result);
         if (spec.audit > 0) {
-            early.stop_at(all.at());
-            add_audit(scene, sources, spec, {.stop = control.stop}, early, result);
+            add_audit(scene, sources, spec, {.stop = control.stop, .deadline = all}, result);
         }
         return result;
     } catch (const StopRequested&) {
@@ -150,8 +149,9 @@ void Simulator::State::add_audit(
     const Sources& sources,
     const RunSpec& spec,
     const RunControl& control,
-    EarlyStop& early,
     Result& result) {
+    EarlyStop early(control.stop);  // that of the run may have been used up
+    early.stop_at(control.deadline.at());
     try {
         const RunSpec plain = planned_spec(spec, audit_plan(spec, result.paths));
         result.audit = compare_results(

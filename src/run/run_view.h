@@ -66,7 +66,7 @@ void report(
 /// A round that is being traced.
 struct RoundAtHand {
     const RoundStart& start;
-    const DoneRounds* done = nullptr;  ///< the rounds before; null: it is the first
+    const DoneRounds* done = nullptr;  ///< the rounds before; null: no round is complete
     const Sums& sums;                  ///< of all, so far
 };
 

@@ -70,7 +70,6 @@ class Simulator::State {
         const Sources& sources,
         const RunSpec& spec,
         const RunControl& control,
-        EarlyStop& early,
         Result& result);
 
     KeptCaster caster_;

@@ -113,7 +113,7 @@ class SeriesRun final : public SeriesSteps {
         kept.total_weight += plan.factor * time_step.seconds;
         if (plan.traced == i) {
             report_time_step(in_.control, {i, kept.result, i});
-        } else if (!in_.control.listeners.empty()) {
+        } else if (is_wanted(SeriesPart::time_steps, in_.control)) {
             report_time_step(in_.control, {i, scaled(kept.result, plan.factor), plan.traced});
         }
     }
@@ -223,7 +223,8 @@ class SeriesRun final : public SeriesSteps {
     Stopwatch watch_;
     Deadline deadline_ = deadline_of(in_.control, in_.spec);
     Work work_ = work_of(in_.control);
-    bool wants_days_ = wants_days(in_.control), wants_total_ = wants_total(in_.control);
+    bool wants_days_ = is_wanted(SeriesPart::days, in_.control);
+    bool wants_total_ = is_wanted(SeriesPart::total, in_.control);
     std::vector<TimeStepPlan> plans_;
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced

@@ -29,31 +29,28 @@ void end_series(StopReason why, SeriesSummary& summary) {
     }
 }
 
+bool is_wanted(SeriesPart part, const RunControl& control) {
+    const auto& listeners = control.listeners;
+    return (listeners.empty() && part == SeriesPart::total) ||
+           std::any_of(listeners.begin(), listeners.end(), [&](const RunListener* listener) {
+               return listener->wants(part);
+           });
+}
+
 void report_time_step(const RunControl& control, const TimeStepResult& step) {
     for (RunListener* listener : control.listeners) {
-        listener->on_time_step(step);
-    }
-}
-
-bool wants_days(const RunControl& control) {
-    return std::any_of(
-        control.listeners.begin(), control.listeners.end(),
-        [](const RunListener* listener) { return listener->wants_days(); });
-}
-
-void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum) {
-    for (RunListener* listener : control.listeners) {
-        if (listener->wants_days()) {
-            listener->on_day(day, sum);
+        if (listener->wants(SeriesPart::time_steps)) {
+            listener->on_time_step(step);
         }
     }
 }
 
-bool wants_total(const RunControl& control) {
-    return control.listeners.empty() ||
-           std::any_of(
-               control.listeners.begin(), control.listeners.end(),
-               [](const RunListener* listener) { return listener->wants_total(); });
+void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum) {
+    for (RunListener* listener : control.listeners) {
+        if (listener->wants(SeriesPart::days)) {
+            listener->on_day(day, sum);
+        }
+    }
 }
 
 }  // namespace quasimc

@@ -40,12 +40,10 @@ void walk_series(const SeriesInput& input, SeriesSteps& steps, SeriesSummary& su
 /// The series ends before all is done; what its caller asked for counts more than its time.
 void end_series(StopReason why, SeriesSummary& summary);
 
-/// Reports a time to all listeners.
+/// Whether a part of a series is to be computed.
+[[nodiscard]] bool is_wanted(SeriesPart part, const RunControl& control);
+/// Reports a time, or the sum over a day, to the listeners that want it.
 void report_time_step(const RunControl& control, const TimeStepResult& step);
-/// Whether some listener wants sums over days; reports one to those.
-[[nodiscard]] bool wants_days(const RunControl& control);
 void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum);
-/// Whether some listener wants the sum over all days, or there are none.
-[[nodiscard]] bool wants_total(const RunControl& control);
 
 }  // namespace quasimc

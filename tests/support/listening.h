@@ -28,8 +28,11 @@ class Listening final : public RunListener {
         }
     }
     void on_day(std::size_t number, const SeriesSum& sum) override { day(number, sum); }
-    [[nodiscard]] bool wants_days() const override { return day != nullptr; }
-    [[nodiscard]] bool wants_total() const override { return total; }
+    [[nodiscard]] bool wants(SeriesPart part) const override {
+        return part == SeriesPart::time_steps ? time_step != nullptr
+               : part == SeriesPart::days     ? day != nullptr
+                                              : total;
+    }
 };
 
 }  // namespace quasimc::test

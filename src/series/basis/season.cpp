@@ -52,7 +52,7 @@ class Season final : public SeriesSteps {
         day_.emplace(*basis_, in_.spec.replicates);
         total_.emplace(*basis_, in_.spec.replicates);
         walk_series(in_, *this, summary_);
-        if (wants_total(in_.control)) {
+        if (is_wanted(SeriesPart::total, in_.control)) {
             summary_.total = sum_of(*total_);
         }
         summary_.seconds = watch_.seconds();
@@ -176,7 +176,7 @@ class Season final : public SeriesSteps {
             ++summary_.traced;
             ++summary_.methods[Method::ray_bundles];
         }
-        if (!in_.control.listeners.empty()) {
+        if (is_wanted(SeriesPart::time_steps, in_.control)) {
             const Result result = result_of(
                 window_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
                 step.sources);
@@ -255,7 +255,7 @@ class Season final : public SeriesSteps {
     }
 
     void finish_day(std::size_t last) override {
-        if (wants_days(in_.control)) {
+        if (is_wanted(SeriesPart::days, in_.control)) {
             report_day(in_.control, in_.time_steps[last].day, sum_of(*day_));
         }
         day_.emplace(*basis_, in_.spec.replicates);

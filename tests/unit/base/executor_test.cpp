@@ -45,6 +45,33 @@ TEST_P(Executors, OfSharesRunEveryTaskOnce) {
     }
 }
 
+/// A team of which this process is the only one.
+class CountedTeam final : public TaskTeam {
+  public:
+    [[nodiscard]] Share share() const override { return {}; }
+    [[nodiscard]] bool meet(bool is_done) override {
+        ++(is_done ? done : given_up);
+        return is_done;
+    }
+    int done = 0, given_up = 0;
+};
+
+TEST(Executor, ThatRunsNoTaskMeetsItsTeamOnce) {
+    CountedTeam team;
+    Executor(2, {.team = &team}).give_up();
+    EXPECT_EQ(team.given_up, 1);
+}
+
+TEST(Executor, WhoseTaskThrewHasMetItsTeam) {
+    CountedTeam team;
+    Executor executor(2, {.team = &team});
+    const auto fail = [](std::uint64_t, unsigned) { throw std::runtime_error("task"); };
+    EXPECT_THROW(executor.run(kTasks, fail), std::runtime_error);
+    executor.give_up();
+    EXPECT_EQ(team.given_up, 1);
+    EXPECT_EQ(team.done, 0);
+}
+
 TEST(Share, OfHugeNumbersOfTasksLeavesNoneOut) {
     constexpr std::uint64_t kMost = ~std::uint64_t{0};
     std::uint64_t next = 0;

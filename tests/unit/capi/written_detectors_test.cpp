@@ -39,7 +39,7 @@ class WrittenDetectors : public ::testing::TestWithParam<std::string> {
         const auto writer =
             make({run_, [&](std::string_view piece) { text += piece; }, "file", "--file"});
         writer->on_time_step({0, result_});
-        writer->on_end({});
+        writer->finish({});
         return text;
     }
 

@@ -111,7 +111,7 @@ std::string series_json(RunFile run) {
     std::string text;
     JsonWriter json(run, [&](std::string_view part) { text += part; });
     json.on_time_step({0, dark_result(run.scene, run.spec)});
-    json.on_end({});
+    json.finish({});
     return text;
 }
 
@@ -156,7 +156,7 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
         }
         SeriesSummary summary;
         summary.total = flat_sum(run, 3 * 86400, 6);
-        json.on_end(summary);
+        json.finish(summary);
         digest = json.digest();
     }
     const auto json = nlohmann::ordered_json::parse(text);
