@@ -50,7 +50,8 @@ enum quasimc_part {
     QUASIMC_SWEEP = 8,     /**< the sweep of a run file */
     QUASIMC_DETECTORS = 9, /**< what else light is sorted by */
     QUASIMC_OPTIONS = 10,  /**< options of the run: all have their defaults then */
-    QUASIMC_OTHER = 11     /**< title, axes, units, and keys of a run file that do not exist */
+    QUASIMC_OTHER = 11,    /**< format, title, up, north, length_unit, irradiance_unit, [output] */
+    QUASIMC_UNKNOWN_KEYS = 12 /**< keys at the top of a run file that do not exist */
 };
 
 /** Hears now and then how far a run is, in the thread that called it.

@@ -253,6 +253,11 @@ struct Result {
     /// @throws InputError  if there is no such organ, or there are several
     [[nodiscard]] OrganLight operator[](std::string_view organ) const&;
     OrganLight operator[](std::string_view organ) const&& = delete;
+    /// Returns the light of the organ at an index, in the order of Scene::organs(); the result must
+    /// outlive it.
+    /// @throws InputError  if there are not so many organs
+    [[nodiscard]] OrganLight operator[](std::size_t index) const&;
+    OrganLight operator[](std::size_t index) const&& = delete;
     /// Returns the light of the organ with an id; the result must outlive it.
     /// @throws InputError  if there is no such organ
     [[nodiscard]] OrganLight organ(std::int64_t id) const&;

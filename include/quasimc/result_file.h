@@ -30,8 +30,8 @@ struct StoredSweep {
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});
 
-/// Writes what the runs of a file compute, time by time: a listener of each run (run_listener.h). A
-/// run without [time] is a series of one time. The run must outlive its writer, or the call of
+/// Writes what the runs of a file compute, time by time: a listener of each run (run.h). A run
+/// without [time] is a series of one time. The run must outlive its writer, or the call of
 /// next_run().
 class OutputWriter : public RunListener {
   public:

@@ -38,7 +38,7 @@ class Sums {
     Sums();  ///< of nothing
     explicit Sums(SumData data);
     Sums(const Sums& other);
-    Sums(Sums&& other) noexcept;
+    Sums(Sums&& other) noexcept;  ///< what was moved from is of nothing
     Sums& operator=(const Sums& other);
     Sums& operator=(Sums&& other) noexcept;
     ~Sums();

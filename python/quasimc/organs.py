@@ -53,6 +53,14 @@ class Organs:
     def _place_of_id(self):
         return {int(organ): i for i, organ in enumerate(self.ids)}
 
+    @cached_property
+    def _place_of_name(self):
+        """None for a name that several organs have."""
+        places = {}
+        for i, name in enumerate(self.names):
+            places[name] = None if name in places else i
+        return places
+
     def index_of(self, organ):
         """Returns the index of an organ, given by its id or its name.
 
@@ -60,11 +68,12 @@ class Organs:
         """
         if not isinstance(organ, str):
             return self._place_of_id[organ]
-        found = [i for i, name in enumerate(self.names) if name == organ]
-        if len(found) == 1:
-            return found[0]
-        if found:
-            raise KeyError(f"{len(found)} organs have the name {organ!r}: ask by an id")
+        if organ in self._place_of_name:
+            place = self._place_of_name[organ]
+            if place is None:
+                count = self.names.count(organ)
+                raise KeyError(f"{count} organs have the name {organ!r}: ask by an id")
+            return place
         near = difflib.get_close_matches(organ, self.names, n=3)
         known = ", ".join(map(repr, near or self.names[:10]))
         raise KeyError(f"there is no organ {organ!r}; there are: {known}")

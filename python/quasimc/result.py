@@ -268,7 +268,8 @@ class Result(_Light):
         """An xarray.Dataset with the dimensions organ, band and statistic.
 
         statistic: mean, standard_error, low, high. Units are attributes of the variables. A
-        detector is a variable of its name, with the dimension <name>_bin in place of organ.
+        detector is a variable of its name, with the dimension <name>_bin in place of organ; one that
+        something else is named as is ``detector_<name>``.
         """
         import xarray
 
@@ -288,7 +289,8 @@ class Result(_Light):
         }
         for key, values in _label_columns(self.organs.labels, [*variables, *dimensions]).items():
             coordinates[key] = ("organ", np.asarray(values))
-        for name, detector in self.detectors.items():
+        taken = [*variables, *coordinates]
+        for name, detector in _detector_variables(self.detectors, taken).items():
             variables[name] = detector.to_xarray().rename(bin=f"{name}_bin")
         return xarray.Dataset(variables, coordinates, {"method": self.method})
 
@@ -468,6 +470,19 @@ def _label_columns(labels, others):
             name = f"label_{name}"
         columns[name] = values
     return columns
+
+
+def _detector_variables(detectors, others):
+    """Detectors by the names of their variables: nothing else is named so, or as their bins."""
+    taken = set(others)
+    variables = {}
+    for key, detector in detectors.items():
+        name = key
+        while not taken.isdisjoint({name, f"{name}_bin"}) or (name != key and name in detectors):
+            name = f"detector_{name}"
+        taken |= {name, f"{name}_bin"}
+        variables[name] = detector
+    return variables
 
 
 def _estimate_columns(name, estimates):

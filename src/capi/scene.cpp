@@ -75,7 +75,7 @@ int quasimc_scene_clear(quasimc_scene* scene, int part) {
     return guarded([&] {
         quasimc_scene& all = deref(scene, "scene");
         const InUse use(all.in_use);
-        if (part < QUASIMC_BANDS || part > QUASIMC_OTHER) {
+        if (part < QUASIMC_BANDS || part > QUASIMC_UNKNOWN_KEYS) {
             throw Misuse(fmt::format("there is no part {} of a scene", part));
         }
         const auto cleared = static_cast<quasimc_part>(part);

@@ -22,6 +22,16 @@ OrganLight Result::operator[](std::string_view organ) const& {
     return {*this, names_of(*this).organ_index(organ)};
 }
 
+OrganLight Result::operator[](std::size_t index) const& {
+    const std::size_t count = names_of(*this).organs().size();
+    if (index >= count) {
+        throw InputError(
+            {{fmt::format("organ {}", index), "the scene has no organ of this index", "",
+              fmt::format("it has {}, counted from 0", count)}});
+    }
+    return {*this, index};
+}
+
 OrganLight Result::organ(std::int64_t id) const& {
     return {*this, names_of(*this).organ_index(id)};
 }

@@ -9,7 +9,7 @@ namespace quasimc {
 struct Stream {
     std::uint64_t seed = 1;  ///< the run's seed
     std::uint64_t sequence =
-        0;  ///< which point set of the run: 0 for light tracing, else e.g. organ id + 1
+        0;  ///< which point set of the run: 0 for light tracing, else e.g. organ index + 1
     std::uint32_t replicate = 0;  ///< independent randomization
     std::uint64_t first = 0;      ///< points [first, first + count) make up the current round
     std::uint64_t count = 0;      ///< number of points in the round; a power of two for lattices
@@ -33,7 +33,7 @@ class Sampler {
         const Stream& stream, std::uint64_t point, std::uint32_t dimension) const = 0;
 
     /// Coordinate `dimension` of the consecutive points point, point + 1, ..., one for each element
-    /// of `out`. The same bits as `number`, computed faster.
+    /// of `out`. The same bits as `coordinate`, computed faster.
     virtual void coordinates(
         const Stream& stream,
         std::uint64_t point,

@@ -35,12 +35,19 @@ void add_replicates(SumData& sums, const SumData& other) {
 Sums::Sums() : data_(std::make_unique<SumData>()) {}
 Sums::Sums(SumData data) : data_(std::make_unique<SumData>(std::move(data))) {}
 Sums::Sums(const Sums& other) : data_(std::make_unique<SumData>(*other)) {}
-Sums::Sums(Sums&& other) noexcept = default;
-Sums& Sums::operator=(Sums&& other) noexcept = default;
+Sums::Sums(Sums&& other) noexcept : Sums() {
+    data_.swap(other.data_);
+}
 Sums::~Sums() = default;
 
 Sums& Sums::operator=(const Sums& other) {
     data_ = std::make_unique<SumData>(*other);
+    return *this;
+}
+
+Sums& Sums::operator=(Sums&& other) noexcept {
+    Sums taken(std::move(other));  // whatever was here is gone at the end
+    data_.swap(taken.data_);
     return *this;
 }
 

@@ -161,6 +161,25 @@ def test_detectors_have_dimensions_of_their_own_in_xarray():
     assert float(mean) == up["NIR"].mean[0]
 
 
+def test_detectors_take_no_name_of_light_in_xarray():
+    pytest.importorskip("xarray")
+    names = ("absorbed_flux", "organ", "up", "up_bin", "detector_organ", "plant")
+    scene = canopy()
+    for name in names:
+        scene.add_detector("escaped_by_zenith", name=name, rings=2)
+    result = scene.run(**FEW, method="light_tracing")
+    data = result.to_xarray()
+    light = data["absorbed_flux"].sel(band="NIR", statistic="mean")
+    assert np.array_equal(light, result["absorbed_flux"]["NIR"].mean)
+    assert np.array_equal(data["organ"], result.organs.ids)
+    assert data["plant"].dims == ("organ",)
+    for name in names:
+        variable = name if name in ("up", "detector_organ") else f"detector_{name}"
+        variable = "detector_detector_organ" if name == "organ" else variable
+        assert data[variable].dims == (f"{variable}_bin", "band", "statistic")
+        assert np.array_equal(data[variable].sel(statistic="mean"), result.detectors[name].mean)
+
+
 def test_sunlit_fractions_are_there_where_a_source_is_directional(result):
     sky = canopy().run(quasimc.sky(irradiance_horizontal=100), **FEW, groups=["plant"])
     for light in (sky, sky.groups, sky.select([1])):
@@ -221,6 +240,36 @@ def test_ids_and_areas_cannot_be_changed(result):
     for array in (result.organs.ids, result.organs.areas):
         with pytest.raises(ValueError):
             array[0] = 7
+
+
+def test_many_organs_are_selected_by_name_in_one_pass():
+    class Names(list):
+        passes = 0
+
+        def __iter__(self):
+            Names.passes += 1
+            return super().__iter__()
+
+    organs = canopy().run(**FEW).organs
+    names = list(organs.names)
+    organs.names = Names(names)
+    assert [organs.index_of(name) for name in names] == list(range(len(names)))
+    assert Names.passes == 1
+
+
+@pytest.mark.filterwarnings("ignore:scene. the scene has a mesh of the name")
+def test_a_name_of_several_organs_is_refused():
+    scene = quasimc.Scene("PAR").add_material("leaf", reflectance=0.1)
+    for height in (1, 2, 3):
+        face = [[[0, 0, height], [1, 0, height], [0, 1, height]]]
+        scene.add_mesh(face, material="leaf", name="top" if height == 3 else "leaf")
+    sun = quasimc.sun(azimuth_deg=0, elevation_deg=90, irradiance_facing=100)
+    organs = scene.run(sun, **FEW).organs
+    assert organs.index_of("top") == 2
+    with pytest.raises(KeyError, match="2 organs have the name 'leaf': ask by an id"):
+        organs.index_of("leaf")
+    with pytest.raises(KeyError, match="there is no organ 'tap'; there are: 'top'"):
+        organs.index_of("tap")
 
 
 def test_organs_are_selected_by_whole_ids(result):

@@ -192,7 +192,7 @@ TEST(CStatements, WhatARunRefusesIsTakenBack) {
     EXPECT_TRUE(is_refused(*scene));
     EXPECT_TRUE(error_tells("unknown key 'colour'")) << quasimc_last_error();
     EXPECT_TRUE(error_tells("[sweep] states several runs")) << quasimc_last_error();
-    ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_OTHER), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_UNKNOWN_KEYS), QUASIMC_DONE);
     ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_SWEEP), QUASIMC_DONE);
     EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
 
@@ -204,6 +204,42 @@ TEST(CStatements, WhatARunRefusesIsTakenBack) {
     ASSERT_EQ(add_leaf(*scene, square_leaf(1)), QUASIMC_DONE);
     EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
     EXPECT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_TIME), QUASIMC_DONE) << "there is none";
+}
+
+TEST(CStatements, FilesOfMaterialsAndOfLightAreClearedWithTheirPart) {
+    const SceneHandle scene = small_canopy(1);
+    const auto before = column(*run(*scene), "absorbed_flux", "PAR");
+    ASSERT_EQ(
+        quasimc_scene_state(scene.get(), "[[light_file]]\nfile = 'nowhere.light'"), QUASIMC_DONE);
+    EXPECT_TRUE(is_refused(*scene));
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_SOURCES), QUASIMC_DONE);
+    const double sun[] = {400, 380}, sky[] = {80, 20};
+    ASSERT_EQ(quasimc_scene_add_sun(scene.get(), 135, 50, sun), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_add_sky(scene.get(), "cie_overcast", sky), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+
+    ASSERT_EQ(
+        quasimc_scene_state(scene.get(), "[[material_file]]\nfile = 'nowhere.opt'"), QUASIMC_DONE);
+    EXPECT_TRUE(is_refused(*scene));
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_MATERIALS), QUASIMC_DONE);
+    const double leaf_rho[] = {0.08, 0.45}, leaf_tau[] = {0.06, 0.45}, soil_rho[] = {0.1, 0.2};
+    ASSERT_EQ(quasimc_scene_add_material(scene.get(), "leaf", leaf_rho, leaf_tau), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_add_material(scene.get(), "soil", soil_rho, nullptr), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
+}
+
+TEST(CStatements, UnknownKeysAreClearedWithoutAxesAndUnits) {
+    const SceneHandle scene = small_canopy(1);
+    const auto before = column(*run(*scene), "absorbed_flux", "PAR");
+    ASSERT_EQ(quasimc_scene_state(scene.get(), "north = [1, 0, 0]"), QUASIMC_DONE);
+    const auto turned = column(*run(*scene), "absorbed_flux", "PAR");
+    EXPECT_NE(turned, before);
+    ASSERT_EQ(quasimc_scene_state(scene.get(), "colour = 3"), QUASIMC_DONE);
+    EXPECT_TRUE(is_refused(*scene));
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_UNKNOWN_KEYS), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), turned);
+    ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_OTHER), QUASIMC_DONE);
+    EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);
 }
 
 TEST(CStatements, ALabelWithoutAValueKeepsTheFormer) {

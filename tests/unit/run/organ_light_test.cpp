@@ -54,7 +54,9 @@ TEST(OrganLight, IsFoundByNameByIdAndByIndex) {
     EXPECT_EQ(bits(result["upper leaf"].absorbed_flux("NIR")), upper);
     EXPECT_EQ(bits(result["upper leaf"].absorbed_flux(1)), upper);
     EXPECT_EQ(bits(result.organ(8).absorbed_flux(std::string("NIR"))), upper);
+    EXPECT_EQ(bits(result[1].absorbed_flux("NIR")), upper);
     const OrganLight lower = result["lower leaf"];
+    EXPECT_EQ(bits(result[0].absorbed_flux(0)), bits(lower.absorbed_flux("PAR")));
     for (const QuantityEntry& entry : quantity_table()) {
         EXPECT_EQ(bits(lower.at(entry.quantity, "PAR")), bits(result.at(0, entry.quantity, 0)))
             << entry.name;
@@ -83,6 +85,9 @@ TEST(OrganLight, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
         "band 'UV': the scene has no band of this name; bands are 'PAR', 'NIR'");
     EXPECT_NE(error_of([&] { return result["upper leaf"].absorbed_flux(2); }), "");
     EXPECT_NE(error_of([&] { return result.organ(4); }), "");
+    EXPECT_EQ(
+        error_of([&] { return result[2]; }),
+        "organ 2: the scene has no organ of this index; it has 2, counted from 0");
     const Result nameless;
     EXPECT_NE(error_of([&] { return nameless["upper leaf"]; }), "");
 }

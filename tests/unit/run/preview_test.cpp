@@ -11,6 +11,7 @@
 
 #include "quasimc/run.h"
 #include "statistical/scenes.h"
+#include "support/listening.h"
 #include "support/random_leaves.h"
 
 namespace quasimc::test {
@@ -109,6 +110,42 @@ INSTANTIATE_TEST_SUITE_P(
     PreviewOfMethods,
     ::testing::Values(
         Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles));
+
+/// Keeps what is seen of a series, with the time steps.
+class LookingAtTimes final : public RunListener {
+  public:
+    std::vector<std::size_t> rounds, last_rounds;  ///< their time steps
+    std::vector<Result> seen;                      ///< of rounds
+
+    void on_round(const RunSoFar& run) override {
+        rounds.push_back(run.time_step());
+        seen.push_back(run.result());
+    }
+    void on_last_round(const RunSoFar& run) override { last_rounds.push_back(run.time_step()); }
+};
+
+TEST(Preview, TellsTheTimeStepOfASeries) {
+    const Scene scene = make_leaves();
+    std::vector<TimeStep> times(2);
+    times[0] = {.name = "early", .sources = {sun(30, {1})}, .shapes = "low sun"};
+    times[1] = {.name = "late", .sources = {sun(60, {1})}, .shapes = "high sun"};
+    RunSpec spec = spec_of(Method::light_tracing, 256);
+    std::vector<Result> of_one_round;
+    Listening listening;
+    listening.time_step = [&](std::size_t, const Result& result, std::size_t) {
+        of_one_round.push_back(result);
+    };
+    static_cast<void>(run_series(scene, times, spec, {.listeners = {&listening}}));
+    spec.max_paths = 512;
+    LookingAtTimes looking;
+    static_cast<void>(run_series(scene, times, spec, {.listeners = {&looking}}));
+    EXPECT_EQ(looking.rounds, (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(looking.last_rounds, (std::vector<std::size_t>{0, 1}));
+    ASSERT_EQ(of_one_round.size(), 2U);
+    for (std::size_t i = 0; i < looking.rounds.size(); ++i) {
+        EXPECT_TRUE(are_same(looking.seen[i], of_one_round.at(looking.rounds[i]))) << i;
+    }
+}
 
 /// Asks for pauses, or for none.
 class Pausing final : public RunListener {

@@ -11,8 +11,8 @@
 #include <gtest/gtest.h>
 
 #include "light/models/source.h"
+#include "run/simulator.h"
 #include "statistical/scenes.h"
-#include "support/listening.h"
 
 namespace quasimc::test {
 namespace {
@@ -100,18 +100,15 @@ TEST(StoppedRun, OfNoCompleteRoundHasNoResult) {
     EXPECT_TRUE(same_values(again, run(leaf_over_ground(), {sky}, run_in_rounds(0))));
 }
 
-/// A stop within the first round leaves a few paths, if there is time for them.
+/// A stop within the first round leaves a few paths, if there is time for them, as in a series.
 TEST(StoppedRun, OfNoCompleteRoundIsThatOfAFewPathsIfThereIsTime) {
     std::stop_source source;
     const auto sky = std::make_shared<StoppingSky>(source, 5000);
     RunSpec spec = spec_of(Method::from_organs, 1U << 16U);
-    std::vector<TimeStep> steps(1);
-    steps[0].sources = {sky};
-    Result few;
-    Listening listening;
-    listening.time_step = [&](std::size_t, const Result& result, std::size_t) { few = result; };
-    run_series(
-        leaf_over_ground(), steps, spec, {.stop = source.get_token(), .listeners = {&listening}});
+    Simulator simulator;
+    const Result few = SimulatorAccess::state(simulator).run(
+        leaf_over_ground(), {sky}, spec, {.stop = source.get_token()},
+        {.seconds_after_stop = 1000});
     EXPECT_EQ(few.stop, StopReason::interrupted);
     EXPECT_EQ(few.paths, 256U);
     EXPECT_TRUE(same_values(few, run(leaf_over_ground(), {sky}, run_in_rounds(0))))

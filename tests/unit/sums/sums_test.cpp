@@ -50,17 +50,39 @@ TEST(Sums, AddPathsOfTheSameRun) {
 
 TEST(Sums, RefuseToAddAnotherRuns) {
     const Sums one = some_sums();
-    std::vector<Sums> others(5, one);
+    std::vector<Sums> others(7, one);
     others[0]->digest = 1;
     others[1]->units.flux[0] = 7;
     others[2]->replicates.pop_back();
     others[3]->bounds.clear();
     others[4]->spectra[0][1] = .6;
+    SumBlocks fewer = one->layout.blocks();
+    fewer.pop_back();
+    others[5]->layout = SumLayout(one->layout.regions(), std::move(fewer));
+    others[6]->strategies[0].by = SampledBy::lines;
     for (const Sums& other : others) {
         Sums sums = one;
         EXPECT_THROW(sums += other, std::invalid_argument);
         EXPECT_TRUE(sums == one) << "nothing was added";
     }
+}
+
+TEST(Sums, AreOfNothingOnceTheyWereMovedFrom) {
+    const Sums all = some_sums(), nothing;
+    Sums one = all;
+    Sums two = std::move(one);
+    EXPECT_TRUE(two == all);
+    EXPECT_TRUE(one == nothing);  // NOLINT(bugprone-use-after-move): that is what is tested
+    EXPECT_EQ(one.paths(), 0U);
+    Sums three = all;
+    three = std::move(two);
+    EXPECT_TRUE(three == all);
+    const Sums copy = two;  // NOLINT(bugprone-use-after-move)
+    EXPECT_TRUE(copy == nothing);
+    three = two;
+    EXPECT_TRUE(three == nothing);
+    two = all;
+    EXPECT_TRUE(two == all) << "they can be used anew";
 }
 
 TEST(Sums, AreReadAsTheyWereSaved) {

@@ -73,7 +73,12 @@ std::multimap<std::size_t, std::string> bins_of(
 
 TEST(SumLayout, GivesEveryBinOneMeaning) {
     for (const auto& [regions, spectra, bands] :
-         {std::array<std::size_t, 3>{0, 1, 1}, {1, 1, 1}, {3, 1, 4}, {3, 5, 1}, {7, 2, 3}}) {
+         {std::array<std::size_t, 3>{0, 1, 1},
+          {1, 1, 1},
+          {3, 1, 4},
+          {3, 5, 1},
+          {7, 2, 3},
+          {2, 0, 2}}) {
         const LightLayout layout(regions, spectra, bands);
         const std::multimap<std::size_t, std::string> bins = bins_of(layout, spectra, bands);
         EXPECT_EQ(bins.size(), layout.bins());
