@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// Patches that a scene is cut into for so many paths of the first round.
+/// Patches that a scene is cut into for so many paths of all rounds together.
 [[nodiscard]] double patches_for(std::uint64_t paths);
 
 /// Of a path's light, what goes along one stretch of a line, about: most bring less.

@@ -132,12 +132,7 @@ class BundleExchange {
     /// Lets light go along all lines of the cache, pack by pack, and empties it. The first pack
     /// finds the ends of lines, if they are asked for.
     void exchange_cached() {
-        std::vector<std::size_t> packs;
-        for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
-            if (!field_.converged[pack]) {
-                packs.push_back(pack);
-            }
-        }
+        const std::vector<std::size_t>& packs = field_.packs;
         const std::vector<Beam>& beams = scratch_.cached_beams_;
         const bool has_ends = options_.skies != nullptr;
         std::vector<Leaving> leaving(beams.size());

@@ -68,7 +68,7 @@ class DirectDeposit {
     DirectDeposit(
         const SolverInput& input,
         const DirectBeams& beams,
-        const ReplicateTask& task,
+        const ReplicateInput& replicate,
         PatchLight& light,
         DirectScratch& scratch,
         Tally& tally)
@@ -76,7 +76,7 @@ class DirectDeposit {
           prepared_(input.prepared),
           beams_(beams),
           patches_(light.scene()),
-          task_(task),
+          replicate_(replicate),
           light_(light),
           scratch_(scratch),
           tally_(tally),
@@ -84,12 +84,12 @@ class DirectDeposit {
 
     /// @returns how open sides are
     OpenAreas run() {
-        const std::vector<VisibilityTask>& tasks = task_.tasks;
+        const std::vector<VisibilityTask>& tasks = replicate_.tasks;
         const std::uint64_t blocks =
             tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
         for (std::uint64_t block = 0; block < blocks; ++block) {
-            const Work work =
-                DirectBeams::work_of(tasks, task_.round, task_.counted, task_.replicate, block);
+            const Work work = DirectBeams::work_of(
+                tasks, replicate_.round, replicate_.counted, replicate_.index, block);
             work.task.is_sky ? deposit_skies(work) : deposit_strip(work);
         }
         const TracedLights& traced = beams_.traced();
@@ -231,9 +231,9 @@ class DirectDeposit {
 
     /// Traces paths from sources, to their first hits.
     void trace() {
-        const Round& round = task_.round;
+        const Round& round = replicate_.round;
         const Sampler& sampler = input_.sampler;
-        const Stream stream{input_.spec.seed, 0, task_.replicate, round.first, round.count};
+        const Stream stream{input_.spec.seed, 0, replicate_.index, round.first, round.count};
         std::vector<std::vector<LitBands>> lit;
         for (const BoundSource& source : prepared_.lights()) {
             lit.push_back(lit_bands(light_, source.start_weights));
@@ -319,7 +319,7 @@ class DirectDeposit {
     const PreparedScene& prepared_;
     const DirectBeams& beams_;
     const PatchScene& patches_;
-    const ReplicateTask& task_;
+    const ReplicateInput& replicate_;
     PatchLight& light_;
     DirectScratch& scratch_;
     Tally& tally_;
@@ -328,15 +328,16 @@ class DirectDeposit {
 
 }  // namespace
 
-DirectOnPatches direct_on_patches(
+DirectOnPatches score_and_deposit_direct(
     const SolverInput& input,
     const DirectBeams& beams,
-    const ReplicateTask& task,
+    const ReplicateInput& replicate,
     std::unique_ptr<PatchLight> memory,
     DirectScratch& scratch,
     Tally& tally) {
     PatchIrradiance irradiance = no_irradiance(std::move(memory));
-    OpenAreas open = DirectDeposit(input, beams, task, *irradiance.light, scratch, tally).run();
+    OpenAreas open =
+        DirectDeposit(input, beams, replicate, *irradiance.light, scratch, tally).run();
     return {std::move(irradiance), std::move(open)};
 }
 

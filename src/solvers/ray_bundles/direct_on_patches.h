@@ -10,16 +10,16 @@
 
 namespace quasimc {
 
-/// A replicate of a round.
-struct ReplicateTask {
+/// What the light of one replicate of a round is solved of.
+struct ReplicateInput {
     const Round& round;
     const std::vector<VisibilityTask>& tasks;  ///< of the round
     const CountedStrategies& counted;
     const ScatteredBlocks& coarse;  ///< of the coarser level of patches
-    std::uint32_t replicate = 0;
+    std::uint32_t index = 0;
 };
 
-/// Memory that direct_on_patches() uses.
+/// Memory that score_and_deposit_direct() uses.
 struct DirectScratch {
     DirectBeams::Scratch beams;
     std::vector<TriangleParts::Segment> segments;
@@ -35,10 +35,10 @@ struct DirectOnPatches {
 /// lines, that of skies by pixels. Lamps, and lights of which that would cost too much, are sampled
 /// by paths to their first hits.
 /// @param memory  of the irradiance
-[[nodiscard]] DirectOnPatches direct_on_patches(
+[[nodiscard]] DirectOnPatches score_and_deposit_direct(
     const SolverInput& input,
     const DirectBeams& beams,
-    const ReplicateTask& task,
+    const ReplicateInput& replicate,
     std::unique_ptr<PatchLight> memory,
     DirectScratch& scratch,
     Tally& tally);

@@ -1,6 +1,7 @@
 #include "solvers/ray_bundles/patch_light.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "solvers/ray_bundles/for_bands.h"
@@ -12,15 +13,21 @@ namespace {
 /// Orders end where this part of the light of the first one is left: less than any error.
 constexpr double kNegligible = 1e-5;
 
-std::vector<bool> converged_packs(const PatchField& field) {
-    std::vector<bool> converged(field.light->packs().size(), true);
-    for (std::size_t pack = 0; pack < converged.size(); ++pack) {
-        for (std::size_t i = 0; i < 2 * field.light->packs()[pack].bands; ++i) {
-            const std::size_t c = field.light->column(pack, i);
-            converged[pack] = converged[pack] && field.leaving[c] <= kNegligible * field.first[c];
+/// Whether the last order is negligible in a pack.
+bool is_negligible(const ScatteredFlux& flux, const PatchLight& light, std::size_t pack) {
+    for (std::size_t i = 0; i < 2 * light.packs()[pack].bands; ++i) {
+        const std::size_t c = light.column(pack, i);
+        if (!(flux.last[c] <= kNegligible * flux.first[c])) {
+            return false;
         }
     }
-    return converged;
+    return true;
+}
+
+std::vector<std::size_t> all_packs(const PatchLight& light) {
+    std::vector<std::size_t> packs(light.packs().size());
+    std::iota(packs.begin(), packs.end(), 0);
+    return packs;
 }
 
 /// The patches of a surface: [first, second).
@@ -34,9 +41,10 @@ template <std::size_t kBands>
 class PackScatter {
   public:
     /// @param pack  of the light
-    PackScatter(PatchLight& light, std::size_t pack)
+    /// @param sum  see PatchScatter
+    PackScatter(PatchLight& light, std::size_t pack, double* sum)
         : scene_(light.scene()),
-          each_(light.sides(pack), light.packs()[pack].first, light.total_exitance(pack)),
+          each_(light.sides(pack), light.packs()[pack].first, sum),
           leaving_(2 * light.packs()[pack].bands) {}
 
     /// @param lines  along which the light came; null: straight from sources
@@ -116,6 +124,37 @@ class PackScatter {
     std::vector<double> means_, areas_;  // scratch
 };
 
+/// The part of a pack in a sum of exitances: [2 * patch + side][column of the pack].
+double* sum_of_pack(double* sum, const PatchScene& scene, const BandPack& pack) {
+    return sum + std::size_t{2} * scene.patches.count() * 2 * pack.first;
+}
+
+/// @param sum  to which the exitance of before is added; or null
+ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, double* sum) {
+    PatchLight& light = *irradiance.light;
+    ScatteredFlux flux = std::move(before);
+    flux.last.resize(light.columns());
+    for (const std::size_t pack : irradiance.packs) {
+        for_bands(light.packs()[pack].bands, [&]<std::size_t kBands>() {
+            double* own =
+                sum == nullptr ? nullptr : sum_of_pack(sum, light.scene(), light.packs()[pack]);
+            PackScatter<kBands> of_pack(light, pack, own);
+            const std::vector<double>& leaving =
+                of_pack.scatter(irradiance.lines ? &*irradiance.lines : nullptr);
+            for (std::size_t i = 0; i < leaving.size(); ++i) {
+                flux.last[light.column(pack, i)] = leaving[i];
+            }
+        });
+    }
+    if (flux.first.empty()) {
+        flux.first = flux.last;
+    }
+    PatchExitance exitance{static_cast<PatchField&&>(irradiance)};
+    std::erase_if(
+        exitance.packs, [&](std::size_t pack) { return is_negligible(flux, light, pack); });
+    return {std::move(exitance), std::move(flux)};
+}
+
 }  // namespace
 
 PatchLight::PatchLight(const PatchScene& scene)
@@ -124,56 +163,45 @@ PatchLight::PatchLight(const PatchScene& scene)
       bands_(scene.prepared.bands()),
       columns_(2 * bands_),
       packs_(band_packs(bands_)),
-      lines_(std::max<std::size_t>(1, patches_) * bands_),
-      total_(2 * patches_ * columns_) {}
+      lines_(std::max<std::size_t>(1, patches_) * bands_) {}
 
 void PatchLight::clear() {
     std::fill(lines_.begin(), lines_.end(), CacheLine{});
-    std::fill(total_.begin(), total_.end(), 0);
 }
 
 PatchIrradiance no_irradiance(std::unique_ptr<PatchLight> memory) {
     memory->clear();
-    PatchIrradiance none;
-    none.leaving.assign(memory->columns(), 0);
-    none.converged.assign(memory->packs().size(), false);
-    none.light = std::move(memory);
-    return none;
+    std::vector<std::size_t> packs = all_packs(*memory);
+    return {{std::move(memory), std::move(packs)}, {}};
 }
 
-PatchExitance scatter(PatchIrradiance irradiance) {
-    PatchLight& light = *irradiance.light;
-    const LineStatistics* lines = irradiance.lines ? &*irradiance.lines : nullptr;
-    for (std::size_t pack = 0; pack < light.packs().size(); ++pack) {
-        if (irradiance.converged[pack]) {
-            continue;
-        }
-        for_bands(light.packs()[pack].bands, [&]<std::size_t kBands>() {
-            PackScatter<kBands> of_pack(light, pack);
-            const std::vector<double>& leaving = of_pack.scatter(lines);
-            for (std::size_t i = 0; i < leaving.size(); ++i) {
-                irradiance.leaving[light.column(pack, i)] = leaving[i];
-            }
-        });
-    }
-    if (lines == nullptr) {
-        irradiance.first = irradiance.leaving;
-    }
-    irradiance.converged = converged_packs(irradiance);
-    return {static_cast<PatchField&&>(irradiance)};
+ScatteredOrder scatter(PatchIrradiance direct) {
+    return scatter_packs(std::move(direct), {}, nullptr);
 }
 
-PatchExitance sum_of_orders(PatchExitance last) {
-    PatchLight& light = *last.light;
-    last.converged.assign(light.packs().size(), false);
-    for (std::size_t pack = 0; pack < light.packs().size(); ++pack) {
-        const PatchSides<0> to = light.sides(pack);
-        const double* from = light.total_exitance(pack);
-        for (std::size_t side = 0; side < 2 * std::size_t{light.scene().patches.count()}; ++side) {
-            std::copy_n(from + side * to.columns(), to.columns(), to.exitance(side));
+ExitanceSum::ExitanceSum(const PatchScene& scene, std::vector<double>& memory) : numbers_(memory) {
+    numbers_.assign(size(scene), 0);
+}
+
+std::size_t ExitanceSum::size(const PatchScene& scene) {
+    return std::size_t{2} * scene.patches.count() * 2 * scene.prepared.bands();
+}
+
+ScatteredOrder ExitanceSum::add_and_scatter(PatchIrradiance irradiance, ScatteredFlux before) {
+    return scatter_packs(std::move(irradiance), std::move(before), numbers_.data());
+}
+
+PatchExitance ExitanceSum::exitance(std::unique_ptr<PatchLight> memory) const {
+    std::vector<std::size_t> packs = all_packs(*memory);
+    for (const std::size_t pack : packs) {
+        const PatchSides<0> to = memory->sides(pack);
+        const double* from = sum_of_pack(numbers_.data(), memory->scene(), memory->packs()[pack]);
+        const std::size_t sides = std::size_t{2} * memory->scene().patches.count();
+        for (std::size_t side = 0; side < sides; ++side, from += to.columns()) {
+            std::copy_n(from, to.columns(), to.exitance(side));
         }
     }
-    return last;
+    return {{std::move(memory), std::move(packs)}};
 }
 
 RegionFlux::RegionFlux(std::size_t regions, std::size_t columns)

@@ -20,11 +20,11 @@ class PatchScatter {
 
     /// @param sides  in the bands of a pack
     /// @param first_band  of the pack
-    /// @param total  sum of the exitances of orders, [2 * patch + side][column]
-    PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* total)
-        : sides_(sides), first_band_(first_band), total_(total) {}
+    /// @param sum  to which the exitance of before is added, [2 * patch + side][column]; or null
+    PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* sum)
+        : sides_(sides), first_band_(first_band), sum_(sum) {}
 
-    /// Adds the exitance to the total, sets it to the light that is scattered, and clears the
+    /// Adds the exitance to the sum, sets it to the light that is scattered, and clears the
     /// incident light.
     /// @param scattered  what leaves is added to it, [column]
     void scatter(
@@ -74,11 +74,13 @@ class PatchScatter {
         const double* came = sides_.incident(side);
         const double* across = sides_.incident(side ^ 1U);
         double* out = sides_.exitance(side);
-        double* total = total_ + side * sides_.columns();
+        double* sum = sum_ == nullptr ? nullptr : sum_ + side * sides_.columns();
         for (std::size_t level = 0; level < sides_.columns(); level += bands()) {
             for (std::size_t b = 0; b < bands(); ++b) {
                 const std::size_t i = level + b;
-                total[i] += out[i];
+                if (sum != nullptr) {
+                    sum[i] += out[i];
+                }
                 out[i] = (reflected[b] * came[i] + transmitted[b] * across[i]) * per_area;
                 scattered[i] += out[i] * sent.area;
             }
@@ -88,7 +90,7 @@ class PatchScatter {
 
     PatchSides<2 * kBands> sides_;
     std::size_t first_band_;
-    double* total_;
+    double* sum_;
 };
 
 }  // namespace quasimc

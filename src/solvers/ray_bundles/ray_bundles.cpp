@@ -21,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include "base/checks.h"
 #include "base/memory_need.h"
 #include "base/stop.h"
 #include "samplers/hash.h"
@@ -94,7 +95,8 @@ class RayBundles final : public Solver {
         DirectScratch direct;
         BundleScratch bundles;
         std::unique_ptr<PatchLight> light;
-        std::uint64_t cut = 0;  // which one the light is made for
+        std::vector<double> sum;  // of exitances
+        std::uint64_t cut = 0;    // which one the light is made for
     };
 
     /// Patches become finer with the paths of all rounds: their error falls as that of lines does.
@@ -111,7 +113,7 @@ class RayBundles final : public Solver {
     /// patches: R scatters, and T exchanges light along a bundle of lines
     /// (docs/theory/ray-bundles.md).
     void solve_replicate(
-        const ReplicateTask& task,
+        const ReplicateInput& replicate,
         const ThreadShares& threads,
         Scratch& scratch,
         Tally& tally) const {
@@ -126,51 +128,52 @@ class RayBundles final : public Solver {
         };
         const SkyDirections* skies = beams_.viewed_skies();
 
-        // B^(1) = R E_direct; the flux of E_direct is in the tally
-        DirectOnPatches direct =
-            direct_on_patches(input_, beams_, task, memory_of(scratch), scratch.direct, tally);
-        PatchExitance exitance = scatter(std::move(direct.irradiance));
-        const BundleBudget budget(cut_->scene, task.round.count, exitance.first);
+        // B^(1) = R E_direct
+        DirectOnPatches direct = score_and_deposit_direct(
+            input_, beams_, replicate, memory_of(scratch), scratch.direct, tally);
+        ScatteredOrder order = scatter(std::move(direct.irradiance));
+        const BundleBudget budget(cut_->scene, replicate.round.count, order.flux.first);
+        ExitanceSum sum(cut_->scene, scratch.sum);  // sum B = 0
         double segments = 0;
         std::vector<bool> is_surrounded;
         std::uint64_t k = 1;
-        for (; goes_on(k, exitance); ++k) {
+        for (; goes_on(k, order.exitance); ++k) {
             // E^(k) = T_k B^(k)
-            const BundleGroup bundle = budget.of_order(exitance.leaving, key_of(task, k));
+            const BundleGroup bundle = budget.of_order(order.flux.last, key_of(replicate, k));
             segments += bundle.segments;
-            PatchIrradiance irradiance =
-                exchange_along(std::move(exitance), bundle, {.skies = k == 1 ? skies : nullptr});
+            PatchIrradiance irradiance = exchange_along(
+                std::move(order.exitance), bundle, {.skies = k == 1 ? skies : nullptr});
             if (k == 1) {
                 is_surrounded = surrounded_sides(*irradiance.lines);
             }
-            // B^(k+1) = R E^(k)
-            exitance = scatter(std::move(irradiance));
+            // sum B += B^(k), B^(k+1) = R E^(k)
+            order = sum.add_and_scatter(std::move(irradiance), std::move(order.flux));
         }
-        Flow flow{std::vector<std::int64_t>(exitance.leaving.size()), fixed(exitance.leaving)};
+        // B^(k) is not sent on any more: cut off
+        Flow flow{std::vector<std::int64_t>(order.flux.last.size()), fixed(order.flux.last)};
         if (k == 1) {
             const std::size_t regions = input_.prepared.scene().regions().size();
-            add_sums(RegionFlux(regions, flow.escaped.size()), flow, task.coarse, tally);
-            scratch.light = std::move(exitance.light);
+            add_sums(RegionFlux(regions, flow.escaped.size()), flow, replicate.coarse, tally);
+            scratch.light = std::move(order.exitance.light);
             return;
         }
-        // E = E_direct + T sum B^(k)
+        // scattered part of E: T sum B
         PatchIrradiance irradiance = exchange_along(
-            sum_of_orders(std::move(exitance)), budget.of_all(segments, key_of(task, k)),
+            sum.exitance(std::move(order.exitance.light)),
+            budget.of_all(segments, key_of(replicate, k)),
             {.skies = skies, .on_escape = [&](const Vec3& direction, auto flux) {
                  add_escaped(direction, flux, flow, tally);
              }});
         const std::vector<double> corrections =
             sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
-        add_sums(RegionFlux(irradiance, corrections), flow, task.coarse, tally);
+        add_sums(RegionFlux(irradiance, corrections), flow, replicate.coarse, tally);
         scratch.light = std::move(irradiance.light);
     }
 
     /// Whether light is sent on that was scattered k times.
     [[nodiscard]] bool goes_on(std::uint64_t k, const PatchExitance& exitance) const {
-        const std::vector<bool>& converged = exitance.converged;
         const bool is_deepest = input_.spec.max_depth > 0 && k >= input_.spec.max_depth;
-        return std::find(converged.begin(), converged.end(), false) != converged.end() &&
-               !is_deepest;
+        return !exitance.packs.empty() && !is_deepest;
     }
 
     /// Memory for the light on the patches of now.
@@ -179,26 +182,30 @@ class RayBundles final : public Solver {
             return std::move(scratch.light);
         }
         scratch.light.reset();
+        scratch.sum = std::vector<double>();
         scratch.cut = cuts_;
         const std::size_t patches = cut_->scene.patches.count();
         const std::size_t bands = input_.prepared.bands();
         return make_big(
             fmt::format("the light of {} patches in {} bands", patches, bands),
-            bytes_of_patch_light(static_cast<double>(patches), bands),
-            [&] { return std::make_unique<PatchLight>(cut_->scene); });
+            bytes_of_patch_light(static_cast<double>(patches), bands), [&] {
+                scratch.sum = std::vector<double>(ExitanceSum::size(cut_->scene));
+                return std::make_unique<PatchLight>(cut_->scene);
+            });
     }
 
-    [[nodiscard]] std::uint64_t key_of(const ReplicateTask& task, std::uint64_t order) const {
+    [[nodiscard]] std::uint64_t key_of(const ReplicateInput& replicate, std::uint64_t order) const {
         const Stream stream{
-            input_.spec.seed, kBundleSequence + order, task.replicate, task.round.first,
-            task.round.count};
-        return stream_key(stream, task.round.first, 0);
+            input_.spec.seed, kBundleSequence + order, replicate.index, replicate.round.first,
+            replicate.round.count};
+        return stream_key(stream, replicate.round.first, 0);
     }
 
     static std::vector<std::int64_t> fixed(std::span<const double> flux) {
         std::vector<std::int64_t> all;
         for (const double amount : flux) {
-            all.push_back(amount < 0 ? -to_fixed(-amount) : to_fixed(amount));
+            EXPECT(!(amount < 0));
+            all.push_back(to_fixed(amount));
         }
         return all;
     }
@@ -220,9 +227,10 @@ class RayBundles final : public Solver {
     /// What went out is what came to surfaces, escaped or was cut off: exactly.
     void add_sums(
         const RegionFlux& flux, Flow flow, const ScatteredBlocks& coarse, Tally& tally) const {
-        const std::vector<std::int64_t> missed = fixed(flux.missed());
-        for (std::size_t c = 0; c < missed.size(); ++c) {
-            flow.escaped[c] += missed[c];
+        for (std::size_t c = 0; c < flow.escaped.size(); ++c) {
+            // Thin triangles that rounding made smaller miss less than nothing.
+            const double missed = flux.missed()[c];
+            flow.escaped[c] += missed < 0 ? -to_fixed(-missed) : to_fixed(missed);
         }
         const ScatteredBlocks& fine = tally.blocks().scattered_blocks();
         const std::size_t bands = input_.prepared.bands();

@@ -78,12 +78,12 @@ TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
         double* incident = direct.light->sides(0).incident(std::size_t{2} * patch);
         incident[0] = incident[1] = 1;
     }
-    PatchExitance exitance = scatter(std::move(direct));
-    const std::vector<double> leaving = exitance.leaving;
+    ScatteredOrder order = scatter(std::move(direct));
+    const std::vector<double>& leaving = order.flux.last;
     double escaped = 0;
     BundleScratch scratch;
     const PatchIrradiance irradiance = exchange(
-        std::move(exitance), {64, patches.area / 100, 1},
+        std::move(order.exitance), {64, patches.area / 100, 1},
         {.on_escape = [&](const Vec3&, auto flux_of) { escaped += flux_of[0]; }}, scratch);
 
     EXPECT_NEAR(leaving[0], .5 * flux, 1e-9 * flux);
