@@ -100,8 +100,6 @@ class RunListener {
 
   protected:
     RunListener() = default;
-    RunListener(const RunListener&) = default;
-    RunListener& operator=(const RunListener&) = default;
 };
 
 class StoredStates;  // src/run/run_state.h

@@ -57,8 +57,6 @@ class SumsSource {
 
   protected:
     SumsSource() = default;
-    SumsSource(const SumsSource&) = default;
-    SumsSource& operator=(const SumsSource&) = default;
 };
 
 /// What is known of a series at its end.

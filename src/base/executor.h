@@ -37,8 +37,6 @@ class TaskWatcher {
 
   protected:
     TaskWatcher() = default;
-    TaskWatcher(const TaskWatcher&) = default;
-    TaskWatcher& operator=(const TaskWatcher&) = default;
 };
 
 /// Processes that call the same functions in the same order, and run each its share of the tasks.
@@ -53,8 +51,6 @@ class TaskTeam {
 
   protected:
     TaskTeam() = default;
-    TaskTeam(const TaskTeam&) = default;
-    TaskTeam& operator=(const TaskTeam&) = default;
 };
 
 /// How an executor runs tasks.

@@ -20,7 +20,8 @@ class FunctionRef<Result(Arguments...)> {
     requires(
         std::is_invocable_r_v<Result, Callable&, Arguments...> &&
         !std::same_as<std::remove_cvref_t<Callable>, FunctionRef>)
-        FunctionRef(Callable&& callable)  // NOLINT(bugprone-forwarding-reference-overload)
+        // NOLINTNEXTLINE(bugprone-forwarding-reference-overload,google-explicit-constructor)
+        FunctionRef(Callable&& callable)
         : callable_(const_cast<void*>(static_cast<const void*>(std::addressof(callable)))),
           call_([](void* at, Arguments... arguments) -> Result {
               auto& function = *static_cast<std::remove_reference_t<Callable>*>(at);

@@ -54,8 +54,6 @@ class StepViewer {
 
   protected:
     StepViewer() = default;
-    StepViewer(const StepViewer&) = default;
-    StepViewer& operator=(const StepViewer&) = default;
 };
 
 /// The environment process, from reading its files to the order to exit. What is wrong with the

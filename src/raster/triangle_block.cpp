@@ -251,7 +251,8 @@ struct OnRow {
     [[nodiscard]] Vector at(Vector x) const { return hn::Add(start, hn::Mul(by_x, x)); }
 };
 
-/// The part of a triangle in which a place lies, as TriangleParts::at(). @param n  parts along a side
+/// The part of a triangle in which a point lies, as TriangleParts::at().
+/// @param n  parts along a side
 Vector part_at(Vector u, Vector v, Vector n) {
     const auto zero = hn::Zero(kNumbers);
     const auto one = hn::Set(kNumbers, 1.0);

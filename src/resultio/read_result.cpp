@@ -90,9 +90,8 @@ InputFiles::Reader checking_reader(
 /// Whether a key of [output] names a file.
 bool names_a_file(const Member& key) {
     const std::vector<OutputKey> keys = output_keys();
-    return std::any_of(keys.begin(), keys.end(), [&](const OutputKey& output) {
-        return output.name == key.key;
-    });
+    return std::any_of(
+        keys.begin(), keys.end(), [&](const OutputKey& output) { return output.name == key.key; });
 }
 
 /// Leaves out where the run wrote to; what it wrote of its numbers stays.

@@ -48,8 +48,6 @@ class StoredStates {
 
   protected:
     StoredStates() = default;
-    StoredStates(const StoredStates&) = default;
-    StoredStates& operator=(const StoredStates&) = default;
 };
 
 /// A state as bytes, of one byte order. The sums in it have checksums of their own.

@@ -28,8 +28,6 @@ class SeriesSteps {
 
   protected:
     SeriesSteps() = default;
-    SeriesSteps(const SeriesSteps&) = default;
-    SeriesSteps& operator=(const SeriesSteps&) = default;
 };
 
 /// Goes through the times of a series until all are done, or one was stopped: SeriesSummary::done,

@@ -6,10 +6,10 @@
 
 #include "geometry/shapes/shapes.h"
 #include "quasimc/run.h"
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 #include "support/statistics.h"
-#include "scene/scene.h"
 
 namespace quasimc::test {
 namespace {

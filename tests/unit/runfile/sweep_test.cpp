@@ -266,7 +266,9 @@ TEST(Sweep, OfAPanelThatTurnsHasTheScenesOfItsPoints) {
         const Scene expected = std::move(sweep_of(alone.text(), counted)).only_run().scene;
         const Scene found = sweep.take(i).scene;
         EXPECT_TRUE(data_of(found).triangles() == data_of(expected).triangles()) << i;
-        EXPECT_EQ(data_of(found).coincidences->pairs.size(), data_of(expected).coincidences->pairs.size()) << i;
+        EXPECT_EQ(
+            data_of(found).coincidences->pairs.size(), data_of(expected).coincidences->pairs.size())
+            << i;
         EXPECT_EQ(data_of(found).coincidences->pairs.size(), angles[i] == "30" ? 1U : 2U) << i;
         ASSERT_EQ(found.organs().size(), expected.organs().size());
         for (std::size_t k = 0; k < found.organs().size(); ++k) {

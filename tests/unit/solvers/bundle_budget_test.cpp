@@ -1,5 +1,4 @@
 #include "solvers/ray_bundles/bundle_budget.h"
-#include "scene/scene.h"
 
 #include <cmath>
 #include <memory>
@@ -7,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/scene.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
