@@ -15,7 +15,7 @@ namespace quasimc {
 class Scene;
 class Source;
 
-/// Where paths start.
+/// How light is computed.
 enum class Method {
     light_tracing,  ///< light tracing: many organs, sun
     from_organs,    ///< from points on each organ, light sampled at every hit: few or small organs,

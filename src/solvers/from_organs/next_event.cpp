@@ -53,8 +53,8 @@ double NextEvent::importance(std::size_t index, const Vec3& place) const {
            (4 * std::numbers::pi * prepared_.projection().world_area() * (square + kNearest));
 }
 
-/// A fifth by the flux of the lights, so that none is left out that is importance more than it
-/// seems.
+/// Picks a fifth of the lights by their flux, so that a light that brings more than its importance
+/// says is not missed.
 NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
     const auto& lights = prepared_.lights();
     if (lamps_.empty()) {

@@ -153,17 +153,7 @@ class DirectDeposit {
             throw_if_stopped(input_.stop);
             const std::uint32_t factor = deposited.factor(i);
             const DirectBeams::SkyView view = beams_.sky_view(work, i, factor > 0, scratch_.beams);
-            std::vector<double> weights(prepared_.bands());  // of all skies, per pixel
-            for (const Beam& beam : view.beams) {
-                if (beam.paths > 0) {
-                    score(view, beam);
-                    const double of_pixel =
-                        factor * beam.paths * view.image.pixel_area() / beam.area;
-                    for (std::size_t b = 0; b < weights.size(); ++b) {
-                        weights[b] += of_pixel * beam.light->start_weights[b];
-                    }
-                }
-            }
+            const std::vector<double> weights = score_skies(view, factor);
             if (view.paths > 0 && factor > 0) {
                 deposit_pixels(view, deposited.rows(i), lit_bands(light_, weights));
             }
@@ -174,6 +164,22 @@ class DirectDeposit {
                                 view.image.pixel_area();
             add_open_pixels(patches_, view.image, open, open_);
         }
+    }
+
+    /// Scores the light of all skies. @returns the weight of a pixel per band, times `factor`
+    std::vector<double> score_skies(const DirectBeams::SkyView& view, double factor) {
+        std::vector<double> weights(prepared_.bands());
+        for (const Beam& beam : view.beams) {
+            if (!(beam.paths > 0)) {
+                continue;
+            }
+            score(view, beam);
+            const double of_pixel = factor * beam.paths * view.image.pixel_area() / beam.area;
+            for (std::size_t b = 0; b < weights.size(); ++b) {
+                weights[b] += of_pixel * beam.light->start_weights[b];
+            }
+        }
+        return weights;
     }
 
     void score(const DirectBeams::SkyView& view, const Beam& beam) {
