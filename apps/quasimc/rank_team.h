@@ -16,13 +16,7 @@ class RankTeam : public quasimc::RunTeam {
     /// Whether the launcher has started several, and this is not the first of them.
     [[nodiscard]] static bool is_another_rank();
 
-    RankTeam(const RankTeam&) = delete;
-    RankTeam& operator=(const RankTeam&) = delete;
-
     /// Does the work of this rank, and then leaves the job in order. If it can't go on, prints why
     /// and ends the program on all ranks.
     [[nodiscard]] virtual Exit run(const std::function<Exit()>& work) = 0;
-
-  protected:
-    RankTeam() = default;
 };

@@ -86,6 +86,7 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
 std::vector<quasimc::OutputPath> paths_of(
     const std::vector<AskedOutput>& asked, const std::string& checkpoint) {
     std::vector<quasimc::OutputPath> paths;
+    paths.reserve(asked.size());
     for (const AskedOutput& output : asked) {
         paths.push_back(output.file);
     }

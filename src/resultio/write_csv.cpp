@@ -166,18 +166,18 @@ void CsvWriter::write_rows(
 }
 
 void CsvWriter::on_time_step(const TimeStepResult& step) {
-    const auto& [time_step, result, computed] = step;
+    const Result& result = step.result;
     if (times_ == CsvTimes::days) {
         return;
     }
     if (!has_head_) {
         write_head(&result);
     }
-    if (!is_written(*run_, time_step, result)) {
+    if (!is_written(*run_, step.time_step, result)) {
         return;
     }
     const WrittenColumns written = written_columns(*run_);
-    const std::string time = run_->series ? run_->series->notes[time_step].time + "," : "";
+    const std::string time = run_->series ? run_->series->notes[step.time_step].time + "," : "";
     write_rows(
         csv_point_fields(*run_) + time, result.groups.groups, [&](std::string& out, std::size_t i) {
             if (rows_ == CsvRows::organs) {
