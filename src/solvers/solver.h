@@ -51,4 +51,9 @@ struct SolverInput {
     std::stop_token stop = {};
 };
 
+/// Draw::roulette_threshold of a run, for weights that are summed over its bands.
+[[nodiscard]] inline double roulette_threshold(const SolverInput& input) {
+    return input.spec.roulette_weight * static_cast<double>(input.prepared.bands());
+}
+
 }  // namespace quasimc

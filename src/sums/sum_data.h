@@ -62,6 +62,10 @@ struct SumData {
     friend bool operator==(const SumData&, const SumData&) = default;
 };
 
+/// Copies what sums mean, and nothing of what was summed: without replicates, paths, samples or
+/// digest.
+[[nodiscard]] SumData meaning_of(const SumData& sums);
+
 /// The sums of a run's first replicates alone, which have traced all of a round.
 [[nodiscard]] Sums first_replicates(
     const Sums& sums, std::size_t count, std::uint64_t paths, std::uint64_t samples);

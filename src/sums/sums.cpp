@@ -93,22 +93,28 @@ const ContributionBound& SumData::bound(std::string_view quantity) const {
     return found == bounds.end() ? kNone : *found;
 }
 
+SumData meaning_of(const SumData& sums) {
+    return {
+        .layout = sums.layout,
+        .units = sums.units,
+        .bounds = sums.bounds,
+        .strategies = sums.strategies,
+        .spectra = sums.spectra,
+        .emitted_flux = sums.emitted_flux,
+        .measured = sums.measured,
+        .escaped = sums.escaped,
+        .replicates = {},
+        .per_contribution = sums.per_contribution};
+}
+
 Sums first_replicates(
     const Sums& sums, std::size_t count, std::uint64_t paths, std::uint64_t samples) {
+    SumData first = meaning_of(*sums);
     const auto& all = sums->replicates;
-    return Sums(
-        {.layout = sums->layout,
-         .units = sums->units,
-         .bounds = sums->bounds,
-         .strategies = sums->strategies,
-         .spectra = sums->spectra,
-         .emitted_flux = sums->emitted_flux,
-         .measured = sums->measured,
-         .escaped = sums->escaped,
-         .replicates = {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count)},
-         .paths = paths,
-         .samples = samples,
-         .per_contribution = sums->per_contribution});
+    first.replicates.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count));
+    first.paths = paths;
+    first.samples = samples;
+    return Sums(std::move(first));
 }
 
 }  // namespace quasimc

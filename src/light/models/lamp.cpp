@@ -14,6 +14,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/additive_recurrence.h"
 #include "base/checks.h"
 #include "light/models/lamp_body.h"
 #include "light/models/source.h"
@@ -109,18 +110,9 @@ class LampStarts {
     template <typename Draw>
     [[nodiscard]] Trial trial_of(const Draw& draw) const {
         constexpr int kTrials = 1 << 14;
-        // An additive recurrence with the root of x^5 = x + 1 (Roberts 2018).
-        constexpr double kRoot = 1.1673039782614187;
         Trial trial;
         for (int i = 0; i < kTrials; ++i) {
-            std::array<double, 4> u{};
-            double step = 1;
-            for (double& x : u) {
-                step /= kRoot;
-                const double turns = 0.5 + step * (i + 1);
-                x = turns - std::floor(turns);
-            }
-            const Start start = draw(u);
+            const Start start = draw(additive_recurrence_point(i));
             const double hit = entry(start) ? start.weight : 0;
             trial.fraction += start.weight / kTrials;
             trial.hits += hit / kTrials;

@@ -100,20 +100,11 @@ SumLayout coarser_layout(const SumLayout& layout) {
 
 Sums coarser_sums(const Sums& sums) {
     const SumLayout& from = sums->layout;
-    SumData coarse{
-        .layout = coarser_layout(from),
-        .units = sums->units,
-        .bounds = sums->bounds,
-        .strategies = sums->strategies,
-        .spectra = sums->spectra,
-        .emitted_flux = sums->emitted_flux,
-        .measured = sums->measured,
-        .escaped = sums->escaped,
-        .replicates = {},
-        .paths = sums->paths,
-        .samples = sums->samples * sums->replicates.size(),
-        .per_contribution = sums->per_contribution,
-        .digest = sums->digest};
+    SumData coarse = meaning_of(*sums);
+    coarse.layout = coarser_layout(from);
+    coarse.paths = sums->paths;
+    coarse.samples = sums->samples * sums->replicates.size();
+    coarse.digest = sums->digest;
     ExactBins bins(coarse.layout.bins());
     for (const SumBlock& block : coarse.layout.blocks()) {
         const BlockBins own = from.find(kCoarse + block.name);

@@ -30,8 +30,7 @@ class FirstHits final : public Solver {
           sampler_(input.sampler),
           spec_(input.spec),
           stop_(input.stop),
-          roulette_threshold_(
-              input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
+          roulette_threshold_(roulette_threshold(input)),
           shares_(input.prepared),
           direct_(input),
           runner_(input),

@@ -19,7 +19,7 @@ BackwardPaths::BackwardPaths(
       near_(near),
       stop_(input.stop),
       max_depth_(input.spec.max_depth),
-      roulette_threshold_(input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
+      roulette_threshold_(roulette_threshold(input)),
       sharp_from_(sharp_from) {}
 
 std::uint64_t BackwardPaths::gather(

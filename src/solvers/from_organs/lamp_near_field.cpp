@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/additive_recurrence.h"
 #include "light/models/source.h"
 #include "transport/surface.h"
 
@@ -13,19 +14,6 @@ namespace {
 /// Pilot paths that sample the surfaces a lamp lights: of all lamps, and of one.
 constexpr std::size_t kAllSamples = 1U << 17U;
 constexpr std::size_t kMinSamples = 64, kMaxSamples = 1024;
-
-/// The point `i` of an additive recurrence with the root of x^5 = x + 1 (Roberts 2018).
-std::array<double, 4> pilot_point(int i) {
-    constexpr double kRoot = 1.1673039782614187;
-    std::array<double, 4> u{};
-    double step = 1;
-    for (double& x : u) {
-        step /= kRoot;
-        const double turns = 0.5 + step * (i + 1);
-        x = turns - std::floor(turns);
-    }
-    return u;
-}
 
 bool is_within(const Vec3& p, const Vec3& center, double radius) {
     const Vec3 offset = p - center;
@@ -89,7 +77,7 @@ std::vector<LampNearField::PilotSample> LampNearField::pilot_samples(
     const std::size_t count =
         std::clamp(kAllSamples / prepared_.lights().size(), kMinSamples, kMaxSamples);
     for (int i = 0; i < static_cast<int>(count); ++i) {
-        const Emission start = light.source_sampler->emit(pilot_point(i));
+        const Emission start = light.source_sampler->emit(additive_recurrence_point(i));
         const CastHit at = prepared_.caster().cast_from_lamp(start.origin, start.direction);
         if (at.end == RayEnd::hit) {
             const Vec3 p = place_of(prepared_, at.hit);
@@ -111,7 +99,7 @@ double LampNearField::irradiance_at(const BoundSource& light, const CastHit& at)
     const Vec3 p = prepared_.caster().mesh().to_world(place_of(prepared_, at.hit));
     double sum = 0;
     for (int i = 0; i < kDraws; ++i) {
-        const std::array<double, 4> u = pilot_point(i);
+        const std::array<double, 4> u = additive_recurrence_point(i);
         const Illumination seen = model_of(*light.source).illuminate(p, u[0], u[1]);
         sum += seen.weight * std::abs(dot(seen.to_light, normal)) / kDraws;
     }

@@ -189,7 +189,7 @@ LightSubpaths::LightSubpaths(
       sampler_(input.sampler),
       stop_(input.stop),
       max_depth_(input.spec.max_depth),
-      roulette_threshold_(input.spec.roulette_weight * static_cast<double>(input.prepared.bands())),
+      roulette_threshold_(roulette_threshold(input)),
       rules_(rules_of(input.prepared, measured, near, sharp_from)),
       any_(needs_light_paths(input.prepared, near)),
       start_dimensions_(start_dimensions(input.prepared)) {}

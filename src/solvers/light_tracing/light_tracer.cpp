@@ -47,8 +47,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
       traced_(std::move(traced)),
       shares_(input.prepared, input.spec.paths),
       stop_(input.stop),
-      roulette_threshold_(
-          input.spec.roulette_weight * static_cast<double>(input.prepared.bands())) {
+      roulette_threshold_(roulette_threshold(input)) {
     for (const BoundSource& source : prepared_.lights()) {
         beams_.push_back(source.source_sampler->beam_direction());
         only_beams_ = only_beams_ && beams_.back().has_value();

@@ -69,6 +69,31 @@ TEST(Series, RefusesTimesThatAreNotInTheOrderOfTheirDays) {
     }
 }
 
+/// A listener that says nothing of what it needs.
+class PlainListener final : public RunListener {
+  public:
+    std::size_t ends = 0, done = 0;
+    bool has_total = false;
+
+    void on_end(const SeriesSummary& summary) override {
+        ++ends;
+        done = summary.done;
+        has_total = !summary.total.values.empty();
+    }
+};
+
+TEST(Series, ReportsItsEndOnceWithTheTotalToAPlainListener) {
+    const Scene scene = make_scene();
+    const Sources sources{sun(30, {500})};
+    PlainListener listener;
+    run_series(
+        scene, {moment_of(sources, "a"), moment_of(sources, "a", 1)}, small_spec(),
+        {.listeners = {&listener}});
+    EXPECT_EQ(listener.ends, 1U);
+    EXPECT_EQ(listener.done, 2U);
+    EXPECT_TRUE(listener.has_total);
+}
+
 TEST(Series, OfOneMomentIsTheRun) {
     const Scene scene = make_scene();
     const Sources sources{sun(30, {500}), sky({100})};

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+
+namespace quasimc {
+
+/// Gives the point `i` of an additive recurrence in four dimensions, with the root of x^5 = x + 1
+/// (Roberts 2018): a fixed point set for pilot samples. Coordinates lie in [0, 1).
+[[nodiscard]] inline std::array<double, 4> additive_recurrence_point(int i) {
+    constexpr double kRoot = 1.1673039782614187;
+    std::array<double, 4> u{};
+    double step = 1;
+    for (double& x : u) {
+        step /= kRoot;
+        const double turns = 0.5 + step * (i + 1);
+        x = turns - std::floor(turns);
+    }
+    return u;
+}
+
+}  // namespace quasimc
