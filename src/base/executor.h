@@ -29,7 +29,8 @@ struct Pause {
 class TaskWatcher {
   public:
     virtual ~TaskWatcher() = default;
-    /// Is called a few times a second with the part of the round's tasks that is done.
+    /// Is called at the beginning of a round, and a few times a second, with the part of its tasks
+    /// that is done.
     virtual void on_progress(double /*part*/) {}
     /// Whether no task should be at work for a while; asked after tasks.
     [[nodiscard]] virtual bool wants_pause() { return false; }
@@ -125,7 +126,7 @@ class TaskRound {
     std::uint64_t before_ = 0;            // tasks of complete calls
     std::uint64_t done_before_ = 0;       // of all processes, that were done already
     std::atomic<std::uint64_t> done_{0};
-    Clock::time_point last_report_ = Clock::now();
+    Clock::time_point last_report_;  // the first task is reported at once: rounds may be short
 };
 
 }  // namespace quasimc

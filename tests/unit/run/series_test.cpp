@@ -69,6 +69,23 @@ TEST(Series, RefusesTimesThatAreNotInTheOrderOfTheirDays) {
     }
 }
 
+/// Rounds much shorter than the time between two reports.
+TEST(Progress, IsReportedOfManyShortRounds) {
+    RunSpec spec = small_spec();
+    spec.paths = 64;
+    spec.target_error = 1e-9;
+    spec.max_seconds = 1;
+    Listening events;
+    std::size_t reports = 0;
+    events.progress = [&](const Progress&) { ++reports; };
+    std::vector<TimeStep> times;
+    for (int i = 0; i < 50; ++i) {
+        times.push_back(moment_of({sun(20 + i, {1})}, std::to_string(i)));
+    }
+    run_series(make_scene(), times, spec, {.listeners = {&events}});
+    EXPECT_GT(reports, 0U);
+}
+
 /// A listener that says nothing of what it needs.
 class PlainListener final : public RunListener {
   public:
