@@ -119,8 +119,9 @@ class ParticleTracer {
             score_cut_off(side, surface.cosine, weights_, tally_);
             return false;
         }
+        const double u = scatter_number(rules_, path_, depth, ScatterNumber::lobe);
         const LobeTable::Choice lobe =
-            choose_lobe(rules_, path_, depth, side, surface, direction_, weights_);
+            side.choose(surface.normal, direction_, {u, 0, rules_.roulette_threshold}, weights_);
         if (lobe.row == nullptr) {
             return false;
         }

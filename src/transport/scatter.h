@@ -39,20 +39,6 @@ enum class ScatterNumber : std::uint32_t { lobe, azimuth };
         rules.stream, path.point, first + static_cast<std::uint32_t>(which));
 }
 
-/// Chooses the lobe that scatters light along `wi` at hit number `depth` of a path. Russian
-/// roulette ends the path with the absorptance of the side: then there is none.
-[[nodiscard]] inline LobeTable::Choice choose_lobe(
-    const PathRules& rules,
-    const Particle& path,
-    std::uint32_t depth,
-    const Side& side,
-    const Surface& surface,
-    const Vec3& wi,
-    std::span<const double> weights) {
-    const double u = scatter_number(rules, path, depth, ScatterNumber::lobe);
-    return side.choose(surface.normal, wi, {u, 0, rules.roulette_threshold}, weights);
-}
-
 /// Adds the light that a side would scatter beyond the largest depth, which is cut off there.
 inline void score_cut_off(
     const Side& side, double cosine, std::span<const double> weights, Tally& tally) {

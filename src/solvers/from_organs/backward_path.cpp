@@ -23,13 +23,12 @@ BackwardPaths::BackwardPaths(
       sharp_from_(sharp_from) {}
 
 std::uint64_t BackwardPaths::gather(
-    const Stream& stream,
-    std::uint64_t index,
-    std::uint32_t dimension,
+    PathNumbers numbers,
     const OrganPoint& point,
     Vec3 away,
     const LightVertices& vertices,
     GatherScratch& path) const {
+    auto& [stream, index, dimension] = numbers;
     std::fill(path.weights.begin(), path.weights.end(), 1.0);
     std::fill(path.gathered.begin(), path.gathered.end(), 0.0);
     Vec3 p = point.place;

@@ -10,6 +10,13 @@
 
 namespace quasimc {
 
+/// The random numbers of a path: those of point `index` from coordinate `dimension` on.
+struct PathNumbers {
+    const Stream& stream;
+    std::uint64_t index;
+    std::uint32_t dimension;
+};
+
 /// Paths that run backwards from points of organs, and the estimators of light at their vertices.
 class BackwardPaths {
   public:
@@ -23,13 +30,10 @@ class BackwardPaths {
 
     /// Sets path.gathered to the radiance that comes to a point of an organ along -away, in units
     /// of NextEvent. Returns the rays cast.
-    /// @param dimension  of the first random number of point `index`
     /// @param vertices  of the light subpath that belongs to the point
     /// @throws StopRequested  if a stop was requested
     std::uint64_t gather(
-        const Stream& stream,
-        std::uint64_t index,
-        std::uint32_t dimension,
+        PathNumbers numbers,
         const OrganPoint& point,
         Vec3 away,
         const LightVertices& vertices,

@@ -233,7 +233,7 @@ class FromOrgans final : public Solver {
             return 0;
         }
         const std::uint64_t rays = backward_paths_.gather(
-            stream, point.index, dimension + 2, point, sample.away, scratch.subpath.vertices,
+            {stream, point.index, dimension + 2}, point, sample.away, scratch.subpath.vertices,
             scratch.path);
         score_scattered(
             prepared_, point.surface(sample.side, sample.cosine),

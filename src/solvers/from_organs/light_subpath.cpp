@@ -101,8 +101,9 @@ class LightSubpathTracer {
         if (is_vertex) {
             vertices_.add({path_.light, p, surface, direction_, depth}, weights_);
         }
+        const double u = scatter_number(walk_, path_, depth, ScatterNumber::lobe);
         const LobeTable::Choice lobe =
-            choose_lobe(walk_, path_, depth, side, surface, direction_, weights_);
+            side.choose(surface.normal, direction_, {u, 0, walk_.roulette_threshold}, weights_);
         const bool is_sharp = lobe.row != nullptr && lobe.row->peak >= rules_.sharp_from;
         if (lobe.row == nullptr || (only_by_sharp && !is_sharp)) {
             return false;
