@@ -22,7 +22,7 @@ struct CheckArguments {
 };
 
 std::string times_of(const quasimc::TimeSeries& series) {
-    if (series.collapse == quasimc::Collapse::none) {
+    if (series.cumulative_sky == quasimc::CumulativeSky::none) {
         const auto lit = std::count_if(
             series.notes.begin(), series.notes.end(),
             [](const auto& notes) { return notes.daylight.global() > 0; });
@@ -33,7 +33,7 @@ std::string times_of(const quasimc::TimeSeries& series) {
     std::size_t times = 0;
     std::size_t suns = 0;
     for (const quasimc::MomentNotes& notes : series.notes) {
-        times += notes.collapsed->times;
+        times += notes.cumulated->times;
         suns += notes.suns;
     }
     return fmt::format(

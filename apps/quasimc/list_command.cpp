@@ -77,7 +77,7 @@ std::string list_formats() {
     return text +
            row("opf", ".opf", "write", "the file, every quantity and its error",
                "into the OPF file that the run was made from, as attributes of its nodes") +
-           row("nc", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
+           row("netcdf", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
                "names, labels, all times, points, errors",
                "NetCDF after the CF conventions for xarray, R and others");
 }

@@ -135,7 +135,7 @@ Exit run(
     sweep.writers().faults().throw_if_any();
     sweep.checkpoint().throw_if_given_up();
     if (repetition.has_failed) {
-        throw quasimc::InputError({{"--from", repetition.verdict, "", ""}});
+        throw quasimc::InputError({{"--repeat", repetition.verdict, "", ""}});
     }
     sweep.stay();
     return exit_of(sweep.file(), sweep.all());

@@ -30,23 +30,23 @@ void add_output_flags(RunArguments& arguments, std::vector<Flag>& flags) {
 
 void check_usage(const RunArguments& arguments) {
     if (arguments.file.empty() && arguments.from.empty()) {
-        throw UsageError("FILE or --from RESULT is required");
+        throw UsageError("FILE or --repeat RESULT is required");
     }
     if (arguments.part.empty() && !arguments.sums.empty()) {
-        throw UsageError("--sums: is the file of a --part");
+        throw UsageError("--part-file: is the file of a --part");
     }
     if (!arguments.part.empty() && arguments.view) {
         throw UsageError("--view: a --part has no results to be seen");
     }
     if (arguments.checkpoint.empty() &&
         (arguments.resume || arguments.every != RunArguments::kUsualEvery)) {
-        throw UsageError("--every and --resume: are of a --checkpoint");
+        throw UsageError("--checkpoint-interval and --resume: are of a --checkpoint");
     }
     if (arguments.checkpoint == "-") {
         throw UsageError("--checkpoint: is a file, not standard output");
     }
     if (std::isnan(arguments.every)) {
-        throw UsageError("--every: nan is no time");
+        throw UsageError("--checkpoint-interval: nan is no time");
     }
     for (const auto& [output, path] : arguments.outputs) {
         if (!arguments.part.empty() && !path.empty()) {
@@ -61,8 +61,8 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
         {.name = "FILE",
          .target = &arguments.file,
          .summary = "run file (docs/formats/run-file.md); - is standard input",
-         .excludes = "--from"},
-        {.name = "--from",
+         .excludes = "--repeat"},
+        {.name = "--repeat",
          .target = &arguments.from,
          .summary = "repeat the run of this JSON result instead",
          .type_name = "RESULT"},
@@ -71,7 +71,7 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
          .summary = "compute this part of the run alone, 3/16 the third of sixteen, for "
                     "`quasimc merge`",
          .type_name = "K/N"},
-        {.name = "--sums",
+        {.name = "--part-file",
          .target = &arguments.sums,
          .summary = "write the part here; by default NAME.KofN.part in the current folder",
          .type_name = "FILE"},
@@ -80,7 +80,7 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
          .summary = "keep here what was computed, so that --resume can go on from it",
          .type_name = "FILE",
          .excludes = "--part"},
-        {.name = "--every",
+        {.name = "--checkpoint-interval",
          .target = &arguments.every,
          .summary = "seconds from one checkpoint to the next",
          .type_name = "SECONDS",

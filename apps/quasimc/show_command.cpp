@@ -56,7 +56,7 @@ quasimc::ViewSpec view_of(const ShowArguments& arguments, Faults& faults) {
             names += fmt::format("{}, ", entry.name);
         }
         faults.add(
-            {"--view", fmt::format("'{}' is no view", arguments.view), "",
+            {"--camera", fmt::format("'{}' is no view", arguments.view), "",
              fmt::format("give {}or azimuth and elevation of the eye in degrees: 200,20", names)});
         return view;
     }
@@ -97,8 +97,8 @@ void set_cuts(
             picture.render.cuts.push_back(*cut);
         } else {
             faults.add(
-                {"--cut", fmt::format("'{}' is no half of space", text), "",
-                 "state what is shown, in the axes of the file: --cut 'x<0.5'"});
+                {"--clip", fmt::format("'{}' is no half of space", text), "",
+                 "state what is shown, in the axes of the file: --clip 'x<0.5'"});
         }
     }
 }
@@ -191,29 +191,29 @@ std::vector<Flag> view_flags(ShowArguments& arguments) {
         maps.emplace_back(map.name);
     }
     return {
-        {.name = "--view",
+        {.name = "--camera",
          .target = &arguments.view,
          .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye, "
                     "degrees",
          .default_text = arguments.view},
-        {.name = "--opening",
+        {.name = "--fov",
          .target = &arguments.opening,
          .summary = "angle of view in degrees; 0: parallel lines of sight",
          .range = std::pair(0.0, 150.0),
          .default_text = "0"},
-        {"--cut", &arguments.cuts,
+        {"--clip", &arguments.cuts,
          "show this half only, in the axes of the file: 'x<0.5', 'x<0.5,z>1'"},
         {.name = "--size",
          .target = &arguments.size,
          .summary = "pixels",
          .default_text = arguments.size},
-        {.name = "--colors",
+        {.name = "--colormap",
          .target = &arguments.colors,
          .summary = "of the scale",
          .choices = maps,
          .default_text = arguments.colors},
         {"--range", &arguments.range, "values of the first and the last colour: 0,500"},
-        {"--bare", &arguments.bare, "without title, legend, scale bar and directions"},
+        {"--no-annotations", &arguments.bare, "without title, legend, scale bar and directions"},
         {"--threads", &arguments.threads, "0: as many as there are"}};
 }
 
@@ -241,9 +241,9 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .excludes = "--time"},
         point_flag(choice.point),
         {"--label", &arguments.label, "colour organs by this label instead"},
-        {"--as-seen", &arguments.as_seen,
+        {"--realistic", &arguments.as_seen,
          "show it as an eye would see it, in the light of its sources"},
-        {"--plain", &arguments.plain, "show the shape alone"}};
+        {"--geometry-only", &arguments.plain, "show the shape alone"}};
     std::vector<Flag> view = view_flags(arguments);
     std::move(view.begin(), view.end(), std::back_inserter(flags));
     return flags;

@@ -179,7 +179,7 @@ ShownValues named_values(
 
 Flag point_flag(std::size_t& point) {
     return {
-        .name = "--point",
+        .name = "--sweep-point",
         .target = &point,
         .summary = "of a sweep: which point, from 1",
         .range = std::pair(1.0, 1e9)};
@@ -201,7 +201,7 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
                                        : quasimc::read_run_sweep(path, {}, access);
     if (point > runs.size()) {
         throw quasimc::InputError(
-            {{"--point", fmt::format("there is no point {}", point),
+            {{"--sweep-point", fmt::format("there is no point {}", point),
               fmt::format("there are {}", runs.size()), "points count from 1"}});
     }
     ShownRun shown{

@@ -67,8 +67,8 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         spec.tally_memory_mb >= 0 && std::isfinite(spec.tally_memory_mb), "tally_memory_mb",
         shortest(spec.tally_memory_mb), "0 or more");
     require(
-        spec.roulette_weight > 0 && spec.roulette_weight <= 1, "roulette_weight",
-        shortest(spec.roulette_weight), "above 0, at most 1");
+        spec.roulette_threshold > 0 && spec.roulette_threshold <= 1, "roulette_threshold",
+        shortest(spec.roulette_threshold), "above 0, at most 1");
     require(
         spec.target_error == 0 || spec.replicates >= 2, "target_error",
         "needs at least 2 replicates", "one replicate has no standard error");

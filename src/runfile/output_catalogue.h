@@ -35,8 +35,8 @@ struct OutputKey {
 /// Makes the writer of an output. The modules that write stand above this one: a program that reads
 /// run files alone links none of them.
 using MakeOutput = std::unique_ptr<OutputWriter>(const OutputInput& input);
-MakeOutput make_csv, make_days, make_groups_csv, make_groups_days, make_detectors, make_picture,
-    make_vtp, make_ply, make_glb, make_nc, make_json;
+MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_detectors,
+    make_picture, make_vtp, make_ply, make_glb, make_netcdf, make_json;
 // (tools/new.py declares an output above this line)
 
 /// Calls take(key, make) for each output, in the order in which files get their names: the result
@@ -48,21 +48,21 @@ void for_each_output(Take take) {
         [](const auto& input) { return make_csv(input); });
     take(
         OutputKey{
-            "days",
+            "daily_csv",
             "of a run with [time]: write the table of sums over days here; - is standard "
             "output",
             kNeedsTimes},
-        [](const auto& input) { return make_days(input); });
+        [](const auto& input) { return make_daily_csv(input); });
     take(
         OutputKey{"groups_csv", "write the table of groups of organs here; - is standard output"},
         [](const auto& input) { return make_groups_csv(input); });
     take(
         OutputKey{
-            "groups_days",
+            "groups_daily_csv",
             "of a run with [time]: write the table of sums of groups over days here; - is standard "
             "output",
             kNeedsTimes},
-        [](const auto& input) { return make_groups_days(input); });
+        [](const auto& input) { return make_groups_daily_csv(input); });
     take(
         OutputKey{
             "detectors", "write the table of what detectors saw here; - is standard output",
@@ -82,8 +82,8 @@ void for_each_output(Take take) {
         return make_glb(input);
     });
     take(
-        OutputKey{"nc", "write the light by organ, band and time here, for xarray and others"},
-        [](const auto& input) { return make_nc(input); });
+        OutputKey{"netcdf", "write the light by organ, band and time here, for xarray and others"},
+        [](const auto& input) { return make_netcdf(input); });
     // (tools/new.py enters an output above this line)
     take(OutputKey{"json", "write everything here; - is standard output"}, [](const auto& input) {
         return make_json(input);

@@ -88,7 +88,7 @@ const std::vector<BadInput> kBadDocuments{
      "run.toml:5: layers: layers and layer_heights are both there"},
     {"QuantityThatIsNone", "csv = \"out.csv\"", "quantities = [\"absorbed\"]",
      "run.toml:7: [output]: 'absorbed' is not a quantity"},
-    {"HoursWithoutTimes", "csv = \"out.csv\"", "hours = [6, 20]",
+    {"HoursWithoutTimes", "csv = \"out.csv\"", "time_of_day = [6, 20]",
      "run.toml:7: [output]: hours without [time] (hours need times)"},
     {"UnknownOption", kPaths, "path = 256",
      "run.toml:4: [run]: unknown key 'path'; did you mean 'paths'?"},

@@ -87,7 +87,7 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
         {"run", "run.toml", "--wings"},
         {"run", "run.toml", "--paths"},
         {"run", "run.toml", "run.toml"},
-        {"run", "run.toml", "--from", "out.json"},
+        {"run", "run.toml", "--repeat", "out.json"},
         {"check"},
         {"list", "apples"},
         {"--dump"},
@@ -179,7 +179,7 @@ TEST_F(ProgramTest, TheDumpedDefaultFileRuns) {
 TEST_F(ProgramTest, FromRepeatsARun) {
     ASSERT_EQ(run({"run", "run.toml", "--seed", "5"}).status, 0);
     const Outcome again =
-        run({"run", "--from", "out.json", "--csv", "again.csv", "--json", "again.json"});
+        run({"run", "--repeat", "out.json", "--csv", "again.csv", "--json", "again.json"});
     EXPECT_EQ(again.status, 0) << again.err;
     EXPECT_NE(again.out.find("the same numbers as in out.json"), std::string::npos) << again.out;
     const auto organs = [](const std::string& text) {
@@ -188,12 +188,13 @@ TEST_F(ProgramTest, FromRepeatsARun) {
     EXPECT_EQ(organs(folder_.read("out.json")), organs(folder_.read("again.json")));
     EXPECT_EQ(folder_.read("out.csv"), folder_.read("again.csv"));
     // The result of a repetition can be repeated too.
-    EXPECT_NE(run({"run", "--from", "again.json"}).out.find("the same numbers"), std::string::npos);
+    EXPECT_NE(
+        run({"run", "--repeat", "again.json"}).out.find("the same numbers"), std::string::npos);
 }
 
 TEST_F(ProgramTest, FromTellsOtherNumbers) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
-    const Outcome asked = run({"run", "--from", "out.json", "--seed", "99"});
+    const Outcome asked = run({"run", "--repeat", "out.json", "--seed", "99"});
     EXPECT_EQ(asked.status, 0) << asked.err;
     EXPECT_NE(
         asked.out.find("OTHER numbers than in out.json, as asked by --seed 99"), std::string::npos)
@@ -204,11 +205,11 @@ TEST_F(ProgramTest, FromTellsOtherNumbers) {
     std::string changed = stored;
     changed[digit] = changed[digit] == '7' ? '8' : '7';
     folder_.write("changed.json", changed);
-    const Outcome other = run({"run", "--from", "changed.json", "-q"});
+    const Outcome other = run({"run", "--repeat", "changed.json", "-q"});
     EXPECT_EQ(other.status, 1);
     EXPECT_NE(other.err.find("(1 of 4 rows of numbers differ)"), std::string::npos) << other.err;
     folder_.write("old.json", replaced(stored, "\"organs_sha256\": \"", "\"organs_sha256\": \"x"));
-    EXPECT_EQ(run({"run", "--from", "old.json"}).status, 1);
+    EXPECT_EQ(run({"run", "--repeat", "old.json"}).status, 1);
 }
 
 /// What nobody can promise: the digits of another version, or of a run that time ended.
@@ -218,12 +219,12 @@ TEST_F(ProgramTest, FromForgivesOtherNumbersOfOtherRuns) {
         replaced(folder_.read("out.json"), "\"organs_sha256\": \"", "\"organs_sha256\": \"x");
     folder_.write(
         "old.json", replaced(stored, "\"program_version\": \"", "\"program_version\": \"9"));
-    const Outcome old = run({"run", "--from", "old.json"});
+    const Outcome old = run({"run", "--repeat", "old.json"});
     EXPECT_EQ(old.status, 0) << old.err;
     EXPECT_NE(old.out.find("OTHER numbers than in old.json, which version 9"), std::string::npos)
         << old.out;
     folder_.write("cut.json", replaced(stored, "\"paths_done\"", "\"interrupted\""));
-    const Outcome cut = run({"run", "--from", "cut.json"});
+    const Outcome cut = run({"run", "--repeat", "cut.json"});
     EXPECT_EQ(cut.status, 0) << cut.err;
     EXPECT_NE(cut.out.find("whose run was stopped before its end"), std::string::npos) << cut.out;
 }
@@ -242,7 +243,7 @@ TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
     EXPECT_EQ(
         run({"check", "out.json"}).err,
         "out.json: is no run file (a run file is TOML); if it is a result, `quasimc view` and "
-        "`quasimc show` take it, and `quasimc run --from` repeats it\n");
+        "`quasimc show` take it, and `quasimc run --repeat` repeats it\n");
     folder_.write("weather.epw", "LOCATION,here\n");
     const Outcome outcome = run({"run", "weather.epw"});
     EXPECT_TRUE(outcome.err.starts_with("weather.epw: is no run file (weather.epw:1"))
@@ -253,7 +254,7 @@ TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
 TEST_F(ProgramTest, FromRefusesAChangedInput) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     folder_.write("leaves.tri", good_leaves() + "\n");
-    const Outcome outcome = run({"run", "--from", "out.json"});
+    const Outcome outcome = run({"run", "--repeat", "out.json"});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find("'leaves.tri'"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("changed"), std::string::npos) << outcome.err;
@@ -265,10 +266,10 @@ TEST_F(ProgramTest, FromRefusesBrokenResults) {
     for (const std::size_t size :
          {std::size_t{0}, std::size_t{1}, json.size() / 3, json.size() - 3}) {
         folder_.write("out.json", json.substr(0, size));
-        EXPECT_EQ(run({"run", "--from", "out.json"}).status, 1);
+        EXPECT_EQ(run({"run", "--repeat", "out.json"}).status, 1);
     }
-    EXPECT_EQ(run({"run", "--from", "leaves.tri"}).status, 1);
-    EXPECT_EQ(run({"run", "--from", "none.json"}).status, 1);
+    EXPECT_EQ(run({"run", "--repeat", "leaves.tri"}).status, 1);
+    EXPECT_EQ(run({"run", "--repeat", "none.json"}).status, 1);
 }
 
 TEST_F(ProgramTest, AMissedTargetIsStatusFourAndResultsAreWritten) {
@@ -336,7 +337,7 @@ TEST_F(ProgramTest, TheFirstExampleRuns) {
 
 TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
     const Outcome outcome = run(
-        {"sky", "--place", "39.742476,-105.1786", "--time", "2003-10-17T12:30:30-07:00",
+        {"sky", "--site", "39.742476,-105.1786", "--time", "2003-10-17T12:30:30-07:00",
          "--elevation-m", "1830.14", "--pressure-hpa", "820", "--temperature-c", "11",
          "--delta-t-s", "67"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -352,7 +353,7 @@ TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
 
 TEST_F(ProgramTest, SkyDrawsItOrSaysThatItWasBuiltWithoutPictures) {
     const Outcome outcome = run(
-        {"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--png", "sky.png", "--size",
+        {"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--png", "sky.png", "--size",
          "128"});
     if (has_png()) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -365,7 +366,7 @@ TEST_F(ProgramTest, SkyDrawsItOrSaysThatItWasBuiltWithoutPictures) {
 }
 
 TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {
-    const Arguments night{"sky", "--place", "80,20", "--time", "2024-12-21T12:00Z"};
+    const Arguments night{"sky", "--site", "80,20", "--time", "2024-12-21T12:00Z"};
     const Outcome outcome = run(night);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("polar night"), std::string::npos);
@@ -378,20 +379,20 @@ TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {
 
 TEST_F(ProgramTest, SkyAsksForTheLightThatASkyNeeds) {
     const Outcome outcome =
-        run({"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "perez"});
+        run({"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "perez"});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find("--sky: perez needs the light of the hour"), std::string::npos);
 }
 
 TEST_F(ProgramTest, SkyTellsAllThatIsWrong) {
-    const Outcome outcome = run({"sky", "--place", "95", "--time", "2024-06-21T12:00"});
+    const Outcome outcome = run({"sky", "--site", "95", "--time", "2024-06-21T12:00"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find("--place: '95' is no place"), std::string::npos);
+    EXPECT_NE(outcome.err.find("--site: '95' is no site"), std::string::npos);
     EXPECT_NE(outcome.err.find("--time: '2024-06-21T12:00' has no time zone"), std::string::npos);
     EXPECT_EQ(outcome.err.find("utc_offset_hours"), std::string::npos) << "it has no such option";
-    EXPECT_EQ(run({"sky", "--place", "50,8"}).status, 2);
+    EXPECT_EQ(run({"sky", "--site", "50,8"}).status, 2);
     EXPECT_EQ(
-        run({"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "pink"}).status, 2);
+        run({"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "pink"}).status, 2);
 }
 
 }  // namespace

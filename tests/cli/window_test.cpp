@@ -50,8 +50,8 @@ TEST_F(WindowCommand, WritesReports) {
     EXPECT_EQ(folder_.read("out.json"), result);
     expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is no result");
     expect_fault(
-        {"report", "out.json", "-o", "q.html", "--point", "2"},
-        "--point: there is no point 2 (there are 1)");
+        {"report", "out.json", "-o", "q.html", "--sweep-point", "2"},
+        "--sweep-point: there is no point 2 (there are 1)");
     folder_.write("cut.json", folder_.read("out.json").substr(0, 500));
     expect_fault({"report", "cut.json", "-o", "q.html"}, "cut.json");
     EXPECT_EQ(run({"report", "out.json"}).status, 2);
@@ -97,7 +97,8 @@ TEST_F(WindowCommand, OfARunThatIsInterruptedEndsInOrder) {
         GTEST_SKIP() << "built without its page";
     }
     const Outcome outcome = shell(
-        "set -m; \"$quasimc\" run run.toml --csv seen.csv --view --checkpoint c --every 0 "
+        "set -m; \"$quasimc\" run run.toml --csv seen.csv --view --checkpoint c "
+        "--checkpoint-interval 0 "
         "--method light_tracing --paths 1073741824 >told 2>err & "
         "until [ -e c ] || ! kill -0 $!; do sleep 0.01; done; kill -INT $!; wait $!");
     EXPECT_EQ(outcome.status, 130) << outcome.err;

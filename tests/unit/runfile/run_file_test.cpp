@@ -129,19 +129,19 @@ TEST(RunFile, ChoosesWhatIsWritten) {
     EXPECT_EQ(run.output.quantities.size(), 2U);
     EXPECT_EQ(run.output.bands, std::vector<std::string>{"PAR"});
     EXPECT_EQ(run.output.files.at("groups_csv"), "/run/g.csv");
-    EXPECT_FALSE(run.output.night);
+    EXPECT_FALSE(run.output.include_night);
 }
 
 TEST(RunFile, SaysWhatIsWrongWithTheChoice) {
     RunText text;
     text.rest =
         "[output]\nquantities = ['absorbed']\nbands = ['PRA']\ngroups = ['plant']\n"
-        "night = true\nhours = [8, 6]\n";
+        "include_night = true\ntime_of_day = [8, 6]\n";
     const auto faults = faults_of(text.text());
     EXPECT_TRUE(mentions(faults, "'absorbed' is not a quantity"));
     EXPECT_TRUE(mentions(faults, "'PRA' is not a band of the scene; did you mean 'PAR'?"));
     EXPECT_TRUE(mentions(faults, "groups is an option of the run; put it below [run]"));
-    EXPECT_TRUE(mentions(faults, "night without [time] (nights need times)"));
+    EXPECT_TRUE(mentions(faults, "include_night without [time] (nights need times)"));
     EXPECT_TRUE(mentions(faults, "hours is [8, 6]"));
     text.rest = "[output]\ncsv = 'a'\ngroups_csv = 'a'\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "csv and groups_csv name the same file"));
