@@ -146,9 +146,11 @@ Command list_command() {
     }
     return {
         "list",
-        "print what there is: options, samplers, models, optics, detectors, formats, outputs, "
-        "skies, "
-        "quantities",
-        {{.name = "WHAT", .target = name.get(), .summary = "", .required = true, .choices = names}},
+        "list options, samplers, models, optics, detectors, formats, outputs, skies or quantities",
+        {{.name = "WHAT",
+          .target = name.get(),
+          .summary = "what to list",
+          .required = true,
+          .choices = names}},
         [name] { return print_list(*name); }};
 }

@@ -24,18 +24,21 @@ void add_choice_flags(OutputChoice& choice, std::vector<Flag>& flags) {
     flags.push_back(
         {.name = "--quantities",
          .target = &choice.quantities,
-         .summary = "write these alone, separated by commas (quasimc list quantities, "
+         .summary = "write only these quantities, comma-separated (`quasimc list quantities`, "
                     "sunlit_fraction)",
-         .type_name = "NAMES"});
+         .type_name = "NAMES",
+         .group = "Output"});
     flags.push_back(
         {.name = "--bands",
          .target = &choice.bands,
-         .summary = "write these wavebands alone, separated by commas",
-         .type_name = "NAMES"});
+         .summary = "write only these bands, comma-separated",
+         .type_name = "NAMES",
+         .group = "Output"});
     flags.push_back(
         {.name = "--include-night",
          .target = &choice.include_night,
-         .summary = "of a run with [time]: write times without light too"});
+         .summary = "with [time]: also write night hours",
+         .group = "Output"});
 }
 
 void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {

@@ -80,7 +80,7 @@ Exit run_part(const RunArguments& arguments) {
     output.throw_if_given_up();
     if (!arguments.quiet) {
         const std::string text = fmt::format(
-            "part {} of {}: {}; put all together with: quasimc merge PART...\n", number.part,
+            "part {} of {}: {}; join all parts with: quasimc merge PART...\n", number.part,
             number.parts, name);
         std::fputs(text.c_str(), output.uses_standard_output() ? stderr : stdout);
     }

@@ -239,35 +239,50 @@ std::vector<Flag> flags_of(SkyArguments& arguments) {
         skies.emplace_back(entry.name);
     }
     return {
-        {"--site", &arguments.site, "LAT,LON in degrees, north and east positive", true},
-        {"--time", &arguments.time, "with its time zone: 2024-06-21T12:00+02:00", true},
-        {"--elevation-m", &arguments.elevation_m, "above the sea"},
-        {"--pressure-hpa", &arguments.pressure_hpa, "by default from the elevation"},
-        {"--temperature-c", &arguments.temperature_c, "by default 12"},
-        {"--delta-t-s", &arguments.delta_t_s, "terrestrial less universal time"},
+        {.name = "--site",
+         .target = &arguments.site,
+         .summary = "latitude and longitude in degrees, north and east positive",
+         .required = true,
+         .type_name = "LAT,LON"},
+        {.name = "--time",
+         .target = &arguments.time,
+         .summary = "time with its time zone: 2024-06-21T12:00+02:00",
+         .required = true,
+         .type_name = "TIME"},
+        {"--elevation-m", &arguments.elevation_m, "height above the sea, m"},
+        {"--pressure-hpa", &arguments.pressure_hpa, "air pressure; default from the elevation"},
+        {"--temperature-c", &arguments.temperature_c, "air temperature; default 12"},
+        {"--delta-t-s", &arguments.delta_t_s, "terrestrial minus universal time, s"},
         {.name = "--linke-turbidity",
          .target = &arguments.linke_turbidity,
-         .summary = "1 to 10, of the air without clouds",
-         .range = {{1, 10}}},
+         .summary = "Linke turbidity of the clear air",
+         .range = {{1, 10}},
+         .default_text = "3"},
         {.name = "--sky",
          .target = &arguments.sky,
-         .summary = "model of the sky; by default cie_clear by day",
+         .summary = "model of the sky; default cie_clear by day",
          .choices = skies},
         {.name = "--cie-type",
          .target = &arguments.cie_type,
-         .summary = "1 to 15, of cie_general",
-         .range = {{1, 15}}},
+         .summary = "type of cie_general",
+         .range = {{1, 15}},
+         .default_text = "12"},
         {.name = "--turbidity",
          .target = &arguments.turbidity,
-         .summary = "1.7 to 10, of preetham",
-         .range = {{quasimc::kLowestTurbidity, quasimc::kHighestTurbidity}}},
-        {"--direct-normal", &arguments.direct_normal, "W m-2, of perez"},
-        {"--diffuse-horizontal", &arguments.diffuse_horizontal, "W m-2, of perez"},
-        {"--png", &arguments.png, "draw the sky as a fisheye picture; - is stdout"},
+         .summary = "turbidity of preetham",
+         .range = {{quasimc::kLowestTurbidity, quasimc::kHighestTurbidity}},
+         .default_text = "3"},
+        {"--direct-normal", &arguments.direct_normal, "of perez, W m-2"},
+        {"--diffuse-horizontal", &arguments.diffuse_horizontal, "of perez, W m-2"},
+        {.name = "--png",
+         .target = &arguments.png,
+         .summary = "draw the sky as a fisheye picture, - for standard output",
+         .type_name = "FILE"},
         {.name = "--size",
          .target = &arguments.size,
-         .summary = "pixels of a side",
-         .range = {{64, 4096}}}};
+         .summary = "width and height in pixels",
+         .range = {{64, 4096}},
+         .default_text = "512"}};
 }
 
 }  // namespace
@@ -275,6 +290,6 @@ std::vector<Flag> flags_of(SkyArguments& arguments) {
 Command sky_command() {
     const auto arguments = std::make_shared<SkyArguments>();
     return {
-        "sky", "tell where the sun stands, and show the sky around it", flags_of(*arguments),
-        [arguments] { return show_sky(*arguments); }};
+        "sky", "print the position of the sun and the light of the sky, and draw the sky",
+        flags_of(*arguments), [arguments] { return show_sky(*arguments); }};
 }

@@ -88,7 +88,7 @@ Named<Method> names_of_methods() {
 // --dump-default, the table in docs/guide/options.md (copy it from `quasimc list options
 // -markdown`; a test compares), the keyword in Python and the echo in the JSON result follow from
 // the row. python/quasimc/__init__.pyi lists it too, for who types (a test compares).
-std::vector<Option> rows_of_paths() {
+std::vector<Option> rows_of_sampling() {
     constexpr std::int64_t kAnySeed = std::numeric_limits<std::int64_t>::max();
     return {
         plain_option(
@@ -110,51 +110,10 @@ std::vector<Option> rows_of_paths() {
         integer_option(
             {"threads", "", "threads (0: all cores); results do not depend on it"},
             &RunSpec::threads, {0, kMostThreads}),
-        integer_option(
-            {"max_depth", "",
-             "end a path after this many hits (0: no limit); the energy lost is reported"},
-            &RunSpec::max_depth, {0, 1000000}),
-        real_option(
-            {"roulette_threshold", "",
-             "relative weight below which Russian roulette is played (1: at every hit)"},
-            &RunSpec::roulette_threshold, {1e-6, 1}),
     };
 }
 
-std::vector<Option> rows_of_setup() {
-    return {
-        choice_option<StartArea>(
-            {"start_area", "",
-             "area from which paths start: the scene's silhouette, or the disc of its "
-             "bounding sphere"},
-            &RunSpec::start_area,
-            {{"silhouette", StartArea::silhouette},
-             {"bounding_sphere", StartArea::bounding_sphere}}),
-        choice_option<Accelerator>(
-            {"accelerator", "", "embree, or brute_force (slow, for checks)"}, &RunSpec::accelerator,
-            {{"embree", Accelerator::embree}, {"brute_force", Accelerator::brute_force}}),
-        choice_option<DirectLight>(
-            {"direct_light", "",
-             "include or exclude direct light in results (excluded: scattered light only)"},
-            &RunSpec::direct_light,
-            {{"included", DirectLight::included}, {"excluded", DirectLight::excluded}}),
-        choice_option<PathAllocation>(
-            {"path_allocation", "",
-             "with [time]: paths equal for all time steps, or proportional to their light; "
-             "target_error is then for the daily sum"},
-            &RunSpec::path_allocation,
-            {{"equal", PathAllocation::equal}, {"proportional", PathAllocation::proportional}}),
-        choice_option<TimeMethod>(
-            {"time_method", "",
-             "with [time]: independent time steps, or daylight_coefficients (one set of sky "
-             "solutions for all; ray_bundles only)"},
-            &RunSpec::time_method,
-            {{"independent", TimeMethod::independent},
-             {"daylight_coefficients", TimeMethod::daylight_coefficients}}),
-    };
-}
-
-std::vector<Option> rows_of_ends() {
+std::vector<Option> rows_of_stopping() {
     return {
         real_option(
             {"target_error", "",
@@ -172,24 +131,33 @@ std::vector<Option> rows_of_ends() {
             {"max_paths", "",
              "limit on paths per replicate (0: 2^30 with target_error, otherwise paths)"},
             &RunSpec::max_paths, {0, kMostPaths}),
-        real_option(
-            {"audit", "",
-             "check against plain Monte Carlo with this fraction of the paths (0.1; 0: no "
-             "check)"},
-            &RunSpec::audit, {0, 1}),
-        real_option(
-            {"tally_memory_mb", "MB",
-             "memory for one tally per thread; above it threads share one (same results)"},
-            &RunSpec::tally_memory_mb, {0, 1e6}),
-        plain_option(
-            {"ratios", "", "ratios of incident light in two bands, \"R:FR\""}, &RunSpec::ratios,
-            WordsDomain{"BAND:BAND"}),
     };
 }
 
-std::vector<Option> rows_of_groups() {
+std::vector<Option> rows_of_time() {
+    return {
+        choice_option<PathAllocation>(
+            {"path_allocation", "",
+             "with [time]: paths equal for all time steps, or proportional to their light; "
+             "target_error is then for the daily sum"},
+            &RunSpec::path_allocation,
+            {{"equal", PathAllocation::equal}, {"proportional", PathAllocation::proportional}}),
+        choice_option<TimeMethod>(
+            {"time_method", "",
+             "with [time]: independent time steps, or daylight_coefficients (one set of sky "
+             "solutions for all; ray_bundles only)"},
+            &RunSpec::time_method,
+            {{"independent", TimeMethod::independent},
+             {"daylight_coefficients", TimeMethod::daylight_coefficients}}),
+    };
+}
+
+std::vector<Option> rows_of_results() {
     constexpr std::int64_t kMostLayers = 100000;
     return {
+        plain_option(
+            {"ratios", "", "ratios of incident light in two bands, \"R:FR\""}, &RunSpec::ratios,
+            WordsDomain{"BAND:BAND"}),
         plain_option(
             {"groups", "",
              "sum results over organs with equal labels, \"plant\" or \"plant+kind\""},
@@ -206,11 +174,56 @@ std::vector<Option> rows_of_groups() {
     };
 }
 
+std::vector<Option> rows_of_expert() {
+    return {
+        choice_option<DirectLight>(
+            {"direct_light", "",
+             "include or exclude direct light in results (excluded: scattered light only)"},
+            &RunSpec::direct_light,
+            {{"included", DirectLight::included}, {"excluded", DirectLight::excluded}}),
+        real_option(
+            {"audit", "",
+             "check against plain Monte Carlo with this fraction of the paths (0.1; 0: no "
+             "check)"},
+            &RunSpec::audit, {0, 1}),
+        integer_option(
+            {"max_depth", "",
+             "end a path after this many hits (0: no limit); the energy lost is reported"},
+            &RunSpec::max_depth, {0, 1000000}),
+        real_option(
+            {"roulette_threshold", "",
+             "relative weight below which Russian roulette is played (1: at every hit)"},
+            &RunSpec::roulette_threshold, {1e-6, 1}),
+        choice_option<StartArea>(
+            {"start_area", "",
+             "area from which paths start: the scene's silhouette, or the disc of its "
+             "bounding sphere"},
+            &RunSpec::start_area,
+            {{"silhouette", StartArea::silhouette},
+             {"bounding_sphere", StartArea::bounding_sphere}}),
+        choice_option<Accelerator>(
+            {"accelerator", "", "embree, or brute_force (slow, for checks)"}, &RunSpec::accelerator,
+            {{"embree", Accelerator::embree}, {"brute_force", Accelerator::brute_force}}),
+        real_option(
+            {"tally_memory_mb", "MB",
+             "memory for one tally per thread; above it threads share one (same results)"},
+            &RunSpec::tally_memory_mb, {0, 1e6}),
+    };
+}
+
 std::vector<Option> make_table() {
-    std::vector<Option> table = rows_of_paths();
-    for (const auto& more : {rows_of_setup(), rows_of_ends(), rows_of_groups()}) {
-        table.insert(table.end(), more.begin(), more.end());
-    }
+    std::vector<Option> table;
+    const auto add = [&](std::string_view group, std::vector<Option> rows) {
+        for (Option& row : rows) {
+            row.group = group;
+            table.push_back(std::move(row));
+        }
+    };
+    add("Sampling", rows_of_sampling());
+    add("Stopping", rows_of_stopping());
+    add("Time", rows_of_time());
+    add("Results", rows_of_results());
+    add("Expert", rows_of_expert());
     return table;
 }
 

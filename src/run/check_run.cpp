@@ -97,9 +97,11 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
         }
         for (const std::string& name : {ratio.substr(0, colon), ratio.substr(colon + 1)}) {
             if (std::find(names.begin(), names.end(), name) == names.end()) {
+                const std::string_view near = nearest_word(name, names);
                 faults.add(
-                    {"ratios", fmt::format("'{}' is not a band of the scene", name), "",
-                     did_you_mean(name, names)});
+                    {"ratios",
+                     fmt::format("'{}' is not a band (bands: {})", name, joined(names, ", ")), "",
+                     near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
             }
         }
     }
@@ -142,7 +144,7 @@ void check_irradiance(const Source& source, double x, Faults& faults) {
 
 void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (sources.empty()) {
-        faults.add({"sources", "there are none", "the scene would be dark", "add a [[source]]"});
+        faults.add({"sources", "there are none", "", "add a [[source]]"});
     }
     bool dark = !sources.empty();
     for (const auto& source : sources) {
@@ -160,10 +162,8 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     }
     if (dark) {
         faults.add(
-            {"sources", "all irradiances are 0",
-             fmt::format(
-                 "the scene would be dark; less than {} counts as 0", shortest(kLeastIrradiance)),
-             ""});
+            {"sources", "no source gives light",
+             fmt::format("irradiances below {} count as 0", shortest(kLeastIrradiance)), ""});
     }
 }
 

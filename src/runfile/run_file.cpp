@@ -303,25 +303,25 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
         }
         if (extension == ".json") {
             throw InputError(
-                {{name, "is no run file", "a run file is TOML",
-                  "if it is a result, `quasimc view` and `quasimc show` take it, and "
-                  "`quasimc run --repeat` repeats it"}});
+                {{name, "is a result, not a run file", "",
+                  fmt::format(
+                      "show it: quasimc view {0}; or repeat its run: quasimc run --repeat {0}",
+                      name)}});
         }
         const FormatEntry* geometry = extension == ".txt" ? nullptr : format_of_path(name);
         if (geometry != nullptr) {
             throw InputError(
-                {{name, "is a file of geometry, not a run file",
-                  fmt::format("its name ends as those of the format {} do", geometry->name),
+                {{name, "is geometry, not a run file", "",
                   fmt::format(
-                      "name it in a run file, by [[geometry]] file = \"{}\"; `quasimc info` and "
-                      "`quasimc convert` take it as it is",
-                      std::filesystem::path(name).filename().string())}});
+                      "name it in a run file, under [[geometry]]: file = \"{}\"; or draw it: "
+                      "quasimc show {}",
+                      std::filesystem::path(name).filename().string(), name)}});
         }
         if (extension.empty() || extension == ".toml") {
             throw;
         }
         throw InputError(
-            {{name, "is no run file", error.faults().front().text(),
+            {{name, "is not a run file", error.faults().front().text(),
               "give a run file, which is TOML and names files of geometry and weather; "
               "`quasimc --dump-default` prints one"}});
     }

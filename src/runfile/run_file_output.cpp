@@ -30,8 +30,9 @@ std::optional<std::string> read_path(
     const FileIdentity file = identity_of(resolved, STDOUT_FILENO);
     if (const InputFile* input = input_at(file, files.files())) {
         table.fault_at(
-            key, fmt::format("{} = '{}' is an input of the run", key, *path),
-            fmt::format("'{}' is read from it", input->path), "name another file");
+            key, fmt::format("{} = '{}' is an input of this run", key, *path),
+            input->path == *path ? "" : fmt::format("read as '{}'", input->path),
+            "name another file");
     }
     return resolved;
 }

@@ -111,7 +111,7 @@ void check_written(const OutputSpec& output, const std::vector<Band>& bands, Fau
     std::vector<std::string_view> quantities = names_in(quantity_table());
     quantities.push_back(kSunlit);
     check_names(output.quantities, quantities, "quantities", "quantity", faults);
-    check_names(output.bands, names_in(bands), "bands", "band of the scene", faults);
+    check_names(output.bands, names_in(bands), "bands", "band", faults);
 }
 
 }  // namespace quasimc

@@ -132,7 +132,7 @@ std::optional<std::string> warning_of_clock(
     }
     constexpr std::size_t kMinDays = 3;
     constexpr double kFarHours = 0.6;  // a record of an hour tells its edges to half of it
-    std::vector<LitTime> times = lit_times(records, place);
+    std::vector<LitTime> times = lit_times(records, site);
     keep_telling_days(times);
     const auto at = [&](double latitude, double longitude, double shift) {
         return mismatch_of(times, latitude, longitude, shift);
@@ -141,7 +141,7 @@ std::optional<std::string> warning_of_clock(
     if (given.size() < kMinDays) {
         return std::nullopt;
     }
-    const double shift = best_shift(times, place);
+    const double shift = best_shift(times, site);
     const Mismatch shifted = at(site.latitude_deg, site.longitude_deg, shift);
     const auto better = std::count_if(given.begin(), given.end(), [&](const auto& day) {
         return shifted.at(day.first) < day.second;

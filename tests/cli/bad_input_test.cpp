@@ -115,7 +115,7 @@ TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {
 TEST_F(ProgramTest, AMissingRunFileIsAnInputError) {
     const Outcome outcome = run({"run", "none.toml"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, "none.toml: can't be read (No such file or directory)\n");
+    EXPECT_EQ(outcome.err, "error: none.toml: can't be read (No such file or directory)\n");
 }
 
 }  // namespace

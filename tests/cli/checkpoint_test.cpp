@@ -80,10 +80,7 @@ TEST_F(CheckpointTest, OfARunThatIsDoneGivesItAgainOrMoreExactly) {
     ASSERT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"}).status, 0);
     const Outcome again = run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"});
     EXPECT_EQ(again.status, 1);
-    EXPECT_EQ(
-        again.err,
-        "c: is there already (a run that begins would overwrite it); state --resume to go on from "
-        "it, or remove it\n");
+    EXPECT_EQ(again.err, "error: c: exists; use --resume to continue it, or delete it\n");
     const Outcome there =
         run({"run", "run.toml", "--checkpoint", "c", "--resume", "--csv", "b.csv"});
     ASSERT_EQ(there.status, 0);
@@ -108,10 +105,11 @@ TEST_F(CheckpointTest, GoesOnToMorePathsOrSaysWhyNot) {
     ASSERT_EQ(shell(command + "--paths 65536 --csv w.csv").status, 0);
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
     const Outcome fewer = shell(command + "--paths 16384 --checkpoint c --resume");
-    EXPECT_EQ(fewer.status, 1);
+    EXPECT_EQ(fewer.status, 2);
     EXPECT_EQ(
         fewer.err,
-        "--paths: the checkpoint can't go on to 16384 of them (65536 paths are traced already); "
+        "error: --paths: the checkpoint can't go on to 16384 of them (65536 paths are traced "
+        "already); "
         "leave paths as they were and state max_paths, or begin anew\n");
     // What was refused stays what it was.
     EXPECT_EQ(shell(command + "--paths 16384 --checkpoint c --resume").err, fewer.err);
@@ -126,7 +124,7 @@ TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
         EXPECT_EQ(outcome.status, 1);
         return outcome.err;
     };
-    EXPECT_EQ(refusal({"--seed", "9"}), "c: is of another run (run.run.seed: 1 there, 9 here)\n");
+    EXPECT_EQ(refusal({"--seed", "9"}), "error: c: belongs to another run (seed 1, here 9)\n");
     const std::string whole = folder_.read("c");
     for (const std::size_t at : {40UL, whole.size() / 2, whole.size() - 1}) {
         std::string changed = whole;
@@ -233,7 +231,7 @@ TEST_F(CheckpointTest, TakesNoFilesOfOthers) {
             const Outcome outcome = shell(
                 std::string("\"$quasimc\" run stranger.toml --quiet --checkpoint c") + resume);
             EXPECT_EQ(outcome.status, 1) << name;
-            EXPECT_TRUE(outcome.err.starts_with(name + ": is there already")) << outcome.err;
+            EXPECT_TRUE(outcome.err.starts_with("error: " + name + ": exists")) << outcome.err;
             EXPECT_EQ(folder_.read(name), good_leaves());
             EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c"));
         }
@@ -318,7 +316,7 @@ TEST_F(CheckpointTest, ThatHasNoRoomCostsNoResult) {
     const Outcome outcome = shell(
         "ulimit -f " + std::to_string((table + 1023) / 1024 + 1) + "; " + command + "out.csv");
     EXPECT_EQ(outcome.status, 1) << outcome.err;
-    EXPECT_NE(outcome.err.find("The run goes on without a checkpoint."), std::string::npos)
+    EXPECT_NE(outcome.err.find("the run goes on without a checkpoint"), std::string::npos)
         << outcome.err;
     EXPECT_EQ(table_rows(folder_.read("out.csv")), table_rows(folder_.read("whole.csv")));
 }

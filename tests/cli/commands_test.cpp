@@ -66,10 +66,10 @@ TEST_F(ProgramTest, FlagsGoBeforeTheFile) {
     EXPECT_NE(table.find("seed = 9"), std::string::npos);
 }
 
-TEST_F(ProgramTest, BadValuesOfFlagsAreInputErrorsThatNameTheFlag) {
-    EXPECT_EQ(run({"run", "run.toml", "--paths", "many"}).status, 1);
+TEST_F(ProgramTest, BadValuesOfFlagsAreWrongUsageAndNameTheFlag) {
+    EXPECT_EQ(run({"run", "run.toml", "--paths", "many"}).status, 2);
     EXPECT_NE(
-        run({"run", "run.toml", "--paths", "0"}).err.find("--paths: paths is 0"),
+        run({"run", "run.toml", "--paths", "0"}).err.find("--paths: 0 is out of range"),
         std::string::npos);
     EXPECT_NE(run({"run", "run.toml", "--seed", "-1"}).err.find("--seed: "), std::string::npos);
     EXPECT_NE(run({"run", "run.toml", "--sampler", ""}).err.find("--sampler: "), std::string::npos);
@@ -102,20 +102,19 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
 
 TEST_F(ProgramTest, MistakenFlagsAreNamedWithTheNearest) {
     const std::vector<std::pair<Arguments, std::string>> table{
-        {{"run", "run.toml", "--method"}, "--method: its value is missing\n"},
-        {{"run", "run.toml", "--paths"}, "--paths: its value is missing\n"},
-        {{"run", "run.toml", "--paths", "--quiet"}, "--paths: its value is missing\n"},
-        {{"run", "run.toml", "--path", "3"},
-         "--path: there is no such flag; did you mean '--paths'?\n"},
+        {{"run", "run.toml", "--method"}, "--method: a value is missing\n"},
+        {{"run", "run.toml", "--paths"}, "--paths: a value is missing\n"},
+        {{"run", "run.toml", "--paths", "--quiet"}, "--paths: a value is missing\n"},
+        {{"run", "run.toml", "--path", "3"}, "unknown option --path; did you mean '--paths'?\n"},
         {{"run", "run.toml", "--sampeler=sobol"},
-         "--sampeler: there is no such flag; did you mean '--sampler'?\n"},
-        {{"run", "run.toml", "--wings"}, "--wings: there is no such flag\n"},
-        {{"chek", "run.toml"}, "chek: there is no such command; did you mean 'check'?\n"},
-        {{"run", "run.toml", "more.toml"}, "more.toml: is one argument too many\n"}};
+         "unknown option --sampeler; did you mean '--sampler'?\n"},
+        {{"run", "run.toml", "--wings"}, "unknown option --wings\n"},
+        {{"run", "run.toml", "more.toml"}, "unexpected argument 'more.toml'\n"}};
     for (const auto& [arguments, message] : table) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.err, message + "Run with --help for more information.\n");
+        EXPECT_EQ(
+            outcome.err, "error: " + message + "Run 'quasimc run --help' for more information.\n");
     }
 }
 
@@ -152,7 +151,7 @@ TEST_F(ProgramTest, HelpAndVersionGoToStandardOutput) {
 
 TEST_F(ProgramTest, CheckFindsFaultsAndRunsNothing) {
     EXPECT_EQ(run({"check", "run.toml"}).status, 0);
-    EXPECT_EQ(run({"check", "run.toml", "--paths", "0"}).status, 1);
+    EXPECT_EQ(run({"check", "run.toml", "--paths", "0"}).status, 2);
     folder_.write(
         "run.toml", replaced(good_run_file(), "file = \"leaves.tri\"", "file = \"leaves.tro\""));
     EXPECT_EQ(run({"check", "run.toml"}).status, 1);
@@ -235,18 +234,18 @@ TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
         const Outcome outcome = run({"run", name});
         EXPECT_EQ(outcome.status, 1);
         EXPECT_TRUE(outcome.err.starts_with(
-            std::string(name) + ": is a file of geometry, not a run file ("))
+            "error: " + std::string(name) + ": is geometry, not a run file;"))
             << outcome.err;
         EXPECT_NE(outcome.err.find("name it in a run file"), std::string::npos);
     }
     folder_.write("out.json", "{}\n");
     EXPECT_EQ(
         run({"check", "out.json"}).err,
-        "out.json: is no run file (a run file is TOML); if it is a result, `quasimc view` and "
-        "`quasimc show` take it, and `quasimc run --repeat` repeats it\n");
+        "error: out.json: is a result, not a run file; show it: quasimc view out.json; or repeat "
+        "its run: quasimc run --repeat out.json\n");
     folder_.write("weather.epw", "LOCATION,here\n");
     const Outcome outcome = run({"run", "weather.epw"});
-    EXPECT_TRUE(outcome.err.starts_with("weather.epw: is no run file (weather.epw:1"))
+    EXPECT_TRUE(outcome.err.starts_with("error: weather.epw: is not a run file (weather.epw:1"))
         << outcome.err;
     EXPECT_NE(outcome.err.find("names files of geometry and weather"), std::string::npos);
 }
@@ -373,20 +372,20 @@ TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {
     EXPECT_NE(outcome.out.find("no light: the sun is below the horizon"), std::string::npos);
     Arguments drawn = night;
     drawn.insert(drawn.end(), {"--png", "sky.png"});
-    EXPECT_EQ(run(drawn).status, 1);
+    EXPECT_EQ(run(drawn).status, 2);
     EXPECT_TRUE(new_files().empty());
 }
 
 TEST_F(ProgramTest, SkyAsksForTheLightThatASkyNeeds) {
     const Outcome outcome =
         run({"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "perez"});
-    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(outcome.err.find("--sky: perez needs the light of the hour"), std::string::npos);
 }
 
 TEST_F(ProgramTest, SkyTellsAllThatIsWrong) {
     const Outcome outcome = run({"sky", "--site", "95", "--time", "2024-06-21T12:00"});
-    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(outcome.err.find("--site: '95' is no site"), std::string::npos);
     EXPECT_NE(outcome.err.find("--time: '2024-06-21T12:00' has no time zone"), std::string::npos);
     EXPECT_EQ(outcome.err.find("utc_offset_hours"), std::string::npos) << "it has no such option";

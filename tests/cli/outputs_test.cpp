@@ -53,9 +53,9 @@ TEST_F(OutputsTest, AreNeverInputs) {
         Words arguments{"run", "bare.toml"};
         arguments.insert(arguments.end(), row.begin(), row.end());
         const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 1) << ::testing::PrintToString(row);
-        EXPECT_NE(outcome.err.find("is an input of the run ("), std::string::npos) << outcome.err;
-        EXPECT_TRUE(outcome.err.starts_with(row[row.size() - 2] + ": ")) << outcome.err;
+        EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(row);
+        EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("error: " + row[row.size() - 2] + ": ")) << outcome.err;
         EXPECT_EQ(outcome.out, "");
     }
     EXPECT_EQ(folder_.read("bare.toml"), text);
@@ -72,7 +72,7 @@ TEST_F(OutputsTest, OfRunFilesAreNeverInputs) {
             EXPECT_EQ(outcome.status, 1);
             EXPECT_NE(outcome.err.find("run.toml:7: [output]: csv = '"), std::string::npos)
                 << outcome.err;
-            EXPECT_NE(outcome.err.find("is an input of the run"), std::string::npos);
+            EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos);
         }
     }
     EXPECT_EQ(folder_.read("leaves.tri"), good_leaves());
@@ -81,10 +81,10 @@ TEST_F(OutputsTest, OfRunFilesAreNeverInputs) {
 TEST_F(OutputsTest, OfConvertAreNeverInputs) {
     for (const char* output : {"leaves.tri", "./leaves.tri"}) {
         const Outcome outcome = run({"convert", "run.toml", output});
-        EXPECT_EQ(outcome.status, 1);
-        EXPECT_NE(outcome.err.find("is an input of the run"), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos) << outcome.err;
     }
-    EXPECT_EQ(run({"convert", "run.toml", "run.toml", "--to", "obj"}).status, 1);
+    EXPECT_EQ(run({"convert", "run.toml", "run.toml", "--to", "obj"}).status, 2);
     EXPECT_EQ(folder_.read("leaves.tri"), good_leaves());
     EXPECT_EQ(folder_.read("run.toml"), good_run_file());
 }
@@ -94,8 +94,8 @@ TEST_F(OutputsTest, AreNotTheResultThatIsRepeated) {
     const std::string old = folder_.read("old.json");
     for (const char* flag : {"--csv", "--json"}) {
         const Outcome outcome = run({"run", "--repeat", "old.json", flag, "./old.json"});
-        EXPECT_EQ(outcome.status, 1);
-        EXPECT_NE(outcome.err.find("is an input of the run"), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(folder_.read("old.json"), old);
     EXPECT_EQ(run({"run", "--repeat", "old.json", "--json", "new.json"}).status, 0);
@@ -111,7 +111,7 @@ TEST_F(OutputsTest, AreNotEachOther) {
         {"-", "/dev/stdout"}};
     for (const Words& row : table) {
         const Outcome outcome = run({"run", "bare.toml", "--csv", row[0], "--json", row[1]});
-        EXPECT_EQ(outcome.status, 1) << ::testing::PrintToString(row);
+        EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(row);
         EXPECT_NE(outcome.err.find("--json: '"), std::string::npos) << outcome.err;
         EXPECT_NE(
             outcome.err.find("is the file of another output (--csv names it)"), std::string::npos)
@@ -151,7 +151,7 @@ TEST_F(OutputsTest, AreNotMixedWithClosedStreams) {
     }
     const Outcome refused = shell("\"$quasimc\" run bare.toml --csv - >&-");
     EXPECT_EQ(refused.status, 1);
-    EXPECT_EQ(refused.err, "standard output: can't be written (it is closed)\n");
+    EXPECT_EQ(refused.err, "error: standard output: can't be written (it is closed)\n");
     EXPECT_EQ(shell("\"$quasimc\" run - <&-").status, 1);
 }
 

@@ -40,7 +40,8 @@ class ShowCommand : public ProgramTest {
     }
     void expect_fault(const std::vector<std::string>& arguments, const std::string& text) const {
         const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        const bool names_a_flag = outcome.err.starts_with("error: -");
+        EXPECT_EQ(outcome.status, names_a_flag ? 2 : 1) << outcome.err;
         EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
     }
 };
@@ -63,7 +64,7 @@ TEST_F(ShowCommand, DrawsResultsAndScenes) {
     }
     EXPECT_TRUE(drawn({"out.json", "--camera", "200,20", "--band", "PAR"}) == light);
     folder_.write("named.png", folder_.read("out.json"));
-    expect_fault({"show", "named.png", "-o", "./named.png"}, "is an input of the run");
+    expect_fault({"show", "named.png", "-o", "./named.png"}, "is an input of this run");
     EXPECT_EQ(folder_.read("named.png"), folder_.read("out.json"));
     const Outcome outcome =
         run({"show", "run.toml", "-o", "-", "--no-annotations", "--size", "64x64"});
@@ -114,22 +115,22 @@ TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {
     EXPECT_FALSE(drawn({"out.json", "--sweep-point", "2"}).empty());
     expect_fault(
         {"show", "out.json", "-o", "p.png", "--sweep-point", "3"},
-        "--sweep-point: there is no point 3 (there are 2)");
+        "--sweep-point: 3 is out of range (1 to 2)");
     EXPECT_EQ(run({"show", "out.json", "-o", "p.png", "--sweep-point", "0"}).status, 2);
 }
 
 TEST_F(ShowCommand, WritesUnderNoNameThatPromisesSomethingElse) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
-    const std::string words = "names no kind of picture that is written here (it ends in ";
     for (const char* name : {"p.bmp", "p.jpg", "p.pdf", "p.png.txt", "fig.2"}) {
-        expect_fault({"show", "out.json", "-o", name}, std::string("-o: '") + name + "' " + words);
+        const std::string ending = std::filesystem::path(name).extension().string();
+        expect_fault({"show", "out.json", "-o", name}, "-o: can't write " + ending);
         EXPECT_FALSE(std::filesystem::exists(folder_.path() / name)) << name;
     }
-    expect_fault({"show", "out.json", "-o", "p.svg"}, "(it ends in .svg); let it end in .png");
-    expect_fault({"run", "run.toml", "--picture", "p.bmp"}, "--picture: 'p.bmp' " + words);
+    expect_fault({"show", "out.json", "-o", "p.svg"}, "-o: can't write .svg; name a .png file");
+    expect_fault({"run", "run.toml", "--picture", "p.bmp"}, "--picture: can't write .bmp");
     expect_fault(
         {"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--png", "p.svg"},
-        "--png: 'p.svg' " + words + ".svg); let it end in .png");
+        "--png: can't write .svg; name a .png file");
     EXPECT_EQ(run({"show", "out.json", "-o", "P.PNG", "--size", "64x64"}).status, 0);
     EXPECT_EQ(run({"show", "out.json", "-o", "v1.2/p", "--size", "64x64"}).status, 1)
         << "no folder";
@@ -142,7 +143,7 @@ TEST_F(ShowCommand, TellsAllThatIsWrongAndWritesNothing) {
     expect_fault(
         {"show", "out.json", "-o", "p.png", "--camera", "north", "--clip", "q<1", "--size", "9x9",
          "--range", "5,1"},
-        "--camera: 'north' is no view");
+        "--camera: 'north' is not a view");
     const Outcome outcome = run(
         {"show", "out.json", "-o", "p.png", "--camera", "1,91", "--clip", "q<1", "--size", "9x9",
          "--range", "5,1"});
@@ -150,13 +151,15 @@ TEST_F(ShowCommand, TellsAllThatIsWrongAndWritesNothing) {
         EXPECT_NE(outcome.err.find(flag), std::string::npos) << outcome.err;
     }
     expect_fault(
-        {"show", "out.json", "-o", "p.png", "--quantity", "light"}, "it may have absorbed_flux");
-    expect_fault({"show", "out.json", "-o", "p.png", "--band", "UV"}, "it has PAR");
+        {"show", "out.json", "-o", "p.png", "--quantity", "light"},
+        "'light' is not one of absorbed_flux, ");
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--band", "UV"}, "'UV' is not a band (bands: PAR)");
     expect_fault({"show", "out.json", "-o", "p.png", "--time", "2024"}, "the run has no [time]");
     expect_fault(
         {"show", "out.json", "-o", "p.png", "--clip", "z<-1000"}, "nothing of the scene is left");
     expect_fault({"show", "out.json", "-o", "leaves.tri"}, "leaves.tri");
-    EXPECT_EQ(run({"show", "out.json"}).status, 2);
+    EXPECT_EQ(run({"show"}).status, 2);
     for (const std::string& file : new_files()) {
         EXPECT_EQ(file.find("p.png"), std::string::npos) << file;
     }

@@ -279,7 +279,7 @@ def check_refused(program, folder):
     assert "NetCDF: the points of the sweep have times of their own" in told, told
     assert not (folder / "no.nc").exists()
     told = run_in(
-        folder, program, "convert", "out.json", "no.nc", "--sweep-point", "2", "--time", "x", status=1
+        folder, program, "convert", "out.json", "no.nc", "--sweep-point", "2", "--time", "x", status=2
     )
     assert "--sweep-point: a NetCDF file has all points of a sweep" in told and "--time: " in told, told
 

@@ -69,7 +69,7 @@ SunDay sun_day(const Site& site, const CivilTime& date, std::optional<double> de
     noon.hour = 12;
     noon.minute = 0;
     noon.second = 0;
-    const SunTrack path(place, delta_t_s.value_or(delta_t_seconds(date)));
+    const SunTrack path(site, delta_t_s.value_or(delta_t_seconds(date)));
     const double transit = path.transit(julian_day(noon));
     const auto on_the_clock = [&](double moment) {
         return civil_time(moment, date.utc_offset_hours);

@@ -68,7 +68,7 @@ SunPosition sun_position(const Site& site, const CivilTime& time, std::optional<
     values.right_ascension_deg = sun.right_ascension;
     values.declination_deg = sun.declination;
     values.hour_angle_deg = full_turn(sun.sidereal_time + site.longitude_deg - sun.right_ascension);
-    set_topocentric(place, sun.distance_au, values);
+    set_topocentric(site, sun.distance_au, values);
 
     const double phi = kRadians * site.latitude_deg;
     const double delta = kRadians * values.topocentric_declination_deg;
@@ -78,7 +78,7 @@ SunPosition sun_position(const Site& site, const CivilTime& time, std::optional<
                                       std::cos(phi) * std::cos(delta) * std::cos(hour_angle)) /
                                   kRadians;
     position.elevation_deg =
-        position.true_elevation_deg + refraction_deg(place, position.true_elevation_deg);
+        position.true_elevation_deg + refraction_deg(site, position.true_elevation_deg);
     const double from_south = std::atan2(
         std::sin(hour_angle),
         std::cos(hour_angle) * std::sin(phi) - std::tan(delta) * std::cos(phi));

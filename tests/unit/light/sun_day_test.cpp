@@ -32,7 +32,7 @@ TEST(SunDay, RisesAndSetsAsInTheReport) {
          {{35, 0}, {1994, 1, 2}, clock(7, 8, 12), 0, clock(16, 59, 55)},
          {kGolden, {2015, 8, 2, 0, 0, 0, -7}, clock(5, 0, 27), clock(12, 6, 58), 0}}};
     for (const Day& row : table) {
-        const SunDay day = sun_day(row.place, row.date, 65);
+        const SunDay day = sun_day(row.site, row.date, 65);
         ASSERT_EQ(day.kind, DayKind::ordinary);
         EXPECT_NEAR(seconds_of(*day.sunrise), row.sunrise, 1) << row.date.year;
         if (row.transit > 0) {
@@ -64,7 +64,7 @@ TEST(SunDay, RisesAndSetsAsTheNavalObservatoryHasIt) {
          {kBeijing, {2015, 8, 2, 0, 0, 0, 8}, clock(5, 13), 0, clock(19, 28)},
          {kBeijing, {2015, 12, 2, 0, 0, 0, 8}, clock(7, 17), 0, clock(16, 50)}}};
     for (const Day& row : table) {
-        const SunDay day = sun_day(row.place, row.date);
+        const SunDay day = sun_day(row.site, row.date);
         EXPECT_NEAR(seconds_of(*day.sunrise), row.sunrise, 31) << row.date.month;
         EXPECT_NEAR(seconds_of(*day.sunset), row.sunset, 31) << row.date.month;
     }

@@ -96,7 +96,7 @@ TEST(RunFileCumulative, NeedsTimesWithALength) {
         read_text(with_two_bands(times + "duration_minutes = 10\n")).series->time_steps.size(), 1U);
     EXPECT_TRUE(mentions(
         faults_of(with_two_bands(std::string(kDays) + "cumulative_sky = 'weeks'\n")),
-        "cumulative_sky is 'weeks'"));
+        "cumulative_sky: 'weeks' is not one of none, day, period"));
 }
 
 std::string days_head(const RunFile& run) {
