@@ -59,7 +59,7 @@ void for_each_output(Take take) {
         OutputKey{"detectors", "write the table of detectors", kNeedsDetectors},
         [](const auto& input) { return make_detectors(input); });
     take(
-        OutputKey{"picture", "draw absorbed light, PNG or SVG (`quasimc show` draws more)"},
+        OutputKey{"picture", "draw absorbed light, PNG (`quasimc show` draws more)"},
         [](const auto& input) { return make_picture(input); });
     take(OutputKey{"vtp", "write scene and results for ParaView"}, [](const auto& input) {
         return make_vtp(input);
