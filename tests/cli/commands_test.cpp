@@ -19,7 +19,7 @@ TEST_F(ProgramTest, AuditsOnDemand) {
     EXPECT_NE(outcome.out.find("audit     agrees"), std::string::npos) << outcome.out;
     EXPECT_EQ(outcome.err.find("audit"), std::string::npos) << outcome.err;
     const Outcome refused = run({"run", "run.toml", "--audit", "0.5", "--replicates", "1"});
-    EXPECT_EQ(refused.status, 1);
+    EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find("audit: needs at least 2 replicates"), std::string::npos);
 }
 
