@@ -38,8 +38,7 @@ const quasimc::QuantityEntry* find_quantity(const std::string& name) {
 /// "did you mean 'PAR'?", or nothing.
 std::string meant(const std::string& word, const std::vector<std::string>& names) {
     const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string_view near = quasimc::nearest_word(word, views);
-    return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+    return quasimc::near_word_text(word, views);
 }
 
 const quasimc::Band& band_of(const RunFile& run, const std::string& name) {

@@ -160,10 +160,9 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     }
     if (const auto* choice = std::get_if<ChoiceDomain>(&option.domain)) {
         const auto* word = std::get_if<std::string>(&value);
-        const std::string_view near = word ? nearest_word(*word, choice->names) : "";
         return Fault{
             "", fmt::format("{} is not {}", value_words(value), domain_text(option)), "",
-            near.empty() ? "" : fmt::format("did you mean '{}'?", near)};
+            word != nullptr ? near_word_text(*word, choice->names) : ""};
     }
     if (has_type && is_number(option.domain)) {
         return Fault{

@@ -21,9 +21,10 @@ std::optional<std::string> read_model(TableReader& table, std::string_view key, 
         return std::nullopt;
     }
     if (find_bsdf(*text) == nullptr) {
+        const auto names = names_in(bsdf_catalogue());
         table.fault_at(
-            node, fmt::format("{} is '{}'", key, *text), "no such model",
-            did_you_mean(*text, names_in(bsdf_catalogue())));
+            node, fmt::format("{}: '{}' is not one of {}", key, *text, joined(names, ", ")), "",
+            near_word_text(*text, names));
         return std::nullopt;
     }
     return *text;
@@ -163,8 +164,7 @@ void check_parameters(TableReader& table, const LobeKeys& keys, std::string_view
 
 void check_stated(TableReader& table, const SideKeys& keys) {
     if (!keys.reflection.amount && !keys.transmission.amount) {
-        table.fault(
-            "reflectance is missing", "", "write reflectance = 0 for a black surface");
+        table.fault("reflectance is missing", "", "write reflectance = 0 for a black surface");
     }
 }
 
@@ -180,10 +180,9 @@ std::vector<SideOptics> make_side(
         const BandLobe t = lobe_of(keys.transmission, b);
         side.push_back({r.amount, t.amount, r.model, r.parameters, t.model, t.parameters});
         if (r.amount + t.amount > 1) {
-            table.fault(
-                fmt::format(
-                    "{}band {}: reflectance {} + transmittance {} exceeds 1", words,
-                    bands[b].name, r.amount, t.amount));
+            table.fault(fmt::format(
+                "{}band {}: reflectance {} + transmittance {} exceeds 1", words, bands[b].name,
+                r.amount, t.amount));
         }
     }
     return side;

@@ -70,8 +70,8 @@ std::optional<SpectralOptics> read_usual_optics(TableReader& table, const RunFil
         std::vector<std::string_view> names = names_in(usual_optics());
         names.insert(names.begin(), kSoil);
         table.fault_at(
-            "optics", fmt::format("optics is '{}'", *name), "no such optics",
-            did_you_mean(*name, names));
+            "optics", fmt::format("optics: '{}' is not one of {}", *name, joined(names, ", ")), "",
+            near_word_text(*name, names));
         return std::nullopt;
     }
     auto reflectance = by_band(table, context, usual->reflectance);

@@ -28,7 +28,7 @@ def test_the_blocks_of_the_guide_run_one_after_the_other(tmp_path, monkeypatch, 
     for number, block in enumerate(blocks):
         exec(compile(block, f"python.md, block {number + 1}", "exec"), known)
     said = capsys.readouterr().out
-    assert "paths is 0" in said and "SunPosition" in said
+    assert "paths: 0 is out of range" in said and "SunPosition" in said
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)

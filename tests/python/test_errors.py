@@ -56,7 +56,7 @@ def test_errors_reach_other_processes():
 @pytest.mark.parametrize(
     "keys, words",
     [
-        ({"paths": 0}, "paths is 0"),
+        ({"paths": 0}, "paths: 0 is out of range"),
         ({"pathes": 10}, "unknown key 'pathes'"),
         ({"sampler": "dice"}, "sampler"),
         ({"seed": 2**70}, "integer that is too large"),

@@ -83,7 +83,7 @@ TEST(CStatements, FaultsAreToldAllAtOnceInTheWordsOfTheProgram) {
     EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
     EXPECT_EQ(result, nullptr);
     EXPECT_TRUE(error_tells("green")) << quasimc_last_error();
-    EXPECT_TRUE(error_tells("paths is 0")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("paths: 0 is out of range")) << quasimc_last_error();
 }
 
 TEST(CStatements, ValuesAreReplacedHoweverTheyAreWritten) {
