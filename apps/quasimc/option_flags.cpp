@@ -40,7 +40,7 @@ std::vector<quasimc::Override> OptionFlags::overrides() const {
 
 void print_warnings(const std::vector<quasimc::Warning>& warnings) {
     for (const quasimc::Warning& warning : warnings) {
-        const std::string place = warning.place.empty() ? "" : warning.place + ": ";
+        const std::string place = warning.where.empty() ? "" : warning.where + ": ";
         std::fprintf(
             stderr, "warning: %s\n",
             quasimc::one_line(quasimc::printable(place + warning.text)).c_str());

@@ -74,7 +74,7 @@ quasimc::InputError error_of_file(
 namespace {
 
 /// What an audit found goes to stderr, quiet or not: it is about errors.
-void print_audit(double chance) {
+void print_audit(double p_value) {
     const std::string warning = quasimc::audit_warning(chance);
     if (!warning.empty()) {
         std::fprintf(stderr, "warning: %s\n", warning.c_str());
@@ -85,8 +85,8 @@ Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary
     if (summary.stop == quasimc::StopReason::interrupted) {
         return Exit::interrupted;
     }
-    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
-    return missed || summary.stop == quasimc::StopReason::time_is_up ? Exit::target_missed
+    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.computed;
+    return missed || summary.stop == quasimc::StopReason::time_limit ? Exit::target_missed
                                                                      : Exit::done;
 }
 
@@ -95,8 +95,9 @@ Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary
 void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     if (summary.unlit > 0) {
         const std::string when =
-            has_times ? fmt::format(" at {} of the {} times traced", summary.unlit, summary.traced)
-                      : "";
+            has_times
+                ? fmt::format(" at {} of the {} times traced", summary.unlit, summary.computed)
+                : "";
         std::fprintf(
             stderr,
             "warning: no light reaches the scene%s: all of it is edge-on to the light, or out of "
@@ -125,7 +126,7 @@ Exit run(
     const Repetition repetition =
         judge_repetition(arguments, stored, repeated.digest, repeated.difference, sweep.all().stop);
     print_unlit(sweep.all(), stored.runs.size() > 1 || sweep.file().series.has_value());
-    print_audit(sweep.all().audit_chance);
+    print_audit(sweep.all().audit_p_value);
     if (!arguments.quiet) {
         sweep.writers().print_summary(
             sweep.all(), repetition.verdict.empty()

@@ -126,7 +126,8 @@ TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
         EXPECT_EQ(outcome.status, 1);
         return outcome.err;
     };
-    EXPECT_EQ(refusal({"--seed", "9"}), "c: is of another run (run.run.seed: 1 there, 9 here)\n");
+    EXPECT_EQ(
+        refusal({"--seed", "9"}), "c: is of another run (run_file.run.seed: 1 there, 9 here)\n");
     const std::string whole = folder_.read("c");
     for (const std::size_t at : {40UL, whole.size() / 2, whole.size() - 1}) {
         std::string changed = whole;

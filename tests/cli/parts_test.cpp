@@ -107,7 +107,7 @@ TEST_F(PartsTest, ThatMissOverlapOrAreOfAnotherRunAreRefused) {
     ASSERT_EQ(run({"run", "run.toml", "--part", "2/3", "--sums", "q2", "--seed", "9"}).status, 0);
     EXPECT_NE(
         refusal({"p1", "q2", "p3"})
-            .find("q2: is of another run than p1 (run.run.seed: 1 there, 9 here)"),
+            .find("q2: is of another run than p1 (run_file.run.seed: 1 there, 9 here)"),
         std::string::npos)
         << refusal({"p1", "q2", "p3"});
     ASSERT_EQ(run({"run", "run.toml", "--part", "2/4", "--sums", "q2"}).status, 0);
@@ -140,7 +140,7 @@ TEST_F(PartsTest, ThatAreDamagedAreRefused) {
     changed[whole.size() - 100] = static_cast<char>(changed[whole.size() - 100] ^ 4);
     EXPECT_NE(refusal(changed).find("p2: is damaged"), std::string::npos);
     // Whatever is in it: a title too.
-    for (const char* word : {"\"title\"", "\"run\"", "leaf"}) {
+    for (const char* word : {"\"title\"", "\"run_file\"", "leaf"}) {
         changed = whole;
         char& letter = changed[whole.find(word) + 2];
         letter = static_cast<char>(letter ^ 1);
