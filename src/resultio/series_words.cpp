@@ -40,7 +40,7 @@ std::string moment_words(const MomentNotes& notes) {
 std::string series_comments(const RunFile& run) {
     std::string out;
     for (const std::string& words : run.series->words) {
-        out += "# time: " + one_line(words) + "\n";
+        out += "# " + one_line(words) + "\n";
     }
     for (const MomentNotes& notes : run.series->notes) {
         out += "# time_step: " + moment_words(notes) + "\n";

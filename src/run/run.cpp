@@ -131,7 +131,7 @@ Result Simulator::State::run(
         Result result =
             trace({scene, sources, planned, control, work, deadline, role, start}, early);
         if (result.stop == StopReason::no_light) {
-            chosen.reason = "no light reaches the scene, nothing was traced";
+            chosen.reason = "no light reaches the scene; nothing was computed";
         }
         result.chosen = std::move(chosen);
         add_sunlit_of_hidden_suns(scene, sources, result);

@@ -44,10 +44,8 @@ std::optional<NotedSource> read_directional(
         table.warn(table.what() + ": it shines upwards, from below the horizon");
     }
     const std::string note = fmt::format(
-        "{}: directional, light travels along {} (from {}), {}", name,
-        vector_words(context.orientation.outward(*travel)),
-        angles_words(*travel, context.orientation),
-        irradiance_words("plane facing it", *values, context.bands));
+        "{}: {}; {}", name, angles_words(*travel, context.orientation),
+        irradiance_words("a plane facing it", *values, context.bands));
     return NotedSource{make_directional_source(name, *travel, *values), note};
 }
 

@@ -12,12 +12,12 @@ namespace quasimc {
 
 std::string irradiance_words(
     std::string_view plane, const std::vector<double>& values, const std::vector<Band>& bands) {
-    std::string text = fmt::format("irradiance on the {}", plane);
+    std::string text;
     for (std::size_t b = 0; b < bands.size(); ++b) {
         text += fmt::format(
-            "{} {} {} {}", b == 0 ? ":" : ",", bands[b].name, shortest(values[b]), bands[b].unit);
+            "{}{} {} {}", b == 0 ? "" : ", ", bands[b].name, shortest(values[b]), bands[b].unit);
     }
-    return text;
+    return fmt::format("{} on {}", text, plane);
 }
 
 std::string vector_words(const Vec3& v) {

@@ -283,7 +283,7 @@ std::optional<NotedSource> read_lamp(
     lamp.flux = *flux;
     const Orientation& axes = context.orientation;
     const std::string note = fmt::format(
-        "{}: {} at {}, aims along {}, {}", name, find_source(type)->words,
+        "{}: {} at {}, aimed along {}; {}", name, find_source(type)->words,
         place_words(axes.outward(lamp.position)), vector_words(axes.outward(lamp.axes.n)),
         flux_words(*flux, context));
     return NotedSource{make_lamp(std::move(lamp)), note};

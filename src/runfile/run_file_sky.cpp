@@ -123,7 +123,7 @@ std::optional<StatedShape> read_model(
         if (good) {
             state.to_sun = sun->to_sun;
             state.distance_au = sun->distance_au;
-            sun_text = ", " + sun_words(*sun, context.orientation);
+            sun_text = ", sun at " + sun_words(*sun, context.orientation);
         }
     }
     if (!good) {
@@ -167,7 +167,7 @@ std::optional<NotedSource> read_sky(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, {}", name, sky->words, irradiance_words("horizontal", *values, context.bands));
+        "{}: {}; {}", name, sky->words, irradiance_words("the horizontal", *values, context.bands));
     // Every path of the uniform sky's own source weighs the same.
     const bool is_uniform = *model == "uniform";
     return NotedSource{
@@ -186,7 +186,8 @@ std::optional<NotedSource> read_uniform_sky(
     return NotedSource{
         make_uniform_sky(name, *values),
         fmt::format(
-            "{}: uniform sky, {}", name, irradiance_words("horizontal", *values, context.bands))};
+            "{}: uniform sky; {}", name,
+            irradiance_words("the horizontal", *values, context.bands))};
 }
 
 }  // namespace quasimc

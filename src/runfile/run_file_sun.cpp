@@ -69,9 +69,8 @@ std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContex
 }
 
 std::string sun_words(const StatedSun& sun, const Orientation& orientation) {
-    return fmt::format(
-        "{}sun towards {} ({})", sun.words.empty() ? "" : sun.words + ", ",
-        vector_words(orientation.outward(sun.to_sun)), angles_words(-sun.to_sun, orientation));
+    return angles_words(-sun.to_sun, orientation) +
+           (sun.words.empty() ? "" : fmt::format(" ({})", sun.words));
 }
 
 std::optional<NotedSource> read_sun(
@@ -94,11 +93,10 @@ std::optional<NotedSource> read_sun(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, light travels along {}, {}{}", name, sun_words(*sun, context.orientation),
-        vector_words(context.orientation.outward(-sun->to_sun)),
-        is_disk ? fmt::format("disk of radius {:.4g} deg, ", solar_radius_deg(sun->distance_au))
+        "{}: {}{}; {}", name, sun_words(*sun, context.orientation),
+        is_disk ? fmt::format("; disk of radius {:.4g} deg", solar_radius_deg(sun->distance_au))
                 : "",
-        irradiance_words("plane facing it", *values, context.bands));
+        irradiance_words("a plane facing it", *values, context.bands));
     NotedSource noted{nullptr, note, sun};
     noted.source =
         is_disk ? make_sun_disk(name, sun->to_sun, solar_radius_deg(sun->distance_au), *values)

@@ -92,22 +92,22 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
 std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
     const Place& place = rules.place;
     std::vector<std::string> words{fmt::format(
-        "latitude {} deg, longitude {} deg (east positive), elevation {} m",
+        "site: latitude {} deg, longitude {} deg (east positive), elevation {} m",
         shortest(place.latitude_deg), shortest(place.longitude_deg), shortest(place.elevation_m))};
     words.push_back(
-        is_measured ? "light: as measured; direct and diffuse told apart by the readings or the "
+        is_measured ? "daylight: measured; split into direct and diffuse by the readings or the "
                       "model of diffuse_fraction"
                     : fmt::format(
-                          "light: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
+                          "daylight: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
                           shortest(rules.air.linke_turbidity)));
     if (rules.collapse != Collapse::none) {
         words.push_back(fmt::format(
-            "collapse: {} one sky, of cells, and all of its suns; one trace gives the mean",
-            rules.collapse == Collapse::days ? "each day is" : "the whole period is"));
+            "sky: one cumulative sky of cells and all sun positions for {}; its light is the mean",
+            rules.collapse == Collapse::days ? "each day" : "the whole period"));
     }
     words.push_back(fmt::format(
-        "sky: {}; without direct light {}; sun every {} min", rules.how.sky, rules.how.overcast_sky,
-        shortest(rules.sun_step / 60)));
+        "sky: {}; without direct light {}; a sun position every {} min", rules.how.sky,
+        rules.how.overcast_sky, shortest(rules.sun_step / 60)));
     return words;
 }
 

@@ -87,13 +87,14 @@ TEST_F(CheckpointTest, OfARunThatIsDoneGivesItAgainOrMoreExactly) {
     const Outcome there =
         run({"run", "run.toml", "--checkpoint", "c", "--resume", "--csv", "b.csv"});
     ASSERT_EQ(there.status, 0);
-    EXPECT_NE(there.out.find("time      traced before"), std::string::npos) << there.out;
+    EXPECT_NE(there.out.find("time      all paths are from the checkpoint"), std::string::npos)
+        << there.out;
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("a.csv")));
     const Outcome more = run(
         {"run", "run.toml", "--checkpoint", "c", "--resume", "--max-paths", "1024", "--csv",
          "b.csv"});
     ASSERT_EQ(more.status, 0);
-    EXPECT_NE(more.out.find("; 25 % of the paths were traced before\n"), std::string::npos)
+    EXPECT_NE(more.out.find("; 25 % of the paths are from the checkpoint\n"), std::string::npos)
         << more.out;
     ASSERT_EQ(run({"run", "run.toml", "--max-paths", "1024", "--csv", "w.csv"}).status, 0);
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));

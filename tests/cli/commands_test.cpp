@@ -26,7 +26,8 @@ TEST_F(ProgramTest, AuditsOnDemand) {
 TEST_F(ProgramTest, NamesTheMethodThatItChose) {
     const Outcome outcome = run({"run", "run.toml", "--method", "auto"});
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.out.find("method    first_hits: "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("method    first_hits (automatic): "), std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(ProgramTest, RunWritesTableResultAndSummary) {
@@ -275,7 +276,7 @@ TEST_F(ProgramTest, AMissedTargetIsStatusFourAndResultsAreWritten) {
     const Outcome outcome =
         run({"run", "run.toml", "--target-error", "1e-9", "--max-paths", "512"});
     EXPECT_EQ(outcome.status, 4) << outcome.err;
-    EXPECT_NE(outcome.out.find("NOT reached"), std::string::npos);
+    EXPECT_NE(outcome.out.find("not reached"), std::string::npos);
     EXPECT_EQ(new_files(), (Arguments{"out.csv", "out.json"}));
 }
 

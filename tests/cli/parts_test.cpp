@@ -152,7 +152,7 @@ TEST_F(PartsTest, TellNoTimesOfTheirMerger) {
     compute_parts(1);
     const Outcome merged = run({"merge", "p1"});
     EXPECT_EQ(merged.out.find("million paths/s"), std::string::npos) << merged.out;
-    EXPECT_NE(merged.out.find("traced in parts"), std::string::npos) << merged.out;
+    EXPECT_NE(merged.out.find("computed in parts"), std::string::npos) << merged.out;
 }
 
 TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {

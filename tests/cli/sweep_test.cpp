@@ -76,7 +76,7 @@ TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
     EXPECT_EQ(
         count(folder_.read("out.json"), "\n\"point\": {\n  \"paths\": 128,\n  \"seed\": 2\n},"),
         1U);
-    EXPECT_NE(outcome.out.find("4 of 4 points are done"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("4 of 4 points completed"), std::string::npos) << outcome.out;
 }
 
 TEST_F(SweepCommand, IsRepeatedFromItsResult) {
@@ -108,7 +108,7 @@ TEST_F(SweepCommand, OfTimesHasTheTimesOfEachPoint) {
 TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
     write_sweep("seed = [1, 2, 3]\n");
     const Outcome outcome =
-        run_within(1.5, {"run", "sweep.toml", "--paths", "1073741824"}, "3 of 3 points are done");
+        run_within(1.5, {"run", "sweep.toml", "--paths", "1073741824"}, "3 of 3 points completed");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     const std::string csv = folder_.read("out.csv");
     EXPECT_EQ(count(csv, "\n1,1,third,"), 1U) << outcome.err;

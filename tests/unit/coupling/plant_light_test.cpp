@@ -281,7 +281,7 @@ TEST_F(PlantLightTest, IsBoundByTheNumberOfRays) {
                 EXPECT_EQ(
                     bounded.chosen.method, spread > 1 ? Method::from_organs : Method::first_hits)
                     << text;
-                EXPECT_NE(bounded.chosen.reason, "asked for");
+                EXPECT_NE(bounded.chosen.reason, "requested");
             }
         }
     }

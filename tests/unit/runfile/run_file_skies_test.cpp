@@ -28,6 +28,16 @@ std::string sky(const std::string& model, const std::string& more = "") {
     return "[[source]]\ntype = 'sky'\nmodel = '" + model + "'\nirradiance_horizontal = 50\n" + more;
 }
 
+/// Towards the first source, in the axes of the file.
+Vec3 towards_source(const RunFile& run) {
+    return run.scene.orientation().outward(
+        model_of(*run.sources[0]).illuminate({}, .5, .5).to_light);
+}
+
+void expect_near(const Vec3& v, const Vec3& expected) {
+    EXPECT_LT(length(v - expected), 1e-6) << v.x << " " << v.y << " " << v.z;
+}
+
 TEST(RunFileSun, StandsWhereTimeAndPlaceSay) {
     const RunFile run = read_text(with_sources(kSun));
     const SunPosition sun =
@@ -37,8 +47,8 @@ TEST(RunFileSun, StandsWhereTimeAndPlaceSay) {
         run.sources[0]->horizontal_irradiance(),
         std::sin(sun.elevation_deg * std::numbers::pi / 180), 1e-12);
     EXPECT_TRUE(mentions(run.source_notes, "2024-06-21T12:00+02:00 at latitude 50.1"));
-    EXPECT_TRUE(mentions(run.source_notes, "sun towards (0.340284, -0.398409, 0.851749)"));
-    EXPECT_TRUE(mentions(run.source_notes, "light travels along (-0.340284, 0.398409, -0.851749)"));
+    EXPECT_TRUE(mentions(run.source_notes, "sun: azimuth 139.49"));
+    expect_near(towards_source(run), {0.340284, -0.398409, 0.851749});
 }
 
 TEST(RunFileSun, TimesMayBeTextsOrDatesOfToml) {
@@ -55,11 +65,9 @@ TEST(RunFileSun, FollowsTheAxesOfTheFile) {
     RunText text;
     text.sources = south;
     text.top = "bands = ['PAR']\nup = 'y'\nnorth = [0, 0, 1]\n";
-    EXPECT_TRUE(
-        mentions(read_text(text.text()).source_notes, "sun towards (0, 0.707107, -0.707107)"));
+    expect_near(towards_source(read_text(text.text())), {0, 0.70710678, -0.70710678});
     text.top = "bands = ['PAR']\nnorth = [1, 0, 0]\n";
-    EXPECT_TRUE(
-        mentions(read_text(text.text()).source_notes, "sun towards (-0.707107, 0, 0.707107)"));
+    expect_near(towards_source(read_text(text.text())), {-0.70710678, 0, 0.70710678});
 }
 
 TEST(RunFileSun, MayBeADisk) {
@@ -133,14 +141,14 @@ TEST(RunFileSky, KnowsEveryModel) {
         EXPECT_EQ(run.sources[i]->spectrum()[0], 50);
         EXPECT_EQ(run.sources[i]->horizontal_irradiance(), 1);
     }
-    EXPECT_TRUE(mentions(run.source_notes, "cie_general sky (type 7), 2024-06-21T12:00+02:00"));
+    EXPECT_TRUE(mentions(run.source_notes, "cie_general sky (type 7), sun at azimuth 139.49"));
     EXPECT_TRUE(run.sources[6]->is_directional()) << "sources stay in their order";
 }
 
 TEST(RunFileSky, MayHaveASunOfItsOwn) {
     const RunFile run =
         read_text(with_sources(kSun + sky("cie_clear", "azimuth_deg = 0\nelevation_deg = 30\n")));
-    EXPECT_TRUE(mentions(run.source_notes, "sun towards (0, 0.866025, 0.5)"));
+    EXPECT_TRUE(mentions(run.source_notes, "sun at azimuth 0 deg, elevation 30 deg"));
     const double north = model_of(*run.sources[1]).radiance({0, .866025, .5});
     EXPECT_GT(north, 5 * model_of(*run.sources[1]).radiance({0, -.866025, .5}));
 }
