@@ -3,6 +3,10 @@
 #include <cstdio>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "terminal.h"
+
 CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first) {
     if (arguments.checkpoint.empty()) {
         return;
@@ -52,7 +56,7 @@ void CheckpointRun::attempt(const Save& save) {
         save();
     } catch (const quasimc::InputError& error) {
         faults_.add(error);
-        std::fprintf(stderr, "warning: %s\nThe run goes on without a checkpoint.\n", error.what());
+        print_warning(fmt::format("{}; the run goes on without a checkpoint", error.what()));
     }
 }
 

@@ -77,7 +77,7 @@ std::string list_formats() {
     return text +
            row("opf", ".opf", "write", "the file, every quantity and its error",
                "into the OPF file that the run was made from, as attributes of its nodes") +
-           row("nc", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
+           row("netcdf", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
                "names, labels, all times, points, errors",
                "NetCDF after the CF conventions for xarray, R and others");
 }
@@ -146,9 +146,11 @@ Command list_command() {
     }
     return {
         "list",
-        "print what there is: options, samplers, models, optics, detectors, formats, outputs, "
-        "skies, "
-        "quantities",
-        {{.name = "WHAT", .target = name.get(), .summary = "", .required = true, .choices = names}},
+        "list options, samplers, models, optics, detectors, formats, outputs, skies or quantities",
+        {{.name = "WHAT",
+          .target = name.get(),
+          .summary = "what to list",
+          .required = true,
+          .choices = names}},
         [name] { return print_list(*name); }};
 }

@@ -24,18 +24,21 @@ void add_choice_flags(OutputChoice& choice, std::vector<Flag>& flags) {
     flags.push_back(
         {.name = "--quantities",
          .target = &choice.quantities,
-         .summary = "write these alone, separated by commas (quasimc list quantities, "
+         .summary = "write only these quantities, comma-separated (`quasimc list quantities`, "
                     "sunlit_fraction)",
-         .type_name = "NAMES"});
+         .type_name = "NAMES",
+         .group = "Output"});
     flags.push_back(
         {.name = "--bands",
          .target = &choice.bands,
-         .summary = "write these wavebands alone, separated by commas",
-         .type_name = "NAMES"});
+         .summary = "write only these bands, comma-separated",
+         .type_name = "NAMES",
+         .group = "Output"});
     flags.push_back(
-        {.name = "--night",
-         .target = &choice.night,
-         .summary = "of a run with [time]: write times without light too"});
+        {.name = "--include-night",
+         .target = &choice.include_night,
+         .summary = "with [time]: also write night hours",
+         .group = "Output"});
 }
 
 void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
@@ -49,12 +52,12 @@ void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
         fault.place = "--" + fault.place;
         faults.add(std::move(fault));
     }
-    if (choice.night && !run.series) {
-        faults.add({"--night", "the run has no [time]", "nights need times", ""});
+    if (choice.include_night && !run.series) {
+        faults.add({"--include-night", "the run has no [time]", "nights need times", ""});
     }
     faults.throw_if_any();
     quasimc::OutputSpec& output = run.output;
     output.quantities = stated.quantities.empty() ? output.quantities : stated.quantities;
     output.bands = stated.bands.empty() ? output.bands : stated.bands;
-    output.night = output.night || choice.night;
+    output.include_night = output.include_night || choice.include_night;
 }

@@ -24,6 +24,7 @@
 #include "run_writers.h"
 #include "sweep_run.h"
 #include "team_files.h"
+#include "terminal.h"
 
 quasimc::StoredSweep read_runs(
     const RunArguments& arguments, const quasimc::FileAccess& access) try {
@@ -77,7 +78,7 @@ namespace {
 void print_audit(double chance) {
     const std::string warning = quasimc::audit_warning(chance);
     if (!warning.empty()) {
-        std::fprintf(stderr, "warning: %s\n", warning.c_str());
+        print_warning(warning);
     }
 }
 
@@ -97,11 +98,10 @@ void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
         const std::string when =
             has_times ? fmt::format(" at {} of the {} times traced", summary.unlit, summary.traced)
                       : "";
-        std::fprintf(
-            stderr,
-            "warning: no light reaches the scene%s: all of it is edge-on to the light, or out of "
-            "its way; all numbers are 0 then\n",
-            when.c_str());
+        print_warning(fmt::format(
+            "no light reaches the scene{}: all surfaces are parallel to the light or outside of "
+            "it; all results are 0 there",
+            when));
     }
 }
 
@@ -135,7 +135,7 @@ Exit run(
     sweep.writers().faults().throw_if_any();
     sweep.checkpoint().throw_if_given_up();
     if (repetition.has_failed) {
-        throw quasimc::InputError({{"--from", repetition.verdict, "", ""}});
+        throw quasimc::InputError({{arguments.from, repetition.verdict, "", ""}});
     }
     sweep.stay();
     return exit_of(sweep.file(), sweep.all());
@@ -177,6 +177,6 @@ Command run_command() {
 Command merge_command() {
     const auto arguments = std::make_shared<RunArguments>();
     return {
-        "merge", "put the parts of a run together, which other machines have computed",
-        flags_of_merge(*arguments), [arguments] { return merge(*arguments); }};
+        "merge", "join the parts of a run and write its results", flags_of_merge(*arguments),
+        [arguments] { return merge(*arguments); }};
 }

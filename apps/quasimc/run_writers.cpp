@@ -111,7 +111,8 @@ RunWriters::RunWriters(
         return;
     }
     const OutputChoice& choice = arguments.choice;
-    const bool has_all_rows = choice.quantities.empty() && choice.bands.empty() && !choice.night;
+    const bool has_all_rows =
+        choice.quantities.empty() && choice.bands.empty() && !choice.include_night;
     quasimc::TextSink compare;
     if (arguments.from != "-" && has_all_rows) {
         comparison_.emplace(arguments.from);

@@ -98,15 +98,14 @@ void check_picture_name(const std::string& place, const std::string& path) {
         quasimc::lower_case(std::filesystem::path(path).extension().string());
     if (!ending.empty() && ending != ".png") {
         throw quasimc::InputError(
-            {{place, fmt::format("'{}' names no kind of picture that is written here", path),
-              fmt::format("it ends in {}", ending), "let it end in .png"}});
+            {{place, fmt::format("can't write {}", ending), "", "name a .png file"}});
     }
 }
 
 void require_pictures(const std::string& place) {
     if (!quasimc::has_png()) {
         throw quasimc::InputError(
-            {{place, "this program can draw no pictures",
+            {{place, "this program can't draw pictures",
               "it was built without libpng, stb or a font", ""}});
     }
 }

@@ -39,13 +39,13 @@ int add_source(
 using namespace quasimc::capi;  // NOLINT(google-build-using-namespace): this file defines its own
 using quasimc::Node;
 
-int quasimc_scene_set_place(
+int quasimc_scene_set_site(
     quasimc_scene* scene, double latitude_deg, double longitude_deg, double elevation_m) {
     return change_light(scene, [&](Statement& statement) {
         statement.set_table(
-            "place", {{"latitude_deg", 0, {latitude_deg}},
-                      {"longitude_deg", 0, {longitude_deg}},
-                      {"elevation_m", 0, {elevation_m}}});
+            "site", {{"latitude_deg", 0, {latitude_deg}},
+                     {"longitude_deg", 0, {longitude_deg}},
+                     {"elevation_m", 0, {elevation_m}}});
     });
 }
 

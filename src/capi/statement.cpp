@@ -87,7 +87,7 @@ quasimc_part part_of(std::string_view key) {
          {"geometry", QUASIMC_ORGANS},
          {"ground", QUASIMC_GROUND},
          {"cell", QUASIMC_CELL},
-         {"place", QUASIMC_SITE},
+         {"site", QUASIMC_SITE},
          {"source", QUASIMC_SOURCES},
          {"light_file", QUASIMC_SOURCES},
          {"time", QUASIMC_TIME},

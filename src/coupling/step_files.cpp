@@ -69,7 +69,7 @@ class TableRow {
     /// The part of the projected area that light reaches straight from the sources: the first band
     /// that has light tells. Not known where such light is left out of all numbers.
     [[nodiscard]] double sunlit_area() const {
-        if (view_.spec.run.direct_light == DirectLight::ignored) {
+        if (view_.spec.run.direct_light == DirectLight::excluded) {
             return std::numeric_limits<double>::quiet_NaN();
         }
         for (std::size_t b = 0; b < view_.spec.band_count(); ++b) {

@@ -134,7 +134,7 @@ void NetcdfLayout::define_times() {
         begin.push_back(netcdf_seconds(notes.time));
         bounds.push_back(begin.back());
         bounds.push_back(
-            notes.collapsed ? netcdf_seconds(notes.collapsed->until)
+            notes.cumulated ? netcdf_seconds(notes.cumulated->until)
                             : begin.back() + notes.seconds);
         texts.push_back(notes.time);
     }

@@ -10,7 +10,7 @@ namespace quasimc {
 namespace {
 
 /// Sections that say when there is how much light.
-constexpr std::array<std::string_view, 3> kLightSections{"source", "place", "time"};
+constexpr std::array<std::string_view, 3> kLightSections{"source", "site", "time"};
 
 }  // namespace
 

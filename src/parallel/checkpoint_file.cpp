@@ -86,13 +86,12 @@ CheckpointFile::CheckpointFile(
     was_there_ = std::filesystem::exists(path_, error);
     if (was_there_ && start == CheckpointStart::anew) {
         throw InputError(
-            {{path_, "is there already", "a run that begins would overwrite it",
-              "state --resume to go on from it, or remove it"}});
+            {{path_, "exists", "", "use --resume to continue it, or delete it"}});
     }
     if (!was_there_ && std::filesystem::exists(done_path(path_), error)) {
         throw InputError(
-            {{done_path(path_), "is there already, without " + path_, "it would be overwritten",
-              "remove it, or name another checkpoint"}});
+            {{done_path(path_), "exists without " + path_, "",
+              "delete it, or name another checkpoint"}});
     }
     if (was_there_) {
         read();
@@ -117,7 +116,7 @@ void CheckpointFile::read() {
     static_cast<void>(reader.take(kFirstCheckpointLine.size()));
     const std::string difference = difference_of_runs(std::string(reader.block()), head_, kEnds);
     if (!difference.empty()) {
-        refuse("is of another run", difference);
+        refuse("belongs to another run", difference);
     }
     read_places(reader);
     for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {

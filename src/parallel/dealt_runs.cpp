@@ -29,7 +29,7 @@ GivenSums trace_here(
 
 bool is_dealt(const RunSpec& spec) {
     return spec.target_error == 0 && spec.max_paths == 0 && spec.max_seconds == 0 &&
-           spec.series == SeriesMode::one_by_one;
+           spec.time_method == TimeMethod::independent;
 }
 
 DealtRuns::DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t moment) : team_(team) {

@@ -69,8 +69,9 @@ std::string difference_of_runs(
             place.replace(i, 2, character);
         }
     }
+    constexpr std::string_view kOptions = ".run.run.";
     return fmt::format(
-        "{}: {} there, {} here", place.substr(1),
+        "{} {}, here {}", place.substr(place.starts_with(kOptions) ? kOptions.size() : 1),
         in_short(before.contains(at) ? before.at(at) : Json()),
         in_short(first.value("value", Json())));
 }

@@ -179,7 +179,7 @@ void PartFiles::check_complete() const {
                  fmt::format("{} is one of {}", parts_.front().path(), count), ""});
         } else if (!difference.empty()) {
             faults.add(
-                {part.path(), "is of another run than " + parts_.front().path(), difference, ""});
+                {part.path(), "belongs to another run than " + parts_.front().path(), difference, ""});
         } else if (number.part < expected) {
             faults.add(
                 {part.path(), fmt::format("part {} of {} is there twice", number.part, count),

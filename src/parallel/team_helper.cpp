@@ -62,7 +62,7 @@ TeamOrder TeamHelper::help_moment(
     const RunSpec planned =
         planned_spec(spec, {.method = plan_run(scene, sources, spec, caster_, {}).method});
     const PreparedScene prepared(
-        scene, sources, planned.window, caster_.caster_for(scene, planned.engine, {}), {});
+        scene, sources, planned.start_area, caster_.caster_for(scene, planned.accelerator, {}), {});
     const std::unique_ptr<Sampler> sampler = make_sampler(planned.sampler);
     const TeamOrder first = order;
     StopByTeam stop(team);

@@ -47,7 +47,7 @@ SightCaster::SightCaster(
     : scene_(scene),
       camera_(camera),
       cuts_(cuts),
-      caster_(data_of(scene).geometry, Cell{}, Engine::embree),
+      caster_(data_of(scene).geometry, Cell{}, Accelerator::embree),
       box_(scene.bounds()) {
     // Lines of sight that run in a face of the box see what lies in it.
     const Vec3 more = 1e-6 * scene.bounds().radius() * Vec3{1, 1, 1};

@@ -242,26 +242,26 @@ EntryBox make_entry_box(const LocalMesh& mesh, const Cell& local_cell) {
 
 }  // namespace
 
-SceneProjection::SceneProjection(const LocalMesh& mesh, const Cell& cell, CrossSectionShape shape)
+SceneProjection::SceneProjection(const LocalMesh& mesh, const Cell& cell, StartArea start_area)
     : SceneProjection(
           mesh,
           local_cell(mesh, cell),
           cell.along_x && cell.along_y ? std::vector<Vec3>() : outline_points(mesh),
-          shape) {}
+          start_area) {}
 
-SceneProjection::SceneProjection(const RayCaster& caster, CrossSectionShape shape)
-    : SceneProjection(caster.mesh(), caster.cell(), caster.outline(), shape) {}
+SceneProjection::SceneProjection(const RayCaster& caster, StartArea start_area)
+    : SceneProjection(caster.mesh(), caster.cell(), caster.outline(), start_area) {}
 
 /// @param cell  local coordinates
 SceneProjection::SceneProjection(
-    const LocalMesh& mesh, const Cell& cell, std::vector<Vec3> outline, CrossSectionShape shape)
+    const LocalMesh& mesh, const Cell& cell, std::vector<Vec3> outline, StartArea start_area)
     : outline_(std::move(outline)),
       cell_(cell),
-      shape_(shape),
+      start_area_(start_area),
       box_(make_entry_box(mesh, cell)),
       origin_(mesh.origin),
       scale_(mesh.scale) {
-    if (!cell.periodic() && shape == CrossSectionShape::sphere) {
+    if (!cell.periodic() && start_area == StartArea::bounding_sphere) {
         ball_ = small_ball(outline_);
     }
 }
@@ -276,7 +276,7 @@ std::unique_ptr<BeamCrossSection> SceneProjection::window(const Vec3& direction)
     if (cell_.along_y) {
         return row_window(outline_, {0, 1, 0}, cell_.low_y, cell_.size_y, direction);
     }
-    if (shape_ == CrossSectionShape::sphere) {
+    if (start_area_ == StartArea::bounding_sphere) {
         return sphere_window(ball_, direction);
     }
     return silhouette_window(outline_, direction);

@@ -54,9 +54,9 @@ class SceneProjection {
   public:
     /// @param mesh  the scene in local coordinates
     /// @param cell  world coordinates, as given to the RayCaster of the same mesh
-    SceneProjection(const LocalMesh& mesh, const Cell& cell, CrossSectionShape shape);
+    SceneProjection(const LocalMesh& mesh, const Cell& cell, StartArea start_area);
     /// The same of a scene that is ready to trace, whose outline it takes over.
-    SceneProjection(const RayCaster& caster, CrossSectionShape shape);
+    SceneProjection(const RayCaster& caster, StartArea start_area);
 
     /// The window of a beam that travels along `direction` (unit). Null if a periodic scene is
     /// never met by it: the beam runs along a periodic axis, or in the layer's plane.
@@ -79,15 +79,12 @@ class SceneProjection {
 
   private:
     SceneProjection(
-        const LocalMesh& mesh,
-        const Cell& cell,
-        std::vector<Vec3> outline,
-        CrossSectionShape shape);
+        const LocalMesh& mesh, const Cell& cell, std::vector<Vec3> outline, StartArea start_area);
 
     std::vector<Vec3> outline_;  // the points that windows must cover; none in a layer
     Ball ball_;                  // holds the scene; for windows of that shape only
     Cell cell_;                  // local coordinates
-    CrossSectionShape shape_;
+    StartArea start_area_;
     EntryBox box_;
     Vec3 origin_;  // of the local coordinates, in the world
     double scale_ = 1;

@@ -203,7 +203,7 @@ std::string csv_result_comments(const RunFile& run, const Result& result) {
 
 std::string csv_light_columns(const RunFile& run, LightAmount amount) {
     const WrittenColumns columns = written_columns(run);
-    const bool is_period = run.series && run.series->collapse == Collapse::period;
+    const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
     std::string out;
     for (const std::size_t b : columns.bands) {
         const Band& band = run.scene.bands()[b];

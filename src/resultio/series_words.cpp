@@ -11,8 +11,8 @@
 namespace quasimc {
 namespace {
 
-std::string collapsed_words(const MomentNotes& notes) {
-    const MomentNotes::Collapsed& times = *notes.collapsed;
+std::string cumulated_words(const MomentNotes& notes) {
+    const MomentNotes::Cumulated& times = *notes.cumulated;
     return fmt::format(
         "{} to {}, {} s: {} times, {} with daylight, as {} suns and {} skies; mean on the "
         "horizontal direct {:.6g}, diffuse {:.6g} W m-2",
@@ -21,8 +21,8 @@ std::string collapsed_words(const MomentNotes& notes) {
 }
 
 std::string moment_words(const MomentNotes& notes) {
-    if (notes.collapsed) {
-        return collapsed_words(notes);
+    if (notes.cumulated) {
+        return cumulated_words(notes);
     }
     std::string text = notes.time;
     text += notes.seconds > 0 ? fmt::format(", {} s", shortest(notes.seconds)) : ", an instant";

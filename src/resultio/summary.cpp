@@ -208,7 +208,7 @@ std::string written_line(const std::vector<std::string>& written) {
 std::string times_words(const TimeSeries& series, const SeriesSummary& summary) {
     const MomentNotes& first = series.notes.front();
     const MomentNotes& last = series.notes.back();
-    if (series.collapse == Collapse::none) {
+    if (series.cumulative_sky == CumulativeSky::none) {
         return fmt::format(
             "{} from {} to {}, {}; {} traced, the others dark or like one of them",
             series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
@@ -217,12 +217,12 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
     std::size_t times = 0;
     std::size_t suns = 0;
     for (const MomentNotes& notes : series.notes) {
-        times += notes.collapsed->times;
+        times += notes.cumulated->times;
         suns += notes.suns;
     }
     return fmt::format(
         "{} from {} to {}, collapsed into {} of {} in all", times, first.time,
-        last.collapsed->until, counted(summary.traced, "trace"), counted(suns, "sun"));
+        last.cumulated->until, counted(summary.traced, "trace"), counted(suns, "sun"));
 }
 
 std::string stopped_line(const std::string& words) {
@@ -252,12 +252,12 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     }
     text += line("times", times_words(series, summary));
     text += line(
-        "run",
-        fmt::format(
-            "{} points, {}, {} x {} at a time{}; {}", run.spec.sampler,
-            series_method(run.spec, summary), counted(run.spec.paths, "path"),
-            counted(run.spec.replicates, "replicate"),
-            run.spec.effort == Effort::day ? " on average" : "", counted(summary.rays, "ray")));
+        "run", fmt::format(
+                   "{} points, {}, {} x {} at a time{}; {}", run.spec.sampler,
+                   series_method(run.spec, summary), counted(run.spec.paths, "path"),
+                   counted(run.spec.replicates, "replicate"),
+                   run.spec.path_allocation == PathAllocation::proportional ? " on average" : "",
+                   counted(summary.rays, "ray")));
     text += stopped_line(stop_words(run, summary));
     text += series_time_line(summary);
     if (run.spec.target_error > 0) {

@@ -92,7 +92,7 @@ std::string advice_on_error(const RunFile& run, double median) {
         return "";
     }
     // By how much more paths lower an error depends on the method, which `auto` may change then.
-    return run.spec.series == SeriesMode::together
+    return run.spec.time_method == TimeMethod::daylight_coefficients
                ? "more paths make errors smaller"
                : fmt::format(
                      "target_error = {} traces more paths until errors are that small", kLarge / 2);

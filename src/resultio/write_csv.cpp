@@ -210,7 +210,7 @@ std::unique_ptr<OutputWriter> make_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink);
 }
 
-std::unique_ptr<OutputWriter> make_days(const OutputInput& input) {
+std::unique_ptr<OutputWriter> make_daily_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::organs, CsvTimes::days);
 }
 
@@ -218,7 +218,7 @@ std::unique_ptr<OutputWriter> make_groups_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::groups);
 }
 
-std::unique_ptr<OutputWriter> make_groups_days(const OutputInput& input) {
+std::unique_ptr<OutputWriter> make_groups_daily_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::groups, CsvTimes::days);
 }
 

@@ -28,13 +28,13 @@ Json series_head(const RunFile& run) {
 /// When a moment is, and where its light comes from.
 Json moment_head(const MomentNotes& notes) {
     Json head = {{"time", notes.time}, {"seconds", notes.seconds}};
-    if (notes.collapsed) {
-        head["until"] = notes.collapsed->until;
-        head["collapsed"] = {
-            {"times", notes.collapsed->times},
-            {"with_daylight", notes.collapsed->with_light},
+    if (notes.cumulated) {
+        head["until"] = notes.cumulated->until;
+        head["cumulative_sky"] = {
+            {"times", notes.cumulated->times},
+            {"with_daylight", notes.cumulated->with_light},
             {"suns", notes.suns},
-            {"skies", notes.collapsed->skies}};
+            {"skies", notes.cumulated->skies}};
     } else {
         head["sun"] = {
             {"azimuth_deg", notes.sun.azimuth_deg},

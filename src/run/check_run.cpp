@@ -67,8 +67,8 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         spec.tally_memory_mb >= 0 && std::isfinite(spec.tally_memory_mb), "tally_memory_mb",
         shortest(spec.tally_memory_mb), "0 or more");
     require(
-        spec.roulette_weight > 0 && spec.roulette_weight <= 1, "roulette_weight",
-        shortest(spec.roulette_weight), "above 0, at most 1");
+        spec.roulette_threshold > 0 && spec.roulette_threshold <= 1, "roulette_threshold",
+        shortest(spec.roulette_threshold), "above 0, at most 1");
     require(
         spec.target_error == 0 || spec.replicates >= 2, "target_error",
         "needs at least 2 replicates", "one replicate has no standard error");
@@ -97,9 +97,11 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
         }
         for (const std::string& name : {ratio.substr(0, colon), ratio.substr(colon + 1)}) {
             if (std::find(names.begin(), names.end(), name) == names.end()) {
+                const std::string_view near = nearest_word(name, names);
                 faults.add(
-                    {"ratios", fmt::format("'{}' is not a band of the scene", name), "",
-                     did_you_mean(name, names)});
+                    {"ratios",
+                     fmt::format("'{}' is not a band (bands: {})", name, joined(names, ", ")), "",
+                     near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
             }
         }
     }
@@ -142,7 +144,7 @@ void check_irradiance(const Source& source, double x, Faults& faults) {
 
 void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (sources.empty()) {
-        faults.add({"sources", "there are none", "the scene would be dark", "add a [[source]]"});
+        faults.add({"sources", "there are none", "", "add a [[source]]"});
     }
     bool dark = !sources.empty();
     for (const auto& source : sources) {
@@ -160,10 +162,8 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     }
     if (dark) {
         faults.add(
-            {"sources", "all irradiances are 0",
-             fmt::format(
-                 "the scene would be dark; less than {} counts as 0", shortest(kLeastIrradiance)),
-             ""});
+            {"sources", "no source gives light",
+             fmt::format("irradiances below {} count as 0", shortest(kLeastIrradiance)), ""});
     }
 }
 

@@ -7,9 +7,9 @@
 namespace quasimc {
 
 std::shared_ptr<const RayCaster> KeptCaster::caster_for(
-    const Scene& scene, Engine engine, const std::stop_token& stop) {
+    const Scene& scene, Accelerator accelerator, const std::stop_token& stop) {
     const auto triangles = data_of(scene).geometry;
-    const bool same = caster_ && engine == engine_ && scene.cell() == cell_ &&
+    const bool same = caster_ && accelerator == accelerator_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
     if (!same) {
         forget();  // before as much is taken again
@@ -18,10 +18,11 @@ std::shared_ptr<const RayCaster> KeptCaster::caster_for(
         caster_ = make_big(
             fmt::format("the ray caster of {} triangles", triangles->size()),
             kBytesOfTriangle * static_cast<double>(triangles->size()), [&] {
-                return std::make_shared<const RayCaster>(triangles, scene.cell(), engine, stop);
+                return std::make_shared<const RayCaster>(
+                    triangles, scene.cell(), accelerator, stop);
             });
         cell_ = scene.cell();
-        engine_ = engine;
+        accelerator_ = accelerator;
         ++builds_;
     }
     triangles_ = triangles;

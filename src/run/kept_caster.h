@@ -10,13 +10,13 @@
 namespace quasimc {
 
 /// The ray caster of the scene that was asked for last: it is built anew when triangles, cell or
-/// engine are others.
+/// accelerator are others.
 class KeptCaster {
   public:
     /// @throws StopRequested  if it was stopped while it was built
     /// @throws InputError  if there is not enough memory for it
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
-        const Scene& scene, Engine engine, const std::stop_token& stop);
+        const Scene& scene, Accelerator accelerator, const std::stop_token& stop);
     /// Gives its memory back.
     void forget();
     /// How many were built.
@@ -24,9 +24,9 @@ class KeptCaster {
 
   private:
     std::shared_ptr<const RayCaster> caster_;
-    std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and engine:
+    std::shared_ptr<const SceneGeometry> triangles_;  // of caster_, with cell and accelerator:
     Cell cell_;
-    Engine engine_ = Engine::embree;
+    Accelerator accelerator_ = Accelerator::embree;
     std::size_t builds_ = 0;
 };
 

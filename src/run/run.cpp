@@ -47,7 +47,7 @@ TracePlan audit_plan(const RunSpec& spec, std::uint64_t paths_done) {
         .max_paths = 0,
         .target_error = 0,
         .sampler = "monte_carlo",
-        .roulette_weight = 1,
+        .roulette_threshold = 1,
         .organs_alone = true};
 }
 
@@ -165,8 +165,8 @@ void Simulator::State::add_audit(
 Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     std::optional<PreparedScene> prepared;
     prepared.emplace(
-        in.scene, in.sources, in.spec.window,
-        caster_.caster_for(in.scene, in.spec.engine, early.token()), early.token());
+        in.scene, in.sources, in.spec.start_area,
+        caster_.caster_for(in.scene, in.spec.accelerator, early.token()), early.token());
     if (prepared->lights().empty()) {
         return unlit_result(in.scene, in.spec);
     }

@@ -45,8 +45,8 @@ class Simulator::State {
     [[nodiscard]] std::size_t builds() const { return caster_.builds(); }
     /// Kept for the next run: as KeptCaster::caster_for().
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
-        const Scene& scene, Engine engine, const std::stop_token& stop) {
-        return caster_.caster_for(scene, engine, stop);
+        const Scene& scene, Accelerator accelerator, const std::stop_token& stop) {
+        return caster_.caster_for(scene, accelerator, stop);
     }
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 

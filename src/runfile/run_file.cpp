@@ -114,7 +114,7 @@ RunFileContext read_context(TableReader& top, InputFiles& files) {
         .bands = read_bands(top),
         .orientation = read_orientation(top),
         .materials = {},
-        .place = read_place(top),
+        .site = read_site(top),
         .sun = {},
         .length_unit = top.text("length_unit").value_or("m"),
         .has_time = top.any("time") != nullptr,
@@ -163,19 +163,21 @@ Sections read_sections(
 }
 
 /// A day's sum needs times with lengths.
-void check_effort(const Sections& sections, Faults& faults) {
-    if (sections.options.spec.effort == Effort::each) {
+void check_path_allocation(const Sections& sections, Faults& faults) {
+    if (sections.options.spec.path_allocation == PathAllocation::equal) {
         return;
     }
     if (!sections.series) {
-        faults.add({"effort", "it is \"day\"", "the run has no [time]", "leave it out"});
+        faults.add(
+            {"path_allocation", "it is \"proportional\"", "the run has no [time]", "leave it out"});
         return;
     }
     const auto& steps = sections.series->time_steps;
     if (std::any_of(steps.begin(), steps.end(), [](const auto& s) { return s.seconds == 0; })) {
         faults.add(
-            {"effort", "it is \"day\"", "instants have no part in the sum of a day",
-             "give duration_minutes, or leave effort out"});
+            {"path_allocation", "it is \"proportional\"",
+             "instants have no part in the sum of a day",
+             "give duration_minutes, or leave path_allocation out"});
     }
 }
 
@@ -183,8 +185,10 @@ void check_hours(const Sections& sections, Faults& faults) {
     const RunSpec& spec = sections.options.spec;
     if (sections.series) {
         check_together(*sections.scene, sections.series->time_steps, spec, faults);
-    } else if (spec.series == SeriesMode::together) {
-        faults.add({"series", "it is \"together\"", "the run has no [time]", "leave it out"});
+    } else if (spec.time_method == TimeMethod::daylight_coefficients) {
+        faults.add(
+            {"time_method", "it is \"daylight_coefficients\"", "the run has no [time]",
+             "leave it out"});
     }
 }
 
@@ -299,25 +303,25 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
         }
         if (extension == ".json") {
             throw InputError(
-                {{name, "is no run file", "a run file is TOML",
-                  "if it is a result, `quasimc view` and `quasimc show` take it, and "
-                  "`quasimc run --from` repeats it"}});
+                {{name, "is a result, not a run file", "",
+                  fmt::format(
+                      "show it: quasimc view {0}; or repeat its run: quasimc run --repeat {0}",
+                      name)}});
         }
         const FormatEntry* geometry = extension == ".txt" ? nullptr : format_of_path(name);
         if (geometry != nullptr) {
             throw InputError(
-                {{name, "is a file of geometry, not a run file",
-                  fmt::format("its name ends as those of the format {} do", geometry->name),
+                {{name, "is geometry, not a run file", "",
                   fmt::format(
-                      "name it in a run file, by [[geometry]] file = \"{}\"; `quasimc info` and "
-                      "`quasimc convert` take it as it is",
-                      std::filesystem::path(name).filename().string())}});
+                      "name it in a run file, under [[geometry]]: file = \"{}\"; or draw it: "
+                      "quasimc show {}",
+                      std::filesystem::path(name).filename().string(), name)}});
         }
         if (extension.empty() || extension == ".toml") {
             throw;
         }
         throw InputError(
-            {{name, "is no run file", error.faults().front().text(),
+            {{name, "is not a run file", error.faults().front().text(),
               "give a run file, which is TOML and names files of geometry and weather; "
               "`quasimc --dump-default` prints one"}});
     }
@@ -360,7 +364,7 @@ RunFile read_run_document(
     if (reporter.faults.empty()) {
         Faults faults;
         check_with_sources(sections, *sections.scene, faults, darkness);
-        check_effort(sections, faults);
+        check_path_allocation(sections, faults);
         check_hours(sections, faults);
         add_run_faults(faults, sections.options, reporter);
     }

@@ -41,7 +41,7 @@ std::optional<NotedSource> read_directional(
         return std::nullopt;
     }
     if (travel->z > 0) {
-        table.warn(table.what() + ": it shines upwards, from below the horizon");
+        table.warn(table.what() + ": it is below the horizon");
     }
     const std::string note = fmt::format(
         "{}: directional, light travels along {} (from {}), {}", name,

@@ -212,7 +212,7 @@ std::vector<Interval> read_intervals(TimeContext& context) {
         return {};
     }
     if (!has_times && !context.utc_offset_hours) {
-        table.missing("utc_offset_hours", "hours from UTC of the clock that days are counted by");
+        table.missing("utc_offset_hours", "write the clock's offset from UTC, 2 for central European summer time");
         return {};
     }
     if (has_times) {

@@ -79,13 +79,15 @@ void read_option(TableReader& table, const Option& option, RunOptions& options) 
     std::optional<OptionValue> value = option_value(*stated);
     if (!value) {
         table.fault_at(
-            *stated, fmt::format("{} is {}", option.key, stated->type_name()),
-            "it takes " + domain_text(option));
+            *stated, fmt::format("{}: it is {}", option.key, stated->type_name()),
+            "it must be " + domain_text(option));
         return;
     }
     value = whole_if_integer(option, *value);
     if (const std::optional<Fault> fault = check_option(option, *value)) {
-        table.fault_at(*stated, fault->problem, fault->why, fault->suggestion);
+        table.fault_at(
+            *stated, fmt::format("{}: {}", option.key, fault->problem), fault->why,
+            fault->suggestion);
         return;
     }
     option.set(options.spec, *value);

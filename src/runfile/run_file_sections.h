@@ -43,7 +43,7 @@ struct RunFileContext {
     std::vector<Band> bands;
     Orientation orientation;
     std::set<std::string> materials;  ///< names that the run file gives, not its files of geometry
-    std::optional<Place> place;       ///< [place]
+    std::optional<Site> site;         ///< [site]
     std::optional<StatedSun> sun;     ///< of the first source of type "sun"
     std::string length_unit = "m";
     bool has_time = false;        ///< whether there is a [time]
@@ -51,8 +51,8 @@ struct RunFileContext {
 };
 
 // run_file_sun.cpp
-/// [place]; nothing if it is absent or has faults.
-[[nodiscard]] std::optional<Place> read_place(TableReader& top);
+/// [site]; nothing if it is absent or has faults.
+[[nodiscard]] std::optional<Site> read_site(TableReader& top);
 
 // run_file_options.cpp
 /// The options of a run, and where each was stated.

@@ -59,7 +59,7 @@ std::optional<StatedSun> read_sun_of_sky(TableReader& table, const RunFileContex
     if (!context.sun) {
         table.fault(
             "where the sun stands is missing", "the sky of this model is brighter around it",
-            "add a [[source]] of type = \"sun\", or give time (with [place]) or azimuth_deg and "
+            "add a [[source]] of type = \"sun\", or give time (with [site]) or azimuth_deg and "
             "elevation_deg");
     }
     return context.sun;

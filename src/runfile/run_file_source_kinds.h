@@ -46,7 +46,7 @@ struct Irradiance {
 /// The direction of `azimuth_deg` and `elevation_deg`, unit, z up; nothing after a fault.
 /// run_file_sun.cpp
 [[nodiscard]] std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientation);
-/// Where the sun stands, by `time` (and [place]) or by `azimuth_deg` and `elevation_deg`; nothing
+/// Where the sun stands, by `time` (and [site]) or by `azimuth_deg` and `elevation_deg`; nothing
 /// after a fault. run_file_sun.cpp
 [[nodiscard]] std::optional<StatedSun> read_stated_sun(
     TableReader& table, const RunFileContext& context);

@@ -12,10 +12,10 @@ namespace {
 std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext& context) {
     const auto delta_t_s = table.real("delta_t_s", {-1e6, 1e6});
     const std::optional<std::string> text = table.time_text("time");
-    if (!context.place) {
+    if (!context.site) {
         table.fault_at(
-            "time", "time without [place]", "the sun stands elsewhere at every place",
-            "add [place] with latitude_deg and longitude_deg");
+            "time", "time without [site]", "the sun's position depends on the site",
+            "add [site] with latitude_deg and longitude_deg");
         return std::nullopt;
     }
     if (!text) {
@@ -29,10 +29,10 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
         table.reporter().faults.add(faults);
         return std::nullopt;
     }
-    const SunPosition sun = sun_position(*context.place, *time, delta_t_s);
+    const SunPosition sun = sun_position(*context.site, *time, delta_t_s);
     const std::string words = fmt::format(
         "{} at latitude {}, longitude {}", civil_time_text(*time),
-        shortest(context.place->latitude_deg), shortest(context.place->longitude_deg));
+        shortest(context.site->latitude_deg), shortest(context.site->longitude_deg));
     return StatedSun{
         context.orientation.towards(sun.azimuth_deg, sun.elevation_deg), sun.distance_au, words};
 }
@@ -61,7 +61,7 @@ std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContex
     if (!has_angles) {
         table.fault(
             "where the sun stands is missing", "",
-            "give time (with [place]), or azimuth_deg and elevation_deg");
+            "give time (with [site]), or azimuth_deg and elevation_deg");
         return std::nullopt;
     }
     const auto to_sun = read_towards(table, context.orientation);
@@ -106,24 +106,24 @@ std::optional<NotedSource> read_sun(
     return noted;
 }
 
-std::optional<Place> read_place(TableReader& top) {
-    const Node* node = top.any("place");
+std::optional<Site> read_site(TableReader& top) {
+    const Node* node = top.any("site");
     if (node == nullptr) {
         return std::nullopt;
     }
-    TableReader table(*node, "[place]", top.reporter());
-    Place place;
+    TableReader table(*node, "[site]", top.reporter());
+    Site site;
     const auto latitude = table.required("latitude_deg", table.real("latitude_deg", {-90, 90}));
     const auto longitude =
         table.required("longitude_deg", table.real("longitude_deg", {-180, 180}));
-    place.latitude_deg = latitude.value_or(0);
-    place.longitude_deg = longitude.value_or(0);
-    place.elevation_m = table.real("elevation_m", {-2000, 11000}).value_or(0);
-    place.pressure_hpa =
-        table.real("pressure_hpa", {0, 2000}).value_or(standard_pressure_hpa(place.elevation_m));
-    place.temperature_c = table.real("temperature_c", {-100, 100}).value_or(Place{}.temperature_c);
+    site.latitude_deg = latitude.value_or(0);
+    site.longitude_deg = longitude.value_or(0);
+    site.elevation_m = table.real("elevation_m", {-2000, 11000}).value_or(0);
+    site.pressure_hpa =
+        table.real("pressure_hpa", {0, 2000}).value_or(standard_pressure_hpa(site.elevation_m));
+    site.temperature_c = table.real("temperature_c", {-100, 100}).value_or(Site{}.temperature_c);
     table.finish();
-    return table.failed() ? std::nullopt : std::optional(place);
+    return table.failed() ? std::nullopt : std::optional(site);
 }
 
 }  // namespace quasimc

@@ -39,7 +39,7 @@ struct TimeSpan {
 struct TimeContext {
     TableReader* table;
     const RunFileContext* run;
-    std::optional<Place> place;
+    std::optional<Site> site;
     std::optional<double> utc_offset_hours;
 };
 

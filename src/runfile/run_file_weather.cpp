@@ -50,7 +50,7 @@ WeatherColumns read_columns(TimeContext& context) {
 }
 
 /// Takes over what the file knows of its place.
-void settle_place(const WeatherFile& file, TimeContext& context) {
+void settle_site(const WeatherFile& file, TimeContext& context) {
     TableReader& table = *context.table;
     if (file.utc_offset_hours && context.utc_offset_hours &&
         *file.utc_offset_hours != *context.utc_offset_hours) {
@@ -67,20 +67,20 @@ void settle_place(const WeatherFile& file, TimeContext& context) {
     } else if (!context.utc_offset_hours) {
         context.utc_offset_hours = file.records.front().start.utc_offset_hours;
     }
-    if (file.place && context.place) {
+    if (file.site && context.site) {
         constexpr double kNear = 0.5;
         const bool is_far =
-            std::abs(file.place->latitude_deg - context.place->latitude_deg) > kNear ||
-            std::abs(file.place->longitude_deg - context.place->longitude_deg) > kNear;
+            std::abs(file.site->latitude_deg - context.site->latitude_deg) > kNear ||
+            std::abs(file.site->longitude_deg - context.site->longitude_deg) > kNear;
         if (is_far) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
-                    "the weather is of latitude {}, longitude {}, which is not [place]",
-                    shortest(file.place->latitude_deg), shortest(file.place->longitude_deg)));
+                    "the weather is of latitude {}, longitude {}, which is not [site]",
+                    shortest(file.site->latitude_deg), shortest(file.site->longitude_deg)));
         }
-    } else if (file.place) {
-        context.place = file.place;
+    } else if (file.site) {
+        context.site = file.site;
     }
 }
 
@@ -123,8 +123,8 @@ bool fits_a_year(TableReader& table, const TimeSpan& span) {
 }
 
 void warn_of_clock(const WeatherFile& file, TimeContext& context) {
-    if (context.place) {
-        if (const auto warning = warning_of_clock(file.records, *context.place)) {
+    if (context.site) {
+        if (const auto warning = warning_of_clock(file.records, *context.site)) {
             context.table->warn_at(*context.table->any("weather"), *warning);
         }
     }
@@ -275,7 +275,7 @@ std::vector<Interval> read_weather(TimeContext& context) {
         static_cast<void>(read_span(context));
         return {};
     }
-    settle_place(*file, context);
+    settle_site(*file, context);
     const auto span = read_span(context);
     if (table.failed() || (span && file->is_typical_year && !fits_a_year(table, *span))) {
         return {};

@@ -76,7 +76,7 @@ SeriesBuilder::SeriesBuilder(const SeriesRules& rules, const SourceList& lamps, 
     : rules_(rules), lamps_(lamps), reporter_(reporter), gathered_(rules.how.bands.size()) {}
 
 void SeriesBuilder::add(const Interval& interval) {
-    const SunPath path = sun_path(rules_.place, interval.start, interval.seconds, rules_.sun_step);
+    const SunPath path = sun_path(rules_.site, interval.start, interval.seconds, rules_.sun_step);
     const HourLight light = interval.reading ? measured_light(
                                                    path, *interval.reading, rules_.unit,
                                                    rules_.model, rules_.how.spectra, rules_.air)
@@ -93,7 +93,7 @@ void SeriesBuilder::add(const Interval& interval) {
         note_darkness(light, path, interval);
     }
     HourParts parts = make_hour_parts(path, light, rules_.how);
-    if (rules_.collapse == Collapse::none) {
+    if (rules_.cumulative_sky == CumulativeSky::none) {
         add_moment(interval, path, light.daylight, std::move(parts));
     } else {
         gather(interval, light.daylight, parts);
@@ -103,7 +103,7 @@ void SeriesBuilder::add(const Interval& interval) {
 TimeSeries SeriesBuilder::finish() {
     close_gathered();
     add_faults();
-    series_.collapse = rules_.collapse;
+    series_.cumulative_sky = rules_.cumulative_sky;
     warn_of_brightness();
     warn_of_darkness();
     for (const auto& [note, text] : kNotes) {
@@ -143,11 +143,11 @@ void SeriesBuilder::add_moment(
     series_.time_steps.push_back(std::move(time_step));
 }
 
-/// Adds to the moment that times are collapsed into, which a new day may end.
+/// Adds to the moment that times share, which a new day may end.
 void SeriesBuilder::gather(
     const Interval& interval, const Daylight& daylight, const HourParts& parts) {
     const std::string date = date_text(interval.start);
-    if (rules_.collapse == Collapse::days && date != last_date_) {
+    if (rules_.cumulative_sky == CumulativeSky::day && date != last_date_) {
         close_gathered();
     }
     first_date_ = gathered_.empty() ? date : first_date_;
@@ -171,12 +171,12 @@ void SeriesBuilder::close_gathered() {
         }
         return lit / all;
     });
-    CollapsedMoment::Made made = gathered_.make(lamps, series_.days.size());
+    CumulativeStep::Made made = gathered_.make(lamps, series_.days.size());
     series_.days.push_back(
         first_date_ == last_date_ ? first_date_ : first_date_ + "/" + last_date_);
     series_.time_steps.push_back(std::move(made.time_step));
     series_.notes.push_back(std::move(made.notes));
-    gathered_ = CollapsedMoment(rules_.how.bands.size());
+    gathered_ = CumulativeStep(rules_.how.bands.size());
     gathered_times_.clear();
 }
 
@@ -290,7 +290,7 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
                     "light at {} with the sun {:.1f} degrees below the horizon", time,
                     -path.highest_deg()),
                 "time zone, place or stamp are wrong",
-                "check utc_offset_hours, [place] (are latitude and longitude exchanged?) and "
+                "check utc_offset_hours, [site] (are latitude and longitude exchanged?) and "
                 "stamp"};
     }
 }

@@ -94,9 +94,9 @@ bool is_written(const RunFile& run, std::size_t time_step, const Result& result)
     const bool is_dark = result.paths == 0;
     const MomentNotes& notes = run.series->notes[time_step];
     const double clock = clock_hours(notes.time);
-    const auto& hours = run.output.hours;
+    const auto& hours = run.output.time_of_day;
     const bool is_asked_for = !hours || ((*hours)[0] <= clock && clock < (*hours)[1]);
-    return (run.output.night || !is_dark) && is_asked_for;
+    return (run.output.include_night || !is_dark) && is_asked_for;
 }
 
 std::string point_words(const SweepPoint& point) {
@@ -111,7 +111,7 @@ void check_written(const OutputSpec& output, const std::vector<Band>& bands, Fau
     std::vector<std::string_view> quantities = names_in(quantity_table());
     quantities.push_back(kSunlit);
     check_names(output.quantities, quantities, "quantities", "quantity", faults);
-    check_names(output.bands, names_in(bands), "bands", "band of the scene", faults);
+    check_names(output.bands, names_in(bands), "bands", "band", faults);
 }
 
 }  // namespace quasimc

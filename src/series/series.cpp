@@ -54,7 +54,8 @@ class SeriesRun final : public SeriesSteps {
         groups_.bands = in_.scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
         for (std::size_t i = 0; i < in_.time_steps.size(); ++i) {
-            effort_left_ += plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].effort : 0;
+            effort_left_ +=
+                plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].path_factor : 0;
             if (plans_[i].factor > 0) {
                 last_traced_ = std::max(last_traced_, plans_[i].traced);
                 last_use_[plans_[i].traced] = i;
@@ -124,18 +125,18 @@ class SeriesRun final : public SeriesSteps {
         const bool is_only = in_.time_steps.size() == 1;
         return {
             .stop = in_.control.stop,
-            .deadline = is_only
-                            ? deadline_
-                            : deadline_.share(plan.effort / std::max(plan.effort, effort_left_)),
+            .deadline = is_only ? deadline_
+                                : deadline_.share(
+                                      plan.path_factor / std::max(plan.path_factor, effort_left_)),
             .listeners = in_.control.listeners,
             .origin = in_.control.origin,
-            .work = work_.part((effort_ - effort_left_) / effort_, plan.effort / effort_)};
+            .work = work_.part((effort_ - effort_left_) / effort_, plan.path_factor / effort_)};
     }
 
     Result trace_one(std::size_t i) {
         const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.traced);
         Result result = run_one(i, spec, control_of(plans_[i]));
-        effort_left_ -= plans_[i].effort;
+        effort_left_ -= plans_[i].path_factor;
         ++summary_.traced;
         if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
             ++summary_.cut_short;
@@ -240,8 +241,9 @@ class SeriesRun final : public SeriesSteps {
 
 SeriesSummary run_any(const SeriesInput& input) {
     check_order(input.time_steps);
-    SeriesSummary summary =
-        input.spec.series == SeriesMode::together ? run_season(input) : SeriesRun(input).run();
+    SeriesSummary summary = input.spec.time_method == TimeMethod::daylight_coefficients
+                                ? run_season(input)
+                                : SeriesRun(input).run();
     for (RunListener* listener : input.control.listeners) {
         listener->on_end(summary);
     }

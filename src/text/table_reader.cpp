@@ -197,9 +197,10 @@ std::optional<std::string> TableReader::choice(
     std::string_view key, std::span<const std::string_view> names) {
     std::optional<std::string> name = text(key);
     if (name && std::find(names.begin(), names.end(), *name) == names.end()) {
+        const std::string_view near = nearest_word(*name, names);
         fault_at(
-            key, fmt::format("{} is '{}'", key, *name), "no such choice",
-            did_you_mean(*name, names));
+            key, fmt::format("{}: '{}' is not one of {}", key, *name, joined(names, ", ")), "",
+            near.empty() ? "" : fmt::format("did you mean '{}'?", near));
         return std::nullopt;
     }
     return name;

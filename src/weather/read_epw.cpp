@@ -93,18 +93,18 @@ class EpwReader {
 
     void read_location(const std::vector<std::string>& fields) {
         constexpr std::size_t kLatitude = 6, kLongitude = 7, kZone = 8, kElevation = 9;
-        Place place;
-        place.latitude_deg = number(fields, kLatitude, "latitude");
-        place.longitude_deg = number(fields, kLongitude, "longitude");
-        place.elevation_m = number(fields, kElevation, "elevation");
+        Site site;
+        site.latitude_deg = number(fields, kLatitude, "latitude");
+        site.longitude_deg = number(fields, kLongitude, "longitude");
+        site.elevation_m = number(fields, kElevation, "elevation");
         offset_ = number(fields, kZone, "time zone");
         if (std::abs(offset_) > 14) {
             fault(fmt::format("time zone is {}", shortest(offset_)), "hours from UTC, -14 to 14");
             offset_ = 0;
         }
-        place.pressure_hpa = standard_pressure_hpa(place.elevation_m);
-        check_place(place, reporter_.place(scanner_.number()), reporter_.faults);
-        file_.place = place;
+        site.pressure_hpa = standard_pressure_hpa(site.elevation_m);
+        check_site(site, reporter_.place(scanner_.number()), reporter_.faults);
+        file_.site = site;
         file_.utc_offset_hours = offset_;
     }
 

@@ -85,7 +85,7 @@ TEST_F(ProgramTest, AFaultIsToldOnce) {
 
 /// What is given twice is one fault: neither of the two is a key that nobody knows.
 TEST_F(ProgramTest, TwoWaysToSayOneThingAreOneFault) {
-    const std::string place = "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\n";
+    const std::string place = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\n";
     const std::vector<std::array<std::string, 2>> table{
         {"direction = [0, 0, -1]", "direction = [0, 0, -1]\nazimuth_deg = 10\nelevation_deg = 20"},
         {"[run]", place + "day = \"2024-06-21\"\nfrom = \"2024-06-01\"\nto = \"2024-06-02\"\n"
@@ -115,7 +115,7 @@ TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {
 TEST_F(ProgramTest, AMissingRunFileIsAnInputError) {
     const Outcome outcome = run({"run", "none.toml"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.err, "none.toml: can't be read (No such file or directory)\n");
+    EXPECT_EQ(outcome.err, "error: none.toml: can't be read (No such file or directory)\n");
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ TEST_P(Parts, TheWeightThatRoulettePlaysForDoesNotMatter) {
     const Result result = run(scene, plot_sources({}), spec);
     Comparison comparison(2);
     for (const double weight : {.3, .01}) {
-        spec.roulette_weight = weight;
+        spec.roulette_threshold = weight;
         ++spec.seed;
         const Result other = run(scene, plot_sources({}), spec);
         EXPECT_TRUE(comparison.totals_agree(result, other)) << weight;
@@ -70,9 +70,9 @@ TEST_P(Parts, BruteForceFindsTheSameLight) {
     RunSpec spec = spec_of(GetParam(), 1 << 10);
     for (const bool periodic : {false, true}) {
         const Scene scene = make_plot({.periodic = periodic});
-        spec.engine = Engine::embree;
+        spec.accelerator = Accelerator::embree;
         const Result embree = run(scene, plot_sources({}), spec);
-        spec.engine = Engine::brute_force;
+        spec.accelerator = Accelerator::brute_force;
         const Result brute = run(scene, plot_sources({}), spec);
         EXPECT_TRUE(are_nearly_identical(embree, brute, 1e-3));
     }

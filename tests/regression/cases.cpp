@@ -88,7 +88,7 @@ Case uniform_sky() {
     builder.add_material(leaf_of("leaf", {{.3, .4}}));
     add_leaves(builder, random_leaves(80, .2, 1, 13), {"leaf"});
     RunSpec spec = spec_with("halton");
-    spec.roulette_weight = .1;
+    spec.roulette_threshold = .1;
     return {std::move(builder).build(), {sky({400})}, spec};
 }
 
@@ -142,7 +142,7 @@ Case periodic_row_without_direct_light() {
     builder.set_ground(soil);
     builder.set_cell({.along_x = true, .size_x = 1});
     RunSpec spec = spec_with("monte_carlo");
-    spec.direct_light = DirectLight::ignored;
+    spec.direct_light = DirectLight::excluded;
     return {std::move(builder).build(), {sun(40, {600}), sky({150})}, spec};
 }
 
@@ -200,7 +200,7 @@ Case sensors() {
         builder.add_organ(level);
     }
     RunSpec spec = spec_with("halton", 1U << 11U);
-    spec.engine = Engine::brute_force;
+    spec.accelerator = Accelerator::brute_force;
     return {std::move(builder).build(), {sun(30, {500}), sky({200})}, spec};
 }
 
@@ -219,8 +219,8 @@ Case glossy_leaves() {
     add_leaves(builder, random_leaves(60, .25, 1, 19), {"waxy", "plate", "dewy"});
     RunSpec spec = spec_with("sobol");
     spec.max_depth = 4;
-    spec.roulette_weight = .3;
-    spec.window = CrossSectionShape::sphere;
+    spec.roulette_threshold = .3;
+    spec.start_area = StartArea::bounding_sphere;
     return {std::move(builder).build(), {sun(25, {500, 400}), sky({200, 100})}, spec};
 }
 

@@ -106,7 +106,7 @@ std::optional<PlainScene> plain_scene(const Node& document, const Scene& scene) 
         plain.least_cosine.push_back(organ.least_cosine);
     }
     if (const Node* run = document.find("run")) {
-        plain.ignores_direct = text_at(*run, "direct_light", "counted") == "ignored";
+        plain.ignores_direct = text_at(*run, "direct_light", "included") == "excluded";
         plain.max_depth = static_cast<std::uint32_t>(number_at(*run, "max_depth", 0));
     }
     const bool has_sensors = scene.material_names().back() == "sensor";

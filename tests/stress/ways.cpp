@@ -252,8 +252,8 @@ Answer compute(const Case& it, Way way, const Effort& effort) {
     spec.target_error = 0;
     if (way == Way::plain_paths) {
         spec.sampler = "monte_carlo";
-        spec.engine = Engine::brute_force;
-        spec.window = CrossSectionShape::sphere;
+        spec.accelerator = Accelerator::brute_force;
+        spec.start_area = StartArea::bounding_sphere;
     }
     Result result = run(it.run.scene, it.run.sources, spec);
     std::vector<Number> numbers = numbers_of(result);

@@ -185,18 +185,19 @@ bool RayCaster::Impl::is_blocked(CellWalk& walk, std::uint32_t self) const {
     return false;
 }
 
-RayCaster::RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Engine engine)
-    : RayCaster(std::make_shared<const SceneGeometry>(Mesh(triangles)), cell, engine) {}
+RayCaster::RayCaster(
+    const std::vector<Triangle>& triangles, const Cell& cell, Accelerator accelerator)
+    : RayCaster(std::make_shared<const SceneGeometry>(Mesh(triangles)), cell, accelerator) {}
 
 RayCaster::RayCaster(
     const std::shared_ptr<const SceneGeometry>& geometry,
     const Cell& cell,
-    Engine engine,
+    Accelerator accelerator,
     const std::stop_token& stop)
     : RayCaster(geometry, cell, [&](const LocalMesh& mesh) {
           throw_if_stopped(stop);
-          return engine == Engine::embree ? make_embree_intersector(mesh, stop)
-                                          : make_brute_force_intersector(mesh);
+          return accelerator == Accelerator::embree ? make_embree_intersector(mesh, stop)
+                                                    : make_brute_force_intersector(mesh);
       }) {}
 
 RayCaster::RayCaster(

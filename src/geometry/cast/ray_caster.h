@@ -28,13 +28,13 @@ struct CastHit {
 class RayCaster {
   public:
     /// @param triangles  the scene, world coordinates; at least one
-    RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Engine engine);
+    RayCaster(const std::vector<Triangle>& triangles, const Cell& cell, Accelerator accelerator);
     /// The same of a scene, which is kept.
     /// @throws StopRequested  if a stop is requested before it is ready
     RayCaster(
         const std::shared_ptr<const SceneGeometry>& geometry,
         const Cell& cell,
-        Engine engine,
+        Accelerator accelerator,
         const std::stop_token& stop = {});
     /// The same with an engine of the caller's.
     using MakeIntersector = std::function<std::unique_ptr<Intersector>(const LocalMesh&)>;

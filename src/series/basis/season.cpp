@@ -282,9 +282,9 @@ SeriesSummary run_season(const SeriesInput& input) {
     const auto refuse = [&](bool is_so, std::string_view what) {
         if (is_so) {
             faults.add(
-                {"series", fmt::format("it is \"together\", with {}", what),
+                {"time_method", fmt::format("it is \"daylight_coefficients\", with {}", what),
                  "what all times have in common is computed by one process, in one go",
-                 "use series = \"one_by_one\""});
+                 "use time_method = \"independent\""});
         }
     };
     const SumsOrigin& origin = input.control.origin;

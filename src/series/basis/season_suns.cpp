@@ -73,7 +73,7 @@ void SeasonSuns::choose_pixels(
 std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
     std::span<const SunsOfTime> times) const try {
     auto& state = SimulatorAccess::state(simulator_);
-    const auto caster = state.caster_for(scene_, spec_.engine, stop_);
+    const auto caster = state.caster_for(scene_, spec_.accelerator, stop_);
     const Sampler& sampler = state.sampler_for(spec_.sampler);
     struct Looked {
         RunSpec spec;
@@ -88,7 +88,7 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
         Looked& own = looked[i];
         own.spec = trace_spec(spec_, {}, times[i].trace);
         own.prepared = std::make_unique<const PreparedScene>(
-            scene_, times[i].suns, spec_.window, caster, stop_);
+            scene_, times[i].suns, spec_.start_area, caster, stop_);
         if (!own.prepared->lights().empty()) {
             own.pixels = std::make_unique<const SunPixels>(
                 SolverInput{*own.prepared, sampler, own.spec, stop_}, pixels_);

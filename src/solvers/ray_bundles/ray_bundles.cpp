@@ -288,10 +288,8 @@ void check_matt(const Scene& scene, Faults& faults) {
             faults.add(
                 {"method",
                  fmt::format(
-                     "ray_bundles, with the material '{}' that is not matt", material.name()),
-                 "bundles send light on by the cosine law alone, with the same albedo at every "
-                 "angle",
-                 "use method = \"first_hits\""});
+                     "ray_bundles needs Lambertian materials; '{}' is not", material.name()),
+                 "", "use method = \"first_hits\""});
         }
     }
 }

@@ -98,13 +98,13 @@ TEST(MonteCarlo, KnowsDirectivesOfItsOwn) {
         "reflectance model: parcinopy\n",
         kept);
     EXPECT_EQ(spec.kind, SpecificationKind::montecarlo);
-    EXPECT_EQ(spec.run.direct_light, DirectLight::ignored);
+    EXPECT_EQ(spec.run.direct_light, DirectLight::excluded);
     EXPECT_EQ(spec.sensor_half_angle_deg, 30);
     EXPECT_EQ(spec.light_model, "phong");
     EXPECT_TRUE(kept.has("PARCINOPY is not known"));
     EXPECT_EQ(
         specification("ray density: 1\nno direct light: no\n", kept).run.direct_light,
-        DirectLight::counted);
+        DirectLight::included);
 }
 
 TEST(MonteCarlo, ReadsSkiesWithComments) {

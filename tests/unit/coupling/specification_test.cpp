@@ -65,8 +65,8 @@ visualization: light box wire 1 0 0
     EXPECT_EQ(spec.run.max_depth, 0U);
     EXPECT_EQ(spec.run.replicates, 4U);
     EXPECT_EQ(spec.run.paths, 5000U);
-    EXPECT_EQ(spec.run.roulette_weight, 0.1);
-    EXPECT_EQ(spec.run.direct_light, DirectLight::ignored);
+    EXPECT_EQ(spec.run.roulette_threshold, 0.1);
+    EXPECT_EQ(spec.run.direct_light, DirectLight::excluded);
     EXPECT_FALSE(spec.one_ray_per_spectrum);
     EXPECT_EQ(spec.material_parameter, 5U);
     ASSERT_EQ(spec.materials.size(), 3U);

@@ -22,8 +22,8 @@ namespace {
 /// A scene as its ray caster and its beams see it.
 struct Repeated {
     Repeated(const std::vector<Triangle>& triangles, const Cell& cell)
-        : caster(triangles, cell, Engine::brute_force),
-          projection(caster.mesh(), cell, CrossSectionShape::silhouette) {
+        : caster(triangles, cell, Accelerator::brute_force),
+          projection(caster.mesh(), cell, StartArea::silhouette) {
         for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
             const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
             roles.push_back(image ? VisibilityRole::left_out : VisibilityRole::opaque);

@@ -144,7 +144,7 @@ void expect_same_flux_on_the_floor(const LampSpec& spec) {
     const auto lamp = make_lamp(spec);
     const auto triangles = make_parallelogram({-1, -.5, -1}, {2, 0, 0}, {0, 1.5, 0});
     const LocalMesh mesh = make_local_mesh(triangles);
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     const auto sampler = model_of(*lamp).make_sampler_in(projection);
     ASSERT_NE(sampler, nullptr);
     std::mt19937_64 bits(7);
@@ -195,7 +195,7 @@ TEST(Lamp, FarAwayAimsAtTheScene) {
     LampSpec spec = lamp_of({}, isotropic_pattern());
     spec.position = {0, 0, 1000};
     const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     const auto sampler = model_of(*make_lamp(spec)).make_sampler_in(projection);
     // The cone of the bounding sphere, of radius sqrt(1/2).
     EXPECT_NEAR(sampler->flux() * projection.world_area(), .5 / (4 * 1e6), 1e-9);
@@ -210,10 +210,10 @@ TEST(Lamp, ThatShinesAwayFromTheSceneSendsNothing) {
     spec.position = {0, 0, 5};
     spec.axes = lamp_axes({0, 0, 1}, {1, 0, 0});
     const LocalMesh mesh = make_local_mesh(make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
-    const SceneProjection open(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection open(mesh, {}, StartArea::silhouette);
     EXPECT_EQ(model_of(*make_lamp(spec)).make_sampler_in(open), nullptr);
     const Cell cell{.along_x = true, .along_y = true, .size_x = 1, .size_y = 1};
-    const SceneProjection layer(mesh, cell, CrossSectionShape::silhouette);
+    const SceneProjection layer(mesh, cell, StartArea::silhouette);
     EXPECT_EQ(model_of(*make_lamp(spec)).make_sampler_in(layer), nullptr);
 }
 

@@ -282,7 +282,7 @@ TEST(SunDisk, MayStandOnTheHorizon) {
 TEST(SunDisk, SendsTheLightThatEntersTheBox) {
     const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     for (const Vec3& to_sun : {sun_at(60), sun_at(1), Vec3{0, 0, 1}, Vec3{0, 1, 0}}) {
         const auto sampler =
             model_of(*make_sun_disk("sun", to_sun, 3, {1})).make_sampler_in(projection);
@@ -306,7 +306,7 @@ TEST(SunDisk, SendsTheLightThatEntersTheBox) {
 TEST(SunDisk, DrawsItsDirectionsEvenly) {
     const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     constexpr double kRadius = 3 * pi / 180;
     const Vec3 to_sun = sun_at(60);
     const auto sampler =

@@ -27,7 +27,7 @@ struct LitBox {
     explicit LitBox(const Cell& cell = {})
         : mesh(make_local_mesh(
               std::vector<Triangle>{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}})),
-          projection(mesh, cell, CrossSectionShape::silhouette) {}
+          projection(mesh, cell, StartArea::silhouette) {}
     LitBox(const LitBox&) = delete;
     LitBox& operator=(const LitBox&) = delete;
 };

@@ -44,7 +44,7 @@ double over_hemisphere(const Function& f) {
 
 double world_flux(const Cell& cell) {
     const LocalMesh mesh = make_local_mesh(make_box());
-    const SceneProjection projection(mesh, cell, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, cell, StartArea::silhouette);
     return model_of(*make_uniform_sky("sky", {1})).make_sampler_in(projection)->flux() *
            projection.world_area();
 }
@@ -53,11 +53,11 @@ TEST(UniformSky, SendsTheLightThatEntersTheBoxAroundTheScene) {
     // E through the top, E/2 through each side.
     EXPECT_NEAR(world_flux({}), 4 * 2 + .5 * 2 * (4 * 1 + 2 * 1), 1e-4);
     const LocalMesh mesh = make_local_mesh(make_box());
-    const EntryBox box = SceneProjection(mesh, {}, CrossSectionShape::silhouette).entry_box();
+    const EntryBox box = SceneProjection(mesh, {}, StartArea::silhouette).entry_box();
     const auto sky = make_uniform_sky("sky", {1});
     const double integral = over_hemisphere(
         [&](const Vec3& d) { return model_of(*sky).radiance(d) * box.projected_area(d); });
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     EXPECT_NEAR(model_of(*sky).make_sampler_in(projection)->flux(), integral, 1e-4 * integral);
 }
 
@@ -77,7 +77,7 @@ struct Face {
 /// Many starts, by face: top, low x, high x, low y, high y.
 std::array<Face, 5> draw_faces(int starts) {
     const LocalMesh mesh = make_local_mesh(make_box());
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     const Bounds& box = projection.entry_box().bounds;
     const auto sampler = model_of(*make_uniform_sky("sky", {1})).make_sampler_in(projection);
     std::array<Face, 5> faces;
@@ -171,7 +171,7 @@ TEST(UniformSky, IsDarkBelowTheHorizon) {
 
 void tell_the_density(const Cell& cell) {
     const LocalMesh mesh = make_local_mesh(make_box());
-    const SceneProjection projection(mesh, cell, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, cell, StartArea::silhouette);
     const auto sampler = model_of(*make_uniform_sky("sky", {1})).make_sampler_in(projection);
     EXPECT_NEAR(over_hemisphere([&](const Vec3& d) { return sampler->density(-d); }), 1, 1e-4);
     EXPECT_EQ(sampler->density({0, .6, .8}), 0);

@@ -56,7 +56,7 @@ TEST(ReadLight, FillsInWhatTheResultHas) {
 TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
     RunText text;
     text.organs = kTwoOrgans;
-    text.sources = "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n";
+    text.sources = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n";
     text.rest = "[time]\nfrom = '2024-06-21'\nto = '2024-06-22'\nutc_offset_hours = 2\n";
     const RunFile run = read_text(text.text());
     ASSERT_TRUE(run.series);
@@ -101,7 +101,7 @@ TEST(ReadLight, TellsThePointsOfASweep) {
 TEST(ReadLight, TakesTimesInTheirOrder) {
     RunText text;
     text.organs = kTwoOrgans;
-    text.sources = "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n";
+    text.sources = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n";
     const std::string noon = "2024-06-21T12:00+02:00";
     text.rest = "[time]\ntimes = ['" + noon + "', '" + noon + "']\n";
     const RunFile run = read_text(text.text());

@@ -22,8 +22,8 @@ namespace {
 
 std::uint64_t digest(const Scene& scene, const Sources& sources) {
     const PreparedScene prepared(
-        scene, sources, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
+        scene, sources, StartArea::silhouette,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     return digest_of(prepared, RunSpec{});
 }
 

@@ -39,8 +39,8 @@ void prepare(SceneBuilder builder) {
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(0, {1})};
     const PreparedScene prepared(
-        scene, sources, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
+        scene, sources, StartArea::silhouette,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     EXPECT_EQ(prepared.lights().size(), 1U);
 }
 

@@ -105,8 +105,9 @@ class NewQuantity : public ::testing::Test {
     Sources sources_{sky({1})};
     RunSpec spec_;
     PreparedScene prepared_{
-        scene_, sources_, spec_.window,
-        std::make_shared<const RayCaster>(data_of(scene_).geometry, scene_.cell(), spec_.engine)};
+        scene_, sources_, spec_.start_area,
+        std::make_shared<const RayCaster>(
+            data_of(scene_).geometry, scene_.cell(), spec_.accelerator)};
     std::unique_ptr<Sampler> sampler_ = make_sampler("sobol");
 };
 

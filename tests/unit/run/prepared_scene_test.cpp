@@ -40,8 +40,9 @@ struct Staged {
           prepared(
               scene,
               sources,
-              CrossSectionShape::silhouette,
-              std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree)) {}
+              StartArea::silhouette,
+              std::make_shared<RayCaster>(
+                  data_of(scene).geometry, scene.cell(), Accelerator::embree)) {}
     Staged(const Staged&) = delete;
     Staged& operator=(const Staged&) = delete;
 };

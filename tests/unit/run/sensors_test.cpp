@@ -103,7 +103,7 @@ TEST_P(Sensors, OfDirectLightThatIsIgnoredTellNothing) {
     const Scene scene = above_ground(60);
     RunSpec spec = spec_of(GetParam(), 1U << 13U);
     const Result all = run(scene, {sun(0, {1})}, spec);
-    spec.direct_light = DirectLight::ignored;
+    spec.direct_light = DirectLight::excluded;
     const Result scattered = run(scene, {sun(0, {1})}, spec);
     EXPECT_GT(all.at(0, Quantity::incident_upper, 0).mean, .9);
     EXPECT_EQ(scattered.at(0, Quantity::incident_upper, 0).mean, 0);

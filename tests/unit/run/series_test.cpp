@@ -284,17 +284,17 @@ TEST(Series, CountsNoDarkTimesAsProgress) {
 TEST(SpreadEffort, FollowsTheLightOfTheDay) {
     std::vector<TimeStep> time_steps = fading_day();
     auto plans = plan_series(time_steps);
-    EXPECT_EQ(plans[0].effort, 1) << "unless it is asked for";
-    spread_effort(make_scene(), time_steps, plans);
+    EXPECT_EQ(plans[0].path_factor, 1) << "unless it is asked for";
+    allocate_paths(make_scene(), time_steps, plans);
     // Of the sum 900/999, 90/999 and 9/999; three times that is 2.7, .27 and .027.
-    EXPECT_EQ(plans[0].effort, 2);
-    EXPECT_EQ(plans[1].effort, .25);
-    EXPECT_EQ(plans[2].effort, 1. / 32);
+    EXPECT_EQ(plans[0].path_factor, 2);
+    EXPECT_EQ(plans[1].path_factor, .25);
+    EXPECT_EQ(plans[2].path_factor, 1. / 32);
     EXPECT_NEAR(plans[2].target, std::sqrt(999. / 9), 1e-12);
     time_steps[2].seconds = 3600e-6;
     plans = plan_series(time_steps);
-    spread_effort(make_scene(), time_steps, plans);
-    EXPECT_EQ(plans[2].effort, 1. / 64) << "at least";
+    allocate_paths(make_scene(), time_steps, plans);
+    EXPECT_EQ(plans[2].path_factor, 1. / 64) << "at least";
 }
 
 TEST(SpreadEffort, OfDaysIsOfEachByItself) {
@@ -302,9 +302,9 @@ TEST(SpreadEffort, OfDaysIsOfEachByItself) {
         moment_of({sky({900})}, "a", 0), moment_of({sky({900})}, "b", 0),
         moment_of({sky({1})}, "c", 1), moment_of({}, "", 1)};
     auto plans = plan_series(time_steps);
-    spread_effort(make_scene(), time_steps, plans);
+    allocate_paths(make_scene(), time_steps, plans);
     for (const std::size_t i : {0, 1, 2}) {
-        EXPECT_EQ(plans[i].effort, 1) << i;
+        EXPECT_EQ(plans[i].path_factor, 1) << i;
     }
 }
 
@@ -313,9 +313,9 @@ TEST(SpreadEffort, CountsASharedTraceByAllItServes) {
         moment_of({sky({100})}, "overcast"), moment_of({sky({100})}, "b"),
         moment_of({sky({200})}, "overcast"), moment_of({sky({400})}, "overcast")};
     auto plans = plan_series(time_steps);
-    spread_effort(make_scene(), time_steps, plans);
-    EXPECT_EQ(plans[0].effort, 2) << "700 of 800, and two traces";
-    EXPECT_EQ(plans[1].effort, .25);
+    allocate_paths(make_scene(), time_steps, plans);
+    EXPECT_EQ(plans[0].path_factor, 2) << "700 of 800, and two traces";
+    EXPECT_EQ(plans[1].path_factor, .25);
 }
 
 /// Paths where the light is: for the same error of the sum, less than half of the paths.
@@ -324,8 +324,8 @@ TEST(Series, OfADayNeedsFewerPathsForItsSum) {
     RunSpec spec = small_spec();
     spec.sampler = "monte_carlo";
     spec.replicates = 512;
-    const auto cost = [&](Effort effort) {
-        spec.effort = effort;
+    const auto cost = [&](PathAllocation path_allocation) {
+        spec.path_allocation = path_allocation;
         double paths = 0;
         Listening events;
         events.time_step = [&](std::size_t, const Result& result, std::size_t) {
@@ -336,7 +336,7 @@ TEST(Series, OfADayNeedsFewerPathsForItsSum) {
         return paths * sum.standard_error * sum.standard_error / (sum.mean * sum.mean);
     };
     // 3 (.9^2 + .09^2 + .009^2) = 2.46 against 1.
-    EXPECT_LT(cost(Effort::day), .55 * cost(Effort::each));
+    EXPECT_LT(cost(PathAllocation::proportional), .55 * cost(PathAllocation::equal));
 }
 
 TEST(Series, OfADayHasTheTargetForItsSum) {
@@ -346,7 +346,7 @@ TEST(Series, OfADayHasTheTargetForItsSum) {
     spec.replicates = 32;
     spec.target_error = .02;
     spec.target_fraction = 1;
-    spec.effort = Effort::day;
+    spec.path_allocation = PathAllocation::proportional;
     std::vector<std::uint64_t> paths;
     Listening events;
     events.time_step = [&](std::size_t, const Result& result, std::size_t) {
@@ -367,7 +367,7 @@ TEST(Series, OfADayKeepsToTheMostPaths) {
     RunSpec spec = small_spec();
     spec.paths = 256;
     spec.max_paths = 256;
-    spec.effort = Effort::day;
+    spec.path_allocation = PathAllocation::proportional;
     std::vector<std::uint64_t> paths;
     Listening events;
     events.time_step = [&](std::size_t, const Result& result, std::size_t) {

@@ -76,7 +76,7 @@ TEST_F(SimulatorTest, BuildsAnewForOtherGeometry) {
     EXPECT_TRUE(same_bits(run(higher, short_run()), quasimc::run(higher, sources_, short_run())));
     EXPECT_EQ(simulator_.builds(), 2U);
     RunSpec spec = short_run();
-    spec.engine = Engine::brute_force;
+    spec.accelerator = Accelerator::brute_force;
     static_cast<void>(run(higher, spec));
     EXPECT_EQ(simulator_.builds(), 3U);
 }

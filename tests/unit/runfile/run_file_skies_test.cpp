@@ -103,7 +103,7 @@ TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
     EXPECT_TRUE(faults_with_time("'2016-12-31T23:59:60Z'").empty());
     RunText text;
     text.sources = kSun;
-    EXPECT_TRUE(mentions(faults_of(text.text()), "time without [place]"));
+    EXPECT_TRUE(mentions(faults_of(text.text()), "time without [site]"));
     EXPECT_TRUE(
         mentions(faults_of(with_sources(kSun + "azimuth_deg = 3\n")), "time and angles are given"));
     EXPECT_TRUE(mentions(

@@ -6,10 +6,10 @@
 
 namespace quasimc::test {
 
-inline constexpr const char* kPlace = "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n";
+inline constexpr const char* kSite = "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n";
 
 /// A run file with [time], without a [[source]].
-inline std::string with_time(const std::string& keys, const std::string& place = kPlace) {
+inline std::string with_time(const std::string& keys, const std::string& place = kSite) {
     RunText text;
     text.sources = "";
     text.rest = place + "[time]\n" + keys;

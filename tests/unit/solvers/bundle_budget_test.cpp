@@ -22,9 +22,9 @@ class Stand {
           prepared_(
               leaves_,
               suns_,
-              CrossSectionShape::silhouette,
+              StartArea::silhouette,
               std::make_shared<RayCaster>(
-                  data_of(leaves_).geometry, leaves_.cell(), Engine::embree)),
+                  data_of(leaves_).geometry, leaves_.cell(), Accelerator::embree)),
           seen_{&prepared_.caster().mesh(), {}},
           patches_(prepared_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {}
 

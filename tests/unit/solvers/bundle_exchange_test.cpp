@@ -67,8 +67,8 @@ TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
     const Scene scene = std::move(builder).build();
     const Sources suns({sun(0, {1})});
     const PreparedScene prepared(
-        scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
+        scene, suns, StartArea::silhouette,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     const ProjectedScene seen{&prepared.caster().mesh(), {}};
     const PatchScene patches(prepared, seen, make_patches(prepared, {}, 64, {}));
 

@@ -43,8 +43,9 @@ struct SeenStand {
           prepared(
               scene,
               sources,
-              CrossSectionShape::silhouette,
-              std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree)),
+              StartArea::silhouette,
+              std::make_shared<RayCaster>(
+                  data_of(scene).geometry, scene.cell(), Accelerator::embree)),
           seen{
               &prepared.caster().mesh(),
               prepared.projection().cell(),

@@ -62,8 +62,8 @@ TEST_P(SunPixelsOfStand, SeeWhatScanLinesSee) {
     const Scene scene = leaves_over_floor(GetParam());
     const Sources suns = three_suns();
     const PreparedScene prepared(
-        scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
+        scene, suns, StartArea::silhouette,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     const std::vector<SunLight> found = looks(prepared, 400000);
     const Result lines = by_lines(scene, suns);
     ASSERT_EQ(scene.regions().size(), scene.organs().size());
@@ -98,8 +98,8 @@ TEST_P(SunPixelsOfStand, LoseNoLight) {
     const Scene scene = leaves_over_floor(GetParam());
     const Sources suns = three_suns();
     const PreparedScene prepared(
-        scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
+        scene, suns, StartArea::silhouette,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     for (const SunLight& light : looks(prepared, 1000)) {
         for (std::size_t b = 0; b < 2; ++b) {
             double sum = light.escaped[b];

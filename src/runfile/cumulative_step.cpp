@@ -1,4 +1,4 @@
-#include "runfile/collapsed_moment.h"
+#include "runfile/cumulative_step.h"
 
 #include <utility>
 
@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-void CollapsedMoment::add(
+void CumulativeStep::add(
     const HourParts& parts,
     const Daylight& daylight,
     double seconds,
@@ -39,7 +39,7 @@ void CollapsedMoment::add(
     }
 }
 
-CollapsedMoment::Made CollapsedMoment::make(const Sources& lamps, std::size_t day) const {
+CumulativeStep::Made CumulativeStep::make(const Sources& lamps, std::size_t day) const {
     EXPECT(!empty());
     PeriodLight light = light_;
     for (const auto& [text, sky] : skies_) {
@@ -51,11 +51,11 @@ CollapsedMoment::Made CollapsedMoment::make(const Sources& lamps, std::size_t da
     made.notes.seconds = seconds_;
     made.notes.daylight = {daylight_.direct / seconds_, daylight_.diffuse / seconds_};
     made.notes.suns = light.suns();
-    made.notes.collapsed = {end_, times_, with_light_, daylight.size() - light.suns()};
+    made.notes.cumulated = {end_, times_, with_light_, daylight.size() - light.suns()};
     made.time_step.name = begin_ + " to " + end_;
     made.time_step.sources = lamps;
     if (!daylight.empty()) {
-        made.time_step.shapes = "collapsed " + made.time_step.name;
+        made.time_step.shapes = "cumulative " + made.time_step.name;
         std::move(daylight.begin(), daylight.end(), std::back_inserter(made.time_step.sources));
     }
     made.time_step.seconds = seconds_;

@@ -1,4 +1,4 @@
-// Times of [time] that are collapsed into one moment.
+// Times of [time] that share one moment.
 
 #include <algorithm>
 #include <string>
@@ -19,7 +19,7 @@ std::string with_two_bands(const std::string& keys) {
     RunText text;
     text.top = "[[band]]\nname = 'PAR'\nunit = 'umol m-2 s-1'\n[[band]]\nname = 'NIR'\n";
     text.sources = "";
-    text.rest = "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\n" + keys;
+    text.rest = "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\n" + keys;
     return text.text();
 }
 
@@ -36,10 +36,10 @@ double sum_over(const TimeSeries& series, std::size_t band) {
     return sum;
 }
 
-TEST(RunFileCollapse, MakesAMomentOfAPeriod) {
+TEST(RunFileCumulative, MakesAMomentOfAPeriod) {
     const TimeSeries hours = *read_text(with_two_bands(kDays)).series;
     const TimeSeries one =
-        *read_text(with_two_bands(std::string(kDays) + "collapse = 'period'\n")).series;
+        *read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'period'\n")).series;
     ASSERT_EQ(one.time_steps.size(), 1U);
     EXPECT_EQ(one.time_steps[0].seconds, 3 * 86400);
     EXPECT_EQ(one.days, std::vector<std::string>{"2024-06-20/2024-06-22"});
@@ -47,27 +47,27 @@ TEST(RunFileCollapse, MakesAMomentOfAPeriod) {
         EXPECT_NEAR(sum_over(one, band), sum_over(hours, band), 1e-6 * sum_over(hours, band));
     }
     const MomentNotes& notes = one.notes[0];
-    ASSERT_TRUE(notes.collapsed.has_value());
+    ASSERT_TRUE(notes.cumulated.has_value());
     std::size_t suns = 0;
     std::size_t lit = 0;
     for (const MomentNotes& hour : hours.notes) {
         suns += hour.suns;
         lit += hour.daylight.global() > 0 ? 1 : 0;
-        EXPECT_FALSE(hour.collapsed.has_value());
+        EXPECT_FALSE(hour.cumulated.has_value());
     }
     EXPECT_EQ(notes.suns, suns);
-    EXPECT_EQ(notes.collapsed->times, 72U);
-    EXPECT_EQ(notes.collapsed->with_light, lit);
-    EXPECT_EQ(notes.collapsed->skies, 2U) << "blue and white";
+    EXPECT_EQ(notes.cumulated->times, 72U);
+    EXPECT_EQ(notes.cumulated->with_light, lit);
+    EXPECT_EQ(notes.cumulated->skies, 2U) << "blue and white";
     EXPECT_EQ(one.time_steps[0].sources.size(), suns + 2);
     EXPECT_EQ(notes.time, "2024-06-20T00:00+01:00");
-    EXPECT_EQ(notes.collapsed->until, "2024-06-23T00:00+01:00");
+    EXPECT_EQ(notes.cumulated->until, "2024-06-23T00:00+01:00");
 }
 
-TEST(RunFileCollapse, MakesAMomentOfEachDay) {
+TEST(RunFileCumulative, MakesAMomentOfEachDay) {
     const TimeSeries hours = *read_text(with_two_bands(kDays)).series;
     const TimeSeries days =
-        *read_text(with_two_bands(std::string(kDays) + "collapse = 'days'\n")).series;
+        *read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'day'\n")).series;
     ASSERT_EQ(days.time_steps.size(), 3U);
     EXPECT_EQ(days.days, hours.days);
     EXPECT_EQ(days.time_steps[2].day, 2U);
@@ -76,12 +76,12 @@ TEST(RunFileCollapse, MakesAMomentOfEachDay) {
     EXPECT_EQ(plan_series(days.time_steps)[1].traced, 1U) << "no two days are alike";
 }
 
-TEST(RunFileCollapse, LetsLampsShineOn) {
+TEST(RunFileCumulative, LetsLampsShineOn) {
     RunText text;
     text.sources = "[[source]]\ntype = 'point'\nposition = [0, 0, 3]\npower = 9\n";
     text.rest =
-        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = '2024-06-21'\n"
-        "utc_offset_hours = 1\ncollapse = 'days'\nhours = [0, 3]\n";
+        "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = '2024-06-21'\n"
+        "utc_offset_hours = 1\ncumulative_sky = 'day'\nhours = [0, 3]\n";
     const RunFile run = read_text(text.text());
     ASSERT_EQ(run.series->time_steps.size(), 1U);
     ASSERT_EQ(run.series->time_steps[0].sources.size(), 1U) << "it is night";
@@ -89,14 +89,14 @@ TEST(RunFileCollapse, LetsLampsShineOn) {
     EXPECT_EQ(run.series->time_steps[0].seconds, 3 * 3600);
 }
 
-TEST(RunFileCollapse, NeedsTimesWithALength) {
-    const std::string times = "times = ['2024-06-21T13:40+02:00']\ncollapse = 'period'\n";
-    EXPECT_TRUE(mentions(faults_of(with_two_bands(times)), "instants are to be collapsed"));
+TEST(RunFileCumulative, NeedsTimesWithALength) {
+    const std::string times = "times = ['2024-06-21T13:40+02:00']\ncumulative_sky = 'period'\n";
+    EXPECT_TRUE(mentions(faults_of(with_two_bands(times)), "instants have no cumulative sky"));
     EXPECT_EQ(
         read_text(with_two_bands(times + "duration_minutes = 10\n")).series->time_steps.size(), 1U);
     EXPECT_TRUE(mentions(
-        faults_of(with_two_bands(std::string(kDays) + "collapse = 'weeks'\n")),
-        "collapse is 'weeks'"));
+        faults_of(with_two_bands(std::string(kDays) + "cumulative_sky = 'weeks'\n")),
+        "cumulative_sky: 'weeks' is not one of none, day, period"));
 }
 
 std::string days_head(const RunFile& run) {
@@ -107,7 +107,7 @@ std::string days_head(const RunFile& run) {
 }
 
 std::string series_json(RunFile run) {
-    run.output.night = true;  // the result is dark
+    run.output.include_night = true;  // the result is dark
     std::string text;
     JsonWriter json(run, [&](std::string_view part) { text += part; });
     json.on_time_step({0, dark_result(run.scene, run.spec)});
@@ -115,8 +115,9 @@ std::string series_json(RunFile run) {
     return text;
 }
 
-TEST(RunFileCollapse, IsToldInTheResults) {
-    const RunFile run = read_text(with_two_bands(std::string(kDays) + "collapse = 'period'\n"));
+TEST(RunFileCumulative, IsToldInTheResults) {
+    const RunFile run =
+        read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'period'\n"));
     const std::string csv = days_head(run);
     EXPECT_NE(
         csv.find("# moment: 2024-06-20T00:00+01:00 to 2024-06-23T00:00+01:00, 259200 s: 72 "),
@@ -124,10 +125,10 @@ TEST(RunFileCollapse, IsToldInTheResults) {
     EXPECT_NE(csv.find("incident_upper_PAR [mol m-2]:"), std::string::npos);
     const std::string json = series_json(run);
     EXPECT_NE(
-        json.find("\"until\": \"2024-06-23T00:00+01:00\",\n\"collapsed\": {\n  \"times\": 72"),
+        json.find("\"until\": \"2024-06-23T00:00+01:00\",\n\"cumulative_sky\": {\n  \"times\": 72"),
         std::string::npos);
     EXPECT_EQ(json.find("azimuth_deg\": "), std::string::npos);
-    const RunFile days = read_text(with_two_bands(std::string(kDays) + "collapse = 'days'\n"));
+    const RunFile days = read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'day'\n"));
     EXPECT_NE(days_head(days).find("incident_upper_PAR [mol m-2 d-1]:"), std::string::npos);
 }
 
@@ -142,7 +143,7 @@ SeriesSum flat_sum(const RunFile& run, double seconds, double mean) {
 
 TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
     RunFile run = read_text(with_two_bands(kDays));
-    run.output.night = true;  // all results are dark
+    run.output.include_night = true;  // all results are dark
     std::string text;
     std::string digest;
     {

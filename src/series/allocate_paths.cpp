@@ -73,7 +73,7 @@ void claim_day(const Energies& energies, std::map<std::size_t, Claim>& claims) {
 
 }  // namespace
 
-void spread_effort(
+void allocate_paths(
     const Scene& scene, const std::vector<TimeStep>& time_steps, std::vector<TimeStepPlan>& plans) {
     std::map<std::size_t, Claim> claims;
     Energies energies;
@@ -94,7 +94,7 @@ void spread_effort(
     for (const auto& [traced, claim] : claims) {
         const double least = std::ldexp(1, kLeastExponent);
         const double exponent = std::round(std::log2(std::max(claim.effort, least)));
-        plans[traced].effort = std::exp2(exponent);
+        plans[traced].path_factor = std::exp2(exponent);
         plans[traced].target = 1 / std::sqrt(std::max(claim.share, least * least));
     }
 }

@@ -13,9 +13,9 @@ namespace quasimc {
 
 /// Gathers times into one moment: with the mean of their light, and as long as all of them. Its
 /// light times its length is then the sum over the times.
-class CollapsedMoment {
+class CumulativeStep {
   public:
-    explicit CollapsedMoment(std::size_t bands) : bands_(bands), light_(bands) {}
+    explicit CumulativeStep(std::size_t bands) : bands_(bands), light_(bands) {}
 
     [[nodiscard]] bool empty() const { return times_ == 0; }
     /// @param seconds  how long the time is, over 0
