@@ -128,7 +128,7 @@ def wrong_numbers(page, table):
             value, _, end = cell.partition(" (below ")
             right = rounds_to(row[column], value)
             if end:
-                right = right and rounds_to(row[column + "_high"], end.rstrip(")"))
+                right = right and rounds_to(row[column + "_ci95_high"], end.rstrip(")"))
             if not right:
                 yield cells[1], column
 

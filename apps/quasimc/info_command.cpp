@@ -125,7 +125,7 @@ std::string scene_text(const quasimc::Scene& scene, const std::string& unit) {
 std::string warnings_text(const std::vector<quasimc::Warning>& warnings) {
     std::string text;
     for (const quasimc::Warning& warning : warnings) {
-        text += line("warning", fmt::format("{}: {}", warning.place, warning.text));
+        text += line("warning", fmt::format("{}: {}", warning.where, warning.text));
     }
     return text.empty() ? line("warning", "none") : text;
 }

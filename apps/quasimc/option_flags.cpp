@@ -83,7 +83,7 @@ std::vector<quasimc::Override> OptionFlags::overrides() const {
 
 void print_warnings(const std::vector<quasimc::Warning>& warnings) {
     for (const quasimc::Warning& warning : warnings) {
-        const std::string place = warning.place.empty() ? "" : warning.place + ": ";
-        print_warning(place + warning.text);
+        const std::string where = warning.where.empty() ? "" : warning.where + ": ";
+        print_warning(where + warning.text);
     }
 }

@@ -25,7 +25,7 @@ std::string flags_of_another_run(const RunArguments& arguments) {
 }
 
 bool is_cut_short(quasimc::StopReason stop) {
-    return stop == quasimc::StopReason::interrupted || stop == quasimc::StopReason::time_is_up;
+    return stop == quasimc::StopReason::interrupted || stop == quasimc::StopReason::time_limit;
 }
 
 /// Why other numbers are no wonder; "" if they are one.

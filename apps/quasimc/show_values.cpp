@@ -66,7 +66,7 @@ const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
 quasimc::RowsQuery query_of(const RunFile& run, const ValueChoice& choice, ShownValues& values) {
     quasimc::RowsQuery query;
     query.part = !run.series            ? ""
-                 : !choice.time.empty() ? "moments"
+                 : !choice.time.empty() ? "time_steps"
                  : !choice.day.empty()  ? "days"
                                         : "total";
     query.label = choice.time.empty() ? choice.day : choice.time;

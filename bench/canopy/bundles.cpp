@@ -77,7 +77,7 @@ Errors errors_of(const Scene& scene, const Sources& sources, const RunSpec& spec
 double time_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     std::vector<double> seconds;
     while (seconds.size() < kTimings) {
-        seconds.push_back(run(scene, sources, spec).trace_cpu_seconds / spec.replicates);
+        seconds.push_back(run(scene, sources, spec).solve_cpu_seconds / spec.replicates);
     }
     return median(seconds);
 }

@@ -92,14 +92,14 @@ Result run_and_time(
     const std::uint32_t wanted = spec.replicates;
     spec.replicates = kFewestReplicates;
     Result result = simulator.run(scene, sources, spec);
-    const double most = kMostSeconds / result.trace_cpu_seconds * kFewestReplicates;
+    const double most = kMostSeconds / result.solve_cpu_seconds * kFewestReplicates;
     if (most > 2 * kFewestReplicates) {
         spec.replicates = static_cast<std::uint32_t>(std::min<double>(wanted, most));
         result = simulator.run(scene, sources, spec);
     }
-    seconds = result.trace_cpu_seconds;
+    seconds = result.solve_cpu_seconds;
     for (int i = 1; i < repeats && seconds < kLong; ++i) {
-        seconds = std::min(seconds, simulator.run(scene, sources, spec).trace_cpu_seconds);
+        seconds = std::min(seconds, simulator.run(scene, sources, spec).solve_cpu_seconds);
     }
     seconds /= spec.replicates;
     return result;

@@ -186,8 +186,9 @@ Held held_by(const Corner& corner, Method method, std::uint32_t runs) {
         spec.seed = seed;
         const Estimate e = run(corner.scene, corner.sources, spec).at(0, corner.quantity, 0);
         const double slack = kRounding * corner.truth;
-        held.part += e.low - slack <= corner.truth && corner.truth <= e.high + slack ? 1 : 0;
-        held.width += (e.high - e.low) / 2 / corner.truth;
+        held.part +=
+            e.ci95_low - slack <= corner.truth && corner.truth <= e.ci95_high + slack ? 1 : 0;
+        held.width += (e.ci95_high - e.ci95_low) / 2 / corner.truth;
     }
     return {held.part / runs, held.width / runs};
 }

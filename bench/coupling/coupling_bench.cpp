@@ -120,7 +120,7 @@ void bench_steps(benchmark::State& state) {
         const double end = cpu_seconds();
         whole += end - start;
         text += parsed - start + end - answered;
-        tracing += light.last().results.front().trace_cpu_seconds;
+        tracing += light.last().results.front().solve_cpu_seconds;
         is_odd = !is_odd;
     }
     const auto steps = static_cast<double>(state.iterations());

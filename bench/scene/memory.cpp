@@ -39,7 +39,7 @@ void trace_a_little(const Scene& scene, const Sources& sources) {
     const auto triangles = static_cast<double>(scene.triangle_count());
     std::cerr << fmt::format(
         "scene {:.0f} (peak {:.0f}), engine built in {:.2f} s; ", resident / triangles,
-        read_peak / triangles, result.build_seconds);
+        read_peak / triangles, result.preparation_seconds);
 }
 
 /// A scene through the library's interface.

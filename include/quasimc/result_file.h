@@ -134,7 +134,7 @@ class Summary : public OutputWriter {
     std::size_t moments_ = 0;
     double seconds_ = 0;
     std::vector<BandBudget> energy_;  // flux x s
-    bool escaped_is_remainder_ = false;
+    bool escaped_by_difference_ = false;
     std::vector<std::pair<double, std::size_t>> medians_;  // errors, and of which moment
     std::size_t badly_known_ = 0;                          // most organs at a time
 };

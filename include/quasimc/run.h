@@ -182,7 +182,7 @@ struct RunControl {
 class Stopped : public std::runtime_error {
   public:
     Stopped(StopReason why, const std::string& words) : std::runtime_error(words), why_(why) {}
-    /// time_is_up or interrupted.
+    /// time_limit or interrupted.
     [[nodiscard]] StopReason why() const { return why_; }
 
   private:

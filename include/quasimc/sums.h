@@ -14,9 +14,9 @@ namespace quasimc {
 struct Estimate {
     double mean = 0;
     double standard_error =
-        0;           ///< of the mean; NaN when it can't be told (one replicate, or nothing was hit)
-    double low = 0;  ///< 95 % confidence interval
-    double high = 0;
+        0;  ///< of the mean; NaN when it can't be told (one replicate, or nothing was hit)
+    double ci95_low = 0;  ///< ends of the 95 % confidence interval
+    double ci95_high = 0;
 };
 
 /// Of a number of which nothing is known: NaN in all places.
@@ -26,7 +26,7 @@ inline constexpr Estimate kUnknownEstimate{
 
 /// The estimate of a number times `factor` >= 0.
 [[nodiscard]] constexpr Estimate scaled(const Estimate& e, double factor) {
-    return {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};
+    return {e.mean * factor, e.standard_error * factor, e.ci95_low * factor, e.ci95_high * factor};
 }
 
 struct SumData;  // sums/sum_data.h

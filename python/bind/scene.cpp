@@ -194,7 +194,7 @@ py::list warning_texts(const std::vector<Warning>& warnings) {
     py::list texts;
     for (const Warning& warning : warnings) {
         texts.append(py::str(
-            printable(warning.place.empty() ? warning.text : warning.place + ": " + warning.text)));
+            printable(warning.where.empty() ? warning.text : warning.where + ": " + warning.text)));
     }
     return texts;
 }

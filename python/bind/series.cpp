@@ -82,7 +82,7 @@ py::dict notes_of(const MomentNotes& notes) {
 
 py::list times_of(const SeriesHandle& all) {
     py::list times;
-    for (std::size_t i = 0; i < all.summary.done; ++i) {
+    for (std::size_t i = 0; i < all.summary.completed; ++i) {
         times.append(notes_of(all.series.notes[i]));
     }
     return times;
@@ -105,11 +105,11 @@ py::list days_of(const py::object& self) {
 py::dict facts_of_series(const SeriesHandle& all) {
     const SeriesSummary& summary = all.summary;
     py::dict facts;
-    facts["traced"] = summary.traced;
-    facts["done"] = summary.done;
-    facts["moments"] = all.series.time_steps.size();
+    facts["computed"] = summary.computed;
+    facts["completed"] = summary.completed;
+    facts["time_steps"] = all.series.time_steps.size();
     facts["stop"] = std::string(stop_name(summary.stop));
-    facts["audit_chance"] = summary.audit_chance;
+    facts["audit_p_value"] = summary.audit_p_value;
     facts["rays"] = summary.rays;
     facts["seconds"] = summary.seconds;
     facts["total_seconds"] = summary.total.seconds;

@@ -10,7 +10,7 @@ namespace quasimc::capi {
 namespace {
 
 std::string warning_text(const Warning& warning) {
-    return warning.place.empty() ? warning.text : warning.place + ": " + warning.text;
+    return warning.where.empty() ? warning.text : warning.where + ": " + warning.text;
 }
 
 LightOfRun read_light(const Statement& statement, const Scene& scene) {

@@ -71,8 +71,8 @@ void tell_step(
         }
         text += fmt::format(
             ", {} rays in {:.3f} s by {} ({})", result.rays,
-            result.build_seconds + result.trace_seconds, find_solver(result.chosen.method)->name,
-            result.chosen.reason);
+            result.preparation_seconds + result.solve_seconds,
+            find_solver(result.chosen.method)->name, result.chosen.reason);
     }
     tell(text);
 }

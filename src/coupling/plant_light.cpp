@@ -88,7 +88,7 @@ void PlantLight::tell_warnings() {
             const Warning& warning = finding.warnings[i];
             notices_.once(
                 i == 0 ? check : fmt::format("{} {}", check, i),
-                fmt::format("{}: {}", warning.place, warning.text));
+                fmt::format("{}: {}", warning.where, warning.text));
         }
     }
 }

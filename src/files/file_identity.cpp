@@ -60,7 +60,7 @@ const InputFile* input_at(const FileIdentity& file, std::span<const InputFile> i
         return nullptr;
     }
     const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const InputFile& input) {
-        const fs::path path = input.path == "-" ? "-" : input.resolved;
+        const fs::path path = input.path == "-" ? "-" : input.absolute_path;
         return identity_of(path, STDIN_FILENO) == file;
     });
     return found == inputs.end() ? nullptr : &*found;

@@ -148,7 +148,7 @@ std::string InputFiles::read(const std::string& path) {
 }
 
 void InputFiles::note(const std::string& path, const fs::path& full, std::string_view bytes) {
-    const auto is_same = [&](const InputFile& file) { return file.resolved == full.string(); };
+    const auto is_same = [&](const InputFile& file) { return file.absolute_path == full.string(); };
     if (std::none_of(files_.begin(), files_.end(), is_same)) {
         files_.push_back({path, full.string(), sha256_hex(bytes), bytes.size(), false});
     }

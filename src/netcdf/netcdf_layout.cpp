@@ -254,8 +254,7 @@ NetcdfEstimates NetcdfLayout::define_estimates(
         }
     }
     const std::string mean = free_name(name), error = free_name(name + "_standard_error"),
-                      low = free_name(name + "_interval_low"),
-                      high = free_name(name + "_interval_high");
+                      low = free_name(name + "_ci95_low"), high = free_name(name + "_ci95_high");
     const auto add = [&](const std::string& variable, const std::string& words,
                          const std::string& ancillary) {
         NetcdfAttributes attributes{{"long_name", words}, {"units", unit}};

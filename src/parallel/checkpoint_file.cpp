@@ -27,8 +27,8 @@ constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 4\
 constexpr std::size_t kSha256Digits = 64;
 /// What may change when a run goes on: where it ends.
 constexpr std::array<std::string_view, 5> kEnds{
-    "run.run.paths", "run.run.target_error", "run.run.target_fraction", "run.run.max_paths",
-    "run.run.max_seconds"};
+    "run_file.run.paths", "run_file.run.target_error", "run_file.run.target_fraction",
+    "run_file.run.max_paths", "run_file.run.max_seconds"};
 
 std::string block_of(std::string_view bytes) {
     return number_bytes(bytes.size()).append(bytes);

@@ -13,7 +13,7 @@ namespace {
 
 /// What may differ between machines: it changes no result.
 constexpr std::array<std::string_view, 3> kFree{
-    "run.run.threads", "run.run.tally_memory_mb", "run.output"};
+    "run_file.run.threads", "run_file.run.tally_memory_mb", "run_file.output"};
 
 std::string in_short(const Json& value) {
     constexpr std::size_t kLongest = 40;
@@ -24,7 +24,7 @@ std::string in_short(const Json& value) {
 /// What decides the numbers: the program, the run file but for what is free, and what the other
 /// inputs hold, wherever they are.
 Json deciding(const Json& head, std::span<const std::string_view> free) {
-    Json run = {{"run", head.value("run", Json())}};
+    Json run = {{"run_file", head.value("run_file", Json())}};
     for (const auto& places : {std::span<const std::string_view>(kFree), free}) {
         for (const std::string_view place : places) {
             std::string path = fmt::format("/{}", place);
@@ -43,7 +43,7 @@ Json deciding(const Json& head, std::span<const std::string_view> free) {
     }
     return {
         {"program_version", head.value("program_version", Json())},
-        {"run", run["run"]},
+        {"run_file", run["run_file"]},
         {"inputs", inputs}};
 }
 

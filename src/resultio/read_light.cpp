@@ -108,7 +108,7 @@ const Node* item_at(const Node* list, std::size_t index) {
 std::vector<DetectorResult> read_detectors(
     const Node& rest, const RowsPlace& place, const RunFile& run) {
     const Node* at = run.sweep ? item_at(rest.find("points"), place.point) : &rest;
-    at = at != nullptr && run.series ? item_at(at->find("moments"), place.index) : at;
+    at = at != nullptr && run.series ? item_at(at->find("time_steps"), place.index) : at;
     const Node* list = at != nullptr ? at->find("detectors") : nullptr;
     std::vector<DetectorResult> detectors = dark_detectors(run.scene);
     const std::size_t bands = run.scene.bands().size();
@@ -123,7 +123,7 @@ std::vector<DetectorResult> read_detectors(
             detectors[d].values[i] =
                 of_band != nullptr
                     ? Estimate{number_in(*of_band, "mean"), number_in(*of_band, "standard_error"),
-                               number_in(*of_band, "low"), number_in(*of_band, "high")}
+                               number_in(*of_band, "ci95_low"), number_in(*of_band, "ci95_high")}
                     : kUnknownEstimate;
         }
     }
@@ -183,7 +183,7 @@ void read_light(
             const std::size_t day = find_label(series->days, next_day, place, path);
             next_day = day + 1;
             events.on_day(day, sum);
-        } else if (place.part == "moments" && series) {
+        } else if (place.part == "time_steps" && series) {
             const std::size_t time = find_label(times, next_time, place, path);
             next_time = time + 1;
             events.on_time_step(time, light_at(rows));

@@ -34,9 +34,9 @@ void check_format(const Node& head, const std::string& path) {
 
 /// Whether the run ended before its paths were done, by time or Ctrl-C.
 bool is_cut_short(const Node& head) {
-    const Node* done = head.find("done");
-    const std::string stop = done != nullptr ? text_in(*done, "stop") : "";
-    return stop == stop_name(StopReason::interrupted) || stop == stop_name(StopReason::time_is_up);
+    const Node* completed = head.find("completed");
+    const std::string stop = completed != nullptr ? text_in(*completed, "stop") : "";
+    return stop == stop_name(StopReason::interrupted) || stop == stop_name(StopReason::time_limit);
 }
 
 std::vector<InputFile> stored_inputs(const Node& head) {
@@ -48,7 +48,7 @@ std::vector<InputFile> stored_inputs(const Node& head) {
         const auto* is_run_file = mark == nullptr ? nullptr : mark->as<bool>();
         const auto* bytes = size == nullptr ? nullptr : size->as<std::int64_t>();
         inputs.push_back(
-            {text_in(item, "path"), text_in(item, "resolved"), text_in(item, "sha256"),
+            {text_in(item, "path"), text_in(item, "absolute_path"), text_in(item, "sha256"),
              bytes != nullptr && *bytes > 0 ? static_cast<std::uint64_t>(*bytes) : 0,
              is_run_file != nullptr && *is_run_file});
     }
@@ -65,7 +65,7 @@ fs::path input_folder(
         return input.is_run_file || access.exists(beside / input.path);
     };
     const bool all_there = std::all_of(inputs.begin(), inputs.end(), is_there);
-    return all_there ? beside : fs::path(text_in(head, "folder"));
+    return all_there ? beside : fs::path(text_in(head, "directory"));
 }
 
 /// Reads inputs, and refuses those that are no longer what they were.
@@ -114,7 +114,7 @@ StoredSweep read_result_text(
     const std::vector<Override>& overrides) {
     const Node head = read_rows(text, name, {.rest = RowsQuery::Rest::head}, {});
     check_format(head, name);
-    const Node* run = head.find("run");
+    const Node* run = head.find("run_file");
     if (run == nullptr || run->as<Node::Table>() == nullptr) {
         refuse(name, "holds no run");
     }

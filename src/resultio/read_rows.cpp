@@ -74,7 +74,7 @@ class RowsBuilder : public JsonNodeBuilder {
         }
         if (at < steps.size() && steps[at] == "total") {
             place_.part = steps[at++];
-        } else if (has_item() && (steps[at] == "moments" || steps[at] == "days")) {
+        } else if (has_item() && (steps[at] == "time_steps" || steps[at] == "days")) {
             place_.part = steps[at];
             place_.index = number_at(at);
             at += 2;
@@ -84,9 +84,9 @@ class RowsBuilder : public JsonNodeBuilder {
             return entry_of_rows(steps[at]);
         }
         const bool leads_to_rows =
-            behind == 0 ||
-            (behind == 1 && place_.part.empty() &&
-             ((at == 0 && steps[at] == "points") || steps[at] == "moments" || steps[at] == "days"));
+            behind == 0 || (behind == 1 && place_.part.empty() &&
+                            ((at == 0 && steps[at] == "points") || steps[at] == "time_steps" ||
+                             steps[at] == "days"));
         const bool is_built = steps.empty() || query_.rest == Rest::all ||
                               (query_.rest == Rest::labels) == leads_to_rows;
         return is_built ? Entry::build : Entry::skip;
@@ -172,8 +172,8 @@ class RowsBuilder : public JsonNodeBuilder {
         if (wanted_ != nullptr) {
             (row_key_ == "mean"             ? estimate_.mean
              : row_key_ == "standard_error" ? estimate_.standard_error
-             : row_key_ == "low"            ? estimate_.low
-             : row_key_ == "high"           ? estimate_.high
+             : row_key_ == "ci95_low"       ? estimate_.ci95_low
+             : row_key_ == "ci95_high"      ? estimate_.ci95_high
                                             : other_) = value;
         }
         return depth_ > 0;

@@ -15,7 +15,7 @@ namespace quasimc {
 /// Where a list of organs or groups stands in a JSON result.
 struct RowsPlace {
     std::size_t point = 0;   ///< of a sweep
-    std::string part = {};   ///< "moments", "days" or "total"; empty without [time]
+    std::string part = {};   ///< "time_steps", "days" or "total"; empty without [time]
     std::size_t index = 0;   ///< of the moment or the day
     std::string label = {};  ///< its time or date, which stands before the list
 };

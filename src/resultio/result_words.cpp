@@ -11,11 +11,11 @@
 namespace quasimc {
 namespace {
 
-std::string verdict(double chance) {
-    return chance >= kAuditLevel
-               ? fmt::format("agrees (a difference like this or larger has chance {:.2g})", chance)
+std::string verdict(double p_value) {
+    return p_value >= kAuditLevel
+               ? fmt::format("agrees (a difference like this or larger has chance {:.2g})", p_value)
                : fmt::format(
-                     "DISAGREES: the difference has chance {:.2g}, below {:g}", chance,
+                     "DISAGREES: the difference has chance {:.2g}, below {:g}", p_value,
                      kAuditLevel);
 }
 
@@ -36,7 +36,7 @@ std::string reason(const RunSpec& spec, StopReason stop) {
     switch (stop) {
         case StopReason::interrupted:
             return "on request";
-        case StopReason::time_is_up:
+        case StopReason::time_limit:
             return fmt::format("by max_seconds = {}", shortest(spec.max_seconds));
         default:
             return "";
@@ -51,7 +51,7 @@ std::vector<std::string> audit_lines(const RunFile& run, const Result& result) {
     }
     const Audit& audit = *result.audit;
     std::vector<std::string> lines{fmt::format(
-        "{} with plain Monte Carlo, {} paths x {} replicates", verdict(audit.chance), audit.paths,
+        "{} with plain Monte Carlo, {} paths x {} replicates", verdict(audit.p_value), audit.paths,
         audit.replicates)};
     constexpr std::size_t kMostBands = 4;
     for (std::size_t b = 0; b < std::min(audit.bands.size(), kMostBands); ++b) {
@@ -64,17 +64,17 @@ std::string audit_line(const SeriesSummary& summary) {
     return summary.audited == 0 ? ""
                                 : fmt::format(
                                       "{} times: the most unlikely {}", summary.audited,
-                                      verdict(summary.audit_chance));
+                                      verdict(summary.audit_p_value));
 }
 
-std::string audit_warning(double chance) {
-    return chance >= kAuditLevel
+std::string audit_warning(double p_value) {
+    return p_value >= kAuditLevel
                ? ""
                : fmt::format(
                      "audit: the result and plain Monte Carlo tracing differ more than chance "
                      "explains (chance {:.2g}, below {:g}); do not trust this result, and report "
                      "it",
-                     chance, kAuditLevel);
+                     p_value, kAuditLevel);
 }
 
 std::string stop_words(const RunSpec& spec, const Result& result) {
@@ -95,13 +95,13 @@ std::string stop_words(const RunFile& run, const SeriesSummary& summary) {
     if (why.empty()) {
         return "";
     }
-    const std::string short_of = summary.cut_short > 0
+    const std::string short_of = summary.with_fewer_paths > 0
                                      ? fmt::format(
                                            ", {} of {} traces with fewer paths than asked for",
-                                           summary.cut_short, summary.traced)
+                                           summary.with_fewer_paths, summary.computed)
                                      : std::string();
     return fmt::format(
-        "{}: {} of {} times are done{}", why, summary.done, run.series->time_steps.size(),
+        "{}: {} of {} times are done{}", why, summary.completed, run.series->time_steps.size(),
         short_of);
 }
 

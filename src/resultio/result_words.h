@@ -18,8 +18,8 @@ namespace quasimc {
 [[nodiscard]] std::string audit_line(const SeriesSummary& summary);
 
 /// A warning to print if audits find a difference beyond chance; otherwise empty.
-/// @param chance  Audit::chance, SeriesSummary::audit_chance
-[[nodiscard]] std::string audit_warning(double chance);
+/// @param p_value  Audit::p_value, SeriesSummary::audit_p_value
+[[nodiscard]] std::string audit_warning(double p_value);
 
 /// Why a result is of fewer paths than were asked for; empty if it isn't.
 [[nodiscard]] std::string stop_words(const RunSpec& spec, const Result& result);

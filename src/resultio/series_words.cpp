@@ -14,7 +14,7 @@ namespace {
 std::string cumulated_words(const MomentNotes& notes) {
     const MomentNotes::Cumulated& times = *notes.cumulated;
     return fmt::format(
-        "{} to {}, {} s: {} times, {} with daylight, as {} suns and {} skies; mean on the "
+        "{} to {}, {} s: {} times, {} with daylight, as {} sun positions and {} skies; mean on the "
         "horizontal direct {:.6g}, diffuse {:.6g} W m-2",
         notes.time, times.until, shortest(notes.seconds), times.times, times.with_light, notes.suns,
         times.skies, notes.daylight.direct, notes.daylight.diffuse);
@@ -31,7 +31,7 @@ std::string moment_words(const MomentNotes& notes) {
         notes.sun.azimuth_deg, notes.sun.elevation_deg, without_rounding(notes.to_sun.x),
         without_rounding(notes.to_sun.y), without_rounding(notes.to_sun.z));
     return text + fmt::format(
-                      "; on the horizontal direct {:.6g}, diffuse {:.6g} W m-2; {} suns",
+                      "; on the horizontal direct {:.6g}, diffuse {:.6g} W m-2; {} sun positions",
                       notes.daylight.direct, notes.daylight.diffuse, notes.suns);
 }
 
@@ -43,7 +43,7 @@ std::string series_comments(const RunFile& run) {
         out += "# time: " + one_line(words) + "\n";
     }
     for (const MomentNotes& notes : run.series->notes) {
-        out += "# moment: " + moment_words(notes) + "\n";
+        out += "# time_step: " + moment_words(notes) + "\n";
     }
     return out;
 }

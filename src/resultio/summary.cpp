@@ -76,12 +76,12 @@ std::string method_line(const RunSpec& spec, const Result& result) {
 }
 
 /// Whether light was traced elsewhere: the sums come from parts of a run.
-bool is_merged(std::uint64_t rays, double trace_seconds) {
-    return rays > 0 && trace_seconds == 0;
+bool is_merged(std::uint64_t rays, double solve_seconds) {
+    return rays > 0 && solve_seconds == 0;
 }
 
 std::string time_line(const Result& result) {
-    if (is_merged(result.rays, result.trace_seconds)) {
+    if (is_merged(result.rays, result.solve_seconds)) {
         return line("time", fmt::format("traced in parts, {}", counted(result.rays, "ray")));
     }
     const auto paths = static_cast<double>(result.paths);
@@ -99,8 +99,8 @@ std::string time_line(const Result& result) {
         "time", fmt::format(
                     "{:.3g} s ({:.3g} s of CPU) after {:.3g} s of preparation, {:.3g} million "
                     "paths/s, {:.3g} rays per path{}",
-                    result.trace_seconds, result.trace_cpu_seconds, result.build_seconds,
-                    own * result.replicates / std::max(result.trace_seconds, 1e-9) / 1e6,
+                    result.solve_seconds, result.solve_cpu_seconds, result.preparation_seconds,
+                    own * result.replicates / std::max(result.solve_seconds, 1e-9) / 1e6,
                     rays_per_path, before));
 }
 
@@ -121,7 +121,7 @@ template <typename UnitOfBand>
 std::string energy_lines(
     const Scene& scene,
     const std::vector<BandBudget>& budgets,
-    bool escaped_is_remainder,
+    bool escaped_by_difference,
     const UnitOfBand& unit_of_band) {
     constexpr std::size_t kMostBands = 4;
     std::string text;
@@ -129,7 +129,7 @@ std::string energy_lines(
         const Band& band = scene.bands()[b];
         text += line(
             "energy",
-            band.name + " " + energy_words(budgets[b], unit_of_band(band), escaped_is_remainder));
+            band.name + " " + energy_words(budgets[b], unit_of_band(band), escaped_by_difference));
     }
     if (budgets.size() > kMostBands) {
         text +=
@@ -142,7 +142,7 @@ std::string energy_lines(
 void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
     for (Estimate BandBudget::*part :
          {&BandBudget::emitted, &BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
-          &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
+          &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::imbalance}) {
         (sum.*part).mean += seconds * (flux.*part).mean;
     }
 }
@@ -212,7 +212,7 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
         return fmt::format(
             "{} from {} to {}, {}; {} traced, the others dark or like one of them",
             series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
-            summary.traced);
+            summary.computed);
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -222,7 +222,7 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
     }
     return fmt::format(
         "{} from {} to {}, collapsed into {} of {} in all", times, first.time,
-        last.cumulated->until, counted(summary.traced, "trace"), counted(suns, "sun"));
+        last.cumulated->until, counted(summary.computed, "trace"), counted(suns, "sun"));
 }
 
 std::string stopped_line(const std::string& words) {
@@ -230,7 +230,7 @@ std::string stopped_line(const std::string& words) {
 }
 
 std::string series_time_line(const SeriesSummary& summary) {
-    if (is_merged(summary.rays, summary.trace_seconds)) {
+    if (is_merged(summary.rays, summary.solve_seconds)) {
         return line("time", fmt::format("{:.3g} s to put the parts together", summary.seconds));
     }
     return line(
@@ -238,9 +238,9 @@ std::string series_time_line(const SeriesSummary& summary) {
         fmt::format(
             "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU), results and "
             "files {:.3g}",
-            summary.seconds, summary.build_seconds, summary.trace_seconds,
-            summary.trace_cpu_seconds,
-            std::max(0.0, summary.seconds - summary.build_seconds - summary.trace_seconds)));
+            summary.seconds, summary.preparation_seconds, summary.solve_seconds,
+            summary.solve_cpu_seconds,
+            std::max(0.0, summary.seconds - summary.preparation_seconds - summary.solve_seconds)));
 }
 
 /// How the times of a series were computed.
@@ -265,7 +265,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
             "target",
             fmt::format(
                 "{:.6g} % error or less: reached at {} of {}", 100 * run.spec.target_error,
-                summary.at_target, counted(summary.traced, "time")));
+                summary.at_target, counted(summary.computed, "time")));
     }
     if (summary.audited > 0) {
         text += line("audit", audit_line(summary));
@@ -279,7 +279,7 @@ std::string result_lines(const RunFile& run, const Result& result) {
         run_line(run.spec, result) + stopped_line(stop_words(run.spec, result)) +
         method_line(run.spec, result) + time_line(result) + target_line(run.spec, result) +
         energy_lines(
-            run.scene, result.budget, result.escaped_is_remainder,
+            run.scene, result.budget, result.escaped_by_difference,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
         canopy_lines(run.scene, result) + error_line(run, error_statistics(run.scene, result));
     for (const std::string& words : audit_lines(run, result)) {
@@ -292,19 +292,20 @@ std::string result_lines(const RunFile& run, const Result& result) {
 std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::size_t points) {
     std::string text = title_lines(run);
     text += line(
-        "sweep", fmt::format(
-                     "{} of {} {} done{}; {} by {}, {}", points,
-                     counted(run.sweep->size(), "point"), run.sweep->size() == 1 ? "is" : "are",
-                     summary.cut_short > 0
-                         ? fmt::format(", {} with fewer paths", counted(summary.cut_short, "trace"))
-                         : "",
-                     counted(summary.traced, "trace"), series_method(run.spec, summary),
-                     counted(summary.rays, "ray")));
+        "sweep",
+        fmt::format(
+            "{} of {} {} done{}; {} by {}, {}", points, counted(run.sweep->size(), "point"),
+            run.sweep->size() == 1 ? "is" : "are",
+            summary.with_fewer_paths > 0
+                ? fmt::format(", {} with fewer paths", counted(summary.with_fewer_paths, "trace"))
+                : "",
+            counted(summary.computed, "trace"), series_method(run.spec, summary),
+            counted(summary.rays, "ray")));
     if (run.spec.target_error > 0) {
         text += line(
             "target",
             fmt::format(
-                "reached by {} of {}", summary.at_target, counted(summary.traced, "trace")));
+                "reached by {} of {}", summary.at_target, counted(summary.computed, "trace")));
     }
     return text + series_time_line(summary);
 }
@@ -342,7 +343,7 @@ void Summary::on_time_step(const TimeStepResult& step) {
         add_energy(result.budget[b], factor * seconds, energy_[b]);
     }
     seconds_ += seconds;
-    escaped_is_remainder_ = escaped_is_remainder_ || result.escaped_is_remainder;
+    escaped_by_difference_ = escaped_by_difference_ || result.escaped_by_difference;
     const ErrorStatistics errors = error_statistics(run_->scene, result);
     if (errors.median > 0) {
         medians_.emplace_back(errors.median, moment);
@@ -353,7 +354,7 @@ void Summary::on_time_step(const TimeStepResult& step) {
 std::string Summary::series_quality() const {
     std::string text;
     if (seconds_ > 0) {
-        text += energy_lines(run_->scene, energy_, escaped_is_remainder_, [&](const Band& band) {
+        text += energy_lines(run_->scene, energy_, escaped_by_difference_, [&](const Band& band) {
             return summed_unit(flux_unit(band.unit, run_->scene.length_unit())).name;
         });
     }

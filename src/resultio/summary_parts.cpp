@@ -119,24 +119,24 @@ std::string error_words(const ErrorStatistics& errors) {
 }
 
 std::string energy_words(
-    const BandBudget& budget, const std::string& unit, bool escaped_is_remainder) {
+    const BandBudget& budget, const std::string& unit, bool escaped_by_difference) {
     const PartFormat number(budget.emitted.mean);
     std::string text = fmt::format("[{}]: {} emitted", unit, number(budget.emitted));
     if (std::isnan(budget.escaped.mean)) {
         return text + "; not all organs are measured";
     }
-    const double whole = budget.emitted.mean + budget.roulette.mean;
-    if (budget.roulette.mean != 0) {
+    const double whole = budget.emitted.mean + budget.imbalance.mean;
+    if (budget.imbalance.mean != 0) {
         text += fmt::format(
-            " {} {} by roulette = {}", budget.roulette.mean < 0 ? "-" : "+",
-            number(std::abs(budget.roulette.mean)), number(whole));
+            " {} {} by roulette = {}", budget.imbalance.mean < 0 ? "-" : "+",
+            number(std::abs(budget.imbalance.mean)), number(whole));
     }
     const double together = budget.absorbed_by_organs.mean + budget.absorbed_by_ground.mean +
                             budget.escaped.mean + budget.cut_off.mean;
     return text + fmt::format(
                       "; organs {}, ground {}, escaped {}{}, cut off {}: together {}",
                       number(budget.absorbed_by_organs), number(budget.absorbed_by_ground),
-                      number(budget.escaped.mean), escaped_is_remainder ? " (the rest)" : "",
+                      number(budget.escaped.mean), escaped_by_difference ? " (the rest)" : "",
                       number(budget.cut_off.mean), number(together));
 }
 

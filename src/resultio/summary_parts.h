@@ -37,6 +37,6 @@ inline constexpr double kBadlyKnown = 0.5;
 /// Flux or energy in words. What was emitted and the parts where it went add up.
 /// @param unit  of the numbers
 [[nodiscard]] std::string energy_words(
-    const BandBudget& budget, const std::string& unit, bool escaped_is_remainder);
+    const BandBudget& budget, const std::string& unit, bool escaped_by_difference);
 
 }  // namespace quasimc

@@ -177,7 +177,7 @@ Result evaluate_sums(
     TotalFinds finds(result.bands);
     evaluate_organs({sums, scene, spec}, is_done, finds, result);
     tell_errors_of_totals(sums, scene, finds, result);
-    result.escaped_is_remainder = sums->escaped == EscapedLight::remainder;
+    result.escaped_by_difference = sums->escaped == EscapedLight::remainder;
     result.paths = sums.paths();
     result.replicates = static_cast<std::uint32_t>(sums->replicates.size());
     if (has_two_levels(sums)) {

@@ -170,8 +170,8 @@ void add_layers(
     for (std::size_t i = 0; i < layers.size(); ++i) {
         layers[i].by = kLayer;
         layers[i].value = std::to_string(i + 1);
-        layers[i].low = heights[i];
-        layers[i].high = heights[i + 1];
+        layers[i].height_min = heights[i];
+        layers[i].height_max = heights[i + 1];
     }
     for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
         const Organ& organ = scene.organs()[i];

@@ -156,7 +156,7 @@ bool is_at_target(
     for (std::size_t b = 0; b < absorbed.size(); ++b) {
         const Estimate& estimate = absorbed[b];
         const bool is_unlit = std::isnan(estimate.standard_error);
-        const bool is_known = is_unlit ? estimate.high <= target * usual[b]
+        const bool is_known = is_unlit ? estimate.ci95_high <= target * usual[b]
                                        : estimate.standard_error <= target * estimate.mean;
         if (!is_known) {
             return false;

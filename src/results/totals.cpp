@@ -15,7 +15,7 @@ void bound_unseen_totals(const Scene& scene, Result& result) {
         double organs = 0, ground = 0;
         for (std::size_t i = 0; i < scene.organs().size(); ++i) {
             double& most = scene.organs()[i].is_ground ? ground : organs;
-            most = std::max(most, result.at(i, Quantity::absorbed_flux, b).high);
+            most = std::max(most, result.at(i, Quantity::absorbed_flux, b).ci95_high);
         }
         const auto bound = [](Estimate& total, double high) {
             if (total.mean == 0 && high > 0) {
@@ -37,7 +37,7 @@ void widen(Estimate& total, const SingleFind& find, double per_flux = 1) {
 /// An interval that holds its mean. The parts of a budget add up to what is emitted by their means,
 /// one of which may lie beyond what is possible by chance: these are reported as they are.
 Estimate with_mean(const Estimate& e) {
-    return {e.mean, e.standard_error, std::min(e.low, e.mean), std::max(e.high, e.mean)};
+    return {e.mean, e.standard_error, std::min(e.ci95_low, e.mean), std::max(e.ci95_high, e.mean)};
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ std::optional<Round> Rounds::as_many_again() {
     }
     const bool is_too_much = !asks_for_more() && state_.done * 2 > spec_.paths;
     if (is_too_much || (has_limit() && state_.pace.seconds_for(state_.done) > seconds_left())) {
-        stop_ = StopReason::time_is_up;
+        stop_ = StopReason::time_limit;
         return std::nullopt;
     }
     count_ = state_.done;

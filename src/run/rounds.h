@@ -105,7 +105,7 @@ class Rounds {
     std::uint64_t count_ = 0;          // paths of the round at hand
     Deadline::Clock::time_point now_;  // the end of the last round
     double at_target_ = 0;
-    StopReason stop_ = StopReason::paths_done;
+    StopReason stop_ = StopReason::finished;
 };
 
 /// The bands of RunSpec::ratios, which must name bands of the scene.

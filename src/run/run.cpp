@@ -192,9 +192,9 @@ Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     result.fraction_at_target = traced.at_target;
     result.paths_before = traced.paths_before;
     result.rounds = std::move(traced.errors);
-    result.build_seconds = std::chrono::duration<double>(first_round - in.start).count();
-    result.trace_seconds = seconds_since(first_round);
-    result.trace_cpu_seconds = process_cpu_seconds() - cpu_before + traced.cpu_seconds_of_others;
+    result.preparation_seconds = std::chrono::duration<double>(first_round - in.start).count();
+    result.solve_seconds = seconds_since(first_round);
+    result.solve_cpu_seconds = process_cpu_seconds() - cpu_before + traced.cpu_seconds_of_others;
     return result;
 }
 

@@ -196,13 +196,13 @@ class RunSweep::State {
 
     void note(std::size_t point, RunFile run) {
         for (const Warning& warning : run.warnings) {
-            if (told_.insert({warning.place, warning.text}).second) {
+            if (told_.insert({warning.where, warning.text}).second) {
                 reporter_.warnings.push_back(warning);
             }
         }
         for (const InputFile& input : run.inputs) {
             const auto has_path = [&](const InputFile& each) {
-                return each.resolved == input.resolved;
+                return each.absolute_path == input.absolute_path;
             };
             if (std::none_of(inputs_.begin(), inputs_.end(), has_path)) {
                 inputs_.push_back(input);

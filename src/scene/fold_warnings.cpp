@@ -91,9 +91,9 @@ Warning folded(const std::vector<Warning>& all) {
     }
     std::vector<std::string> places;
     for (const Warning& warning : all) {
-        if (std::find(places.begin(), places.end(), warning.place) == places.end() &&
+        if (std::find(places.begin(), places.end(), warning.where) == places.end() &&
             places.size() <= kShown) {
-            places.push_back(warning.place);
+            places.push_back(warning.where);
         }
     }
     const std::size_t shown = std::min(places.size(), kShown);

@@ -66,7 +66,7 @@ class SeriesRun final : public SeriesSteps {
 
     SeriesSummary run() {
         walk_series(in_, *this, summary_);
-        if (summary_.done < in_.time_steps.size()) {
+        if (summary_.completed < in_.time_steps.size()) {
             add_to_total(in_.time_steps.size());
         }
         if (wants_total_) {
@@ -74,7 +74,7 @@ class SeriesRun final : public SeriesSteps {
         }
         summary_.seconds = watch_.seconds();
         const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
-        summary_.audit_chance = std::min(1.0, least_chance_ * audits);
+        summary_.audit_p_value = std::min(1.0, least_chance_ * audits);
         return std::move(summary_);
     }
 
@@ -89,7 +89,7 @@ class SeriesRun final : public SeriesSteps {
         const bool needs_trace = plans_[i].factor > 0 && plans_[i].traced == i;
         const bool is_stopped = in_.control.stop.stop_requested();
         if (i > 0 && (is_stopped || (needs_trace && deadline_.is_over()))) {
-            throw Stopped(is_stopped ? StopReason::interrupted : StopReason::time_is_up, "");
+            throw Stopped(is_stopped ? StopReason::interrupted : StopReason::time_limit, "");
         }
         trace(i);
     }
@@ -134,12 +134,12 @@ class SeriesRun final : public SeriesSteps {
     }
 
     Result trace_one(std::size_t i) {
-        const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.traced);
+        const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.computed);
         Result result = run_one(i, spec, control_of(plans_[i]));
         effort_left_ -= plans_[i].path_factor;
-        ++summary_.traced;
-        if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
-            ++summary_.cut_short;
+        ++summary_.computed;
+        if (result.stop == StopReason::time_limit || result.stop == StopReason::interrupted) {
+            ++summary_.with_fewer_paths;
             end_series(result.stop, summary_);
         }
         ++summary_.methods[result.chosen.method];
@@ -147,12 +147,12 @@ class SeriesRun final : public SeriesSteps {
         summary_.unlit += is_unlit ? 1 : 0;
         summary_.at_target += is_unlit || result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
-        summary_.build_seconds += result.build_seconds;
-        summary_.trace_seconds += result.trace_seconds;
-        summary_.trace_cpu_seconds += result.trace_cpu_seconds;
+        summary_.preparation_seconds += result.preparation_seconds;
+        summary_.solve_seconds += result.solve_seconds;
+        summary_.solve_cpu_seconds += result.solve_cpu_seconds;
         if (result.audit) {
             ++summary_.audited;
-            least_chance_ = std::min(least_chance_, result.audit->chance);
+            least_chance_ = std::min(least_chance_, result.audit->p_value);
         }
         return result;
     }
@@ -178,13 +178,13 @@ class SeriesRun final : public SeriesSteps {
                                      .given = given ? &given->sums : nullptr,
                                      .is_last = in_.is_last && i == last_traced_});
             if (given) {
-                result.trace_seconds += given->seconds;
-                result.trace_cpu_seconds += given->cpu_seconds;
+                result.solve_seconds += given->seconds;
+                result.solve_cpu_seconds += given->cpu_seconds;
             }
             return result;
         } catch (const Stopped&) {
-            summary_.trace_seconds += watch.seconds();
-            summary_.trace_cpu_seconds += watch.cpu_seconds();
+            summary_.solve_seconds += watch.seconds();
+            summary_.solve_cpu_seconds += watch.cpu_seconds();
             throw;
         }
     }

@@ -24,8 +24,8 @@ void SeriesAdder::add_all(
             const double error = weight * estimate.standard_error;
             cell.variance += error * error;
             cell.spread += error * error * error * error / freedom;
-        } else if (std::isfinite(estimate.high)) {
-            cell.unseen += weight * estimate.high;
+        } else if (std::isfinite(estimate.ci95_high)) {
+            cell.unseen += weight * estimate.ci95_high;
         } else {
             cell.is_unknown = true;
         }

@@ -52,16 +52,16 @@ Estimate widened(const Estimate& e, const SingleFind& find) {
     if (!std::isfinite(e.standard_error) || (find.more == 0 && find.less == 0)) {
         return e;
     }
-    const double half = e.high - e.mean;
+    const double half = e.ci95_high - e.mean;
     return not_negative(
         {e.mean, std::hypot(e.standard_error, std::max(find.more, find.less)),
          e.mean - std::hypot(half, 3 * find.less), e.mean + std::hypot(half, 3 * find.more)});
 }
 
 Estimate not_negative(const Estimate& e) {
-    const double high = e.high < 0 ? e.high - e.mean : e.high;
-    const bool is_below = e.low < 0 || (std::isnan(e.low) && e.mean < 0);
-    return {e.mean, e.standard_error, is_below ? 0 : e.low, high};
+    const double high = e.ci95_high < 0 ? e.ci95_high - e.mean : e.ci95_high;
+    const bool is_below = e.ci95_low < 0 || (std::isnan(e.ci95_low) && e.mean < 0);
+    return {e.mean, e.standard_error, is_below ? 0 : e.ci95_low, high};
 }
 
 double student_t_quantile(double p, unsigned df) {
@@ -93,12 +93,12 @@ Estimate not_above(const Estimate& e, double most) {
     if (most == 0 && e.mean == 0) {
         return {};
     }
-    if (std::isnan(e.high) && e.mean > most) {  // in one replicate the limit alone is known
-        return {e.mean, e.standard_error, e.low, most};
+    if (std::isnan(e.ci95_high) && e.mean > most) {  // in one replicate the limit alone is known
+        return {e.mean, e.standard_error, e.ci95_low, most};
     }
     // All of the interval above the limit: it missed. What can be has its width below the limit.
-    const double low = e.low > most ? std::max(0.0, most - (e.mean - e.low)) : e.low;
-    return {e.mean, e.standard_error, low, e.high > most ? most : e.high};
+    const double low = e.ci95_low > most ? std::max(0.0, most - (e.mean - e.ci95_low)) : e.ci95_low;
+    return {e.mean, e.standard_error, low, e.ci95_high > most ? most : e.ci95_high};
 }
 
 Estimate estimate_mean(std::span<const double> values) {

@@ -18,7 +18,7 @@ const Sources& lights_at(const RunFile& run, const RowsPlace& place) {
     if (!run.series) {
         return run.sources;
     }
-    for (std::size_t i = 0; place.part == "moments" && i < run.series->notes.size(); ++i) {
+    for (std::size_t i = 0; place.part == "time_steps" && i < run.series->notes.size(); ++i) {
         if (run.series->notes[i].time == place.label) {
             return run.series->time_steps[i].sources;
         }

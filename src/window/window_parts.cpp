@@ -198,8 +198,8 @@ std::string window_values(const std::vector<Estimate>& organs) {
     for (std::size_t i = 0; i < count; ++i) {
         numbers[i] = static_cast<float>(organs[i].mean);
         numbers[count + i] = static_cast<float>(organs[i].standard_error);
-        numbers[2 * count + i] = static_cast<float>(organs[i].low);
-        numbers[3 * count + i] = static_cast<float>(organs[i].high);
+        numbers[2 * count + i] = static_cast<float>(organs[i].ci95_low);
+        numbers[3 * count + i] = static_cast<float>(organs[i].ci95_high);
     }
     return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
 }

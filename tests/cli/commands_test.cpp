@@ -222,7 +222,7 @@ TEST_F(ProgramTest, FromForgivesOtherNumbersOfOtherRuns) {
     EXPECT_EQ(old.status, 0) << old.err;
     EXPECT_NE(old.out.find("OTHER numbers than in old.json, which version 9"), std::string::npos)
         << old.out;
-    folder_.write("cut.json", replaced(stored, "\"paths_done\"", "\"interrupted\""));
+    folder_.write("cut.json", replaced(stored, "\"finished\"", "\"interrupted\""));
     const Outcome cut = run({"run", "--repeat", "cut.json"});
     EXPECT_EQ(cut.status, 0) << cut.err;
     EXPECT_NE(cut.out.find("whose run was stopped before its end"), std::string::npos) << cut.out;

@@ -61,7 +61,7 @@ TEST_F(LimitsTest, AHugeRunEndsInTimeWithItsFiles) {
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     EXPECT_TRUE(contains(outcome.out, " of 1073741824 paths are done")) << outcome.out;
     EXPECT_TRUE(contains(folder_.read("out.csv"), "\n# stopped: by max_seconds = "));
-    EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"time_is_up\""));
+    EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"time_limit\""));
 }
 
 TEST_F(LimitsTest, ALongLimitIsNotFelt) {
@@ -97,8 +97,8 @@ TEST_F(LimitsTest, ASeriesSharesItsTime) {
     EXPECT_TRUE(contains(outcome.out, "\nstopped   by max_seconds = ")) << outcome.out;
     EXPECT_TRUE(contains(outcome.err, " s of about ")) << "progress in a log: " << outcome.err;
     const std::string json = folder_.read("out.json");
-    EXPECT_TRUE(contains(json, "\"moments_asked\": 4")) << json.substr(json.size() - 400);
-    EXPECT_TRUE(contains(json, "\"cut_short\": 4"));
+    EXPECT_TRUE(contains(json, "\"time_steps_requested\": 4")) << json.substr(json.size() - 400);
+    EXPECT_TRUE(contains(json, "\"with_fewer_paths\": 4"));
     EXPECT_TRUE(contains(folder_.read("d.csv"), "\n2024-06-21,7200,"));
 }
 

@@ -141,7 +141,7 @@ TEST_F(PartsTest, ThatAreDamagedAreRefused) {
     changed[whole.size() - 100] = static_cast<char>(changed[whole.size() - 100] ^ 4);
     EXPECT_NE(refusal(changed).find("p2: is damaged"), std::string::npos);
     // Whatever is in it: a title too.
-    for (const char* word : {"\"title\"", "\"run\"", "leaf"}) {
+    for (const char* word : {"\"title\"", "\"run_file\"", "leaf"}) {
         changed = whole;
         char& letter = changed[whole.find(word) + 2];
         letter = static_cast<char>(letter ^ 1);

@@ -101,7 +101,7 @@ TEST_F(SweepCommand, OfTimesHasTheTimesOfEachPoint) {
     EXPECT_EQ(count(folder_.read("out.csv"), "\n[1],2024-06-21T11:00+01:00,1,"), 1U);
     EXPECT_EQ(count(folder_.read("out.csv"), "\n[2],2024-06-21T12:00+01:00,1,"), 1U);
     EXPECT_EQ(count(folder_.read("days.csv"), "\n[2],2024-06-21,7200,1,"), 1U);
-    EXPECT_EQ(count(folder_.read("out.json"), "\"moments\": ["), 2U);
+    EXPECT_EQ(count(folder_.read("out.json"), "\"time_steps\": ["), 2U);
     EXPECT_EQ(run({"run", "--repeat", "out.json"}).status, 0);
 }
 

@@ -42,12 +42,12 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     EXPECT_NE(times.find("\ntime,id,name,"), std::string::npos);
     EXPECT_NE(times.find("\n2024-06-21T12:00+01:00,1,third,"), std::string::npos);
     EXPECT_NE(
-        times.find("# moment: 2024-06-21T12:00+01:00, 3600 s; sun azimuth"), std::string::npos);
+        times.find("# time_step: 2024-06-21T12:00+01:00, 3600 s; sun azimuth"), std::string::npos);
     const std::string days = folder_.read("d.csv");
     EXPECT_EQ(rows(days), 2 * 3);
     EXPECT_NE(days.find("\n2024-06-21,7200,1,third,"), std::string::npos);
     EXPECT_NE(days.find("[J m-2 d-1]"), std::string::npos);
-    EXPECT_NE(folder_.read("r.json").find("\"moments\": ["), std::string::npos);
+    EXPECT_NE(folder_.read("r.json").find("\"time_steps\": ["), std::string::npos);
 }
 
 TEST_F(TimesTest, AreCollapsedOnDemand) {
@@ -123,7 +123,7 @@ TEST_F(TimesTest, WithoutLightAreWrittenOnDemand) {
     const std::ptrdiff_t lit = rows(folder_.read("day.csv"));
     EXPECT_LT(lit, 12 * 3);
     EXPECT_GE(lit, 8 * 3);
-    EXPECT_EQ(lines_with(folder_.read("day.json"), "\"traced\": \"2024"), lit / 3);
+    EXPECT_EQ(lines_with(folder_.read("day.json"), "\"computed\": \"2024"), lit / 3);
     const Outcome again = run({"run", "--repeat", "day.json", "--threads", "2"});
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
     const Outcome other = run({"run", "--repeat", "all.json", "--quantities", "absorbed_flux"});

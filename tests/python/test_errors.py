@@ -18,7 +18,7 @@ def test_all_faults_of_a_scene_are_told_at_once():
         scene.build()
     assert len(caught.value.faults) == 2
     assert "1e+31" in str(caught.value) and "leef" in str(caught.value)
-    assert set(caught.value.faults[0]) == {"place", "problem", "why", "suggestion"}
+    assert set(caught.value.faults[0]) == {"where", "problem", "why", "suggestion"}
 
 
 def test_errors_are_value_errors_where_that_fits():
@@ -116,7 +116,7 @@ def test_a_run_that_has_no_time_for_a_result_stops():
     slow = {"method": "light_tracing", "accelerator": "brute_force", "threads": 1}
     with pytest.raises(quasimc.Stopped) as caught:
         canopy(100_000).run(max_seconds=1e-9, **slow)
-    assert caught.value.why == "time_is_up"
+    assert caught.value.why == "time_limit"
 
 
 def test_what_is_probably_not_meant_is_a_warning():

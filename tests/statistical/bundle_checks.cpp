@@ -19,7 +19,7 @@ RunSpec bundles(std::uint64_t paths) {
 
 void expect_same(const Scene& scene, const Result& own, const Result& plain, double resolution) {
     const Audit audit = compare_results(scene, own, plain);
-    EXPECT_GE(audit.chance, kLevel);
+    EXPECT_GE(audit.p_value, kLevel);
     for (std::size_t band = 0; band < own.bands; ++band) {
         EXPECT_LT(audit.bands[band].standard_error, .01 * own.budget[band].emitted.mean);
         double mean = 0, square = 0;
@@ -39,7 +39,7 @@ struct Held {
     int held = 0, all = 0;
 
     void add(const Estimate& told, const Estimate& truth) {
-        held += told.low <= truth.mean && truth.mean <= told.high ? 1 : 0;
+        held += told.ci95_low <= truth.mean && truth.mean <= told.ci95_high ? 1 : 0;
         ++all;
     }
     [[nodiscard]] double part() const { return static_cast<double>(held) / all; }

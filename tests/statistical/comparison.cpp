@@ -28,7 +28,7 @@ Estimate seen(const Estimate& estimate) {
 /// it says that it can't tell. @param other  a run that has found some
 double find_of(
     const Result& result, const Result& other, std::size_t organ, Quantity side, std::size_t band) {
-    if (result.escaped_is_remainder) {  // from organs: errors have it
+    if (result.escaped_by_difference) {  // from organs: errors have it
         return result.at(organ, side, band).standard_error;
     }
     const double area = other.at(organ, Quantity::absorbed_flux, band).mean /
@@ -78,7 +78,7 @@ double limit_of(unsigned family) {
 
 /// What one find is of a total of which a run has found nothing: its upper end is that of three.
 double find_of_total(const Estimate& total) {
-    return std::isnan(total.standard_error) && total.mean == 0 ? total.high / 3 : 0;
+    return std::isnan(total.standard_error) && total.mean == 0 ? total.ci95_high / 3 : 0;
 }
 
 /// The value that nine in ten of `values` stay below.

@@ -159,8 +159,8 @@ TEST(GrazingSuns, AreWithinTheIntervalsOfTotalsFromTheOrgans) {
             const double mean = truth.budget[0].absorbed_by_organs.mean;
             // It ends at all light that is emitted, or at its own mean, which it holds.
             const double most = std::max(result.budget[0].emitted.mean, all.mean);
-            EXPECT_LE(all.high, most * (1 + 1e-9));
-            right += all.low <= mean && mean <= all.high ? 1 : 0;
+            EXPECT_LE(all.ci95_high, most * (1 + 1e-9));
+            right += all.ci95_low <= mean && mean <= all.ci95_high ? 1 : 0;
         }
     }
     EXPECT_GE(right / tries, .93);

@@ -189,7 +189,7 @@ TEST(LampsNextToSurfaces, IntervalsHoldTheLightThatIsScatteredNextToThem) {
             for (std::size_t i = 0; i < scene.organs().size(); ++i, ++all) {
                 const Estimate& e = result.at(i, Quantity::incident_scattered, 0);
                 const Estimate& exact = truth.at(i, Quantity::incident_scattered, 0);
-                right += e.low <= exact.high && exact.low <= e.high ? 1 : 0;
+                right += e.ci95_low <= exact.ci95_high && exact.ci95_low <= e.ci95_high ? 1 : 0;
             }
         }
         EXPECT_GE(right, .93 * all) << lamp.name << ' ' << right << " of " << all;
@@ -214,7 +214,7 @@ int intervals_right(const Sources& lamp) {
         spec.seed = static_cast<std::uint64_t>(seed);
         spec.paths = 256;
         const Estimate e = run(scene, lamp, spec).at(0, Quantity::incident_upper, 0);
-        right += e.low <= truth && truth <= e.high ? 1 : 0;
+        right += e.ci95_low <= truth && truth <= e.ci95_high ? 1 : 0;
     }
     return right;
 }
@@ -331,7 +331,7 @@ TEST(GrazingSuns, IntervalsHoldTheFewSpotsThatAreLit) {
         for (std::size_t i = 0; i < scene.organs().size(); ++i, ++all) {
             const Estimate& e = result.at(i, Quantity::incident_direct, 0);
             const Estimate& exact = truth.at(i, Quantity::incident_direct, 0);
-            right += e.low <= exact.high && exact.low <= e.high ? 1 : 0;
+            right += e.ci95_low <= exact.ci95_high && exact.ci95_low <= e.ci95_high ? 1 : 0;
         }
     }
     EXPECT_GE(right, .93 * all) << right << " of " << all;

@@ -67,8 +67,8 @@ TEST_P(Layers, ABandForWhichTheNetsAreClearCarriesTheOtherThroughTen) {
         if (k <= kReach) {
             // Intervals take light as weak as this for that of few paths, though many bring it.
             EXPECT_NEAR(thin.mean, left, .01 * left) << k << " nets";
-            EXPECT_LE(thin.low, left);
-            EXPECT_GE(thin.high, left);
+            EXPECT_LE(thin.ci95_low, left);
+            EXPECT_GE(thin.ci95_high, left);
         } else {
             EXPECT_NEAR(thin.mean, left, 0x1p-28);
         }

@@ -159,9 +159,9 @@ TEST(RayBundles, CloseTheBudgetAndAddNoLight) {
         EXPECT_LT(budget.closure_error, 1e-12);
         // What lines bring more or less than surfaces send has the mean 0.
         EXPECT_LT(
-            std::abs(budget.roulette.mean),
-            student_t_quantile(1 - kLevel / 4, kReplicates - 1) * budget.roulette.standard_error);
-        EXPECT_LT(budget.roulette.standard_error, 2e-3 * budget.emitted.mean);
+            std::abs(budget.imbalance.mean),
+            student_t_quantile(1 - kLevel / 4, kReplicates - 1) * budget.imbalance.standard_error);
+        EXPECT_LT(budget.imbalance.standard_error, 2e-3 * budget.emitted.mean);
         EXPECT_LT(budget.cut_off.mean, 1e-5 * budget.emitted.mean);
     }
 }
@@ -236,7 +236,7 @@ TEST(RayBundles, AreNotTakenForThoseOfBrighterLeaves) {
     RunSpec other = bundles(1 << 12);
     other.seed = 2;
     const Scene brighter = make_stand(.49);
-    EXPECT_LT(compare_results(brighter, own, run(brighter, {sky({1, 1})}, other)).chance, kLevel);
+    EXPECT_LT(compare_results(brighter, own, run(brighter, {sky({1, 1})}, other)).p_value, kLevel);
 }
 
 /// Errors hold the difference of the two levels of patches, beside that of the replicates.
@@ -272,8 +272,8 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
     const double by_replicates =
         std::sqrt(told.standard_error * told.standard_error - difference * difference);
     const double half = interval_quantile(kReplicates - 1) * by_replicates + difference;
-    EXPECT_NEAR(told.high - told.mean, half, 1e-9 * told.mean);
-    EXPECT_NEAR(told.mean - told.low, half, 1e-9 * told.mean);
+    EXPECT_NEAR(told.ci95_high - told.mean, half, 1e-9 * told.mean);
+    EXPECT_NEAR(told.mean - told.ci95_low, half, 1e-9 * told.mean);
 }
 
 class BundleCoverage : public ::testing::TestWithParam<std::uint64_t> {};

@@ -18,7 +18,7 @@ namespace quasimc::stress {
 namespace {
 
 Number number_of(const Estimate& e) {
-    return {e.mean, e.standard_error, e.low, e.high, !std::isnan(e.mean)};
+    return {e.mean, e.standard_error, e.ci95_low, e.ci95_high, !std::isnan(e.mean)};
 }
 
 std::vector<Number> numbers_of(const Result& result) {

@@ -279,7 +279,7 @@ Estimate estimate_sunlit_points(std::span<const double> values, double all, doub
     const bool is_all = std::all_of(
         values.begin(), values.end(), [&](double lit) { return lit >= kFullyLit * all; });
     Estimate lit = estimate_finds(values, {.more = is_all ? 0 : find, .less = find});
-    lit.high = is_all ? std::max(lit.high, all) : lit.high;
+    lit.ci95_high = is_all ? std::max(lit.ci95_high, all) : lit.ci95_high;
     return lit;
 }
 

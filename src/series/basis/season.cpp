@@ -56,8 +56,8 @@ class Season final : public SeriesSteps {
             summary_.total = sum_of(*total_);
         }
         summary_.seconds = watch_.seconds();
-        summary_.trace_seconds = watch_.seconds();
-        summary_.trace_cpu_seconds = watch_.cpu_seconds();
+        summary_.solve_seconds = watch_.seconds();
+        summary_.solve_cpu_seconds = watch_.cpu_seconds();
         return std::move(summary_);
     }
 
@@ -173,7 +173,7 @@ class Season final : public SeriesSteps {
             period->seconds += step.seconds;
         }
         if (traces_[i] > 0) {
-            ++summary_.traced;
+            ++summary_.computed;
             ++summary_.methods[Method::ray_bundles];
         }
         if (is_wanted(SeriesPart::time_steps, in_.control)) {
@@ -222,7 +222,7 @@ class Season final : public SeriesSteps {
         LightSum& light, const LightOfSuns& suns, const Sources& sources) const {
         if (light.is_dark() && suns.is_dark()) {
             Result dark = dark_result(in_.scene, in_.spec);
-            dark.stop = sources.empty() ? StopReason::paths_done : StopReason::no_light;
+            dark.stop = sources.empty() ? StopReason::finished : StopReason::no_light;
             return dark;
         }
         LightSum raised = light.averaged();

@@ -84,7 +84,7 @@ TEST(CResults, TheBudgetCloses) {
     const ResultHandle result = run(*small_canopy(4));
     double sum = 0;
     for (const auto& [item, sign] :
-         {std::pair("emitted", 1), std::pair("roulette", 1), std::pair("absorbed_by_organs", -1),
+         {std::pair("emitted", 1), std::pair("imbalance", 1), std::pair("absorbed_by_organs", -1),
           std::pair("absorbed_by_ground", -1), std::pair("escaped", -1),
           std::pair("cut_off", -1)}) {
         double values[4];

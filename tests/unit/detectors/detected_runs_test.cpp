@@ -63,7 +63,7 @@ TEST(DetectedRuns, GiveABoundWhereNothingWasSeen) {
     const Estimate& below = result.detectors[0].at(8, 0);
     EXPECT_EQ(below.mean, 0);
     // 3 / (1024 paths x 32 replicates) of the emitted flux.
-    EXPECT_NEAR(below.high, 3 * 2 / (1024. * 32), 1e-6);
+    EXPECT_NEAR(below.ci95_high, 3 * 2 / (1024. * 32), 1e-6);
 }
 
 TEST(DetectedRuns, AreRefusedWhereEscapedLightIsNotFollowed) {

@@ -195,7 +195,7 @@ TEST(Formats, WarnOfWhatAWriterDoesNotKeep) {
     const auto lost = [&](std::string_view format) {
         std::vector<std::string> texts;
         for (const Warning& warning : lost_when_written(*find_format(format), scene)) {
-            texts.push_back(warning.place + ": " + warning.text);
+            texts.push_back(warning.where + ": " + warning.text);
         }
         return texts;
     };

@@ -18,7 +18,7 @@ const std::string kTwoOrgans =
 
 std::string light_estimate(int mean) {
     return R"({"mean":)" + std::to_string(mean) +
-           R"(,"standard_error":0.5,"low":0.25,"high":0.75})";
+           R"(,"standard_error":0.5,"ci95_low":0.25,"ci95_high":0.75})";
 }
 
 /// Two organs, the second without what is sunlit.
@@ -42,8 +42,8 @@ TEST(ReadLight, FillsInWhatTheResultHas) {
         const Estimate& second = result.at(1, Quantity::absorbed_flux, 0);
         EXPECT_EQ(second.mean, 8);
         EXPECT_EQ(second.standard_error, 0.5);
-        EXPECT_EQ(second.low, 0.25);
-        EXPECT_EQ(second.high, 0.75);
+        EXPECT_EQ(second.ci95_low, 0.25);
+        EXPECT_EQ(second.ci95_high, 0.75);
         EXPECT_TRUE(std::isnan(result.at(0, Quantity::absorbed_flux_density, 0).mean));
         ASSERT_EQ(result.sunlit_fraction.size(), 2U);
         EXPECT_EQ(result.sunlit_fraction[0].mean, 17);
@@ -72,8 +72,8 @@ TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
         EXPECT_EQ(sum.at(1, Quantity::absorbed_flux, 0).mean, 10);
     };
     read_light(
-        R"({"moments":[{"time":")" + noon + R"(","organs":)" + light_organs(3) + R"(},{"time":")" +
-            last + R"(","organs":)" + light_organs(5) +
+        R"({"time_steps":[{"time":")" + noon + R"(","organs":)" + light_organs(3) +
+            R"(},{"time":")" + last + R"(","organs":)" + light_organs(5) +
             R"(}],"days":[{"date":"2024-06-22","organs":)" + light_organs(9) + "}]}",
         "a.json", run, events);
     EXPECT_EQ(times, (std::vector<std::size_t>{12, 30}));
@@ -114,11 +114,13 @@ TEST(ReadLight, TakesTimesInTheirOrder) {
         told.emplace_back(time_step, result.at(0, Quantity::absorbed_flux, 0).mean);
     };
     read_light(
-        R"({"moments":[)" + moment(noon, 3) + "," + moment(noon, 5) + "]}", "a.json", run, events);
+        R"({"time_steps":[)" + moment(noon, 3) + "," + moment(noon, 5) + "]}", "a.json", run,
+        events);
     EXPECT_EQ(told, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
     EXPECT_THROW(
         read_light(
-            R"({"moments":[)" + moment("2024-06-22T12:00+02:00", 3) + "]}", "a.json", run, events),
+            R"({"time_steps":[)" + moment("2024-06-22T12:00+02:00", 3) + "]}", "a.json", run,
+            events),
         InputError);
 }
 

@@ -102,7 +102,8 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
         faults_of_text(R"({"format": "quasimc-result", "format_version": 2})").find("holds no run"),
         std::string::npos);
     EXPECT_NE(
-        faults_of_text(R"({"format": "quasimc-result", "format_version": 2, "run": {"a": null}})")
+        faults_of_text(
+            R"({"format": "quasimc-result", "format_version": 2, "run_file": {"a": null}})")
             .find("unknown key 'a'"),
         std::string::npos);
     EXPECT_NE(faults_of_text(R"({"format": 1e999})").find("too large"), std::string::npos);
@@ -111,7 +112,7 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
 }
 
 TEST_F(StoredRunTest, RefusesDeepNesting) {
-    std::string text = R"({"format": "quasimc-result", "format_version": 2, "run": {"a": )";
+    std::string text = R"({"format": "quasimc-result", "format_version": 2, "run_file": {"a": )";
     text += std::string(100000, '[') + std::string(100000, ']') + "}}";
     EXPECT_NE(faults(folder_.write("b.json", text)).find("nested too deeply"), std::string::npos);
 }

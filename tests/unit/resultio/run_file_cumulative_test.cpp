@@ -120,7 +120,7 @@ TEST(RunFileCumulative, IsToldInTheResults) {
         read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'period'\n"));
     const std::string csv = days_head(run);
     EXPECT_NE(
-        csv.find("# moment: 2024-06-20T00:00+01:00 to 2024-06-23T00:00+01:00, 259200 s: 72 "),
+        csv.find("# time_step: 2024-06-20T00:00+01:00 to 2024-06-23T00:00+01:00, 259200 s: 72 "),
         std::string::npos);
     EXPECT_NE(csv.find("incident_upper_PAR [mol m-2]:"), std::string::npos);
     const std::string json = series_json(run);
@@ -161,23 +161,23 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
         digest = json.digest();
     }
     const auto json = nlohmann::ordered_json::parse(text);
-    EXPECT_EQ(json["moments"].size(), 72U);
-    EXPECT_EQ(json["moments"][71]["time"], "2024-06-22T23:00+01:00");
-    EXPECT_EQ(json["moments"][71]["organs"].size(), 1U);
+    EXPECT_EQ(json["time_steps"].size(), 72U);
+    EXPECT_EQ(json["time_steps"][71]["time"], "2024-06-22T23:00+01:00");
+    EXPECT_EQ(json["time_steps"][71]["organs"].size(), 1U);
     ASSERT_EQ(json["days"].size(), 3U);
     EXPECT_EQ(json["days"][2]["date"], "2024-06-22");
     EXPECT_EQ(json["days"][2]["seconds"], 86400);
     EXPECT_EQ(json["days"][2]["organs"][0]["incident_upper"]["NIR"]["mean"], 3);
     EXPECT_EQ(json["days"][2]["organs"][0]["incident_upper"]["PAR"]["mean"], 3e-6) << "mol";
-    EXPECT_EQ(json["total"]["organs"][0]["incident_upper"]["NIR"]["high"], 6);
-    EXPECT_EQ(json["done"]["moments"], 72);
+    EXPECT_EQ(json["total"]["organs"][0]["incident_upper"]["NIR"]["ci95_high"], 6);
+    EXPECT_EQ(json["completed"]["time_steps"], 72);
     EXPECT_EQ(json["organs_sha256"], digest);
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) {
         keys.push_back(key);
     }
     const auto place = [&](const char* key) { return std::find(keys.begin(), keys.end(), key); };
-    EXPECT_LT(place("moments"), place("days"));
+    EXPECT_LT(place("time_steps"), place("days"));
     EXPECT_LT(place("days"), place("total"));
     EXPECT_LT(place("total"), place("organs_sha256"));
 }

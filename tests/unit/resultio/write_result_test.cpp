@@ -78,10 +78,10 @@ TEST(WriteCsv, HasAHeaderLineAndARowForEachOrgan) {
     ASSERT_EQ(table.size(), 3U);
     EXPECT_TRUE(
         table[0].starts_with("id,name,plant,label_area,kind,area,absorbed_flux_R,absorbed_flux_R_"
-                             "se,absorbed_flux_R_high,"));
-    EXPECT_TRUE(
-        table[0].ends_with(",sunlit_fraction,sunlit_fraction_se,sunlit_fraction_high,ratio_R:FR,"
-                           "ratio_R:FR_se,ratio_R:FR_high"));
+                             "se,absorbed_flux_R_ci95_high,"));
+    EXPECT_TRUE(table[0].ends_with(
+        ",sunlit_fraction,sunlit_fraction_se,sunlit_fraction_ci95_high,ratio_R:FR,"
+        "ratio_R:FR_se,ratio_R:FR_ci95_high"));
     // absorbed_flux_density_R is value 2 of the first organ
     EXPECT_TRUE(table[1].starts_with("1,\"a \"\"b\"\", #c\",1,x,,2,0,0,1,2,0.2,3,")) << table[1];
     EXPECT_TRUE(table[1].ends_with(",0.5,0.1,0.6,1.25,0.01,1.3"));
@@ -108,7 +108,7 @@ TEST(WriteCsv, HasMeansInTheirIntervals) {
     write_json(small_run(), result, [&](std::string_view piece) { text += piece; });
     const auto json = nlohmann::json::parse(text);
     EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["mean"], 1.236);
-    EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["high"], 1.236);
+    EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["ci95_high"], 1.236);
     EXPECT_EQ(json["organs"][0]["sunlit_fraction"]["mean"], 1);
 }
 
@@ -169,19 +169,19 @@ TEST(WriteJson, HoldsTheOrgansWithTheirEstimates) {
     EXPECT_EQ(organ["labels"]["plant"], "1");
     EXPECT_EQ(organ["absorbed_flux_density"]["R"]["mean"], 2.0);
     EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["standard_error"], 0.3);
-    EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["low"], 2.0);
+    EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["ci95_low"], 2.0);
     EXPECT_EQ(organ["ratios"]["R:FR"]["mean"], 1.25);
     EXPECT_TRUE(json["organs"][1]["absorbed_flux"]["R"]["standard_error"].is_null());
-    EXPECT_EQ(json["organs"][1]["sunlit_fraction"]["high"], 0.1);
+    EXPECT_EQ(json["organs"][1]["sunlit_fraction"]["ci95_high"], 0.1);
     EXPECT_EQ(json["energy"]["FR"]["emitted"], 7.0);
     EXPECT_EQ(json["energy"]["FR"]["emitted_standard_error"], .5);
 }
 
 TEST(WriteJson, HoldsTheWholeRunFile) {
     const auto json = json_of(small_run(), small_result());
-    EXPECT_EQ(json["run"]["run"]["paths"], 65536);
-    EXPECT_EQ(json["run"]["organ"].size(), 2U);
-    EXPECT_EQ(json["run"]["organ"][1]["corners"][1][0], 1);
+    EXPECT_EQ(json["run_file"]["run"]["paths"], 65536);
+    EXPECT_EQ(json["run_file"]["organ"].size(), 2U);
+    EXPECT_EQ(json["run_file"]["organ"][1]["corners"][1][0], 1);
     EXPECT_EQ(json["format"], "quasimc-result");
 }
 
@@ -195,8 +195,8 @@ Result grouped_result() {
          .value = "1",
          .organs = {1},
          .area = .5,
-         .low = 0,
-         .high = 2,
+         .height_min = 0,
+         .height_max = 2,
          .plant_area_index = .25,
          .cumulative_plant_area_index = .75}};
     groups.bands = 2;
@@ -231,13 +231,13 @@ TEST(WriteGroups, HasARowForEachGroup) {
     ASSERT_EQ(table.size(), 3U);
     EXPECT_TRUE(table[0].starts_with(
         "by,value,organs,area,low,high,plant_area_index,cumulative_plant_area_index,"
-        "absorbed_flux_R,absorbed_flux_R_se,absorbed_flux_R_high,"))
+        "absorbed_flux_R,absorbed_flux_R_se,absorbed_flux_R_ci95_high,"))
         << table[0];
     EXPECT_NE(
-        table[0].find(",sunlit_area,sunlit_area_se,sunlit_area_high,ratio_R:FR,"),
+        table[0].find(",sunlit_area,sunlit_area_se,sunlit_area_ci95_high,ratio_R:FR,"),
         std::string::npos);
     EXPECT_TRUE(table[0].ends_with(
-        ",ground_absorptance_FR,ground_absorptance_FR_se,ground_absorptance_FR_high"));
+        ",ground_absorptance_FR,ground_absorptance_FR_se,ground_absorptance_FR_ci95_high"));
     EXPECT_TRUE(table[1].starts_with("all,,2,2.5,,,,,0,0,1,2,0.2,3,")) << table[1];
     EXPECT_NE(table[1].find(",0.125,0.01,0.15,,,,"), std::string::npos) << "R of FR, no T";
     EXPECT_TRUE(table[2].starts_with("layer,1,1,0.5,0,2,0.25,0.75,0,,0.25,")) << table[2];
@@ -261,7 +261,7 @@ TEST(WriteJson, HoldsGroupsAndFractions) {
     ASSERT_EQ(json["groups"].size(), 2U);
     EXPECT_EQ(json["groups"][0]["by"], "all");
     EXPECT_EQ(json["groups"][0]["organs"], 2);
-    EXPECT_FALSE(json["groups"][0].contains("low"));
+    EXPECT_FALSE(json["groups"][0].contains("height_min"));
     EXPECT_EQ(json["groups"][1]["cumulative_plant_area_index"], .75);
     EXPECT_EQ(json["groups"][0]["absorbed_flux"]["FR"]["mean"], 1.0);
     EXPECT_EQ(json["groups"][0]["sunlit_area"]["mean"], 1.25);
@@ -286,7 +286,7 @@ TEST(WrittenColumns, AreThoseAskedFor) {
     EXPECT_EQ(
         table_of(text)[0],
         "id,name,plant,label_area,kind,area,incident_upper_FR,incident_upper_FR_se,"
-        "incident_upper_FR_high,ratio_R:FR,ratio_R:FR_se,ratio_R:FR_high");
+        "incident_upper_FR_ci95_high,ratio_R:FR,ratio_R:FR_se,ratio_R:FR_ci95_high");
     EXPECT_TRUE(table_of(text)[1].ends_with(",2,5,0.5,6,1.25,0.01,1.3")) << table_of(text)[1];
     EXPECT_EQ(table_of(groups_text(chosen_run()))[0].find("absorbed_flux"), std::string::npos);
     const auto json = json_of(chosen_run(), grouped_result());
@@ -330,7 +330,7 @@ TEST(Summary, TellsOfEnergyThatAddsUp) {
     Result result = small_result();
     BandBudget& budget = result.budget[0];
     budget.emitted = {20.5, 0, 20.5, 20.5};
-    budget.roulette.mean = -.0016;
+    budget.imbalance.mean = -.0016;
     budget.absorbed_by_organs = {1.86, .01, 1.8, 1.9};
     budget.absorbed_by_ground = {2, 0, 2, 2};
     budget.escaped.mean = 16.6384;
@@ -395,17 +395,17 @@ TEST(Summary, TellsOfErrorsInWords) {
 
 TEST(Summary, TellsThatTheTimeWasUp) {
     Result result = small_result();
-    result.stop = StopReason::time_is_up;
+    result.stop = StopReason::time_limit;
     RunFile run = small_run();
     run.spec.max_seconds = 2;
     run.spec.paths = 16;
     EXPECT_NE(
         summary(run, result, {}).find("stopped   by max_seconds = 2: 4 of 16 paths are done"),
         std::string::npos);
-    EXPECT_EQ(json_of(run, result)["done"]["stop"], "time_is_up");
+    EXPECT_EQ(json_of(run, result)["completed"]["stop"], "time_limit");
     result.stop = StopReason::interrupted;
     EXPECT_NE(summary(run, result, {}).find("stopped   on request: 4 of 16"), std::string::npos);
-    EXPECT_EQ(json_of(run, result)["done"]["stop"], "interrupted");
+    EXPECT_EQ(json_of(run, result)["completed"]["stop"], "interrupted");
 }
 
 /// What "auto" chose and why stands in every form of the result.
@@ -425,7 +425,7 @@ TEST(Method, IsToldWithItsReason) {
         summary(run, result, {}).find("method    first_hits: it is sunny"), std::string::npos);
     const auto json = json_of(run, result)["method"];
     EXPECT_EQ(json["used"], "first_hits");
-    EXPECT_EQ(json["asked"], "auto");
+    EXPECT_EQ(json["requested"], "auto");
     EXPECT_EQ(json["reason"], "it is sunny");
     std::string table;
     write_csv(run, result, [&](std::string_view piece) { table += piece; });
@@ -473,12 +473,12 @@ TEST(Audit, IsLoudWhenItDisagrees) {
     result.audit = small_audit(kAuditLevel / 2);
     EXPECT_EQ(json_of(small_run(), result)["audit"]["agrees"], false);
     EXPECT_NE(summary(small_run(), result, {}).find("audit     DISAGREES"), std::string::npos);
-    EXPECT_NE(audit_warning(result.audit->chance).find("do not trust"), std::string::npos);
+    EXPECT_NE(audit_warning(result.audit->p_value).find("do not trust"), std::string::npos);
     EXPECT_EQ(audit_warning(kAuditLevel), "");
     SeriesSummary series;
     EXPECT_EQ(audit_line(series), "");
     series.audited = 3;
-    series.audit_chance = 0;
+    series.audit_p_value = 0;
     EXPECT_NE(audit_line(series).find("DISAGREES"), std::string::npos);
 }
 

@@ -78,7 +78,7 @@ TEST_P(AbsorbedLight, OfAStandIsTheSameFromEveryWayAndItsEnergyCloses) {
         EXPECT_LT(result.budget[b].closure_error, 1e-6);
         if (GetParam() != Method::from_organs) {
             EXPECT_TRUE(agrees(
-                measured(result.budget[b].roulette, kReplicates), 0,
+                measured(result.budget[b].imbalance, kReplicates), 0,
                 .02 * result.budget[b].emitted.mean, sidak_level(kLevel, 2)));
         }
     }

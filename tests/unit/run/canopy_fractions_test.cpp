@@ -63,7 +63,7 @@ TEST_P(Fractions, AddUpToOneButForTheRoulette) {
     const Result result = trace(make_sheets_over_soil(2), {sun(30, {1}), sky({2})}, 1 << 10);
     const CanopyFractions& f = result.canopy.at(0);
     const double open = f.reflectance.mean + f.absorptance.mean + f.ground_absorptance.mean - 1 -
-                        result.budget[0].roulette.mean / result.budget[0].emitted.mean;
+                        result.budget[0].imbalance.mean / result.budget[0].emitted.mean;
     EXPECT_NEAR(open, 0, 1e-12);
 }
 
@@ -74,8 +74,8 @@ TEST_P(Fractions, HaveErrorsOfTheirOwn) {
     for (const Estimate& e : {f.reflectance, f.transmittance, f.absorptance}) {
         EXPECT_GT(e.standard_error, 0);
         EXPECT_LT(e.standard_error, .05);
-        EXPECT_LT(e.low, e.mean);
-        EXPECT_GT(e.high, e.mean);
+        EXPECT_LT(e.ci95_low, e.mean);
+        EXPECT_GT(e.ci95_high, e.mean);
     }
 }
 
@@ -139,8 +139,8 @@ TEST_P(Fractions, OfLightThatNeverReachedTheGroundAreABound) {
     const Estimate& through = result.canopy.at(0).transmittance;
     EXPECT_EQ(through.mean, 0);
     EXPECT_TRUE(std::isnan(through.standard_error));
-    EXPECT_GT(through.high, 0);
-    EXPECT_LT(through.high, .05);
+    EXPECT_GT(through.ci95_high, 0);
+    EXPECT_LT(through.ci95_high, .05);
 }
 
 QUASIMC_BOTH_WAYS(Fractions);

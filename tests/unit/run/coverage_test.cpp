@@ -59,7 +59,7 @@ class Coverage : public ::testing::TestWithParam<Trial> {
 };
 
 bool holds_truth(const Estimate& interval, double truth) {
-    return interval.low <= truth && truth <= interval.high;
+    return interval.ci95_low <= truth && truth <= interval.ci95_high;
 }
 
 TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
@@ -138,7 +138,7 @@ Scene make_pair() {
 /// An interval of the sum of two estimates as if their errors were independent.
 Estimate added(const Estimate& a, const Estimate& b) {
     const double mean = a.mean + b.mean;
-    const double half = std::hypot(a.high - a.mean, b.high - b.mean);
+    const double half = std::hypot(a.ci95_high - a.mean, b.ci95_high - b.mean);
     return {mean, half, mean - half, mean + half};
 }
 

@@ -48,14 +48,15 @@ TEST_P(EvaluateBothWays, AnOrganThatNoPathHitHasAnUpperBoundAndNoError) {
             const Estimate& dark = result.at(0, entry.quantity, band);
             EXPECT_EQ(dark.mean, 0) << entry.name;
             EXPECT_TRUE(std::isnan(dark.standard_error)) << entry.name;
-            EXPECT_EQ(dark.low, 0);
-            EXPECT_GT(dark.high, 0);
-            EXPECT_LT(dark.high, .1 * result.at(1, entry.quantity, band).high + .1) << entry.name;
+            EXPECT_EQ(dark.ci95_low, 0);
+            EXPECT_GT(dark.ci95_high, 0);
+            EXPECT_LT(dark.ci95_high, .1 * result.at(1, entry.quantity, band).ci95_high + .1)
+                << entry.name;
         }
     }
     EXPECT_TRUE(std::isnan(result.ratio(0, 0).mean));
     EXPECT_EQ(result.sunlit_fraction[0].mean, 0);
-    EXPECT_GT(result.sunlit_fraction[0].high, 0);
+    EXPECT_GT(result.sunlit_fraction[0].ci95_high, 0);
 }
 
 /// A grey ground right under a larger black plate, the sun overhead: what the ground absorbs in all
@@ -75,8 +76,8 @@ TEST_P(EvaluateBothWays, WhatNoPathFoundHasAnUpperBoundInTheBudgetToo) {
         const Estimate& own = result.at(1, Quantity::absorbed_flux, band);
         EXPECT_EQ(whole.mean, 0);
         EXPECT_TRUE(std::isnan(whole.standard_error));
-        EXPECT_GT(whole.high, 0);
-        EXPECT_EQ(whole.high, own.high);
+        EXPECT_GT(whole.ci95_high, 0);
+        EXPECT_EQ(whole.ci95_high, own.ci95_high);
     }
 }
 
@@ -86,10 +87,10 @@ TEST(Evaluate, TheBoundIsThatOfTheRuleOfThree) {
     const Result result = run(scene, {sun(0, {10, 20})}, spec_of(Method::light_tracing, kPaths));
     const double one_path = result.budget[1].emitted.mean / kPaths;
     EXPECT_NEAR(
-        result.at(0, Quantity::absorbed_flux, 1).high, 3 * one_path * .6 / kReplicates,
+        result.at(0, Quantity::absorbed_flux, 1).ci95_high, 3 * one_path * .6 / kReplicates,
         1e-12 * one_path);
     EXPECT_NEAR(
-        result.at(0, Quantity::incident_lower, 1).high,
+        result.at(0, Quantity::incident_lower, 1).ci95_high,
         3 * one_path / kReplicates / scene.organs()[0].area, 1e-10 * one_path);
 }
 
@@ -159,7 +160,7 @@ TEST_P(EvaluateBothWays, ASensorAbsorbsNothingForSure) {
     const Estimate& absorbed = result.at(1, Quantity::absorbed_flux, 0);
     EXPECT_EQ(absorbed.mean, 0);
     EXPECT_EQ(absorbed.standard_error, 0);
-    EXPECT_EQ(absorbed.high, 0);
+    EXPECT_EQ(absorbed.ci95_high, 0);
     EXPECT_GT(result.at(1, Quantity::incident_upper, 0).mean, 0);
 }
 
@@ -169,9 +170,9 @@ TEST_P(EvaluateBothWays, AnOrganOfNoAreaReceivesNothingForSure) {
         const Estimate& estimate = result.at(2, entry.quantity, 1);
         EXPECT_EQ(estimate.mean, 0) << entry.name;
         EXPECT_EQ(estimate.standard_error, 0) << entry.name;
-        EXPECT_EQ(estimate.high, 0) << entry.name;
+        EXPECT_EQ(estimate.ci95_high, 0) << entry.name;
     }
-    EXPECT_EQ(result.sunlit_fraction[2].high, 0);
+    EXPECT_EQ(result.sunlit_fraction[2].ci95_high, 0);
 }
 
 /// Bands that ride on the same paths have errors in common, which a ratio does not have.
@@ -211,7 +212,7 @@ TEST_P(EvaluateBothWays, ARatioOfFewFindsHoldsTheTruth) {
             const Estimate& e = few.ratio(i, 0);
             const Estimate& t = truth.ratio(i, 0);
             if (std::isfinite(e.standard_error)) {
-                held += e.low <= t.high && t.low <= e.high ? 1 : 0;
+                held += e.ci95_low <= t.ci95_high && t.ci95_low <= e.ci95_high ? 1 : 0;
                 ++count;
             }
         }
@@ -227,7 +228,7 @@ TEST_P(EvaluateBothWays, ASingleReplicateHasAMeanAndNoError) {
         run(make_odd_plant(), sun_and_sky(), spec).at(0, Quantity::absorbed_flux, 0);
     EXPECT_GT(estimate.mean, 0);
     EXPECT_TRUE(std::isnan(estimate.standard_error));
-    EXPECT_TRUE(std::isnan(estimate.low));
+    EXPECT_TRUE(std::isnan(estimate.ci95_low));
 }
 
 /// What can't absorb any light is known without tracing.

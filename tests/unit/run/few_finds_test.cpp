@@ -45,8 +45,8 @@ double coverage_of(
     for (int seed = 1; seed <= asked.seeds; ++seed) {
         spec.seed = static_cast<std::uint64_t>(seed);
         const Estimate e = read(run(scene, sources, spec));
-        EXPECT_GE(e.low, 0);
-        right += e.low <= truth && truth <= e.high + kRounding * truth ? 1 : 0;
+        EXPECT_GE(e.ci95_low, 0);
+        right += e.ci95_low <= truth && truth <= e.ci95_high + kRounding * truth ? 1 : 0;
     }
     return right / static_cast<double>(asked.seeds);
 }
@@ -308,7 +308,7 @@ TEST(ManyDirections, FallIntoNarrowConesAsIntervalsPromise) {
             }
         }
         const Estimate e = estimate_mean(counts);
-        right += e.low <= kExpected && kExpected <= e.high ? 1 : 0;
+        right += e.ci95_low <= kExpected && kExpected <= e.ci95_high ? 1 : 0;
     }
     EXPECT_GT(right, .932 * kRuns) << right;
     EXPECT_LT(right, .97 * kRuns) << right;
@@ -338,7 +338,7 @@ TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
         if (lit.mean > 0) {
             of_one = std::min(of_one, lit.mean);
         } else {
-            of_none = lit.high;
+            of_none = lit.ci95_high;
         }
     }
     ASSERT_TRUE(std::isfinite(of_one));

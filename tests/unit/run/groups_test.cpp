@@ -124,8 +124,8 @@ TEST(Layers, HoldTheOrgansWhoseCentroidsLieInThem) {
     EXPECT_EQ(layers[1].organs, (std::vector<std::uint32_t>{4}));
     EXPECT_EQ(layers[2].organs, (std::vector<std::uint32_t>{1, 2, 3}))
         << "the height between two layers belongs to the upper one, the last to the last";
-    EXPECT_EQ(layers[2].low, 1);
-    EXPECT_EQ(layers[2].high, 3);
+    EXPECT_EQ(layers[2].height_min, 1);
+    EXPECT_EQ(layers[2].height_max, 3);
     EXPECT_DOUBLE_EQ(layers[1].plant_area_index, .25);
     EXPECT_DOUBLE_EQ(layers[2].plant_area_index, 2.25 / 2);
     EXPECT_DOUBLE_EQ(layers[2].cumulative_plant_area_index, 2.25 / 2);
@@ -135,9 +135,9 @@ TEST(Layers, HoldTheOrgansWhoseCentroidsLieInThem) {
 TEST(Layers, OfEqualHeightReachFromTheLowestPointToTheHighest) {
     const auto layers = make_groups(make_stories(), {.layers = 3});
     ASSERT_EQ(layers.size(), 4U);
-    EXPECT_EQ(layers[1].low, 0);
-    EXPECT_DOUBLE_EQ(layers[2].low, 1);
-    EXPECT_EQ(layers[3].high, 3);
+    EXPECT_EQ(layers[1].height_min, 0);
+    EXPECT_DOUBLE_EQ(layers[2].height_min, 1);
+    EXPECT_EQ(layers[3].height_max, 3);
     std::size_t organs = 0;
     for (std::size_t i = 1; i < layers.size(); ++i) {
         organs += layers[i].organs.size();
@@ -147,7 +147,7 @@ TEST(Layers, OfEqualHeightReachFromTheLowestPointToTheHighest) {
 
 TEST(Layers, OverAGroundBeginThere) {
     const auto layers = make_groups(make_two_plants(), {.layers = 2});
-    EXPECT_DOUBLE_EQ(layers[1].low, -.4);
+    EXPECT_DOUBLE_EQ(layers[1].height_min, -.4);
     EXPECT_GT(layers[1].plant_area_index, 0);
 }
 
@@ -242,7 +242,7 @@ TEST_P(GroupsOfRuns, OfOneOrganHaveItsErrorsAndRatios) {
     const Estimate& group = result.groups.at(kSensors, Quantity::incident_upper, 1);
     const Estimate& own = result.at(8, Quantity::incident_upper, 1);
     EXPECT_NEAR(group.standard_error, own.standard_error, 1e-9 * own.standard_error + 1e-14);
-    EXPECT_NEAR(group.high, own.high, 1e-9);
+    EXPECT_NEAR(group.ci95_high, own.ci95_high, 1e-9);
     EXPECT_NEAR(result.groups.ratio(kSensors, 0).mean, result.ratio(8, 0).mean, 1e-12);
 }
 
@@ -257,7 +257,7 @@ TEST_P(GroupsOfRuns, AreTheSameBitsOnAnyNumberOfThreads) {
         for (std::size_t i = 0; i < one.groups.values.size(); ++i) {
             EXPECT_EQ(one.groups.values[i].mean, many.groups.values[i].mean);
             EXPECT_EQ(one.groups.values[i].standard_error, many.groups.values[i].standard_error);
-            EXPECT_EQ(one.groups.values[i].high, many.groups.values[i].high);
+            EXPECT_EQ(one.groups.values[i].ci95_high, many.groups.values[i].ci95_high);
         }
     }
 }
@@ -278,14 +278,14 @@ TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
     const Estimate& dark = result.groups.at(1, Quantity::absorbed_flux, 0);
     EXPECT_EQ(dark.mean, 0);
     EXPECT_TRUE(std::isnan(dark.standard_error));
-    const double a = result.at(0, Quantity::absorbed_flux, 0).high;
-    const double b = result.at(1, Quantity::absorbed_flux, 0).high;
+    const double a = result.at(0, Quantity::absorbed_flux, 0).ci95_high;
+    const double b = result.at(1, Quantity::absorbed_flux, 0).ci95_high;
     if (GetParam() == Method::first_hits) {
         // A line may meet both.
-        EXPECT_GT(dark.high, 1.2 * std::max(a, b));
-        EXPECT_LE(dark.high, a + b);
+        EXPECT_GT(dark.ci95_high, 1.2 * std::max(a, b));
+        EXPECT_LE(dark.ci95_high, a + b);
     } else {
-        EXPECT_EQ(dark.high, std::max(a, b));
+        EXPECT_EQ(dark.ci95_high, std::max(a, b));
     }
 }
 
@@ -296,7 +296,7 @@ TEST_P(GroupsOfRuns, WithoutOrgansHaveNoLightForSure) {
     const Estimate& none = result.groups.at(1, Quantity::incident_upper, 0);
     EXPECT_EQ(none.mean, 0);
     EXPECT_EQ(none.standard_error, 0);
-    EXPECT_EQ(none.high, 0);
+    EXPECT_EQ(none.ci95_high, 0);
 }
 
 QUASIMC_BOTH_WAYS(GroupsOfRuns);
@@ -377,7 +377,7 @@ TEST(GroupSums, OfADayAreThoseOfItsOrgansWithErrorsOfTheirOwn) {
         pair.standard_error, std::hypot(3600 * error_at(0), (3600 + 3 * 1800) * error_at(1)),
         1e-9 * pair.standard_error);
     EXPECT_NEAR(error_at(2), 3 * error_at(1), 1e-12);
-    EXPECT_EQ(results[3].groups.at(1, Quantity::absorbed_flux, 0).high, 0);
+    EXPECT_EQ(results[3].groups.at(1, Quantity::absorbed_flux, 0).ci95_high, 0);
     EXPECT_EQ(results[3].groups.groups[1].organs.size(), 2U);
 }
 

@@ -103,12 +103,12 @@ TEST_P(LampCoverage, IsThatOfIntervalsWhereAutoTracesFromTheOrgans) {
         double right = 0, count = 0;
         for (std::size_t organ = 0; organ < kMeasured; ++organ) {
             const Estimate& absorbed = result.at(organ, Quantity::absorbed_flux, 0);
-            widths.push_back((absorbed.high - absorbed.low) / absorbed.mean);
+            widths.push_back((absorbed.ci95_high - absorbed.ci95_low) / absorbed.mean);
             for (const Quantity q : kAsked) {
                 const double mean = truth.at(organ, q, 0).mean;
                 const Estimate& e = result.at(organ, q, 0);
                 count += mean > 0 ? 1 : 0;
-                right += mean > 0 && e.low <= mean && mean <= e.high ? 1 : 0;
+                right += mean > 0 && e.ci95_low <= mean && mean <= e.ci95_high ? 1 : 0;
             }
         }
         held.push_back(right / count);

@@ -36,7 +36,7 @@ class LightLimits : public BothWays {
         return run(scene, sources, spec);
     }
     static double direct_high(const Result& result) {
-        return result.at(0, Quantity::incident_direct, 0).high;
+        return result.at(0, Quantity::incident_direct, 0).ci95_high;
     }
 };
 
@@ -60,10 +60,10 @@ TEST_P(LightLimits, AnOrganIsSunlitToAtMostAllOfIt) {
     for (const double slope : {0.0, .5, 1000.0, 1e6}) {
         const Result result = few(make_shaded_slope(slope), {sun(0, {3})});
         for (std::size_t i = 0; i < result.organs(); ++i) {
-            EXPECT_LE(result.sunlit_fraction[i].high, 1) << slope << " organ " << i;
+            EXPECT_LE(result.sunlit_fraction[i].ci95_high, 1) << slope << " organ " << i;
         }
         for (const Estimate& group : result.groups.sunlit_fraction) {
-            EXPECT_LE(group.high, 1 + 1e-12) << slope;
+            EXPECT_LE(group.ci95_high, 1 + 1e-12) << slope;
         }
     }
 }
@@ -72,10 +72,10 @@ TEST_P(LightLimits, NoPartOfTheLightIsMoreThanAll) {
     const Result result = few(make_shaded_slope(.5), {sun(30, {3}), sky({1})});
     const double emitted = result.budget[0].emitted.mean * (1 + 1e-3);
     for (std::size_t i = 0; i < result.organs(); ++i) {
-        EXPECT_LE(result.at(i, Quantity::absorbed_flux, 0).high, emitted);
+        EXPECT_LE(result.at(i, Quantity::absorbed_flux, 0).ci95_high, emitted);
     }
-    EXPECT_LE(result.budget[0].absorbed_by_organs.high, emitted);
-    EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).high, emitted);
+    EXPECT_LE(result.budget[0].absorbed_by_organs.ci95_high, emitted);
+    EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).ci95_high, emitted);
 }
 
 TEST_P(LightLimits, NoOrganAbsorbsMoreThanFallsOnIt) {
@@ -86,8 +86,8 @@ TEST_P(LightLimits, NoOrganAbsorbsMoreThanFallsOnIt) {
     const Result result = few(scene, {sun(0, {1000})});
     const double most = 4000 * (1 + 1e-12);
     EXPECT_LE(reported(result.at(0, Quantity::absorbed_flux, 0)).mean, most);
-    EXPECT_LE(result.at(0, Quantity::absorbed_flux, 0).high, most);
-    EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).high, most);
+    EXPECT_LE(result.at(0, Quantity::absorbed_flux, 0).ci95_high, most);
+    EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).ci95_high, most);
     EXPECT_NEAR(reported(result.at(0, Quantity::incident_upper, 0)).mean, 1000, 1);
     EXPECT_LE(reported(result.at(0, Quantity::incident_upper, 0)).mean, 1000 * (1 + 1e-12));
 }
@@ -101,8 +101,8 @@ TEST_P(LightLimits, WhatIsReachedIsNotCutOff) {
     const Result result = few(scene, {sun(40, {3}), sky({2})});
     const double truth = 2 + 3 * std::cos(40 * std::numbers::pi / 180);
     EXPECT_NEAR(direct_high(result), truth, 1e-5 * truth);
-    EXPECT_LE(result.at(0, Quantity::incident_direct, 0).low, truth * (1 + 1e-5));
-    EXPECT_EQ(result.sunlit_fraction[0].high, 1);
+    EXPECT_LE(result.at(0, Quantity::incident_direct, 0).ci95_low, truth * (1 + 1e-5));
+    EXPECT_EQ(result.sunlit_fraction[0].ci95_high, 1);
 }
 
 /// A sun exactly along a surface lights neither of its sides, whatever cosines of 1e-17 rounding
@@ -117,7 +117,7 @@ TEST_P(LightLimits, ASunAlongASurfaceLightsNoneOfIt) {
         builder.add_organ(organ("floor", "leaf", floor_of(-2, 2, -2, 2, -1)));
         const Result result = trace(std::move(builder).build(), {sun(0, {1})}, 1 << 12);
         EXPECT_EQ(result.sunlit_fraction[0].mean, 0) << turned;
-        EXPECT_EQ(result.sunlit_fraction[0].high, 0) << turned;
+        EXPECT_EQ(result.sunlit_fraction[0].ci95_high, 0) << turned;
         EXPECT_NEAR(result.sunlit_fraction[1].mean, 1, 1e-4) << turned;
     }
 }
@@ -141,8 +141,8 @@ Scene make_open_slope(double slope) {
 
 void expect_possible(const Estimate& e, double most) {
     const Estimate r = reported(e);
-    EXPECT_LE(r.low, r.mean);
-    EXPECT_LE(r.mean, r.high);
+    EXPECT_LE(r.ci95_low, r.mean);
+    EXPECT_LE(r.mean, r.ci95_high);
     EXPECT_GE(r.mean, 0);
     EXPECT_LE(r.mean, most);
 }
@@ -176,11 +176,11 @@ TEST_P(ReportedMeans, LieInTheirIntervalsAndInWhatIsPossible) {
             const BandBudget& budget = result.budget[0];
             const double parts = budget.absorbed_by_organs.mean + budget.absorbed_by_ground.mean +
                                  budget.escaped.mean + budget.cut_off.mean;
-            EXPECT_NEAR(parts, budget.emitted.mean + budget.roulette.mean, 1e-6 * parts);
+            EXPECT_NEAR(parts, budget.emitted.mean + budget.imbalance.mean, 1e-6 * parts);
             for (const Estimate& e :
                  {budget.absorbed_by_organs, budget.absorbed_by_ground, budget.escaped}) {
-                EXPECT_LE(e.low, e.mean);
-                EXPECT_LE(e.mean, e.high);
+                EXPECT_LE(e.ci95_low, e.mean);
+                EXPECT_LE(e.mean, e.ci95_high);
             }
         }
     }

@@ -152,7 +152,7 @@ double part_held(const Result& result, const Result& truth, std::size_t sensors)
         for (const Quantity q : kAskedOfSensors) {
             const Estimate& e = result.at(i, q, 0);
             const double mean = truth.at(i, q, 0).mean;
-            right += e.low <= mean && mean <= e.high ? 1 : 0;
+            right += e.ci95_low <= mean && mean <= e.ci95_high ? 1 : 0;
         }
     }
     return right / static_cast<double>(sensors * kAskedOfSensors.size());
@@ -176,7 +176,7 @@ TEST_P(NearLight, IsKnownByTheSensorsThatLookForIt) {
         held.push_back(part_held(result, truth, sensors));
         for (std::size_t i = 0; i < sensors; ++i) {
             const Estimate& e = result.at(i, Quantity::incident_scattered, 0);
-            widths.push_back((e.high - e.low) / e.mean);
+            widths.push_back((e.ci95_high - e.ci95_low) / e.mean);
         }
     }
     const Estimate part = estimate_mean(held);

@@ -125,7 +125,7 @@ TEST_F(NewQuantity, HasABoundWhereNothingWasSummed) {
     Sums sums = none;
     sums->samples = 100;
     EXPECT_EQ(fraction_of(sums, 2, 1).mean, 0);
-    EXPECT_NEAR(fraction_of(sums, 2, 1).high, 3 * 2. / (2 * 100), 1e-12);
+    EXPECT_NEAR(fraction_of(sums, 2, 1).ci95_high, 3 * 2. / (2 * 100), 1e-12);
 }
 
 TEST_F(NewQuantity, IsSavedAndAdded) {

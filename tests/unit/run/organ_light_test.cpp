@@ -36,7 +36,7 @@ Result light_of(const Scene& scene) {
 /// The bits of an estimate, which are equal where it is NaN too.
 std::array<std::uint64_t, 4> bits(const Estimate& e) {
     return std::bit_cast<std::array<std::uint64_t, 4>>(
-        std::array{e.mean, e.standard_error, e.low, e.high});
+        std::array{e.mean, e.standard_error, e.ci95_low, e.ci95_high});
 }
 
 std::string error_of(const auto& ask) {

@@ -22,7 +22,7 @@ bool are_same(const Result& a, const Result& b) {
     return std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
         [&](const Estimate& x, const Estimate& y) {
-            return bits(x.mean) == bits(y.mean) && bits(x.low) == bits(y.low) &&
+            return bits(x.mean) == bits(y.mean) && bits(x.ci95_low) == bits(y.ci95_low) &&
                    bits(x.standard_error) == bits(y.standard_error);
         });
 }

@@ -57,7 +57,7 @@ void expect_equal_runs(const Result& a, const Result& b) {
     EXPECT_TRUE(std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
         [](const Estimate& x, const Estimate& y) {
-            return x.mean == y.mean && x.low == y.low && x.high == y.high;
+            return x.mean == y.mean && x.ci95_low == y.ci95_low && x.ci95_high == y.ci95_high;
         }));
 }
 

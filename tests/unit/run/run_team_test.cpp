@@ -265,7 +265,7 @@ void expect_equal_days(const std::vector<Result>& a, const std::vector<Result>& 
         EXPECT_TRUE(std::equal(
             a[i].values.begin(), a[i].values.end(), b[i].values.begin(), b[i].values.end(),
             [](const Estimate& x, const Estimate& y) {
-                return x.mean == y.mean && x.low == y.low && x.high == y.high;
+                return x.mean == y.mean && x.ci95_low == y.ci95_low && x.ci95_high == y.ci95_high;
             }));
     }
 }
@@ -350,7 +350,7 @@ TEST(RunTeam, TellsTheProcessorTimeOfAll) {
     const Stopwatch watch;
     double told = 0;
     for (const Result& result : trace_day(day, spec, 3)) {
-        told += result.trace_cpu_seconds;
+        told += result.solve_cpu_seconds;
     }
     // Here all are threads of one process, and each tells the time of all.
     EXPECT_GT(told, 1.5 * watch.cpu_seconds());

@@ -106,9 +106,9 @@ TEST(Run, TakesEmptyBracesForItsControl) {
     EXPECT_EQ(simulator.run(scene, sources, spec, {}).at(0, Quantity::absorbed_flux, 0).mean, free);
     std::vector<TimeStep> steps(1);
     steps[0].sources = sources;
-    EXPECT_EQ(run_series(scene, steps, spec, {}).traced, 1U);
-    EXPECT_EQ(run_series(simulator, scene, steps, spec, {}).traced, 1U);
-    EXPECT_EQ(run_series(std::move(simulator), scene, steps, spec, {}).traced, 1U);
+    EXPECT_EQ(run_series(scene, steps, spec, {}).computed, 1U);
+    EXPECT_EQ(run_series(simulator, scene, steps, spec, {}).computed, 1U);
+    EXPECT_EQ(run_series(std::move(simulator), scene, steps, spec, {}).computed, 1U);
 }
 
 /// The parts of work are fractions of the whole, however deep they lie in the tree.
@@ -163,7 +163,7 @@ TEST(Run, SaysWhyItMissedTheTarget) {
     spec.max_seconds = 1e-9;
     spec.max_paths = 0;
     result = run(leaf_over_ground(), {sky({1})}, spec);
-    EXPECT_EQ(result.stop, StopReason::time_is_up);
+    EXPECT_EQ(result.stop, StopReason::time_limit);
     EXPECT_EQ(result.paths, 256U);
 }
 
@@ -228,7 +228,7 @@ TEST(Run, ReportsWhatADepthOfOneCutsOff) {
         budget.cut_off.mean,
         .6 / .4 * budget.absorbed_by_organs.mean + .3 / .7 * budget.absorbed_by_ground.mean,
         1e-7 * budget.emitted.mean);
-    EXPECT_NEAR(budget.roulette.mean, 0, 1e-7) << "the fixed point of the tallies";
+    EXPECT_NEAR(budget.imbalance.mean, 0, 1e-7) << "the fixed point of the tallies";
 }
 
 TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
@@ -254,7 +254,7 @@ TEST_P(RunBothWays, ABandWithoutLightIsDark) {
     const Result result = trace(std::move(builder).build(), {sun(0, {0, 1}), sky({0, 2})}, 1024);
     for (const QuantityEntry& entry : quantity_table()) {
         EXPECT_EQ(result.at(0, entry.quantity, 0).mean, 0) << entry.name;
-        EXPECT_EQ(result.at(0, entry.quantity, 0).high, 0) << entry.name;
+        EXPECT_EQ(result.at(0, entry.quantity, 0).ci95_high, 0) << entry.name;
     }
     EXPECT_EQ(result.budget[0].emitted.mean, 0);
     EXPECT_EQ(result.budget[0].closure_error, 0);

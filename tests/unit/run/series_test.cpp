@@ -50,7 +50,9 @@ std::vector<Result> results_of(
 bool same_numbers(const Result& a, const Result& b) {
     return std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
-        [](const Estimate& x, const Estimate& y) { return x.mean == y.mean && x.high == y.high; });
+        [](const Estimate& x, const Estimate& y) {
+            return x.mean == y.mean && x.ci95_high == y.ci95_high;
+        });
 }
 
 TEST(Series, RefusesTimesThatAreNotInTheOrderOfTheirDays) {
@@ -94,7 +96,7 @@ class PlainListener final : public RunListener {
 
     void on_end(const SeriesSummary& summary) override {
         ++ends;
-        done = summary.done;
+        done = summary.completed;
         has_total = !summary.total.values.empty();
     }
 };
@@ -175,7 +177,7 @@ TEST(Series, SumsOverDaysAndInAll) {
     };
     const SeriesSummary summary =
         run_series(scene, time_steps, small_spec(), {.listeners = {&events}});
-    EXPECT_EQ(summary.traced, 3U);
+    EXPECT_EQ(summary.computed, 3U);
     ASSERT_EQ(days.size(), 2U);
     EXPECT_EQ(days[0].seconds, 3 * 3600);
     EXPECT_EQ(days[1].seconds, 7200 + 60 + 3600);
@@ -221,9 +223,9 @@ TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
     const SeriesSummary summary = run_series(
         scene, time_steps, small_spec(), {.stop = source.get_token(), .listeners = {&events}});
     EXPECT_EQ(summary.stop, StopReason::interrupted);
-    EXPECT_EQ(summary.done, 3U);
-    EXPECT_EQ(summary.traced, 2U);
-    EXPECT_EQ(summary.cut_short, 0U);
+    EXPECT_EQ(summary.completed, 3U);
+    EXPECT_EQ(summary.computed, 2U);
+    EXPECT_EQ(summary.with_fewer_paths, 0U);
     EXPECT_EQ(days, std::vector<std::size_t>{0});
     EXPECT_EQ(summary.total.seconds, 2 * 3600 + 7200);
     const auto mean = [&](std::size_t m) { return results[m].values[0].mean; };
@@ -244,12 +246,12 @@ TEST(Series, SharesItsTime) {
     spec.max_seconds = 2;
     Listening events;
     events.time_step = [&](std::size_t i, const Result& result, std::size_t) {
-        EXPECT_EQ(result.stop, i == 2 ? StopReason::paths_done : StopReason::time_is_up);
+        EXPECT_EQ(result.stop, i == 2 ? StopReason::finished : StopReason::time_limit);
     };
     const SeriesSummary summary = run_series(scene, time_steps, spec, {.listeners = {&events}});
-    EXPECT_EQ(summary.stop, StopReason::time_is_up);
-    EXPECT_EQ(summary.done, 4U);
-    EXPECT_EQ(summary.cut_short, 3U);
+    EXPECT_EQ(summary.stop, StopReason::time_limit);
+    EXPECT_EQ(summary.completed, 4U);
+    EXPECT_EQ(summary.with_fewer_paths, 3U);
 }
 
 /// Sums take as much memory as a result: they are made only for who asks for them.
@@ -391,7 +393,7 @@ TEST(Series, LeavesOutSumsThatNobodyWants) {
     const SeriesSummary summary =
         run_series(scene, time_steps, small_spec(), {.listeners = {&events}});
     EXPECT_TRUE(summary.total.values.empty());
-    EXPECT_EQ(summary.traced, 1U);
+    EXPECT_EQ(summary.computed, 1U);
     const auto usual = results_of(scene, time_steps, small_spec());
     ASSERT_EQ(results.size(), usual.size());
     for (std::size_t i = 0; i < usual.size(); ++i) {
@@ -414,7 +416,7 @@ TEST(SeriesAdder, AddsMeansAndSquaresOfErrors) {
     EXPECT_DOUBLE_EQ(sum.mean, 5);
     EXPECT_DOUBLE_EQ(sum.standard_error, std::sqrt(5));
     // Welch and Satterthwaite: (4 + 1)^2 / (16 + 1) degrees of freedom, 1 and a half.
-    EXPECT_NEAR(sum.high - sum.mean, std::sqrt(5) * interval_quantile(1), 1e-9);
+    EXPECT_NEAR(sum.ci95_high - sum.mean, std::sqrt(5) * interval_quantile(1), 1e-9);
 }
 
 TEST(SeriesAdder, KeepsTheBoundsOfWhatWasNotSeen) {
@@ -427,13 +429,13 @@ TEST(SeriesAdder, KeepsTheBoundsOfWhatWasNotSeen) {
     Estimate sum = adder.sum(1, 1).values[0];
     EXPECT_EQ(sum.mean, 0);
     EXPECT_TRUE(std::isnan(sum.standard_error));
-    EXPECT_DOUBLE_EQ(sum.high, 10 * .2);
+    EXPECT_DOUBLE_EQ(sum.ci95_high, 10 * .2);
     Result seen = unseen;
     seen.values = {estimate_mean(std::vector<double>{1, 2, 1, 2})};
     adder.add(seen, 1);
     sum = adder.sum(1, 1).values[0];
     EXPECT_DOUBLE_EQ(sum.mean, 1.5);
-    EXPECT_NEAR(sum.high, seen.values[0].high + 2, 1e-9);
+    EXPECT_NEAR(sum.ci95_high, seen.values[0].ci95_high + 2, 1e-9);
     Result single = unseen;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     single.values = {{1, nan, nan, nan}};

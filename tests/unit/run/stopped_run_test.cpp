@@ -61,7 +61,7 @@ bool same_values(const Result& a, const Result& b) {
     return std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
         [](const Estimate& x, const Estimate& y) {
-            return x.mean == y.mean && x.low == y.low && x.high == y.high;
+            return x.mean == y.mean && x.ci95_low == y.ci95_low && x.ci95_high == y.ci95_high;
         });
 }
 
@@ -150,7 +150,7 @@ TEST_P(WhiteBox, IsLeftWhenTheTimeIsUp) {
             RunControl{.deadline = Deadline::after(.05, .05)});
         ADD_FAILURE() << "there is no end to it";
     } catch (const Stopped& stopped) {
-        EXPECT_EQ(stopped.why(), StopReason::time_is_up);
+        EXPECT_EQ(stopped.why(), StopReason::time_limit);
         EXPECT_NE(std::string(stopped.what()).find("max_depth"), std::string::npos);
     }
 }
@@ -162,7 +162,7 @@ TEST_P(TimeLimit, ThatIsLongChangesNoBit) {
     const Result free = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
     spec.max_seconds = 1000;
     const Result limited = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
-    EXPECT_EQ(limited.stop, StopReason::paths_done);
+    EXPECT_EQ(limited.stop, StopReason::finished);
     EXPECT_EQ(limited.paths, free.paths);
     EXPECT_TRUE(same_values(free, limited));
 }
@@ -171,7 +171,7 @@ TEST_P(TimeLimit, EndsAHugeRunWithAResult) {
     RunSpec spec = spec_of(GetParam(), std::uint64_t{1} << 30U);
     spec.max_seconds = 2;  // for the first trial, under a sanitizer too
     const Result result = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
-    EXPECT_EQ(result.stop, StopReason::time_is_up);
+    EXPECT_EQ(result.stop, StopReason::time_limit);
     EXPECT_GE(result.paths, 256U);
     EXPECT_LT(result.paths, spec.paths);
     // What is reported is what so many paths give without a limit.

@@ -99,7 +99,7 @@ TEST(SunlitBound, CountsHowSeldomTheSunIsPicked) {
         const Result result =
             run(std::move(builder).build(), sources, spec_of(Method::light_tracing, 8192));
         EXPECT_EQ(result.sunlit_fraction[1].mean, 0);
-        return result.sunlit_fraction[1].high;
+        return result.sunlit_fraction[1].ci95_high;
     };
     EXPECT_GT(bound(0), 0);
     EXPECT_GT(bound(100), 50 * bound(0));

@@ -23,8 +23,8 @@ Scene upright_leaf() {
 void expect_zero(const Estimate& e, std::string_view what) {
     EXPECT_EQ(e.mean, 0) << what;
     EXPECT_EQ(e.standard_error, 0) << what;
-    EXPECT_EQ(e.low, 0) << what;
-    EXPECT_EQ(e.high, 0) << what;
+    EXPECT_EQ(e.ci95_low, 0) << what;
+    EXPECT_EQ(e.ci95_high, 0) << what;
 }
 
 void expect_unlit(const Result& result) {
@@ -79,7 +79,7 @@ TEST_P(Unlit, SunAmongOthersChangesNothing) {
     const Scene scene = upright_leaf();
     const Result alone = run(scene, {sun(60, {1})}, spec());
     const Result both = run(scene, {sun(0, {5}), sun(60, {1})}, spec());
-    EXPECT_EQ(both.stop, StopReason::paths_done);
+    EXPECT_EQ(both.stop, StopReason::finished);
     const Quantity q = Quantity::incident_direct;
     EXPECT_GT(both.at(0, q, 0).mean, .5);
     EXPECT_EQ(both.at(0, q, 0).mean, alone.at(0, q, 0).mean);
@@ -147,7 +147,7 @@ TEST(UnlitSeries, OfNightsAloneIsOneOfZeros) {
     const SeriesSummary summary =
         run_series(upright_leaf(), times, spec_of(Method::automatic, 64), {.listeners = {&events}});
     EXPECT_EQ(told, 2U);
-    EXPECT_EQ(summary.traced, 0U);
+    EXPECT_EQ(summary.computed, 0U);
     expect_zero(summary.total.at(0, Quantity::absorbed_flux, 0), "total");
 }
 

@@ -51,7 +51,7 @@ ReadIes ies(const std::string& text) {
     Reporter reporter{"lamp.ies", {}, {}};
     ReadIes read{read_ies(text, reporter), {}, {}};
     for (const Warning& warning : reporter.warnings) {
-        read.warnings.push_back(warning.place + ": " + warning.text);
+        read.warnings.push_back(warning.where + ": " + warning.text);
     }
     try {
         reporter.faults.throw_if_any();
@@ -254,7 +254,7 @@ std::vector<std::string> lamp_warnings(const std::string& unit, double radius) {
         radius);
     std::vector<std::string> texts;
     for (const Warning& warning : read_text(text.text()).warnings) {
-        texts.push_back(warning.place + ": " + warning.text);
+        texts.push_back(warning.where + ": " + warning.text);
     }
     return texts;
 }
@@ -289,7 +289,7 @@ TEST(Lamps, BelowTheGroundAreWarnedOf) {
             text.rest = "[ground]\nmaterial = 'leaf'\n";
             std::vector<std::string> texts;
             for (const Warning& warning : read_text(text.text()).warnings) {
-                texts.push_back(warning.place + ": " + warning.text);
+                texts.push_back(warning.where + ": " + warning.text);
             }
             EXPECT_EQ(mentions(texts, "source 'lamp': is a lamp 0.5 below the ground"), height < 0)
                 << lamp;

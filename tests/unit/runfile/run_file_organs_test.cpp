@@ -438,7 +438,7 @@ TEST(GeometryKeys, WarningsOfOneKindAreOneOfThemWithTheirNumber) {
         run.warnings[0].text,
         "material 'green' of plant0.obj is not in the run file; its diffuse colour gives "
         "reflectance 0.5, transmittance 0 in every band (100 warnings of this kind)");
-    EXPECT_NE(run.warnings[0].place.find(" and others"), std::string::npos);
+    EXPECT_NE(run.warnings[0].where.find(" and others"), std::string::npos);
 }
 
 TEST(GeometryKeys, WarnsOfMasksAndOfWhatIsTransparentWithTheAreas) {

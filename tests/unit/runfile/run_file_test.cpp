@@ -289,7 +289,7 @@ TEST(RunFile, NamesTheFilesItWasMadeFrom) {
     const RunFile run = read_text(text.text(), {{"a.tri", "0 0 0 3 0 0 0 3 0\n"}});
     ASSERT_EQ(run.inputs.size(), 1U);
     EXPECT_EQ(run.inputs[0].path, "a.tri");
-    EXPECT_EQ(run.inputs[0].resolved, "/run/a.tri");
+    EXPECT_EQ(run.inputs[0].absolute_path, "/run/a.tri");
     EXPECT_EQ(run.inputs[0].bytes, 18U);
     EXPECT_EQ(run.inputs[0].sha256.size(), 64U);
 }

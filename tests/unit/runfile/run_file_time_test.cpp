@@ -141,7 +141,7 @@ NoonLight noon_of(const std::string& spectrum) {
         light.nir += source->spectrum()[1] * source->horizontal_irradiance();
     }
     for (const Warning& warning : run.warnings) {
-        light.warnings += warning.place + ": " + warning.text + "\n";
+        light.warnings += warning.where + ": " + warning.text + "\n";
     }
     return light;
 }
@@ -320,7 +320,7 @@ std::vector<std::string> warnings_of_noon(const std::string& global, const std::
     const std::string keys = "times = ['2024-06-21T12:00+01:00']\nduration_minutes = 60\n";
     for (const Warning& warning :
          read_text(with_time(keys + "global = " + global + "\nunit = '" + unit + "'\n")).warnings) {
-        warnings.push_back(warning.place + ": " + warning.text);
+        warnings.push_back(warning.where + ": " + warning.text);
     }
     return warnings;
 }

@@ -20,7 +20,7 @@ inline std::string with_time(const std::string& keys, const std::string& place =
 inline std::string all_warnings(const RunFile& run) {
     std::string all;
     for (const Warning& warning : run.warnings) {
-        all += warning.place + ": " + warning.text + "\n";
+        all += warning.where + ": " + warning.text + "\n";
     }
     return all;
 }

@@ -51,7 +51,7 @@ std::vector<std::string> faults_of(SceneBuilder builder) {
 std::vector<std::string> warnings_of(SceneBuilder builder) {
     std::vector<std::string> texts;
     for (const Warning& warning : lint(std::move(builder).build())) {
-        texts.push_back(warning.place + ": " + warning.text);
+        texts.push_back(warning.where + ": " + warning.text);
     }
     return texts;
 }

@@ -73,7 +73,7 @@ TEST_P(EverySolver, KnowsNothingOfMaterialsThatNobodyUses) {
     for (std::size_t q = 0; q < kQuantities; ++q) {
         const auto quantity = static_cast<Quantity>(q);
         EXPECT_EQ(with.at(0, quantity, 0).mean, without.at(0, quantity, 0).mean) << q;
-        EXPECT_EQ(with.at(0, quantity, 0).high, without.at(0, quantity, 0).high) << q;
+        EXPECT_EQ(with.at(0, quantity, 0).ci95_high, without.at(0, quantity, 0).ci95_high) << q;
     }
     EXPECT_EQ(with.rays, without.rays);
 }

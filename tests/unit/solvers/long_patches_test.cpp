@@ -192,7 +192,7 @@ TEST(LongPatches, OfShortRingsHaveTheErrorThatIsTold) {
         for (std::size_t i = 0; i < bundles.organs(); ++i) {
             const Estimate& e = bundles.at(i, quantity, 0);
             found += e.mean;
-            told += (e.high - e.low) / 2;
+            told += (e.ci95_high - e.ci95_low) / 2;
             expected += traced.at(i, quantity, 0).mean;
         }
         EXPECT_NEAR(found, expected, told) << static_cast<int>(quantity);

@@ -20,7 +20,7 @@ struct ReadWeather {
 std::vector<std::string> texts_of(const std::vector<Warning>& warnings) {
     std::vector<std::string> texts;
     for (const Warning& warning : warnings) {
-        texts.push_back(warning.place + ": " + warning.text);
+        texts.push_back(warning.where + ": " + warning.text);
     }
     return texts;
 }
@@ -209,7 +209,7 @@ TEST(WeatherTable, TellsOfColumnsThatAreNotRead) {
         EXPECT_TRUE(reporter.faults.empty());
         std::string all;
         for (const Warning& warning : reporter.warnings) {
-            all += warning.place + ": " + warning.text + "\n";
+            all += warning.where + ": " + warning.text + "\n";
         }
         return all;
     };
