@@ -132,8 +132,8 @@ std::unique_ptr<quasimc::OutputWriter> make_fields(
 namespace quasimc {
 
 std::unique_ptr<OutputWriter> make_picture(const OutputInput& input) {
-    require_pictures(input.place);
-    check_picture_name(input.place, input.path);
+    require_pictures(input.where);
+    check_picture_name(input.where, input.path);
     return std::make_unique<LightOnScene>(input, drawn_columns, draw_picture);
 }
 

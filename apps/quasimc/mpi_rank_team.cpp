@@ -51,9 +51,9 @@ const QuasimcRanks& load_ranks() {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
     void* module = nullptr;
-    for (const char* place : {"quasimc_mpi.so", QUASIMC_MPI_MODULE}) {
+    for (const char* name : {"quasimc_mpi.so", QUASIMC_MPI_MODULE}) {
         module =
-            module != nullptr ? module : ::dlopen((folder / place).c_str(), RTLD_NOW | RTLD_GLOBAL);
+            module != nullptr ? module : ::dlopen((folder / name).c_str(), RTLD_NOW | RTLD_GLOBAL);
     }
     if (module == nullptr) {
         refuse_mpi(::dlerror());  // NOLINT(concurrency-mt-unsafe): one thread so far

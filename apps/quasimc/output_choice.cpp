@@ -49,7 +49,7 @@ void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
     quasimc::check_written(stated, run.scene.bands(), wrong);
     quasimc::Faults faults;
     for (quasimc::Fault fault : wrong.all()) {
-        fault.place = "--" + fault.place;
+        fault.where = "--" + fault.where;
         faults.add(std::move(fault));
     }
     if (choice.include_night && !run.series) {

@@ -18,7 +18,7 @@ std::string flags_of_another_run(const RunArguments& arguments) {
     for (const quasimc::Override& stated : arguments.flags.overrides()) {
         if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), stated.key) ==
             kWithoutEffect.end()) {
-            flags.push_back(fmt::format("{} {}", stated.place, stated.text));
+            flags.push_back(fmt::format("{} {}", stated.where, stated.text));
         }
     }
     return fmt::format("{}", fmt::join(flags, ", "));

@@ -65,9 +65,9 @@ quasimc::InputError error_of_file(
     std::vector<quasimc::Fault> faults = error.faults();
     for (quasimc::Fault& fault : faults) {
         const auto flag = std::find_if(flags.begin(), flags.end(), [&](const auto& stated) {
-            return stated.key == fault.place;
+            return stated.key == fault.where;
         });
-        fault.place = flag != flags.end() ? flag->place : file.path + ": " + fault.place;
+        fault.where = flag != flags.end() ? flag->where : file.path + ": " + fault.where;
     }
     return quasimc::InputError(std::move(faults));
 }

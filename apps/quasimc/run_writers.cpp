@@ -50,7 +50,7 @@ void refuse_checkpoint(
         const std::string name = output.path == "-" ? "" : name_of(output.path);
         if (name == own || name == own + ".done" || name == own + ".lock") {
             faults.add(
-                {output.place, output.path + " is a file of the checkpoint", "",
+                {output.where, output.path + " is a file of the checkpoint", "",
                  "name another file"});
         }
     }
@@ -105,7 +105,7 @@ RunWriters::RunWriters(
     const std::vector<AskedOutput>& asked)
     : files_(paths_of(asked, arguments.checkpoint), inputs_of(arguments, first)), summary_(first) {
     for (const auto& [file, make] : asked) {
-        outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.place}));
+        outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.where}));
     }
     if (arguments.from.empty()) {
         return;

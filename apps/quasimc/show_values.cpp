@@ -158,7 +158,7 @@ std::vector<ShownValues> find_shown_values(
         }
         wanted[i].estimates = std::move(first->columns[i]);
         wanted[i].estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
-        wanted[i].when = query.part == "total" ? "sum of all times" : first->place.label;
+        wanted[i].when = query.part == "total" ? "sum of all times" : first->position.label;
         found.push_back(std::move(wanted[i]));
     }
     return found;

@@ -325,7 +325,7 @@ class GrowthSession {
 
     /// Where organs stand in the scene and in its results, in the order asked.
     /// @throws InputError  if one is not there
-    [[nodiscard]] std::vector<std::size_t> places_of(std::span<const std::int64_t> ids);
+    [[nodiscard]] std::vector<std::size_t> indices_of(std::span<const std::int64_t> ids);
 
     /// How often a scene, and how often an acceleration structure, had to be made.
     [[nodiscard]] std::size_t scene_builds() const;

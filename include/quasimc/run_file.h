@@ -74,7 +74,7 @@ struct OutputSpec {
 struct Override {
     std::string key;    ///< of the table of options
     std::string text;   ///< its value
-    std::string place;  ///< where it was stated, for messages: "--paths"
+    std::string where;  ///< where it was stated, for messages: "--paths"
 };
 
 /// A value of the run file that a sweep sets.

@@ -25,7 +25,7 @@ std::string joined(const std::vector<Fault>& faults) {
 /// their bytes a text of Python.
 std::vector<Fault> shown_faults(std::vector<Fault> faults) {
     for (Fault& fault : faults) {
-        for (std::string* text : {&fault.place, &fault.problem, &fault.why, &fault.suggestion}) {
+        for (std::string* text : {&fault.where, &fault.problem, &fault.why, &fault.suggestion}) {
             *text = printable(*text);
         }
     }
@@ -35,7 +35,7 @@ std::vector<Fault> shown_faults(std::vector<Fault> faults) {
 }  // namespace
 
 std::string Fault::text() const {
-    std::string text = place.empty() ? problem : place + ": " + problem;
+    std::string text = where.empty() ? problem : where + ": " + problem;
     if (!why.empty()) {
         text += " (" + why + ")";
     }

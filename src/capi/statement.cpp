@@ -161,7 +161,7 @@ void Statement::clear(quasimc_part part) {
     std::erase_if(top(), [&](const Member& member) { return part_of(member.key) == part; });
     if (part == QUASIMC_ORGANS) {
         organs_.clear();
-        places_.clear();
+        indices_.clear();
     }
 }
 
@@ -186,7 +186,7 @@ void Statement::set_option(const std::string& key, const std::string& text) {
 
 void Statement::add_organs(std::vector<OrganSpec> organs) {
     for (const OrganSpec& organ : organs) {
-        if (organ.id && places_.contains(*organ.id)) {
+        if (organ.id && indices_.contains(*organ.id)) {
             throw InputError(
                 {{fmt::format("organ {}", *organ.id), "there is an organ of this id",
                   "ids are unique", "give all faces of an organ in one call"}});
@@ -194,20 +194,20 @@ void Statement::add_organs(std::vector<OrganSpec> organs) {
     }
     for (OrganSpec& organ : organs) {
         if (organ.id) {
-            places_.emplace(*organ.id, organs_.size());
+            indices_.emplace(*organ.id, organs_.size());
         }
         organs_.push_back(std::move(organ));
     }
 }
 
 OrganSpec& Statement::organ(std::int64_t id) {
-    const auto place = places_.find(id);
-    if (place == places_.end()) {
+    const auto found = indices_.find(id);
+    if (found == indices_.end()) {
         throw InputError(
             {{fmt::format("organ {}", id), "no mesh has an organ of this id", "",
               "add its mesh first"}});
     }
-    return organs_[place->second];
+    return organs_[found->second];
 }
 
 void Statement::give_organs_to(SceneBuilder& builder) const {

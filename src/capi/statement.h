@@ -58,7 +58,7 @@ class Statement {
     std::string name_;
     std::string folder_;
     std::vector<OrganSpec> organs_;
-    std::unordered_map<std::int64_t, std::size_t> places_;  // of ids among them
+    std::unordered_map<std::int64_t, std::size_t> indices_;  // of ids among them
 };
 
 /// One number for each band.

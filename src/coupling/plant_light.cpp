@@ -53,7 +53,7 @@ bool PlantLight::is_dark() const {
 
 void PlantLight::answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
     apply_settings(pass);
-    const std::vector<PlacedShape> shapes = place_shapes(pass);
+    const std::vector<PlacedShape> shapes = position_shapes(pass);
     if (is_dark()) {
         notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
     } else if (anything_is_measured(pass, shapes)) {
@@ -149,7 +149,7 @@ void PlantLight::set_rays(std::span<const double> parameters) {
     spec_.run.paths = spec_.run.sampler == "korobov" ? nearest_power_of_two(count) : count;
 }
 
-std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
+std::vector<PlacedShape> PlantLight::position_shapes(const Pass& pass) {
     std::vector<PlacedShape> placed;
     placed.reserve(pass.queries.size());
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {

@@ -235,7 +235,7 @@ class PlyReader {
             }
         }
         std::set<std::string> unnamed;
-        for (const auto& [key, place] : parts_) {
+        for (const auto& [key, index] : parts_) {
             if (key.material && !names.contains(std::to_string(*key.material))) {
                 unnamed.insert(std::to_string(*key.material));
             }
@@ -254,8 +254,8 @@ class PlyReader {
     /// several share.
     void name_materials() {
         const std::map<std::string, std::string> names = clear_names();
-        for (const auto& [key, place] : parts_) {
-            MeshPart& part = mesh_.groups[groups_.at(key.organ)].parts[place];
+        for (const auto& [key, index] : parts_) {
+            MeshPart& part = mesh_.groups[groups_.at(key.organ)].parts[index];
             const auto stated =
                 key.material ? header_.materials.find(*key.material) : header_.materials.end();
             if (const auto named = names.find(part.material); named != names.end()) {

@@ -210,7 +210,7 @@ void NetcdfLayout::put_areas(const RunFile& run) {
     }
     NetcdfBlock block;
     if (sweep_.changes_geometry()) {
-        block.start = place_of(run);
+        block.start = indices_of(run);
         block.count.assign(block.start.size(), 1);
     }
     block.start.push_back(0);

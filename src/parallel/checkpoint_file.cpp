@@ -118,7 +118,7 @@ void CheckpointFile::read() {
     if (!difference.empty()) {
         refuse("belongs to another run", difference);
     }
-    read_places(reader);
+    read_locations(reader);
     for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
         const std::uint64_t moment = reader.number();
         const bool is_done = reader.number() != 0;
@@ -129,46 +129,46 @@ void CheckpointFile::read() {
     }
 }
 
-void CheckpointFile::read_places(ByteReader& reader) {
+void CheckpointFile::read_locations(ByteReader& reader) {
     done_bytes_ = reader.number();
     for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
         const std::uint64_t moment = reader.number();
         const std::uint64_t offset = reader.number();
         const std::uint64_t size = reader.number();
-        places_[moment] = {offset, size, std::string(reader.take(kSha256Digits))};
+        locations_[moment] = {offset, size, std::string(reader.take(kSha256Digits))};
     }
-    if (!places_.empty()) {
+    if (!locations_.empty()) {
         open_done();
-        for (const auto& [moment, place] : places_) {
-            static_cast<void>(read_done(place));
+        for (const auto& [moment, location] : locations_) {
+            static_cast<void>(read_done(location));
         }
     }
 }
 
 void CheckpointFile::open_done() {
-    const int create = places_.empty() ? O_CREAT | O_TRUNC : 0;
+    const int create = locations_.empty() ? O_CREAT | O_TRUNC : 0;
     constexpr mode_t kReadable = 0666;  // less the process's umask
     done_ = std::make_unique<Descriptor>(
         ::open(done_path(path_).c_str(), O_RDWR | O_CLOEXEC | create, kReadable));
     if (!done_->is_open()) {
         throw InputError(
-            {{done_path(path_), places_.empty() ? "can't be written" : "can't be read",
+            {{done_path(path_), locations_.empty() ? "can't be written" : "can't be read",
               std::generic_category().message(errno), "it belongs to " + path_}});
     }
 }
 
-std::string CheckpointFile::read_done(const Place& place) const {
-    std::string bytes(std::min(place.size, done_bytes_), '\0');
+std::string CheckpointFile::read_done(const Location& location) const {
+    std::string bytes(std::min(location.size, done_bytes_), '\0');
     std::size_t count = 0;
     ssize_t more = 1;
     while (count < bytes.size() && more > 0) {
         more = ::pread(
             done_->number(), bytes.data() + count, bytes.size() - count,
-            static_cast<off_t>(place.offset + count));
+            static_cast<off_t>(location.offset + count));
         count += static_cast<std::size_t>(std::max<ssize_t>(more, 0));
     }
     bytes.resize(count);
-    if (sha256_hex(bytes) != place.sha256) {
+    if (sha256_hex(bytes) != location.sha256) {
         throw InputError(
             {{done_path(path_), "is damaged", "a checksum is not that of its bytes",
               "it belongs to " + path_}});
@@ -178,12 +178,12 @@ std::string CheckpointFile::read_done(const Place& place) const {
 
 std::optional<RunState> CheckpointFile::state_of(std::size_t moment) {
     const auto state = states_.find(moment);
-    const auto place = places_.find(moment);
-    if (state == states_.end() && place == places_.end()) {
+    const auto location = locations_.find(moment);
+    if (state == states_.end() && location == locations_.end()) {
         return std::nullopt;
     }
     try {
-        return load_state(state != states_.end() ? state->second.bytes : read_done(place->second));
+        return load_state(state != states_.end() ? state->second.bytes : read_done(location->second));
     } catch (const std::invalid_argument& error) {
         refuse("is damaged, or of another version", error.what());
     }
@@ -209,9 +209,9 @@ void CheckpointFile::flush() {
 
 /// Runs end in the order of their numbers: what is done of those before goes to the second file.
 void CheckpointFile::keep(std::size_t moment, State state) {
-    const auto place = places_.find(moment);
-    if (state.is_done && place != places_.end() &&
-        place->second.sha256 == sha256_hex(state.bytes)) {
+    const auto location = locations_.find(moment);
+    if (state.is_done && location != locations_.end() &&
+        location->second.sha256 == sha256_hex(state.bytes)) {
         return;
     }
     states_[moment] = std::move(state);
@@ -230,7 +230,7 @@ void CheckpointFile::move_to_done(std::size_t moment, const std::string& bytes) 
         throw InputError(
             {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
     }
-    places_[moment] = {done_bytes_, bytes.size(), sha256_hex(bytes)};
+    locations_[moment] = {done_bytes_, bytes.size(), sha256_hex(bytes)};
     done_bytes_ += bytes.size();
 }
 
@@ -241,10 +241,10 @@ void CheckpointFile::write() {
             {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
     }
     std::string bytes(kFirstCheckpointLine);
-    bytes += block_of(head_) + number_bytes(done_bytes_) + number_bytes(places_.size());
-    for (const auto& [moment, place] : places_) {
-        bytes += number_bytes(moment) + number_bytes(place.offset) + number_bytes(place.size) +
-                 place.sha256;
+    bytes += block_of(head_) + number_bytes(done_bytes_) + number_bytes(locations_.size());
+    for (const auto& [moment, location] : locations_) {
+        bytes += number_bytes(moment) + number_bytes(location.offset) + number_bytes(location.size) +
+                 location.sha256;
     }
     bytes += number_bytes(states_.size());
     for (const auto& [moment, state] : states_) {

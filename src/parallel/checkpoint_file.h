@@ -62,7 +62,7 @@ class CheckpointFile {
     [[nodiscard]] bool was_there() const { return was_there_; }
     [[nodiscard]] std::optional<RunState> state_of(std::size_t moment);
     [[nodiscard]] bool has_state(std::size_t moment) const {
-        return states_.contains(moment) || places_.contains(moment);
+        return states_.contains(moment) || locations_.contains(moment);
     }
     /// Whether it is time to save.
     [[nodiscard]] bool is_due() const { return Clock::now() >= next_save_; }
@@ -75,7 +75,7 @@ class CheckpointFile {
 
   private:
     using Clock = std::chrono::steady_clock;
-    struct Place {  ///< in the second file
+    struct Location {  ///< in the second file
         std::uint64_t offset = 0, size = 0;
         std::string sha256;
     };
@@ -86,9 +86,9 @@ class CheckpointFile {
 
     [[noreturn]] void refuse(const std::string& problem, const std::string& why) const;
     void read();
-    void read_places(ByteReader& reader);
+    void read_locations(ByteReader& reader);
     void open_done();
-    [[nodiscard]] std::string read_done(const Place& place) const;
+    [[nodiscard]] std::string read_done(const Location& location) const;
     void move_to_done(std::size_t moment, const std::string& bytes);
     void keep(std::size_t moment, State state);
     void write();
@@ -98,7 +98,7 @@ class CheckpointFile {
     std::string head_;
     std::chrono::duration<double> every_;
     bool was_there_ = false;
-    std::map<std::size_t, Place> places_;  // of runs that are done
+    std::map<std::size_t, Location> locations_;  // of runs that are done
     /// Of the run at hand, and when a run goes on of two.
     std::map<std::size_t, State> states_;
     std::uint64_t done_bytes_ = 0;

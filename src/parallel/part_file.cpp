@@ -30,7 +30,7 @@ Fault missing_part(std::uint64_t part, std::uint64_t parts) {
 
 }  // namespace
 
-PartNumber read_part_number(const std::string& text, const std::string& place) {
+PartNumber read_part_number(const std::string& text, const std::string& where) {
     PartNumber number;
     const char* end = text.data() + text.size();
     const auto [slash, wrong] = std::from_chars(text.data(), end, number.part);
@@ -41,7 +41,7 @@ PartNumber read_part_number(const std::string& text, const std::string& place) {
     }
     if (!is_read || number.part < 1 || number.part > number.parts || number.parts > kMostParts) {
         throw InputError(
-            {{place, fmt::format("'{}' is no part of a run", text),
+            {{where, fmt::format("'{}' is no part of a run", text),
               fmt::format(
                   "it is K/N, the K-th of N parts, K from 1 to N, N at most {}", kMostParts),
               "state 3/16 for the third of sixteen"}});

@@ -24,7 +24,7 @@ struct PartNumber {
 };
 /// @param place  of the text, for messages
 /// @throws InputError
-[[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& place);
+[[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& where);
 
 /// Writes the sums of a part, moment by moment.
 class PartWriter {

@@ -51,13 +51,13 @@ class Renderer {
     }
 
   private:
-    static PixelPlace center(std::size_t x, std::size_t y) {
+    static PixelPoint center(std::size_t x, std::size_t y) {
         return {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5};
     }
     Sight& sight(std::size_t x, std::size_t y) { return sights_[y * spec_.width + x]; }
 
-    [[nodiscard]] Sight look(const PixelPlace& place) const {
-        const std::optional<SeenHit> seen = sight_caster_.look(place);
+    [[nodiscard]] Sight look(const PixelPoint& pixel) const {
+        const std::optional<SeenHit> seen = sight_caster_.look(pixel);
         if (!seen) {
             return {};
         }
@@ -83,11 +83,11 @@ class Renderer {
 
     /// The mean of the middle of a pixel and four places about it, a rotated grid.
     Rgb smooth_color(std::size_t x, std::size_t y) {
-        constexpr std::array<PixelPlace, 4> kAbout{
+        constexpr std::array<PixelPoint, 4> kAbout{
             {{-0.375, -0.125}, {0.125, -0.375}, {0.375, 0.125}, {-0.125, 0.375}}};
         std::array<Rgb, 1 + kAbout.size()> colors{color(sight(x, y))};
         for (std::size_t k = 0; k < kAbout.size(); ++k) {
-            const PixelPlace at = center(x, y);
+            const PixelPoint at = center(x, y);
             colors[k + 1] = color(look({at.x + kAbout[k].x, at.y + kAbout[k].y}));
         }
         return mean(colors);

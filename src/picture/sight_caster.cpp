@@ -55,8 +55,8 @@ SightCaster::SightCaster(
     box_.add(box_.high + more);
 }
 
-std::optional<SeenHit> SightCaster::look(const PixelPlace& place) const {
-    const Camera::SightLine line = camera_.through(place);
+std::optional<SeenHit> SightCaster::look(const PixelPoint& pixel) const {
+    const Camera::SightLine line = camera_.through(pixel);
     const Reach reach = reach_of(line, box_, cuts_);
     if (!(reach.near < reach.far)) {
         return std::nullopt;

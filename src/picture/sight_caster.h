@@ -29,7 +29,7 @@ class SightCaster {
     SightCaster(const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts);
 
     /// @param place  in the picture. @returns nothing where nothing is seen
-    [[nodiscard]] std::optional<SeenHit> look(const PixelPlace& place) const;
+    [[nodiscard]] std::optional<SeenHit> look(const PixelPoint& pixel) const;
     [[nodiscard]] const RayCaster& caster() const { return caster_; }
 
   private:

@@ -108,23 +108,23 @@ class TrueLight {
   private:
     /// The mean of four places of a pixel, a rotated grid.
     void look_at(std::size_t x, std::size_t y) {
-        constexpr std::array<PixelPlace, 4> kPlaces{
+        constexpr std::array<PixelPoint, 4> kOffsets{
             {{.375, .125}, {.875, .375}, {.625, .875}, {.125, .625}}};
         const std::size_t pixel = y * spec_.width + x;
         LinearRgb sum{};
         double count = 0;
-        for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-            const PixelPlace place{
-                static_cast<double>(x) + kPlaces[i].x, static_cast<double>(y) + kPlaces[i].y};
-            if (const auto seen = sights_.look(place)) {
-                sum += light_from(*seen, mix64(kPlaces.size() * pixel + i));
+        for (std::size_t i = 0; i < kOffsets.size(); ++i) {
+            const PixelPoint at{
+                static_cast<double>(x) + kOffsets[i].x, static_cast<double>(y) + kOffsets[i].y};
+            if (const auto seen = sights_.look(at)) {
+                sum += light_from(*seen, mix64(kOffsets.size() * pixel + i));
                 ++count;
             }
         }
         for (std::size_t c = 0; c < sum.size() && count > 0; ++c) {
             light_[pixel][c] = sum[c] / count / white_[c];
         }
-        seen_[pixel] = count / kPlaces.size();
+        seen_[pixel] = count / kOffsets.size();
     }
 
     /// Pi times the radiance towards the eye.
@@ -137,13 +137,13 @@ class TrueLight {
         LinearRgb light = scattered_by(region.organ.value, sides);
         const LocalMesh& mesh = sights_.caster().mesh();
         const Vec3 local = mesh.point(seen.hit.triangle, seen.hit.u, seen.hit.v);
-        const Vec3 place = mesh.to_world(local);
+        const Vec3 p = mesh.to_world(local);
         for (const auto& source : *spec_.sources) {
             constexpr int kOfExtended = 8;
             const int draws = source->is_directional() ? 1 : kOfExtended;
             for (int i = 0; i < draws; ++i) {
                 const auto [u0, u1] = point_of(key, i);
-                const Illumination from = model_of(*source).illuminate(place, u0, u1);
+                const Illumination from = model_of(*source).illuminate(p, u0, u1);
                 const double cosine = dot(normal, from.to_light);
                 if (cosine == 0 ||
                     sights_.caster().occluded(

@@ -48,7 +48,7 @@ struct ProjectedTriangle {
         return {low, middle, high};
     }
     /// What of it is seen at a place. Its picture must have an area.
-    [[nodiscard]] Barycentric place(double at_x, double at_y) const;
+    [[nodiscard]] Barycentric barycentric(double at_x, double at_y) const;
 };
 
 /// One coordinate of the plane of a beam: point p is seen at dot(along, p) + offset.

@@ -136,11 +136,11 @@ void ScanLines::sort_into_strips() {
         first_in_strip_[strip] += first_in_strip_[strip - 1];
     }
     in_strip_.resize(first_in_strip_.back());
-    std::vector<std::size_t> place(first_in_strip_.begin(), first_in_strip_.end() - 1);
+    std::vector<std::size_t> next(first_in_strip_.begin(), first_in_strip_.end() - 1);
     for (std::uint32_t i = 0; i < images_.size(); ++i) {
         scene_.check_stop();
         for (std::uint32_t s = images_[i].first_strip; s <= images_[i].last_strip; ++s) {
-            in_strip_[place[s]++] = i;
+            in_strip_[next[s]++] = i;
         }
     }
 }
@@ -200,7 +200,7 @@ std::span<const LineStrip::Visible> LineStrip::visible() const {
 }
 
 Barycentric LineStrip::point(const Line& line, const VisibleSegment& segment, double f) const {
-    return scratch_.seen_[segment.surface].place((1 - f) * segment.low + f * segment.high, line.t);
+    return scratch_.seen_[segment.surface].barycentric((1 - f) * segment.low + f * segment.high, line.t);
 }
 
 void LineStrip::clear_cuts() const {

@@ -69,12 +69,12 @@ Ball small_ball(const std::vector<Vec3>& points) {
 template <typename Derived>
 class CrossSectionOf : public BeamCrossSection {
   public:
-    void places(std::span<const double> u0, std::span<const double> u1, std::span<Vec3> places)
+    void points(std::span<const double> u0, std::span<const double> u1, std::span<Vec3> points)
         const final {
-        EXPECT(u0.size() == places.size() && u1.size() == places.size());
+        EXPECT(u0.size() == points.size() && u1.size() == points.size());
         const auto& window = static_cast<const Derived&>(*this);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            places[i] = window.Derived::place(u0[i], u1[i]);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i] = window.Derived::point(u0[i], u1[i]);
         }
     }
 };
@@ -82,12 +82,12 @@ class CrossSectionOf : public BeamCrossSection {
 /// Nothing of the scene is seen along the beam.
 class EmptyCrossSection final : public CrossSectionOf<EmptyCrossSection> {
   public:
-    explicit EmptyCrossSection(const Vec3& place) : place_(place) {}
+    explicit EmptyCrossSection(const Vec3& point) : point_(point) {}
     [[nodiscard]] double area() const override { return 0; }
-    [[nodiscard]] Vec3 place(double, double) const override { return place_; }
+    [[nodiscard]] Vec3 point(double, double) const override { return point_; }
 
   private:
-    Vec3 place_;
+    Vec3 point_;
 };
 
 class SilhouetteCrossSection final : public CrossSectionOf<SilhouetteCrossSection> {
@@ -97,8 +97,8 @@ class SilhouetteCrossSection final : public CrossSectionOf<SilhouetteCrossSectio
         const AcrossBeam& plane, const Vec3& center, const std::vector<Point2>& hull)
         : s_(plane.s), t_(plane.t), center_(center), map_(hull) {}
     [[nodiscard]] double area() const override { return map_.area(); }
-    [[nodiscard]] Vec3 place(double u0, double u1) const override {
-        const Point2 p = map_.place(u0, u1);
+    [[nodiscard]] Vec3 point(double u0, double u1) const override {
+        const Point2 p = map_.point(u0, u1);
         return center_ + p.s * s_ + p.t * t_;
     }
 
@@ -113,7 +113,7 @@ class ParallelogramCrossSection final : public CrossSectionOf<ParallelogramCross
     ParallelogramCrossSection(const Vec3& corner, const Vec3& side0, const Vec3& side1, double area)
         : corner_(corner), side0_(side0), side1_(side1), area_(area) {}
     [[nodiscard]] double area() const override { return area_; }
-    [[nodiscard]] Vec3 place(double u0, double u1) const override {
+    [[nodiscard]] Vec3 point(double u0, double u1) const override {
         return corner_ + u0 * side0_ + u1 * side1_;
     }
 

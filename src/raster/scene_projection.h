@@ -22,10 +22,10 @@ class BeamCrossSection {
     [[nodiscard]] virtual double area() const = 0;
     /// A place in the window, outside the scene on the beam's side: an area-preserving, continuous
     /// map of the unit square. Local coordinates.
-    [[nodiscard]] virtual Vec3 place(double u0, double u1) const = 0;
+    [[nodiscard]] virtual Vec3 point(double u0, double u1) const = 0;
     /// place() of several points, faster.
-    virtual void places(
-        std::span<const double> u0, std::span<const double> u1, std::span<Vec3> places) const = 0;
+    virtual void points(
+        std::span<const double> u0, std::span<const double> u1, std::span<Vec3> points) const = 0;
 };
 
 /// The faces of the box around the scene that light from far away enters through. Of a periodic

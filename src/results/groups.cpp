@@ -103,11 +103,11 @@ void add_groups_of_labels(
         if (!value) {
             continue;
         }
-        const auto [place, is_new] = known.try_emplace(*value, groups.size());
+        const auto [found, is_new] = known.try_emplace(*value, groups.size());
         if (is_new) {
             groups.push_back({.by = by, .value = *value});
         }
-        add_to_group(groups[place->second], scene, i);
+        add_to_group(groups[found->second], scene, i);
     }
 }
 

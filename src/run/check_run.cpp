@@ -39,10 +39,10 @@ void check_sampler(const RunSpec& spec, Faults& faults) {
 }
 
 void check_numbers(const RunSpec& spec, Faults& faults) {
-    const auto require = [&](bool good, std::string_view place, std::string problem,
+    const auto require = [&](bool good, std::string_view where, std::string problem,
                              std::string why) {
         if (!good) {
-            faults.add({std::string(place), std::move(problem), std::move(why), ""});
+            faults.add({std::string(where), std::move(problem), std::move(why), ""});
         }
     };
     require(
@@ -136,9 +136,9 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
 }
 
 void check_irradiance(const Source& source, double x, Faults& faults) {
-    const std::string place = fmt::format("source '{}'", source.name());
+    const std::string where = fmt::format("source '{}'", source.name());
     if (!(x >= 0) || !std::isfinite(x)) {
-        faults.add({place, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
+        faults.add({where, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
     }
 }
 

@@ -215,7 +215,7 @@ std::string FileMaterials::find_one(Search& search, const std::string& name) {
     search.definitions.push_back(optics_words(*material));
     if (added_.emplace(run_name, optics_of(*material)).second) {
         search.builder.add_material(
-            spec_of(run_name, *material, context_.bands.size()), search.table.place());
+            spec_of(run_name, *material, context_.bands.size()), search.table.where());
     }
     return run_name;
 }

@@ -56,8 +56,8 @@ std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Report
     } catch (const InputError& error) {
         for (Fault fault : error.faults()) {
             // What has no line of a file is of the run file.
-            const bool has_line = fault.place.find(':') != std::string::npos;
-            fault.place = has_line ? fault.place : reporter.file + ": " + fault.place;
+            const bool has_line = fault.where.find(':') != std::string::npos;
+            fault.where = has_line ? fault.where : reporter.file + ": " + fault.where;
             reporter.faults.add(std::move(fault));
         }
         return std::nullopt;
@@ -256,12 +256,12 @@ SceneBuilder read_builder(
 }
 
 /// The line of a place "file:line"; after all lines for other places.
-std::uint64_t line_of(const std::string& place, const std::string& file) {
+std::uint64_t line_of(const std::string& where, const std::string& file) {
     constexpr std::uint64_t kNowhere = std::numeric_limits<std::uint64_t>::max();
-    if (!place.starts_with(file + ":")) {
+    if (!where.starts_with(file + ":")) {
         return kNowhere;
     }
-    const std::string_view rest = std::string_view(place).substr(file.size() + 1);
+    const std::string_view rest = std::string_view(where).substr(file.size() + 1);
     const auto line = parse_integer(rest.substr(0, rest.find(':')));
     return line ? static_cast<std::uint64_t>(*line) : kNowhere;
 }
@@ -283,7 +283,7 @@ std::vector<Warning> lint_of(const Sections& sections) {
         sections.is_on_base ? std::vector<Warning>() : lint_geometry(scene);
     const Sources& sources = sections.sources.sources;
     for (auto& more :
-         {lint_lamp_unit(scene, sources, sections.unit_origin), lint_lamp_places(scene, sources),
+         {lint_lamp_unit(scene, sources, sections.unit_origin), lint_lamp_positions(scene, sources),
           lint_wedges(scene, sources), lint_bundles(scene, sources, sections.options.spec)}) {
         found.insert(found.end(), more.begin(), more.end());
     }
@@ -347,7 +347,7 @@ std::vector<TimeStep> moments_of(const RunFile& run) {
 
 void sort_by_line(std::vector<Fault>& faults, const std::string& file) {
     std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
-        return line_of(a.place, file) < line_of(b.place, file);
+        return line_of(a.where, file) < line_of(b.where, file);
     });
 }
 
@@ -426,7 +426,7 @@ LightOfRun read_light_document(
     throw_in_order(reporter);
     for (auto& more :
          {lint_lamp_unit(scene, sections.sources.sources, unit_origin(top)),
-          lint_lamp_places(scene, sections.sources.sources)}) {
+          lint_lamp_positions(scene, sections.sources.sources)}) {
         reporter.warnings.insert(reporter.warnings.end(), more.begin(), more.end());
     }
     return {

@@ -65,11 +65,11 @@ Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
 }
 
 /// What would break a column's name or a ratio "A:B". (The scene checks the rest.)
-void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& place) {
+void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& node) {
     for (const Band& band : bands) {
         if (band.name.find_first_of(":,\"\n\r#") != std::string::npos) {
             top.fault_at(
-                place, fmt::format("a band is named {}", shown(band.name)),
+                node, fmt::format("a band is named {}", shown(band.name)),
                 "a name holds no ':', ',', '#', quote or line break");
         }
     }

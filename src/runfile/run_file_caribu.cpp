@@ -137,7 +137,7 @@ void read_material_files(TableReader& top, RunFileContext& context, SceneBuilder
         if (bands && !table.failed()) {
             for (MaterialSpec& material : caribu_materials(*bands)) {
                 context.materials.insert(material.name);
-                builder.add_material(std::move(material), table.place());
+                builder.add_material(std::move(material), table.where());
             }
         }
     }

@@ -123,7 +123,7 @@ class OrganAdder {
             OrganSpec organ =
                 make_organ({}, keys_.name.empty() ? "" : fmt::format("{} {}", keys_.name, count_));
             add_labels(labels, organ);
-            organ.place = place(part.lines[i]);
+            organ.where = where(part.lines[i]);
             std::vector<Triangle> triangle{file.triangle(part, i)};
             if (!keys_.copies.empty()) {
                 move_triangles(copy, triangle);
@@ -146,7 +146,7 @@ class OrganAdder {
         if (keys_.organs == "one") {
             ++count_;
             OrganSpec organ = make_organ({}, name_of(""));
-            organ.place = keys_.file;
+            organ.where = keys_.file;
             for (const MeshGroup& group : groups) {
                 add_parts(group, organ);
             }
@@ -156,7 +156,7 @@ class OrganAdder {
         for (const MeshGroup& group : groups) {
             ++count_;
             OrganSpec organ = make_organ(group.id, name_of(group.name));
-            organ.place = place(group.parts.front().lines.front());
+            organ.where = where(group.parts.front().lines.front());
             add_labels(group.labels, organ);
             add_parts(group, organ);
             builder_.add_organ(std::move(organ));
@@ -194,7 +194,7 @@ class OrganAdder {
         }
     }
 
-    [[nodiscard]] std::string place(std::uint32_t line) const {
+    [[nodiscard]] std::string where(std::uint32_t line) const {
         return line_word_ == "line" ? fmt::format("{}:{}", keys_.file, line)
                                     : fmt::format("{}: {} {}", keys_.file, line_word_, line);
     }

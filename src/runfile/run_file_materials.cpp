@@ -266,7 +266,7 @@ void read_material(const Node& node, RunFileContext& context, SceneBuilder& buil
         return;
     }
     context.materials.insert(*name);
-    builder.add_material(std::move(spec), table.place());
+    builder.add_material(std::move(spec), table.where());
 }
 
 }  // namespace

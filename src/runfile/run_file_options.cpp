@@ -75,7 +75,7 @@ void read_option(TableReader& table, const Option& option, RunOptions& options) 
     if (stated == nullptr) {
         return;
     }
-    options.places[option.key] = table.reporter().place(stated->line);
+    options.locations[option.key] = table.reporter().where(stated->line);
     std::optional<OptionValue> value = option_value(*stated);
     if (!value) {
         table.fault_at(
@@ -113,14 +113,14 @@ void apply_overrides(
         const Option* option = find_option(stated.key);
         if (option == nullptr) {
             reporter.faults.add(
-                {stated.place, fmt::format("there is no option '{}'", stated.key), "",
+                {stated.where, fmt::format("there is no option '{}'", stated.key), "",
                  did_you_mean(stated.key, option_keys())});
         } else if (auto fault = check_option(*option, parse_option(*option, stated.text))) {
-            fault->place = stated.place;
+            fault->where = stated.where;
             reporter.faults.add(*fault);
         } else {
             option->set(options.spec, parse_option(*option, stated.text));
-            options.places[option->key] = stated.place;
+            options.locations[option->key] = stated.where;
         }
     }
 }
@@ -153,12 +153,12 @@ void refuse_options_at_the_top(TableReader& top) {
 
 void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter) {
     for (Fault fault : found.all()) {
-        const auto stated = options.places.find(fault.place);
-        if (stated != options.places.end()) {
-            fault.problem = fault.place + ": " + fault.problem;
-            fault.place = stated->second;
+        const auto stated = options.locations.find(fault.where);
+        if (stated != options.locations.end()) {
+            fault.problem = fault.where + ": " + fault.problem;
+            fault.where = stated->second;
         } else {
-            fault.place = reporter.file + ": " + fault.place;
+            fault.where = reporter.file + ": " + fault.where;
         }
         reporter.faults.add(std::move(fault));
     }

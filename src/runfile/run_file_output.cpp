@@ -93,7 +93,7 @@ void read_choice(TableReader& table, const std::vector<Band>& bands, OutputSpec&
     Faults faults;
     check_written(output, bands, faults);
     for (const Fault& fault : faults.all()) {
-        table.fault_at(fault.place, fault.problem, fault.why, fault.suggestion);
+        table.fault_at(fault.where, fault.problem, fault.why, fault.suggestion);
     }
 }
 

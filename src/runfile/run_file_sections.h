@@ -58,7 +58,7 @@ struct RunFileContext {
 /// The options of a run, and where each was stated.
 struct RunOptions {
     RunSpec spec;
-    std::map<std::string_view, std::string> places;
+    std::map<std::string_view, std::string> locations;
 };
 
 void read_run_options(TableReader& top, RunOptions& options);

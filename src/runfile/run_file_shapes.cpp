@@ -215,7 +215,7 @@ std::vector<Triangle> read_shape(TableReader& organ) {
         return entry->read(organ);
     } catch (const InputError& error) {
         const Fault& first = error.faults().front();
-        organ.fault(first.place + ": " + first.problem, first.why, first.suggestion);
+        organ.fault(first.where + ": " + first.problem, first.why, first.suggestion);
         return {};
     }
 }

@@ -23,7 +23,7 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
     }
     Faults faults;
     const std::string where =
-        fmt::format("{}: {}: time", table.reporter().place(table.any("time")->line), table.what());
+        fmt::format("{}: {}: time", table.reporter().where(table.any("time")->line), table.what());
     const auto time = parse_civil_time(*text, std::nullopt, where, faults, OffsetKey::none);
     if (!time) {
         table.reporter().faults.add(faults);

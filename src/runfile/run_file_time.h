@@ -18,7 +18,7 @@ struct Interval {
     CivilTime start;
     double seconds = 0;              ///< 0: an instant
     std::optional<Reading> reading;  ///< nothing: a clear sky
-    std::string place;               ///< where it is stated, for messages
+    std::string where;               ///< where it is stated, for messages
 };
 
 /// The times asked for, before weather fills them.

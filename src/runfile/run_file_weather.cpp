@@ -206,13 +206,13 @@ class Selection {
     }
 
     void note_gap(std::uint32_t line, const std::string& text) {
-        const std::string place = fmt::format("{}:{}", file_, line);
+        const std::string where = fmt::format("{}:{}", file_, line);
         if (!skips_) {
             context_.table->reporter().faults.add(
-                {place, text, "a sum over a day needs all of it",
+                {where, text, "a sum over a day needs all of it",
                  "gaps = \"skip\" leaves such times out"});
         } else if (gaps_++ == 0) {
-            first_gap_ = place + ": " + text;
+            first_gap_ = where + ": " + text;
         }
     }
 

@@ -109,7 +109,7 @@ class RunSweep::State {
             for (const SweptKey& key : plan_.keys()) {
                 if (key.from_top() == "run." + stated.key) {
                     reporter_.faults.add(
-                        {stated.place, "is swept by the run file",
+                        {stated.where, "is swept by the run file",
                          fmt::format("{} has {} values there", key.path, key.values.size()),
                          "leave it out here, or there"});
                 }
@@ -160,7 +160,7 @@ class RunSweep::State {
     void add_new(std::size_t point, const InputError& error) {
         for (const Fault& fault : error.faults()) {
             const auto [known, is_new] =
-                places_of_faults_.try_emplace(fault.text(), point_faults_.size());
+                indices_of_faults_.try_emplace(fault.text(), point_faults_.size());
             if (is_new) {
                 point_faults_.push_back({fault, point, 1});
             } else {
@@ -172,10 +172,10 @@ class RunSweep::State {
     /// With the point, where a fault is of some points and has no line that would tell.
     [[nodiscard]] Fault named(PointFault each) const {
         const std::string line = reporter_.file + ":";
-        const bool has_line = each.fault.place.starts_with(line) &&
-                              each.fault.place.substr(line.size()).find_first_of("0123456789") == 0;
+        const bool has_line = each.fault.where.starts_with(line) &&
+                              each.fault.where.substr(line.size()).find_first_of("0123456789") == 0;
         if (is_swept() && !has_line && each.points < size()) {
-            each.fault.place += ", " + words_of(each.first);
+            each.fault.where += ", " + words_of(each.first);
         }
         return std::move(each.fault);
     }
@@ -256,7 +256,7 @@ class RunSweep::State {
     std::set<std::pair<std::string, std::string>> told_;
     std::set<std::string> labels_;
     std::vector<PointFault> point_faults_;
-    std::unordered_map<std::string, std::size_t> places_of_faults_;  // by their texts
+    std::unordered_map<std::string, std::size_t> indices_of_faults_;  // by their texts
     std::size_t dark_points_ = 0, first_dark_ = 0;
     std::shared_ptr<std::vector<SweepPoint>> points_ = std::make_shared<std::vector<SweepPoint>>();
 };

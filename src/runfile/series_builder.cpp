@@ -266,12 +266,12 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
     switch (fault) {
         case ReadingFault::incomplete:
             first = {
-                interval.place, fmt::format("the light at {} is not known", time), "",
+                interval.where, fmt::format("the light at {} is not known", time), "",
                 "give global, or diffuse with direct_horizontal or beam_normal"};
             break;
         case ReadingFault::negative:
             first = {
-                interval.place, fmt::format("the light at {} is below zero", time),
+                interval.where, fmt::format("the light at {} is below zero", time),
                 "by more than the 20 W m-2 that instruments may be off at night, which count as 0",
                 fmt::format(
                     "if it stands for missing values, state it: missing_values = [\"{}\"]",
@@ -279,13 +279,13 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
             break;
         case ReadingFault::part_exceeds_global:
             first = {
-                interval.place,
+                interval.where,
                 fmt::format("at {} there is more direct or diffuse light than global", time),
                 "direct and diffuse light on the horizontal are parts of the global", ""};
             break;
         default:
             first = {
-                interval.place,
+                interval.where,
                 fmt::format(
                     "light at {} with the sun {:.1f} degrees below the horizon", time,
                     -path.highest_deg()),

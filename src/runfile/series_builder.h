@@ -39,7 +39,7 @@ class SeriesBuilder {
         std::size_t count = 0;
         std::string first;
 
-        void add(const Interval& interval) { first = count++ == 0 ? interval.place : first; }
+        void add(const Interval& interval) { first = count++ == 0 ? interval.where : first; }
     };
 
     template <typename Share>

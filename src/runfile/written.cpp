@@ -21,13 +21,13 @@ bool is_named(const std::vector<std::string>& names, std::string_view name) {
 void check_names(
     const std::vector<std::string>& names,
     const std::vector<std::string_view>& known,
-    std::string_view place,
+    std::string_view where,
     std::string_view what,
     Faults& faults) {
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             faults.add(
-                {std::string(place), fmt::format("'{}' is not a {}", name, what), "",
+                {std::string(where), fmt::format("'{}' is not a {}", name, what), "",
                  did_you_mean(name, known)});
         }
     }

@@ -36,7 +36,7 @@ void check_fields_of_view(
     std::span<const std::pair<MaterialSpec, std::string>> materials,
     OrganFaults& faults) {
     std::unordered_map<std::string_view, bool> is_sensor;
-    for (const auto& [material, place] : materials) {
+    for (const auto& [material, where] : materials) {
         is_sensor[material.name] = passes_everything(material);
     }
     for (std::size_t i = 0; i < draft.organs.size(); ++i) {

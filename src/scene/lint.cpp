@@ -109,9 +109,9 @@ double part_of_scene(const Survey& survey, std::size_t organ) {
     return 2 * survey.organ_bounds[organ].radius() / length(size);
 }
 
-void WarningKind::add(std::string place, std::string text) {
+void WarningKind::add(std::string where, std::string text) {
     if (++count_ <= kMostNamed) {
-        named_.push_back({std::move(place), std::move(text)});
+        named_.push_back({std::move(where), std::move(text)});
     }
 }
 

@@ -41,7 +41,7 @@ void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
         }
         faults.add(
             draft, i,
-            {"", fmt::format("id {} is taken", organs[i].id), "by " + place_of(draft, first),
+            {"", fmt::format("id {} is taken", organs[i].id), "by " + location_of(draft, first),
              "ids are unique in a scene"});
     }
 }

@@ -14,13 +14,13 @@ namespace quasimc {
 namespace {
 
 /// Where a number falls among sums that grow: which of them is the first beyond it, and how far.
-struct Place {
+struct CdfInterval {
     std::uint32_t number = 0;
     double before = 0;    ///< the sum before it
     double fraction = 0;  ///< of what it adds, 0 to 1
 };
 
-Place place_in(std::span<const double> until, double pick) {
+CdfInterval interval_at(std::span<const double> until, double pick) {
     const auto last = static_cast<std::ptrdiff_t>(until.size()) - 1;
     const auto i = static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(
         std::upper_bound(until.begin(), until.end(), pick) - until.begin(), last));
@@ -108,21 +108,21 @@ OrganAreas::Pick OrganAreas::pick(const Organ& organ, double area) const {
     if (organ.first_triangle >= until_.size()) {
         return pick_of_instances(organ, area);
     }
-    const Place place =
-        place_in(std::span(until_).subspan(organ.first_triangle, organ.triangle_count), area);
-    return {organ.first_triangle + place.number, place.fraction};
+    const CdfInterval interval =
+        interval_at(std::span(until_).subspan(organ.first_triangle, organ.triangle_count), area);
+    return {organ.first_triangle + interval.number, interval.fraction};
 }
 
 OrganAreas::Pick OrganAreas::pick_of_instances(const Organ& organ, double area) const {
     const RangeIndex& ranges = geometry_->ranges();
     const std::uint32_t first = ranges.find(organ.first_triangle);
     const std::uint32_t last = ranges.find(organ.first_triangle + organ.triangle_count - 1);
-    const Place instance =
-        place_in(std::span(instance_until_).subspan(first, last - first + 1), area);
+    const CdfInterval instance =
+        interval_at(std::span(instance_until_).subspan(first, last - first + 1), area);
     const std::uint32_t k = first + instance.number;
     const std::vector<double>& until = mesh_until_[sums_[k]];
-    const Place place = place_in(until, instance.fraction * until.back());
-    return {ranges.first(k) + place.number, place.fraction};
+    const CdfInterval interval = interval_at(until, instance.fraction * until.back());
+    return {ranges.first(k) + interval.number, interval.fraction};
 }
 
 const OrganAreas& organ_areas(const Scene& scene) {

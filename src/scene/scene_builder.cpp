@@ -37,7 +37,7 @@ void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) 
 
 std::vector<Material> make_materials(const BuilderData& given) {
     std::vector<Material> materials;
-    for (const auto& [material, place] : given.materials) {
+    for (const auto& [material, where] : given.materials) {
         materials.push_back(make_material(material, given.bands.size()));
     }
     return materials;
@@ -66,8 +66,8 @@ void SceneBuilder::set_length_unit(std::string unit) {
     data_->length_unit = std::move(unit);
 }
 
-void SceneBuilder::add_material(MaterialSpec material, std::string place) {
-    data_->materials.emplace_back(std::move(material), std::move(place));
+void SceneBuilder::add_material(MaterialSpec material, std::string where) {
+    data_->materials.emplace_back(std::move(material), std::move(where));
 }
 
 void SceneBuilder::add_organ(OrganSpec organ) {
@@ -207,8 +207,8 @@ Scene SceneAccess::assembled(
 
 Scene SceneAccess::build_on(const BuilderData& given, const Scene& scene) {
     Faults faults;
-    for (const auto& [material, place] : given.materials) {
-        check_material(material, given.bands.size(), place_of(material, place), faults);
+    for (const auto& [material, where] : given.materials) {
+        check_material(material, given.bands.size(), location_of(material, where), faults);
     }
     std::vector<DetectorSpec> detectors = check_detectors(given.detectors, faults);
     faults.throw_if_any();

@@ -63,22 +63,22 @@ std::optional<Fault> corner_fault(
 }
 
 void check_axis_of_cell(char axis, double low, double size, double extent, Faults& faults) {
-    const std::string place = fmt::format("cell along {}", axis);
+    const std::string where = fmt::format("cell along {}", axis);
     if (!std::isfinite(low) || std::abs(low) > kLargestCoordinate) {
         faults.add(
-            {place, fmt::format("the low border is {}", shortest(low)),
+            {where, fmt::format("the low border is {}", shortest(low)),
              "borders are finite numbers", ""});
     }
     if (!(size > 0) || !(size <= kLargestCoordinate)) {
         faults.add(
-            {place, fmt::format("the size is {}", shortest(size)), "periods are positive numbers",
+            {where, fmt::format("the size is {}", shortest(size)), "periods are positive numbers",
              "leave the axis open if nothing is repeated along it"});
         return;
     }
     constexpr double kSmallestPart = 1e-6;
     if (size < kSmallestPart * extent) {
         faults.add(
-            {place,
+            {where,
              fmt::format(
                  "the size {} is less than a millionth of the scene, {}", shortest(size),
                  shortest(extent)),
@@ -191,21 +191,21 @@ void add_faces(const SceneDraft& draft, const DraftPart& part, Bounds& bounds) {
 
 }  // namespace
 
-std::string place_of(const SceneDraft& draft, std::size_t organ) {
+std::string location_of(const SceneDraft& draft, std::size_t organ) {
     const Organ& which = draft.organs[organ];
-    const std::string_view place = draft.place_of(organ);
-    return place.empty() ? fmt::format("organ '{}' (id {})", which.name, which.id)
-                         : fmt::format("{}: organ '{}'", place, which.name);
+    const std::string_view where = draft.location_of(organ);
+    return where.empty() ? fmt::format("organ '{}' (id {})", which.name, which.id)
+                         : fmt::format("{}: organ '{}'", where, which.name);
 }
 
-std::string place_of(const MaterialSpec& material, const std::string& place) {
+std::string location_of(const MaterialSpec& material, const std::string& where) {
     const std::string which = fmt::format("material '{}'", material.name);
-    return place.empty() ? which : place + ": " + which;
+    return where.empty() ? which : where + ": " + which;
 }
 
 void OrganFaults::add(const SceneDraft& draft, std::size_t organ, Fault fault) {
     if (++count_ <= kMostOrganFaults) {
-        fault.place = place_of(draft, organ);
+        fault.where = location_of(draft, organ);
         faults_.add(std::move(fault));
     }
 }

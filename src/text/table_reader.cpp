@@ -47,13 +47,13 @@ std::optional<std::string> time_of(const Node& node) {
 
 }  // namespace
 
-std::string Reporter::place(std::uint32_t line) const {
+std::string Reporter::where(std::uint32_t line) const {
     return line == 0 ? file : fmt::format("{}:{}", file, line);
 }
 
 void Reporter::fault(
     std::uint32_t line, std::string problem, std::string why, std::string suggestion) {
-    faults.add({place(line), std::move(problem), std::move(why), std::move(suggestion)});
+    faults.add({where(line), std::move(problem), std::move(why), std::move(suggestion)});
 }
 
 void Reporter::add(const Reporter& other) {
@@ -252,7 +252,7 @@ void TableReader::fault_at(
 
 void TableReader::warn_at(const Node& node, std::string text) {
     const std::string subject = what_.empty() ? "" : what_ + ": ";
-    reporter_->warnings.push_back({reporter_->place(node.line), subject + std::move(text)});
+    reporter_->warnings.push_back({reporter_->where(node.line), subject + std::move(text)});
 }
 
 void TableReader::finish() {

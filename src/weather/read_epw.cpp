@@ -103,7 +103,7 @@ class EpwReader {
             offset_ = 0;
         }
         site.pressure_hpa = standard_pressure_hpa(site.elevation_m);
-        check_site(site, reporter_.place(scanner_.number()), reporter_.faults);
+        check_site(site, reporter_.where(scanner_.number()), reporter_.faults);
         file_.site = site;
         file_.utc_offset_hours = offset_;
     }
@@ -133,7 +133,7 @@ class EpwReader {
         day.month = whole(fields, kMonth, "month");
         day.day = whole(fields, kDay, "day");
         day.utc_offset_hours = offset_;
-        check_time(day, reporter_.place(scanner_.number()), reporter_.faults);
+        check_time(day, reporter_.where(scanner_.number()), reporter_.faults);
         const double hour = number(fields, kHour, "hour");
         const double minute = number(fields, kMinute, "minute");
         if (hour < 1 || hour > 24) {

@@ -76,12 +76,12 @@ std::map<std::string, LabelKey> label_keys(const std::vector<Organ>& organs) {
         for (const auto& [name, value] : organs[i].labels) {
             LabelKey& key = keys[name];
             key.of.resize(organs.size(), -1);
-            const auto [place, is_new] =
+            const auto [found, is_new] =
                 key.numbers.try_emplace(value, static_cast<int>(key.values.size()));
             if (is_new) {
                 key.values.push_back(value);
             }
-            key.of[i] = place->second;
+            key.of[i] = found->second;
         }
     }
     return keys;

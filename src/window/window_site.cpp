@@ -65,9 +65,9 @@ bool take_header(std::string_view line, HttpRequest& request) {
     if (!is_field_value(value)) {
         return false;
     }
-    const auto set_once = [&](std::string_view& place) {
-        const bool is_first = place.data() == nullptr;
-        place = value.data() == nullptr ? std::string_view("") : value;
+    const auto set_once = [&](std::string_view& field) {
+        const bool is_first = field.data() == nullptr;
+        field = value.data() == nullptr ? std::string_view("") : value;
         return is_first;
     };
     if (equal_names(name, "host")) {

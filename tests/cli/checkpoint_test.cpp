@@ -273,7 +273,7 @@ TEST_F(CheckpointTest, IsNotTheEndOfARunThatAsksForLess) {
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
 }
 
-TEST_F(CheckpointTest, HasNoPlaceForParts) {
+TEST_F(CheckpointTest, HasNoSlotForParts) {
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--part", "1/2"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--resume"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "run.toml", "--resume"}).status, 1);

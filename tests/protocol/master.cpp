@@ -83,7 +83,7 @@ class DescriptorMaster : public Master {
 
   private:
     char byte() {
-        if (place_ == buffer_.size()) {
+        if (offset_ == buffer_.size()) {
             pollfd ready{in_, POLLIN, 0};
             buffer_.resize(65536);
             const ssize_t count = ::poll(&ready, 1, patience_ms()) > 0
@@ -91,17 +91,17 @@ class DescriptorMaster : public Master {
                                       : -1;
             if (count <= 0) {
                 buffer_.clear();
-                place_ = 0;
+                offset_ = 0;
                 throw MasterError("the program has closed the line, or says nothing");
             }
             buffer_.resize(static_cast<std::size_t>(count));
-            place_ = 0;
+            offset_ = 0;
         }
-        return buffer_[place_++];
+        return buffer_[offset_++];
     }
 
     std::string buffer_;
-    std::size_t place_ = 0;
+    std::size_t offset_ = 0;
 };
 
 class PipeMaster final : public DescriptorMaster {
@@ -355,11 +355,11 @@ class MemoryMaster final : public SemaphoreMaster {
     explicit MemoryMaster(const std::filesystem::path& folder) : SemaphoreMaster(folder) {
         id_ = ::shmget(
             static_cast<key_t>(key() - 1), kToField + kFromField, IPC_CREAT | IPC_EXCL | 0600);
-        void* place = ::shmat(id_, nullptr, 0);
-        if (id_ < 0 || place == reinterpret_cast<void*>(-1)) {
+        void* memory = ::shmat(id_, nullptr, 0);
+        if (id_ < 0 || memory == reinterpret_cast<void*>(-1)) {
             throw MasterError("no shared memory");
         }
-        bytes_ = static_cast<char*>(place);
+        bytes_ = static_cast<char*>(memory);
         std::memset(bytes_, 'x', kToField + kFromField);  // what was there before is nobody's
     }
     ~MemoryMaster() override {

@@ -83,9 +83,9 @@ double find_of_total(const Estimate& total) {
 
 /// The value that nine in ten of `values` stay below.
 double nine_in_ten(std::vector<double> values) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), rank, values.end());
+    return *rank;
 }
 
 }  // namespace

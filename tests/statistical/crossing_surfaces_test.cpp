@@ -93,8 +93,8 @@ Scene crossed_plates() {
 /// them and reach over the border, down to the ground and through each other.
 Scene stems_on_the_border() {
     SceneBuilder builder = builder_of_plants();
-    constexpr std::pair<double, double> kPlaces[]{{0, 0}, {.5, 1.02}};
-    for (const auto& [x, y] : kPlaces) {
+    constexpr std::pair<double, double> kPoints[]{{0, 0}, {.5, 1.02}};
+    for (const auto& [x, y] : kPoints) {
         builder.add_organ(organ("", "stem", stem_at(x, y, -.1, .7, .06)));
         for (int i = 0; i < 5; ++i) {
             builder.add_organ(

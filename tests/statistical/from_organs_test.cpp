@@ -39,10 +39,10 @@ Scene make_glossy_corner(const MaterialSpec& material) {
 }
 
 std::shared_ptr<const Source> lamp_at(
-    const Vec3& place, const Opening& opening, const Pattern& pattern, const Vec3& aim) {
+    const Vec3& position, const Opening& opening, const Pattern& pattern, const Vec3& aim) {
     LampSpec spec;
     spec.name = "lamp";
-    spec.position = place;
+    spec.position = position;
     spec.axes = lamp_axes(aim, {1, 0, 0});
     spec.opening = opening;
     spec.pattern = pattern;

@@ -176,11 +176,11 @@ void check_sheets(
     const std::string words = fmt::format("{}{}", sheets.words, light);
     for (int i = 0; i < sheets.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const std::string place = fmt::format("{}, E on top of sheet {}", words, i + 1);
+        const std::string where = fmt::format("{}, E on top of sheet {}", words, i + 1);
         const std::string below = fmt::format("{}, E below sheet {}", words, i + 1);
         const std::string taken = fmt::format("{}, absorbed by sheet {}", words, i + 1);
         EXPECT_TRUE(holds(
-            {place, sheets.top[k], resolution, family}, result.at(k, Quantity::incident_upper, 0)));
+            {where, sheets.top[k], resolution, family}, result.at(k, Quantity::incident_upper, 0)));
         EXPECT_TRUE(holds(
             {below, sheets.bottom[k], resolution, family},
             result.at(k, Quantity::incident_lower, 0)));

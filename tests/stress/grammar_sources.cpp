@@ -70,7 +70,7 @@ Node random_sky(Draft& draft) {
 }
 
 /// Above the scene, amid it, or next to a surface, in whose plane it then often lies.
-Anchor lamp_place(Draft& draft) {
+Anchor lamp_anchor(Draft& draft) {
     Random& random = draft.random;
     const double kind = random.unit();
     if (kind < .4) {
@@ -81,22 +81,22 @@ Anchor lamp_place(Draft& draft) {
     }
     const Anchor anchor = random.pick(draft.anchors);
     const double off = random.power_of_ten(-5, -.5) * (random.chance(.5) ? 1 : -1);
-    return {anchor.place + off * anchor.normal, random.chance(.5) ? anchor.normal : -anchor.normal};
+    return {anchor.position + off * anchor.normal, random.chance(.5) ? anchor.normal : -anchor.normal};
 }
 
 Node random_lamp(Draft& draft) {
     Random& random = draft.random;
-    const Anchor at = lamp_place(draft);
+    const Anchor at = lamp_anchor(draft);
     const double size = draft.scale * random.power_of_ten(-2, 0);
     const std::vector<std::string> types{"point", "spot", "rectangle", "disk", "line", "sphere"};
     const std::string type = random.pick(types);
     Node source = source_of(type.c_str());
     if (type == "line") {
         const Vec3 along = .5 * size * normalized(cross(at.normal, random.direction()));
-        set(source, "from", node_of(draft.placed(at.place) - along));
-        set(source, "to", node_of(draft.placed(at.place) + along));
+        set(source, "from", node_of(draft.placed(at.position) - along));
+        set(source, "to", node_of(draft.placed(at.position) + along));
     } else {
-        set(source, "position", node_of(draft.placed(at.place)));
+        set(source, "position", node_of(draft.placed(at.position)));
     }
     if (type == "spot" || type == "rectangle" || type == "disk") {
         set(source, "aim", node_of(at.normal));

@@ -23,8 +23,8 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-off_t as_offset(std::size_t place) {
-    return static_cast<off_t>(place);
+off_t as_offset(std::size_t offset) {
+    return static_cast<off_t>(offset);
 }
 
 /// A file that is written without being emptied first.
@@ -33,15 +33,15 @@ int open_kept(const std::string& path) {
 }
 
 /// Whether all of the text was written there; errno otherwise.
-bool write_at(const Descriptor& file, std::string_view text, std::size_t place) {
+bool write_at(const Descriptor& file, std::string_view text, std::size_t offset) {
     while (!text.empty()) {
-        const ssize_t count = ::pwrite(file.number(), text.data(), text.size(), as_offset(place));
+        const ssize_t count = ::pwrite(file.number(), text.data(), text.size(), as_offset(offset));
         if (count < 0 && errno != EINTR) {
             return false;
         }
         const auto written = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
         text.remove_prefix(written);
-        place += written;
+        offset += written;
     }
     return true;
 }

@@ -99,10 +99,10 @@ class MessageEndFinder {
     /// yet. @param bytes  those of the call before, and what came since
     [[nodiscard]] std::size_t find(std::string_view bytes);
     /// Where the next call begins to look.
-    [[nodiscard]] std::size_t place() const { return place_; }
+    [[nodiscard]] std::size_t offset() const { return offset_; }
 
   private:
-    std::size_t place_ = 0;  // nothing ends before it
+    std::size_t offset_ = 0;  // nothing ends before it
     bool in_control_ = false;
 };
 
@@ -115,7 +115,7 @@ void append_answer(
     std::string& text, std::int64_t id, std::size_t slots, std::span<const double> values);
 
 /// "Control: flags".
-enum class ChunkPlace { only, first, middle, last };
-void append_control(std::string& text, ChunkPlace place);
+enum class ChunkPosition { only, first, middle, last };
+void append_control(std::string& text, ChunkPosition position);
 
 }  // namespace quasimc

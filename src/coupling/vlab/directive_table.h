@@ -18,7 +18,7 @@ struct DirectiveContext {
     /// Area of MonteCarlo's domain seen from above, and its low corner.
     std::optional<StatedCell> domain = {};
     bool is_periodic = false;
-    std::string ground_place = {};
+    std::string ground_where = {};
     bool has_leaf_upper = false;
 };
 

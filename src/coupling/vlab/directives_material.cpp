@@ -125,8 +125,8 @@ void read_material(Values& values, DirectiveContext& context) {
 }
 
 void read_parameter(Values& values, DirectiveContext& context) {
-    if (const auto place = values.integer("the number of the parameter", {1, 60})) {
-        context.spec.material_parameter = static_cast<std::size_t>(*place);
+    if (const auto index = values.integer("the number of the parameter", {1, 60})) {
+        context.spec.material_parameter = static_cast<std::size_t>(*index);
     }
 }
 

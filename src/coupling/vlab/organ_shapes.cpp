@@ -21,7 +21,7 @@ struct OrganFrame {
     Vec3 heading;  ///< unit
     Vec3 up;       ///< unit, at right angles to the heading
 
-    [[nodiscard]] Vec3 place(const Vec3& p) const {
+    [[nodiscard]] Vec3 point(const Vec3& p) const {
         return base + p.x * across + p.y * heading + p.z * up;
     }
 };
@@ -198,8 +198,8 @@ class OrganShapes::Maker {
             return {};
         }
         return make_triangle(
-            frame_.place({-*half_base, 0, 0}), frame_.place({*half_base, 0, 0}),
-            frame_.place({0, *height, 0}));
+            frame_.point({-*half_base, 0, 0}), frame_.point({*half_base, 0, 0}),
+            frame_.point({0, *height, 0}));
     }
 
     Triangles any_triangle() {
@@ -216,8 +216,8 @@ class OrganShapes::Maker {
         const double angle = degrees * std::numbers::pi / 180;
         const Vec3 along{std::sin(angle), std::cos(angle), 0};
         Triangles triangle = make_triangle(
-            frame_.place(-left * along), frame_.place(right * along),
-            frame_.place({0, *height, 0}));
+            frame_.point(-left * along), frame_.point(right * along),
+            frame_.point({0, *height, 0}));
         if (angle < 0) {
             turn_over(triangle);
         }
@@ -272,7 +272,7 @@ class OrganShapes::Maker {
         Triangles triangles = spec_.surfaces[static_cast<std::size_t>(id)].triangles;
         for (Triangle& t : triangles) {
             for (Vec3& p : t) {
-                p = frame_.place({scale.x * p.x, scale.y * p.y, scale.z * p.z});
+                p = frame_.point({scale.x * p.x, scale.y * p.y, scale.z * p.z});
             }
         }
         return triangles;

@@ -38,7 +38,7 @@ struct PlaneTriangle {
           other_side(corners[2] - corners[0]),
           across(cross(side, other_side)) {}
 
-    [[nodiscard]] Point2 place(const Vec3& p) const {
+    [[nodiscard]] Point2 coordinates(const Vec3& p) const {
         const Vec3 from = p - corners[0];
         const double square = dot(across, across);
         return {
@@ -115,7 +115,7 @@ std::optional<PlaneStretch> clip(const Point2& from, const Point2& to) {
 /// Where `other` crosses or touches `own`.
 std::optional<PlaneStretch> crossing_of(const PlaneTriangle& own, const PlaneTriangle& other) {
     const auto cut = cut_by_plane(other, distances(other, own));
-    return cut ? clip(own.place(cut->first), own.place(cut->second)) : std::nullopt;
+    return cut ? clip(own.coordinates(cut->first), own.coordinates(cut->second)) : std::nullopt;
 }
 
 Box box_of(const LocalMesh& mesh, std::uint32_t i) {

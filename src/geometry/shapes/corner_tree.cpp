@@ -51,9 +51,9 @@ void CornerTree::split(std::uint32_t index) {
     }
     const bool along_s = node.high.s - node.low.s > node.high.t - node.low.t;
     const std::uint32_t middle = node.first + (node.end - node.first) / 2;
-    const auto place = [&](std::uint32_t k) { return order_.begin() + k; };
+    const auto position = [&](std::uint32_t k) { return order_.begin() + k; };
     std::nth_element(
-        place(node.first), place(middle), place(node.end), [&](std::uint32_t a, std::uint32_t b) {
+        position(node.first), position(middle), position(node.end), [&](std::uint32_t a, std::uint32_t b) {
             return along_s ? corners_[a].s < corners_[b].s : corners_[a].t < corners_[b].t;
         });
     nodes_[index].child = static_cast<std::uint32_t>(nodes_.size());

@@ -33,11 +33,11 @@ std::vector<FlatCorner> flatten(std::span<const Vec3> corners, const Vec3& norma
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec3 p = corners[i] - corners[0];
         const FlatCorner corner{{dot(p, frame.s), dot(p, frame.t)}, i};
-        if (flat.empty() || !same_place(flat.back(), corner)) {
+        if (flat.empty() || !same_point(flat.back(), corner)) {
             flat.push_back(corner);
         }
     }
-    while (flat.size() > 1 && same_place(flat.front(), flat.back())) {
+    while (flat.size() > 1 && same_point(flat.front(), flat.back())) {
         flat.pop_back();
     }
     return flat;

@@ -57,21 +57,21 @@ class LampStarts {
     }
 
     [[nodiscard]] Start by_pattern(const std::array<double, 4>& u) const {
-        const LampBody::Place place = body_.place(u[0], u[1]);
+        const LampBody::SurfacePoint start = body_.draw_point(u[0], u[1]);
         const auto [v0, v1] = direction_numbers(u);
         const Pattern::Drawn drawn = pattern_.draw(v0, v1);
-        return {place.position, normalized(from_axes(place.axes, drawn.direction)), drawn.weight};
+        return {start.position, normalized(from_axes(start.axes, drawn.direction)), drawn.weight};
     }
 
     [[nodiscard]] Start aimed(const std::array<double, 4>& u) const {
-        const LampBody::Place place = body_.place(u[0], u[1]);
+        const LampBody::SurfacePoint start = body_.draw_point(u[0], u[1]);
         const auto [v0, v1] = direction_numbers(u);
-        const Vec3 towards = ball_.center - place.position;
+        const Vec3 towards = ball_.center - start.position;
         const double distance = length(towards);
         const double t = cone_of_sphere(ball_.radius, distance);
         const Vec3 direction = normalized(direction_in_cone(towards / distance, v0 * t, v1));
-        const double intensity = pattern_.intensity(to_axes(place.axes, direction));
-        return {place.position, direction, intensity * 4 * std::numbers::pi * t};
+        const double intensity = pattern_.intensity(to_axes(start.axes, direction));
+        return {start.position, direction, intensity * 4 * std::numbers::pi * t};
     }
 
     /// Where a path enters the box of the scene, or its origin if it starts there; nothing if it
@@ -149,19 +149,19 @@ class LampStarts {
 
 class LampEmitter final : public SourceSampler {
   public:
-    LampEmitter(LampStarts starts, const LampPlace& place, double world_area)
+    LampEmitter(LampStarts starts, const LampExtent& extent, double world_area)
         : SourceSampler(starts.fraction() / world_area),
           starts_(std::move(starts)),
-          place_(place) {}
+          extent_(extent) {}
 
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         return starts_.emit(u);
     }
-    [[nodiscard]] std::optional<LampPlace> lamp_place() const override { return place_; }
+    [[nodiscard]] std::optional<LampExtent> lamp_extent() const override { return extent_; }
 
   private:
     LampStarts starts_;
-    LampPlace place_;
+    LampExtent extent_;
 };
 
 class Lamp final : public SourceModel {
@@ -201,7 +201,7 @@ class Lamp final : public SourceModel {
                                    : Vec3{};
         auto sampler = std::make_unique<LampEmitter>(
             LampStarts(local, pattern_, projection),
-            LampPlace{{local.center, local.radius()}, is_bounded, half_line},
+            LampExtent{{local.center, local.radius()}, is_bounded, half_line},
             projection.world_area());
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }

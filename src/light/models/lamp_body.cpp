@@ -10,14 +10,14 @@ namespace {
 using std::numbers::pi;
 
 /// The sight of a place, `weight` over the square of its distance.
-LampBody::Sight sight_of(const Vec3& point, const LampBody::Place& place, double weight = 1) {
-    const Vec3 towards = place.position - point;
+LampBody::Sight sight_of(const Vec3& point, const LampBody::SurfacePoint& start, double weight = 1) {
+    const Vec3 towards = start.position - point;
     const double square = dot(towards, towards);
     if (square == 0) {
         return {};
     }
     const double distance = std::sqrt(square);
-    return {towards / distance, distance, place.axes, weight / square};
+    return {towards / distance, distance, start.axes, weight / square};
 }
 
 /// Uniform in the angle under which the line is seen (Kulla and Fajardo 2012, section 4.1).
@@ -80,7 +80,7 @@ class SphericalRectangle {
 
     [[nodiscard]] double solid_angle() const { return solid_angle_; }
     /// The place in the rectangle, x and y.
-    [[nodiscard]] std::pair<double, double> place(double u0, double u1) const {
+    [[nodiscard]] std::pair<double, double> draw_point(double u0, double u1) const {
         const double a = u0 * solid_angle_ + k_;
         const double f = (std::cos(a) * b0_ - b1_) / std::sin(a);
         const double c = std::clamp(std::copysign(1 / std::hypot(f, b0_), f), -1.0, 1.0);
@@ -114,7 +114,7 @@ LampBody::Sight rectangle_seen_from(const LampBody& body, const Vec3& point, dou
     const SphericalRectangle seen(
         offset.x - 0.5 * opening.length, offset.x + 0.5 * opening.length,
         offset.y - 0.5 * opening.width, offset.y + 0.5 * opening.width, offset.z);
-    const auto [x, y] = seen.place(u0, u1);
+    const auto [x, y] = seen.draw_point(u0, u1);
     const Vec3 towards{x, y, offset.z};
     const double distance = length(towards);
     const double cosine = -offset.z / distance;
@@ -138,7 +138,7 @@ double cone_of_sphere(double radius, double distance) {
     return 0.5 * sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
 }
 
-LampBody::Place LampBody::place(double u0, double u1) const {
+LampBody::SurfacePoint LampBody::draw_point(double u0, double u1) const {
     switch (opening.kind) {
         case Opening::Kind::line:
             return {center + (u0 - 0.5) * opening.length * axes.n, axes};
@@ -161,7 +161,7 @@ LampBody::Place LampBody::place(double u0, double u1) const {
 }
 
 LampBody::Sight LampBody::seen_by_area(const Vec3& point, double u0, double u1) const {
-    return sight_of(point, place(u0, u1));
+    return sight_of(point, draw_point(u0, u1));
 }
 
 LampBody::Sight LampBody::seen_from(const Vec3& point, double u0, double u1) const {

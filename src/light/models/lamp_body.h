@@ -12,11 +12,11 @@ struct LampBody {
     Opening opening;
 
     /// A place of the opening, uniform over its length or area, and the axes its pattern is about.
-    struct Place {
+    struct SurfacePoint {
         Vec3 position;
         Frame axes;
     };
-    [[nodiscard]] Place place(double u0, double u1) const;
+    [[nodiscard]] SurfacePoint draw_point(double u0, double u1) const;
 
     /// A place of the opening that is drawn from a point.
     struct Sight {

@@ -42,13 +42,13 @@ struct Abscissas {
     std::array<double, 7> cosine{}, sine{};
 
     explicit Abscissas(const Interval& range) {
-        static const std::array<double, 3> kPlaces{
+        static const std::array<double, 3> kAbscissas{
             std::sqrt(9.0 / 70), std::sqrt(9.0 / 10), std::sqrt(9.0 / 19)};
         cosine[0] = std::cos(range.middle);
         sine[0] = std::sin(range.middle);
-        for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-            const double c = std::cos(range.half * kPlaces[i]);
-            const double s = std::sin(range.half * kPlaces[i]);
+        for (std::size_t i = 0; i < kAbscissas.size(); ++i) {
+            const double c = std::cos(range.half * kAbscissas[i]);
+            const double s = std::sin(range.half * kAbscissas[i]);
             cosine[2 * i + 1] = cosine[0] * c + sine[0] * s;
             sine[2 * i + 1] = sine[0] * c - cosine[0] * s;
             cosine[2 * i + 2] = cosine[0] * c - sine[0] * s;

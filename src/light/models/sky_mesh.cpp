@@ -66,18 +66,18 @@ void SkyMesh::set_looks() {
 void SkyMesh::put_ring(std::uint32_t ring, double weight, double azimuth, Share* to) const {
     const std::uint32_t count = in_ring(ring);
     const double turns = azimuth / kFullTurn;
-    const double place = (turns - std::floor(turns)) * count;
-    const auto below = std::min(static_cast<std::uint32_t>(place), count - 1);
-    const double part = place - below;
+    const double position = (turns - std::floor(turns)) * count;
+    const auto below = std::min(static_cast<std::uint32_t>(position), count - 1);
+    const double part = position - below;
     to[0] = {first_[ring] + below, weight * (1 - part)};
     to[1] = {first_[ring] + (below + 1) % count, weight * part};
 }
 
 std::array<SkyMesh::Share, 4> SkyMesh::shares(const Vec3& to_light) const {
     const auto last = static_cast<std::uint32_t>(first_.size() - 2);
-    const double place = std::max(0.0, elevation_of(to_light) / step_ - 0.5);
-    const std::uint32_t ring = std::min(static_cast<std::uint32_t>(place), last - 1);
-    const double part = std::min(1.0, place - ring);
+    const double position = std::max(0.0, elevation_of(to_light) / step_ - 0.5);
+    const std::uint32_t ring = std::min(static_cast<std::uint32_t>(position), last - 1);
+    const double part = std::min(1.0, position - ring);
     const double azimuth = std::atan2(to_light.y, to_light.x);
     std::array<Share, 4> shares;
     put_ring(ring, 1 - part, azimuth, shares.data());

@@ -26,7 +26,7 @@ double SourceSampler::density(const Vec3&) const {
     return 0;
 }
 
-std::optional<LampPlace> SourceSampler::lamp_place() const {
+std::optional<LampExtent> SourceSampler::lamp_extent() const {
     return std::nullopt;
 }
 

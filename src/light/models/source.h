@@ -29,7 +29,7 @@ struct DrawnDirection {
 };
 
 /// Where a lamp is, local coordinates.
-struct LampPlace {
+struct LampExtent {
     Ball body;  ///< about its centre, holds its opening
     /// Whether illuminate() draws so that what it brings to a place is bounded however near that
     /// is.
@@ -74,7 +74,7 @@ class SourceSampler {
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const;
 
     /// Of a lamp: where it is.
-    [[nodiscard]] virtual std::optional<LampPlace> lamp_place() const;
+    [[nodiscard]] virtual std::optional<LampExtent> lamp_extent() const;
 
   private:
     double flux_;

@@ -43,7 +43,7 @@ class LightSum {
     /// @param parts  by place of a bin
     void raise(std::span<const double> parts);
 
-    /// [replicate][BinPlaces]
+    /// [replicate][BinIndex]
     [[nodiscard]] const std::vector<std::vector<double>>& bins() const { return bins_; }
     /// @param errors  relative, by place of a bin, on top of what replicates say; empty: none
     [[nodiscard]] LightSpread spread(std::span<const double> errors) const;

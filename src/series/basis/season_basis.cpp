@@ -61,9 +61,9 @@ std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::s
     }
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < count && !until.empty() && until.back() > 0; ++i) {
-        const double place =
+        const double target =
             until.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-        const auto after = std::upper_bound(until.begin(), until.end(), place);
+        const auto after = std::upper_bound(until.begin(), until.end(), target);
         const auto index =
             std::min(static_cast<std::size_t>(after - until.begin()), until.size() - 1);
         if (chosen.empty() || chosen.back() != index) {
@@ -160,11 +160,11 @@ class SeasonBasis::Solving {
 
     /// @param place  in a batch of `count`
     [[nodiscard]] std::shared_ptr<const Source> source(
-        const Light& light, std::size_t place, std::size_t count) const {
+        const Light& light, std::size_t batch_index, std::size_t count) const {
         const std::size_t bands = scene_.bands().size();
         std::vector<double> spectrum(bands * count);
         for (std::size_t b = 0; b < bands; ++b) {
-            spectrum[repeated_band(b, place, count)] = 1;
+            spectrum[repeated_band(b, batch_index, count)] = 1;
         }
         return light.to_light
                    ? make_directional_source("beam", -1 * *light.to_light, std::move(spectrum))
@@ -279,15 +279,15 @@ SeasonBasis::Amounts SeasonBasis::no_light() const {
 }
 
 std::vector<double> SeasonBasis::scattered_first(const LightResponse& direct) const {
-    const BinPlaces places(layout_);
+    const BinIndex bin_index(layout_);
     const std::size_t bands = layout_.bands;
     std::vector<double> sums(bands);
     for (std::size_t i = 0; i < albedos_.size(); ++i) {
         const std::size_t region = i / (2 * bands);
         const SurfaceSide side = kSurfaceSides[i / bands % 2];
-        const std::size_t place = places.of(layout_.light.direct(region, side, i % bands));
+        const std::size_t at = bin_index.of(layout_.light.direct(region, side, i % bands));
         for (const std::vector<float>& bins : direct.bins) {
-            sums[i % bands] += albedos_[i] * static_cast<double>(bins[place]) /
+            sums[i % bands] += albedos_[i] * static_cast<double>(bins[at]) /
                                static_cast<double>(direct.bins.size());
         }
     }

@@ -14,17 +14,17 @@ namespace {
 void check_together_sources(const std::vector<TimeStep>& time_steps, Faults& faults) {
     for (const TimeStep& step : time_steps) {
         for (const auto& source : step.sources) {
-            const std::string place = fmt::format("source '{}'", source->name());
+            const std::string where = fmt::format("source '{}'", source->name());
             if (source->is_lamp()) {
                 faults.add(
-                    {place, "a lamp, where time_method = \"daylight_coefficients\"",
+                    {where, "a lamp, where time_method = \"daylight_coefficients\"",
                      "only light from far away is put together from directions",
                      "use time_method = \"independent\""});
                 return;
             }
             if (source->is_sun() && !(beam_of(*source).to_light.z > 0)) {
                 faults.add(
-                    {place,
+                    {where,
                      "light from below the horizon, where time_method = \"daylight_coefficients\"",
                      "light is put together from directions of the upper hemisphere",
                      "use time_method = \"independent\""});

@@ -38,11 +38,11 @@ void SeasonErrors::add(const LightSum& together, const LightSum& as_it_is) {
 void SeasonErrors::add_parts(
     const std::vector<double>& squares, const std::vector<double>& lights) {
     std::vector<float>& own = squares_.emplace_back(light_.size());
-    const BinPlaces places(layout_);
+    const BinIndex index(layout_);
     const std::size_t parts = bin_parts(layout_).size();
     for (std::size_t part = 0; part < parts; ++part) {
-        const std::size_t first = places.first(part);
-        const std::size_t end = first + places.count(part);
+        const std::size_t first = index.first(part);
+        const std::size_t end = first + index.count(part);
         double all = 0;
         for (std::size_t i = first; i < end; ++i) {
             all += lights[i];
@@ -55,12 +55,12 @@ void SeasonErrors::add_parts(
 }
 
 std::vector<double> SeasonErrors::relative() const {
-    const BinPlaces places(layout_);
+    const BinIndex index(layout_);
     std::vector<double> errors(light_.size());
     const std::size_t parts = bin_parts(layout_).size();
     for (std::size_t part = 0; part < parts; ++part) {
-        std::vector<std::size_t> order(places.count(part));
-        std::iota(order.begin(), order.end(), places.first(part));
+        std::vector<std::size_t> order(index.count(part));
+        std::iota(order.begin(), order.end(), index.first(part));
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return light_[a] < light_[b];
         });
@@ -72,8 +72,8 @@ std::vector<double> SeasonErrors::relative() const {
             };
             const std::vector<std::size_t> group(at(g), at(g + 1));
             const double error = relative(group);
-            for (const std::size_t place : group) {
-                errors[place] = error;
+            for (const std::size_t bin : group) {
+                errors[bin] = error;
             }
         }
     }
@@ -81,10 +81,10 @@ std::vector<double> SeasonErrors::relative() const {
 }
 
 /// Of a group.
-double SeasonErrors::relative(const std::vector<std::size_t>& places) const {
+double SeasonErrors::relative(const std::vector<std::size_t>& bins) const {
     double light = 0;
-    for (const std::size_t place : places) {
-        light += light_[place];
+    for (const std::size_t bin : bins) {
+        light += light_[bin];
     }
     if (!(light > 0)) {
         return 0;
@@ -93,8 +93,8 @@ double SeasonErrors::relative(const std::vector<std::size_t>& places) const {
     double of_squares = 0;
     for (const std::vector<float>& squares : squares_) {
         double own = 0;
-        for (const std::size_t place : places) {
-            own += static_cast<double>(squares[place]);
+        for (const std::size_t bin : bins) {
+            own += static_cast<double>(squares[bin]);
         }
         sum += own;
         of_squares += own * own;

@@ -22,7 +22,7 @@ class SeasonErrors {
 
   private:
     void add_parts(const std::vector<double>& squares, const std::vector<double>& lights);
-    [[nodiscard]] double relative(const std::vector<std::size_t>& places) const;
+    [[nodiscard]] double relative(const std::vector<std::size_t>& bins) const;
 
     BasisLayout layout_;
     std::vector<double> light_;                // by place: squares, in parts of those of a time

@@ -69,12 +69,12 @@ SunPixels::View SunPixels::view_of(const BoundSource& light, const Placing& plac
     if (const auto direction = sampler.beam_direction()) {
         return {light, *direction, light.probability, light.probability / sampler.flux()};
     }
-    const auto place = [&](std::uint32_t i) {
+    const auto coordinate = [&](std::uint32_t i) {
         return sampler_.coordinate(placing.stream, placing.first, kDiskDimension + i);
     };
     const DrawnDirection from = lattice_direction(
         light, static_cast<std::uint32_t>(placing.point - placing.first), kDiskBeams,
-        {place(0), place(1), place(2)});
+        {coordinate(0), coordinate(1), coordinate(2)});
     const double area = prepared_.projection().entry_box().projected_area(from.direction);
     const double per_area = model_of(*light.source).radiance(-from.direction) /
                             (sampler.flux() * from.density * kDiskBeams);

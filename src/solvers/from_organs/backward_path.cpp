@@ -31,7 +31,7 @@ std::uint64_t BackwardPaths::gather(
     auto& [stream, index, dimension] = numbers;
     std::fill(path.weights.begin(), path.weights.end(), 1.0);
     std::fill(path.gathered.begin(), path.gathered.end(), 0.0);
-    Vec3 p = point.place;
+    Vec3 p = point.p;
     std::uint32_t triangle = point.triangle;
     bool by_sharp = false;
     std::uint64_t rays = 0;
@@ -52,7 +52,7 @@ std::uint64_t BackwardPaths::gather(
         }
         const Surface surface = surface_at(prepared_, at.hit, away);
         const Material& material = prepared_.material(surface.region);
-        p = place_of(prepared_, at.hit);
+        p = point_of(prepared_, at.hit);
         triangle = surface.triangle;
         if (material.is_transparent()) {
             continue;

@@ -35,7 +35,7 @@ class LightSubpathTracer {
             throw_if_stopped(walk_);
             const Surface surface = surface_at(prepared_, at.hit, direction_);
             const Material& material = prepared_.material(surface.region);
-            const Vec3 p = place_of(prepared_, at.hit);
+            const Vec3 p = point_of(prepared_, at.hit);
             if (counts_on(surface, p)) {
                 score(surface);
             }

@@ -70,7 +70,7 @@ class NextEvent {
         const Stream& stream,
         std::uint64_t point,
         std::uint32_t dimension,
-        const Vec3& place,
+        const Vec3& p,
         const FieldOfView& view = {}) const;
 
     /// Whether what is seen of a lamp lies in the plane of a surface, as near as can be told: it
@@ -82,7 +82,7 @@ class NextEvent {
     std::uint64_t add_light(
         const LightSample& sample,
         const Surface& surface,
-        const Vec3& place,
+        const Vec3& p,
         const Vec3& out,
         GatherScratch& path) const;
 
@@ -96,8 +96,8 @@ class NextEvent {
         double u = 0;  ///< what is left of the number
         double probability = 1;
     };
-    [[nodiscard]] Pick pick(double u, const Vec3& place) const;
-    [[nodiscard]] double importance(std::size_t light, const Vec3& place) const;
+    [[nodiscard]] Pick pick(double u, const Vec3& p) const;
+    [[nodiscard]] double importance(std::size_t light, const Vec3& p) const;
 
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.
     [[nodiscard]] double scale_of(const BoundSource& light) const {
@@ -109,7 +109,7 @@ class NextEvent {
     const LampNearField& near_;
     double scale_, sharp_from_;
     std::uint32_t dimensions_;
-    std::vector<LampPlace> lamps_;  // one for each light if they are picked by place, else empty
+    std::vector<LampExtent> lamps_;  // one for each light if they are picked by place, else empty
     LightShares shares_;            // if lights are picked alike from everywhere
 };
 

@@ -230,7 +230,7 @@ RC_GTEST_PROP(MessageEnd, IsFoundInPieces, ()) {
     MessageEndFinder finder;
     for (std::size_t size = 0; size < bytes.size(); size += piece) {
         RC_ASSERT(finder.find(std::string_view(bytes).substr(0, size)) == std::string::npos);
-        RC_ASSERT(finder.place() + 8 > size);
+        RC_ASSERT(finder.offset() + 8 > size);
     }
     RC_ASSERT(finder.find(bytes + "0 E(1)\n") == bytes.size());
 }

@@ -51,9 +51,9 @@ TEST_F(OrganShapesTest, HaveTheirUpperSideTowardsUp) {
 TEST_F(OrganShapesTest, HaveTheUpperSideOfEitherSimulator) {
     // The same leaf from cpfg (up = left x heading) and lpfg (up = heading x left).
     spec_ = specification("", kept_);
-    const std::string place = " 0 1 0\n 0 0 -1\n -1 0 0\n";
+    const std::string frame = " 0 1 0\n 0 0 -1\n -1 0 0\n";
     const Pass pass =
-        pass_of("0 E(1)P(1,1)\n" + place + " 0 -1 0\n1 E(1)P(1,1)\n" + place + " 0 1 0\n");
+        pass_of("0 E(1)P(1,1)\n" + frame + " 0 -1 0\n1 E(1)P(1,1)\n" + frame + " 0 1 0\n");
     OrganShapes shapes(spec_, kept_.notices);
     EXPECT_LT(normal(shapes.make(pass, pass.queries[0])).y, 0);
     EXPECT_GT(normal(shapes.make(pass, pass.queries[1])).y, 0);

@@ -139,8 +139,8 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
     int free = 0;
     const auto look = [&](std::uint32_t triangle, double u, double v, const Vec3& direction) {
         ++looks;
-        const Vec3 place = mesh.point(triangle, u, v);
-        free += repeated.caster.occluded(place, -direction, triangle) ? 0 : 1;
+        const Vec3 point = mesh.point(triangle, u, v);
+        free += repeated.caster.occluded(point, -direction, triangle) ? 0 : 1;
     };
     for (const Vec3& direction : kDirections) {
         std::map<std::uint32_t, double> by_lines;

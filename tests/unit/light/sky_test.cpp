@@ -161,22 +161,22 @@ SkyShape half_dark_shape() {
     return {[](const Vec3& d) { return std::max(0.0, d.x + .7 * d.y + .3 * d.z - .6); }, {}, {}};
 }
 
-TEST(Skies, SendLightFromEveryPlaceThatHasSome) {
+TEST(Skies, SendLightFromEveryPointThatHasSome) {
     const LitBox lit;
     const SkyShape shape = half_dark_shape();
     const auto sky = make_sky("sky", shape, {1});
     const auto sampler = model_of(*sky).make_sampler_in(lit.projection);
     std::mt19937_64 bits(18);
     std::uniform_real_distribution<double> uniform;
-    int lit_places = 0;
+    int lit_points = 0;
     for (int i = 0; i < 100000; ++i) {
         const Vec3 d = upward(2 * pi * uniform(bits), uniform(bits));
         if (shape.radiance(d) > 0) {
-            ++lit_places;
+            ++lit_points;
             ASSERT_GT(sampler->density(-d), 0);
         }
     }
-    EXPECT_GT(lit_places, 1000);
+    EXPECT_GT(lit_points, 1000);
     std::vector<double> weights;
     for (int i = 0; i < 20000; ++i) {
         weights.push_back(sampler->emit({.5, .5, uniform(bits), uniform(bits)}).weight);

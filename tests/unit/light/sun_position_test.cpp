@@ -163,7 +163,7 @@ TEST(SunPosition, IsDefinedAtThePolesAndOverhead) {
     }
 }
 
-RC_GTEST_PROP(SunPosition, IsADirectionAtAnyTimeAndPlace, ()) {
+RC_GTEST_PROP(SunPosition, IsADirectionAtAnyTimeAndSite, ()) {
     const auto uniform = [](int low, int high) { return *rc::gen::inRange(low, high + 1); };
     const Site site{uniform(-900, 900) / 10.0, uniform(-1800, 1800) / 10.0};
     CivilTime time{

@@ -176,10 +176,10 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
     for (const auto& [key, value] : json.items()) {
         keys.push_back(key);
     }
-    const auto place = [&](const char* key) { return std::find(keys.begin(), keys.end(), key); };
-    EXPECT_LT(place("time_steps"), place("days"));
-    EXPECT_LT(place("days"), place("total"));
-    EXPECT_LT(place("total"), place("organs_sha256"));
+    const auto where = [&](const char* key) { return std::find(keys.begin(), keys.end(), key); };
+    EXPECT_LT(where("time_steps"), where("days"));
+    EXPECT_LT(where("days"), where("total"));
+    EXPECT_LT(where("total"), where("organs_sha256"));
 }
 
 TEST(JsonOfTimes, HasADigestWithoutAFile) {

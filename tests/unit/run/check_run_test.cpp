@@ -54,7 +54,7 @@ TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotMatt) {
         Faults faults;
         check_run(make_leaf_with(side), {sun(0, {1})}, spec, faults);
         ASSERT_EQ(faults.size(), 1U);
-        EXPECT_EQ(faults.all()[0].place, "method");
+        EXPECT_EQ(faults.all()[0].where, "method");
         EXPECT_NE(faults.all()[0].problem.find("'waxy'"), std::string::npos);
         EXPECT_NE(faults.all()[0].suggestion.find("first_hits"), std::string::npos);
         spec.method = Method::automatic;
@@ -72,9 +72,9 @@ Scene make_large_scene() {
     const auto plant = std::make_shared<const Mesh>(random_leaves(1000, .1, 1, 1));
     for (int i = 0; i < 100; ++i) {
         OrganSpec organ;
-        Affine place;
-        place.shift = {2. * i, 0, 0};
-        organ.parts.push_back({"leaf", {}, plant, place});
+        Affine transform;
+        transform.shift = {2. * i, 0, 0};
+        organ.parts.push_back({"leaf", {}, plant, transform});
         builder.add_organ(std::move(organ));
     }
     return std::move(builder).build();
@@ -117,7 +117,7 @@ TEST(CheckRun, FindsNothingInAGoodSpecification) {
 TEST(CheckRun, FindsEachFaultAndSaysWhere) {
     constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
     struct Case {
-        std::string place;
+        std::string where;
         std::function<void(RunSpec&)> spoil;
     };
     const std::vector<Case> cases{
@@ -167,7 +167,7 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
         cases[i].spoil(spec);
         const std::vector<Fault> faults = faults_of(spec);
         ASSERT_EQ(faults.size(), 1U) << "case " << i;
-        EXPECT_EQ(faults[0].place, cases[i].place) << "case " << i;
+        EXPECT_EQ(faults[0].where, cases[i].where) << "case " << i;
         EXPECT_FALSE(faults[0].problem.empty());
     }
 }
@@ -200,7 +200,7 @@ TEST(CheckRun, FindsFaultsOfSources) {
     EXPECT_NE(tiny[0].why.find("1e-60"), std::string::npos);
     const std::vector<Fault> faults = faults_of({}, {sun(0, {1}), sky({1, 2})});
     ASSERT_EQ(faults.size(), 1U);
-    EXPECT_NE(faults[0].place.find("sky"), std::string::npos);
+    EXPECT_NE(faults[0].where.find("sky"), std::string::npos);
 }
 
 TEST(CheckRun, AllFaultsOfARunAreReportedAtOnce) {

@@ -170,10 +170,10 @@ TEST_F(Memory, OfCopiesIsThatOfOneMesh) {
         const auto plant = std::make_shared<const Mesh>(random_leaves(kTriangles / 1000, .1, 1, 1));
         SceneBuilder builder = make_builder();
         for (int i = 0; i < 1000; ++i) {
-            Affine place;
-            place.shift = {1.0 * (i % 32), 1.0 * (i / 32), 0};
+            Affine transform;
+            transform.shift = {1.0 * (i % 32), 1.0 * (i / 32), 0};
             OrganSpec organ;
-            organ.parts.push_back({"leaf", {}, plant, place});
+            organ.parts.push_back({"leaf", {}, plant, transform});
             builder.add_organ(std::move(organ));
         }
         prepare(std::move(builder));

@@ -40,12 +40,12 @@ class Meeting {
 
     /// What the first has to say.
     template <typename T>
-    T told(unsigned rank, const T& own, T& place) {
+    T told(unsigned rank, const T& own, T& shared) {
         if (rank == 0) {
-            place = own;
+            shared = own;
         }
         barrier_.arrive_and_wait();
-        const T told = place;
+        const T told = shared;
         barrier_.arrive_and_wait();
         return told;
     }

@@ -27,7 +27,7 @@ LightSum light(double factor, double noise, std::mt19937_64& random) {
     for (std::vector<float>& bins : response.bins) {
         for (std::size_t region = 0; region < kRegions; ++region) {
             const double bright = region < kRegions / 2 ? 1 : 10;
-            bins[BinPlaces(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))] =
+            bins[BinIndex(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))] =
                 static_cast<float>(bright * factor * (1 + noise * normal(random)));
         }
     }
@@ -48,7 +48,7 @@ std::pair<double, double> errors_told(double noise, double off) {
     const std::vector<double> told = errors.relative();
     const BasisLayout layout = layout_of_regions();
     const auto at = [&](std::size_t region) {
-        return told[BinPlaces(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))];
+        return told[BinIndex(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))];
     };
     return {at(0), at(kRegions - 1)};
 }

@@ -12,13 +12,13 @@ namespace quasimc::test {
 namespace {
 
 /// A leaf of 1 x 1 at height 0, a cover of some material at height 1.
-Scene make_covered_leaf(const std::string& cover, const std::vector<Triangle>& place) {
+Scene make_covered_leaf(const std::string& cover, const std::vector<Triangle>& triangles) {
     SceneBuilder builder = make_builder();
     builder.add_material(matt("leaf", .4, .4));
     builder.add_material(net("net", {.5}));
     builder.add_material(sensor("sensor"));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
-    builder.add_organ(organ("cover", cover, place));
+    builder.add_organ(organ("cover", cover, triangles));
     return std::move(builder).build();
 }
 

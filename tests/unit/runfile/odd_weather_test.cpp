@@ -18,8 +18,8 @@ namespace quasimc::test {
 namespace {
 
 RunFile run_of_weather(
-    const std::string& keys, const FakeFiles& files, const std::string& place = "") {
-    return read_text(with_time(keys, place), files);
+    const std::string& keys, const FakeFiles& files, const std::string& site = "") {
+    return read_text(with_time(keys, site), files);
 }
 
 /// An EPW file of hours of a band, one light in each, with dates of its own.
@@ -209,11 +209,11 @@ TEST(RunFileWeather, SuspectsNoClockOfCloudyMornings) {
 }
 
 TEST(RunFileTime, AsksWhetherLatitudeAndLongitudeAreExchanged) {
-    const auto warns = [](const std::string& place, const std::string& clock) {
+    const auto warns = [](const std::string& site, const std::string& clock) {
         return all_warnings(
                    read_text(with_time(
                        "day = '2024-06-21'\nhours = [11, 12]\nutc_offset_hours = " + clock + "\n",
-                       "[site]\n" + place)))
+                       "[site]\n" + site)))
                    .find("are latitude and longitude exchanged?") != std::string::npos;
     };
     EXPECT_TRUE(warns("latitude_deg = 5.67\nlongitude_deg = 52\n", "1"));

@@ -28,7 +28,7 @@ std::string sky(const std::string& model, const std::string& more = "") {
     return "[[source]]\ntype = 'sky'\nmodel = '" + model + "'\nirradiance_horizontal = 50\n" + more;
 }
 
-TEST(RunFileSun, StandsWhereTimeAndPlaceSay) {
+TEST(RunFileSun, IsWhereTimeAndSiteSay) {
     const RunFile run = read_text(with_sources(kSun));
     const SunPosition sun =
         sun_position({50.1, 8.7, 0, standard_pressure_hpa(0)}, {2024, 6, 21, 12, 0, 0, 2});
@@ -84,7 +84,7 @@ TEST(RunFileSun, BelowTheHorizonGivesNoLightAndSaysSo) {
         "the sun is below the horizon (azimuth "));
 }
 
-TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
+TEST(RunFileSun, NeedsATimeZoneASiteAndADateThatIs) {
     const auto faults_with_time = [](const std::string& time) {
         std::string source = kSun;
         const std::size_t at = source.find("2024");
@@ -112,7 +112,7 @@ TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
     EXPECT_TRUE(mentions(faults_of(with_sources(kSun + "disc = true\n")), "did you mean 'disk'?"));
 }
 
-TEST(RunFilePlace, IsOnTheEarth) {
+TEST(RunFileSite, IsOnTheEarth) {
     RunText text;
     text.top = "bands = ['PAR']\nplace = { latitude_deg = 91, longitud_deg = 8 }\n";
     const std::vector<std::string> faults = faults_of(text.text());

@@ -64,7 +64,7 @@ TEST(RunFile, OptionsFromOutsideGoBeforeIt) {
     EXPECT_EQ(run.spec.seed, 3U);
 }
 
-TEST(RunFile, FaultsOfOptionsFromOutsideNameTheirPlace) {
+TEST(RunFile, FaultsOfOptionsFromOutsideNameTheirLocation) {
     EXPECT_EQ(
         faults_of(RunText{}.text(), {}, {{"paths", "many", "--paths"}}),
         (Texts{"--paths: 'many' is not a whole number (1 to 2^30)"}));

@@ -407,7 +407,7 @@ std::string epw_text(double zone = 1) {
     return text;
 }
 
-TEST(RunFileWeather, GivesThePlaceAndLightOfAnEpwFile) {
+TEST(RunFileWeather, GivesTheSiteAndLightOfAnEpwFile) {
     RunText text;
     text.sources = "";
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";

@@ -194,7 +194,7 @@ TEST(Sweep, AFlagThatItSweepsIsRefused) {
              {"paths = [64]\n", {"paths", "128", "--paths"}},
              {"method = ['first_hits']\n", {"method", "from_organs", "--method"}}}) {
         EXPECT_NE(
-            said(keys, flag).find(flag.place + ": is swept by the run file"), std::string::npos)
+            said(keys, flag).find(flag.where + ": is swept by the run file"), std::string::npos)
             << said(keys, flag);
     }
 }

@@ -146,7 +146,7 @@ TEST(SceneInstances, FlatTransformsAreNotKept) {
     EXPECT_TRUE(data_of(builder.build()).triangles().instances().empty());
 }
 
-TEST(SceneInstances, PlacesThatAreNoNumbersAreFaults) {
+TEST(SceneInstances, PositionsThatAreNoNumbersAreFaults) {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 2e30}) {
         SceneBuilder builder = one_band_builder();
         OrganSpec organ = copy_of(strip(), moved({0, bad, 0}));

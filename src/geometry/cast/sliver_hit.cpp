@@ -1,4 +1,4 @@
-#include "geometry/cast/sliver_place.h"
+#include "geometry/cast/sliver_hit.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +38,7 @@ Point2 nearest_on_border(const CornerAndEdges& triangle, const Vec3& offset) {
 
 }  // namespace
 
-Hit placed_on_sliver(const LocalMesh& mesh, const Ray& ray, const Hit& hit) {
+Hit snapped_to_sliver(const LocalMesh& mesh, const Ray& ray, const Hit& hit) {
     const CornerAndEdges triangle = corner_and_edges(mesh, hit.triangle);
     if (!is_sliver(triangle.edge1, triangle.edge2)) {
         return hit;
@@ -49,13 +49,13 @@ Hit placed_on_sliver(const LocalMesh& mesh, const Ray& ray, const Hit& hit) {
     if (!(std::abs(at.t - hit.t) < kApart)) {
         return hit;
     }
-    Point2 place{at.u, at.v};
+    Point2 point{at.u, at.v};
     if (!at.is_inside) {
-        place = nearest_on_border(triangle, ray.origin - triangle.corner + at.t * ray.direction);
+        point = nearest_on_border(triangle, ray.origin - triangle.corner + at.t * ray.direction);
     }
     Hit placed = hit;
-    placed.u = static_cast<float>(place.s);
-    placed.v = static_cast<float>(place.t);
+    placed.u = static_cast<float>(point.s);
+    placed.v = static_cast<float>(point.t);
     return placed;
 }
 

@@ -28,7 +28,7 @@ double period(const Cell& cell, const Axis& axis) {
 
 std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground) {
     const Scene& scene = survey.scene;
-    const std::string place = words_for(scene.organs().back());
+    const std::string where = words_for(scene.organs().back());
     std::vector<Warning> warnings;
     for (const Axis& axis : kAxes) {
         constexpr double kOverhang = 0.01;
@@ -37,7 +37,7 @@ std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground
         if (cell_size > 0) {
             if (size < (1 - kOverhang) * cell_size) {
                 warnings.push_back(
-                    {place, fmt::format(
+                    {where, fmt::format(
                                 "covers {:.3g} of the cell's {:.3g} along {}: light escapes beside "
                                 "it",
                                 size, cell_size, axis.name)});
@@ -53,7 +53,7 @@ std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground
             survey.canopy.high.*(axis.of) - ground.high.*(axis.of));
         if (beyond > kOverhang * canopy) {
             warnings.push_back(
-                {place, fmt::format(
+                {where, fmt::format(
                             "is smaller than the canopy, which reaches {:.3g} beyond it along {}: "
                             "light escapes beside it",
                             beyond, axis.name)});

@@ -1,4 +1,4 @@
-#include "series/basis/bin_places.h"
+#include "series/basis/bin_index.h"
 
 #include <utility>
 

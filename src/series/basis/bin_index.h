@@ -38,9 +38,9 @@ struct BinPart {
 
 /// Where bins stand in a response: part by part, the first bin of all regions, the second of all
 /// regions, ..., then those of the run.
-class BinPlaces {
+class BinIndex {
   public:
-    explicit BinPlaces(const BasisLayout& layout)
+    explicit BinIndex(const BasisLayout& layout)
         : regions_(layout.regions), stride_(layout.sums.stride()), tail_(regions_ * stride_) {}
 
     [[nodiscard]] std::size_t of(std::size_t bin) const {
