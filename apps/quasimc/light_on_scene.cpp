@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "quasimc/quasimc.h"
+#include "resultio/describe_series.h"
 #include "resultio/field_formats.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "runfile/written.h"
 #include "show_colors.h"
 #include "show_values.h"

@@ -114,12 +114,12 @@ class MpiRankTeam final : public RankTeam {
         has_ordered_ = true;
         std::array<std::uint64_t, 9> numbers{
             order.kind,        order.is_prepare,  order.point,
-            order.moment,      order.first_paths, order.round.first,
+            order.time_step,   order.first_paths, order.round.first,
             order.round.count, order.tasks.calls, order.tasks.task};
         ranks_.broadcast(numbers.data(), numbers.size());
-        const auto& [kind, is_prepare, point, moment, first_paths, first, count, calls, task] =
+        const auto& [kind, is_prepare, point, time_step, first_paths, first, count, calls, task] =
             numbers;
-        return {kind, is_prepare, point, moment, first_paths, {first, count}, {calls, task}};
+        return {kind, is_prepare, point, time_step, first_paths, {first, count}, {calls, task}};
     }
 
     void add_up(std::vector<std::int64_t>& numbers) override {

@@ -19,7 +19,7 @@ std::string type_name_of(const quasimc::Option& option) {
         case 2:
             return "NAME";
         case 3:
-            return fmt::format("{},...", std::get<quasimc::WordsDomain>(option.domain).form);
+            return fmt::format("{},...", std::get<quasimc::ListDomain>(option.domain).form);
         default:
             return "X,...";
     }

@@ -18,8 +18,8 @@
 #include "quasimc/quasimc.h"
 #include "rank_team.h"
 #include "repetition.h"
+#include "resultio/describe_result.h"
 #include "resultio/read_result.h"
-#include "resultio/result_words.h"
 #include "run_flags.h"
 #include "run_writers.h"
 #include "sweep_run.h"
@@ -64,8 +64,8 @@ quasimc::InputError error_of_file(
     const std::vector<quasimc::Override>& flags) {
     std::vector<quasimc::Fault> faults = error.faults();
     for (quasimc::Fault& fault : faults) {
-        const auto flag = std::find_if(flags.begin(), flags.end(), [&](const auto& stated) {
-            return stated.key == fault.where;
+        const auto flag = std::find_if(flags.begin(), flags.end(), [&](const auto& given) {
+            return given.key == fault.where;
         });
         fault.where = flag != flags.end() ? flag->where : file.path + ": " + fault.where;
     }

@@ -64,7 +64,7 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
     quasimc::Faults faults;
     quasimc::for_each_output([&](const quasimc::OutputKey& key, quasimc::MakeOutput* make) {
         const std::string& path = arguments.outputs.at(std::string(key.name));
-        const auto stated = run.output.files.find(key.name);
+        const auto given = run.output.files.find(key.name);
         if (!path.empty()) {
             asked.push_back({{path, flag_of(key.name)}, make});
             const bool is_there =
@@ -74,9 +74,9 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
                     {flag_of(key.name), fmt::format("the run has no {}", key.need.shown),
                      std::string(key.need.reason), ""});
             }
-        } else if (stated != run.output.files.end()) {
+        } else if (given != run.output.files.end()) {
             asked.push_back(
-                {{stated->second, fmt::format("{}: [output]: {}", run.path, key.name)}, make});
+                {{given->second, fmt::format("{}: [output]: {}", run.path, key.name)}, make});
         }
     });
     faults.throw_if_any();

@@ -7,9 +7,9 @@
 
 #include "base/text.h"
 #include "files/input_files.h"
+#include "resultio/describe_series.h"
 #include "resultio/read_result.h"
 #include "resultio/read_rows.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
 
@@ -181,7 +181,7 @@ ShownValues named_values(
     const std::string unit = quasimc::unit_of(entry, band, run.scene.length_unit());
     return {
         .estimates = {},
-        .name = fmt::format("{}, {}", quasimc::in_words(entry.name), band.name),
+        .name = fmt::format("{}, {}", quasimc::describe_quantity(entry.name), band.name),
         .unit = is_sum ? quasimc::summed_unit(unit).name : unit,
         .key = fmt::format("{}_{}", entry.name, band.name),
         .when = ""};

@@ -189,8 +189,8 @@ class Stopped : public std::runtime_error {
     StopReason why_;
 };
 
-/// The result of darkness: nothing anywhere, without an error.
-[[nodiscard]] Result dark_result(const Scene& scene, const RunSpec& spec);
+/// The result of no_light_policy: nothing anywhere, without an error.
+[[nodiscard]] Result zero_result(const Scene& scene, const RunSpec& spec);
 
 /// Computes the light on every organ.
 ///

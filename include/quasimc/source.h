@@ -179,7 +179,7 @@ inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, 
 
 /// Less light than this is none, as the direct sun at the horizon on a foggy day: the squares of
 /// its errors would be lost to rounding.
-inline constexpr double kLeastIrradiance = 1e-60;
+inline constexpr double kMinIrradiance = 1e-60;
 
 /// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
 /// spectrum varies over it is several sources.) Places and directions are in the world with z up;

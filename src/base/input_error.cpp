@@ -7,11 +7,11 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostShown = 50;
+constexpr std::size_t kMaxShown = 50;
 
 std::string joined(const std::vector<Fault>& faults) {
     std::string text;
-    const std::size_t shown = std::min(faults.size(), kMostShown);
+    const std::size_t shown = std::min(faults.size(), kMaxShown);
     for (std::size_t i = 0; i < shown; ++i) {
         text += (i > 0 ? "\n" : "") + faults[i].text();
     }

@@ -58,7 +58,7 @@ class PlantLight {
 
     [[nodiscard]] std::vector<PlacedShape> position_shapes(const Pass& pass);
     /// Of a step that was traced: each check of lint() once, when it has found something.
-    void tell_warnings();
+    void report_warnings();
     [[nodiscard]] StepLight trace(
         const Pass& pass,
         std::span<const PlacedShape> shapes,

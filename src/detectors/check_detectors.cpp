@@ -35,9 +35,9 @@ void check_value(
 
 void check_parameters(const DetectorSpec& spec, const DetectorEntry& type, Faults& faults) {
     for (const DetectorParameter& parameter : type.parameters) {
-        const auto stated = spec.parameters.find(parameter.name);
-        if (stated != spec.parameters.end()) {
-            check_value(parameter, stated->second, spec.where, faults);
+        const auto given = spec.parameters.find(parameter.name);
+        if (given != spec.parameters.end()) {
+            check_value(parameter, given->second, spec.where, faults);
         } else if (!parameter.usual) {
             faults.add({spec.where, fmt::format("{} is missing", parameter.name), "", ""});
         }

@@ -65,19 +65,19 @@ std::optional<GltfContainer> open_glb(std::string_view bytes, Reporter& reporter
             "export it as glTF 2.0");
         return std::nullopt;
     }
-    const auto stated = little_endian_at<std::uint32_t>(bytes, 8);
-    if (stated > bytes.size()) {
+    const auto given = little_endian_at<std::uint32_t>(bytes, 8);
+    if (given > bytes.size()) {
         reporter.fault(
             0, "the file is cut short",
-            fmt::format("its header states {} bytes, it has {}", stated, bytes.size()));
+            fmt::format("its header states {} bytes, it has {}", given, bytes.size()));
         return std::nullopt;
     }
-    if (stated < bytes.size()) {
+    if (given < bytes.size()) {
         reporter.warn(fmt::format(
-            "its header states {} bytes, it has {}: the rest is not read", stated, bytes.size()));
+            "its header states {} bytes, it has {}: the rest is not read", given, bytes.size()));
     }
     GltfContainer parts;
-    bytes = bytes.substr(0, stated).substr(std::min<std::size_t>(kGlbHeader, stated));
+    bytes = bytes.substr(0, given).substr(std::min<std::size_t>(kGlbHeader, given));
     while (bytes.size() >= kGlbChunkHeader) {
         const auto size = little_endian_at<std::uint32_t>(bytes, 0);
         const auto type = little_endian_at<std::uint32_t>(bytes, 4);

@@ -121,10 +121,12 @@ class GltfDocumentReader {
             material.name = material.name.empty() ? where : material.name;
             const std::string alpha = gltf_text(json, "alphaMode");
             material.is_cut_out = alpha == "MASK" || alpha == "BLEND";
-            const Node* look = json.find("pbrMetallicRoughness");
-            if (look != nullptr && look->find("baseColorTexture") == nullptr) {
+            const Node* metallic_roughness = json.find("pbrMetallicRoughness");
+            if (metallic_roughness != nullptr &&
+                metallic_roughness->find("baseColorTexture") == nullptr) {
                 constexpr std::size_t kColor = 4;
-                const auto color = values_.numbers(*look, "baseColorFactor", kColor, where);
+                const auto color =
+                    values_.numbers(*metallic_roughness, "baseColorFactor", kColor, where);
                 material.reflectance =
                     color ? std::optional(((*color)[0] + (*color)[1] + (*color)[2]) / 3)
                           : std::nullopt;

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "resultio/series_words.h"
+#include "resultio/describe_series.h"
 #include "results/evaluate.h"
 #include "results/groups.h"
 #include "results/units.h"
@@ -130,7 +130,7 @@ void NetcdfLayout::define_times() {
     std::vector<double> begin, bounds;
     std::vector<std::string> texts;
     for (const std::size_t row : rows_) {
-        const MomentNotes& notes = run_.series->notes[row];
+        const TimeStepNotes& notes = run_.series->notes[row];
         begin.push_back(netcdf_seconds(notes.time));
         bounds.push_back(begin.back());
         bounds.push_back(

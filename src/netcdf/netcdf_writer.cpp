@@ -8,7 +8,7 @@
 
 #include "netcdf/netcdf_layout.h"
 #include "quasimc/error.h"
-#include "resultio/series_words.h"
+#include "resultio/describe_series.h"
 #include "runfile/written.h"
 
 namespace quasimc {

@@ -88,7 +88,7 @@ LobeTable::LobeTable(std::span<const Lobe> lobes, std::size_t bands) : bands_(ba
              .delta = lobe.shape->is_delta(),
              .lambertian = lobe.shape->is_lambertian(),
              .reciprocal = lobe.shape->is_reciprocal(),
-             .sharp = is_sharp(*lobe.shape),
+             .sharp = is_narrow(*lobe.shape),
              .peak = peak_brightness(*lobe.shape),
              .alone = true,
              .constant = lobe.shape->has_constant_albedo()});

@@ -44,10 +44,10 @@ std::optional<BsdfParameter> domain_of(const BsdfEntry* model, std::string_view 
 void check_parameter(
     std::string_view what,
     const BsdfEntry* model,
-    const BsdfParameters::value_type& stated,
+    const BsdfParameters::value_type& given,
     const std::string& where,
     Faults& faults) {
-    const auto& [name, value] = stated;
+    const auto& [name, value] = given;
     const std::optional<BsdfParameter> domain = domain_of(model, name);
     if (!domain) {
         faults.add(
@@ -86,8 +86,8 @@ void check_model(
              .why = "",
              .suggestion = did_you_mean(model, names)});
     }
-    for (const auto& stated : parameters) {
-        check_parameter(what, entry, stated, where, faults);
+    for (const auto& given : parameters) {
+        check_parameter(what, entry, given, where, faults);
     }
     for (const BsdfParameter& p :
          entry == nullptr ? std::span<const BsdfParameter>{} : entry->parameters) {
@@ -148,10 +148,10 @@ Term term_of(const SideOptics& optics, Hemisphere hemisphere) {
     const BsdfEntry* model =
         find_bsdf(is_reflected ? optics.reflection_model : optics.transmission_model);
     EXPECT(model != nullptr);
-    const BsdfParameters& stated =
+    const BsdfParameters& given =
         is_reflected ? optics.reflection_parameters : optics.transmission_parameters;
     return {
-        model, parameter_values(*model, stated),
+        model, parameter_values(*model, given),
         is_reflected ? optics.reflectance : optics.transmittance};
 }
 

@@ -28,12 +28,11 @@ struct RealDomain {
 struct ChoiceDomain {
     std::vector<std::string_view> names;
 };
-struct WordsDomain {
+struct ListDomain {
     std::string_view form;  ///< how a word looks, "BAND:BAND"
 };
 struct RealsDomain {};  ///< a list of finite numbers
-using OptionDomain =
-    std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain, RealsDomain>;
+using OptionDomain = std::variant<IntegerDomain, RealDomain, ChoiceDomain, ListDomain, RealsDomain>;
 
 /// The words of a row.
 struct OptionWords {

@@ -85,8 +85,7 @@ CheckpointFile::CheckpointFile(
     std::error_code error;
     was_there_ = std::filesystem::exists(path_, error);
     if (was_there_ && start == CheckpointStart::anew) {
-        throw InputError(
-            {{path_, "exists", "", "use --resume to continue it, or delete it"}});
+        throw InputError({{path_, "exists", "", "use --resume to continue it, or delete it"}});
     }
     if (!was_there_ && std::filesystem::exists(done_path(path_), error)) {
         throw InputError(
@@ -120,9 +119,9 @@ void CheckpointFile::read() {
     }
     read_locations(reader);
     for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
-        const std::uint64_t moment = reader.number();
+        const std::uint64_t time_step = reader.number();
         const bool is_done = reader.number() != 0;
-        states_[moment] = {std::string(reader.block()), is_done};
+        states_[time_step] = {std::string(reader.block()), is_done};
     }
     if (!reader.is_at_end()) {
         refuse("is damaged", "it has more or fewer bytes than it names");
@@ -132,14 +131,14 @@ void CheckpointFile::read() {
 void CheckpointFile::read_locations(ByteReader& reader) {
     done_bytes_ = reader.number();
     for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
-        const std::uint64_t moment = reader.number();
+        const std::uint64_t time_step = reader.number();
         const std::uint64_t offset = reader.number();
         const std::uint64_t size = reader.number();
-        locations_[moment] = {offset, size, std::string(reader.take(kSha256Digits))};
+        locations_[time_step] = {offset, size, std::string(reader.take(kSha256Digits))};
     }
     if (!locations_.empty()) {
         open_done();
-        for (const auto& [moment, location] : locations_) {
+        for (const auto& [time_step, location] : locations_) {
             static_cast<void>(read_done(location));
         }
     }
@@ -176,26 +175,27 @@ std::string CheckpointFile::read_done(const Location& location) const {
     return bytes;
 }
 
-std::optional<RunState> CheckpointFile::state_of(std::size_t moment) {
-    const auto state = states_.find(moment);
-    const auto location = locations_.find(moment);
+std::optional<RunState> CheckpointFile::state_of(std::size_t time_step) {
+    const auto state = states_.find(time_step);
+    const auto location = locations_.find(time_step);
     if (state == states_.end() && location == locations_.end()) {
         return std::nullopt;
     }
     try {
-        return load_state(state != states_.end() ? state->second.bytes : read_done(location->second));
+        return load_state(
+            state != states_.end() ? state->second.bytes : read_done(location->second));
     } catch (const std::invalid_argument& error) {
         refuse("is damaged, or of another version", error.what());
     }
 }
 
-void CheckpointFile::save(std::size_t moment, const RunSnapshot& state) {
-    keep(moment, {save_state(state), false});
+void CheckpointFile::save(std::size_t time_step, const RunSnapshot& state) {
+    keep(time_step, {save_state(state), false});
     write();
 }
 
-void CheckpointFile::finish(std::size_t moment, const RunSnapshot& state) {
-    keep(moment, {save_state(state), true});
+void CheckpointFile::finish(std::size_t time_step, const RunSnapshot& state) {
+    keep(time_step, {save_state(state), true});
     if (is_due()) {
         write();
     }
@@ -208,21 +208,21 @@ void CheckpointFile::flush() {
 }
 
 /// Runs end in the order of their numbers: what is done of those before goes to the second file.
-void CheckpointFile::keep(std::size_t moment, State state) {
-    const auto location = locations_.find(moment);
+void CheckpointFile::keep(std::size_t time_step, State state) {
+    const auto location = locations_.find(time_step);
     if (state.is_done && location != locations_.end() &&
         location->second.sha256 == sha256_hex(state.bytes)) {
         return;
     }
-    states_[moment] = std::move(state);
+    states_[time_step] = std::move(state);
     is_saved_ = false;
-    while (states_.begin()->first < moment && states_.begin()->second.is_done) {
+    while (states_.begin()->first < time_step && states_.begin()->second.is_done) {
         move_to_done(states_.begin()->first, states_.begin()->second.bytes);
         states_.erase(states_.begin());
     }
 }
 
-void CheckpointFile::move_to_done(std::size_t moment, const std::string& bytes) {
+void CheckpointFile::move_to_done(std::size_t time_step, const std::string& bytes) {
     if (!done_) {
         open_done();
     }
@@ -230,7 +230,7 @@ void CheckpointFile::move_to_done(std::size_t moment, const std::string& bytes) 
         throw InputError(
             {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
     }
-    locations_[moment] = {done_bytes_, bytes.size(), sha256_hex(bytes)};
+    locations_[time_step] = {done_bytes_, bytes.size(), sha256_hex(bytes)};
     done_bytes_ += bytes.size();
 }
 
@@ -242,13 +242,14 @@ void CheckpointFile::write() {
     }
     std::string bytes(kFirstCheckpointLine);
     bytes += block_of(head_) + number_bytes(done_bytes_) + number_bytes(locations_.size());
-    for (const auto& [moment, location] : locations_) {
-        bytes += number_bytes(moment) + number_bytes(location.offset) + number_bytes(location.size) +
-                 location.sha256;
+    for (const auto& [time_step, location] : locations_) {
+        bytes += number_bytes(time_step) + number_bytes(location.offset) +
+                 number_bytes(location.size) + location.sha256;
     }
     bytes += number_bytes(states_.size());
-    for (const auto& [moment, state] : states_) {
-        bytes += number_bytes(moment) + number_bytes(state.is_done ? 1 : 0) + block_of(state.bytes);
+    for (const auto& [time_step, state] : states_) {
+        bytes +=
+            number_bytes(time_step) + number_bytes(state.is_done ? 1 : 0) + block_of(state.bytes);
     }
     AtomicFile file(path_);
     file.write(bytes);

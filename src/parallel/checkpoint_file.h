@@ -60,16 +60,16 @@ class CheckpointFile {
 
     /// Whether there was one to go on from.
     [[nodiscard]] bool was_there() const { return was_there_; }
-    [[nodiscard]] std::optional<RunState> state_of(std::size_t moment);
-    [[nodiscard]] bool has_state(std::size_t moment) const {
-        return states_.contains(moment) || locations_.contains(moment);
+    [[nodiscard]] std::optional<RunState> state_of(std::size_t time_step);
+    [[nodiscard]] bool has_state(std::size_t time_step) const {
+        return states_.contains(time_step) || locations_.contains(time_step);
     }
     /// Whether it is time to save.
     [[nodiscard]] bool is_due() const { return Clock::now() >= next_save_; }
     /// Saves the state of a run on the way.
-    void save(std::size_t moment, const RunSnapshot& state);
+    void save(std::size_t time_step, const RunSnapshot& state);
     /// Takes note of the state of a run that is done; saves it when it is time, or in flush().
-    void finish(std::size_t moment, const RunSnapshot& state);
+    void finish(std::size_t time_step, const RunSnapshot& state);
     /// Saves what was not saved yet.
     void flush();
 
@@ -89,8 +89,8 @@ class CheckpointFile {
     void read_locations(ByteReader& reader);
     void open_done();
     [[nodiscard]] std::string read_done(const Location& location) const;
-    void move_to_done(std::size_t moment, const std::string& bytes);
-    void keep(std::size_t moment, State state);
+    void move_to_done(std::size_t time_step, const std::string& bytes);
+    void keep(std::size_t time_step, State state);
     void write();
 
     std::string path_;

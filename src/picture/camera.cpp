@@ -62,7 +62,7 @@ Camera::Camera(
     }
 }
 
-Camera::SightLine Camera::through(const PixelPoint& pixel) const {
+Camera::CameraRay Camera::through(const PixelPoint& pixel) const {
     const double x = (pixel.x - half_width_) / scale_, y = (half_height_ - pixel.y) / scale_;
     const Vec3 aim = middle_ + x * right_ + y * up_;
     if (is_parallel()) {

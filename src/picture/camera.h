@@ -40,10 +40,10 @@ class Camera {
         double width,
         double height);
 
-    struct SightLine {
+    struct CameraRay {
         Vec3 origin, direction;  ///< unit; all the scene is ahead
     };
-    [[nodiscard]] SightLine through(const PixelPoint& pixel) const;
+    [[nodiscard]] CameraRay through(const PixelPoint& pixel) const;
     [[nodiscard]] PixelPoint pixel_of(const Vec3& point) const;
     /// A direction of the world as it is seen: to the right, upwards, towards the eye.
     [[nodiscard]] Vec3 seen(const Vec3& direction) const;

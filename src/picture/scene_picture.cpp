@@ -34,7 +34,7 @@ struct Layout {
           view_width(width),
           view_height(height),
           view_top(0) {
-        if (picture.with_words) {
+        if (picture.has_annotations) {
             view_width = std::max(1.0, std::floor(width - kLegendWidth * scale));
             view_top = std::floor(kTitleHeight * scale);
             view_height = std::max(1.0, height - view_top);
@@ -84,12 +84,12 @@ void draw_directions(
         const Vec3 seen = camera.seen(direction);
         return PixelPoint{middle.x + part * radius * seen.x, middle.y - part * radius * seen.y};
     };
-    constexpr std::size_t kMostSuns = 40;
+    constexpr std::size_t kMaxSuns = 40;
     std::vector<PixelPoint> suns;
     for (const Vec3& sun : picture.to_suns) {
         suns.push_back(point_towards(sun, 0.9));
     }
-    suns.resize(suns.size() <= kMostSuns ? suns.size() : 0);
+    suns.resize(suns.size() <= kMaxSuns ? suns.size() : 0);
     const auto arrow = [&](const Vec3& direction, const char* name, const Rgb& color) {
         draw_arrow(canvas, middle, point_towards(direction, 0.8), color, s);
         const PixelPoint at = beside_suns(point_towards(direction, 1.22), suns, 15 * s);
@@ -166,7 +166,7 @@ std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
         image_of(
             scene, camera, picture, static_cast<std::size_t>(layout.view_width),
             static_cast<std::size_t>(layout.view_height)));
-    if (!picture.with_words) {
+    if (!picture.has_annotations) {
         return to_png(canvas.image());
     }
     const double s = layout.scale;

@@ -157,8 +157,8 @@ ConvexMap::ConvexMap(const std::vector<Point2>& hull) {
             area_ += area;
         }
     }
-    constexpr std::size_t kMostSlabs = 60000;
-    EXPECT(!slabs_.empty() && slabs_.size() < kMostSlabs);
+    constexpr std::size_t kMaxSlabs = 60000;
+    EXPECT(!slabs_.empty() && slabs_.size() < kMaxSlabs);
     slabs_.back().area_after = INFINITY;
 
     std::size_t slab = 0;

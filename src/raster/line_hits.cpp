@@ -8,7 +8,7 @@ namespace quasimc {
 namespace {
 
 /// Lines of a beam, at most: they are numbered, and no scene needs more.
-constexpr double kMostLines = 1U << 30U;
+constexpr double kMaxLines = 1U << 30U;
 /// Where lines are so many for each fragment, they are not counted one by one.
 constexpr std::size_t kSparse = 16;
 
@@ -154,7 +154,7 @@ class LineHitFinder {
         grid_.repeats_x = plane.repeats_s;
         grid_.repeats_y = plane.repeats_t;
         const double area = plane.size_s * plane.size_t * plane.area;
-        const double lines = std::clamp(area / spec.line_area, 1.0, kMostLines);
+        const double lines = std::clamp(area / spec.line_area, 1.0, kMaxLines);
         if (grid_.repeats_x && grid_.repeats_y) {
             set_square_rows(plane, spec, lines);
             return;

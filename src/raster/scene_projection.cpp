@@ -47,9 +47,9 @@ double radius_of(const std::vector<Vec3>& points) {
 /// A sphere that holds all points, hardly larger than the smallest: steps towards the furthest
 /// point, each shorter (Badoiu and Clarkson 2003): after n of them the radius is within 1/sqrt(n)
 /// of the smallest, in practice within 1/n.
-Ball small_ball(const std::vector<Vec3>& points) {
+BoundingSphere small_ball(const std::vector<Vec3>& points) {
     constexpr int kSteps = 1000;
-    Ball best{{}, radius_of(points)};
+    BoundingSphere best{{}, radius_of(points)};
     Vec3 center;
     for (int i = 1; i <= kSteps; ++i) {
         const auto distance = [&](const Vec3& p) { return dot(p - center, p - center); };
@@ -170,7 +170,7 @@ std::unique_ptr<BeamCrossSection> silhouette_window(
 
 /// The disc across the bounding sphere, as a polygon around it of hardly larger area: the map of a
 /// silhouette tears neighbours apart less than one about the disc's centre.
-std::unique_ptr<BeamCrossSection> sphere_window(const Ball& ball, const Vec3& direction) {
+std::unique_ptr<BeamCrossSection> sphere_window(const BoundingSphere& ball, const Vec3& direction) {
     constexpr int kCorners = 1024;
     const AcrossBeam plane(direction);
     const double radius = ball.radius / std::cos(std::numbers::pi / kCorners);

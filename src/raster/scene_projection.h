@@ -44,7 +44,7 @@ struct EntryBox {
 };
 
 /// A sphere in local coordinates.
-struct Ball {
+struct BoundingSphere {
     Vec3 center;
     double radius = 0;
 };
@@ -82,7 +82,7 @@ class SceneProjection {
         const LocalMesh& mesh, const Cell& cell, std::vector<Vec3> outline, StartArea start_area);
 
     std::vector<Vec3> outline_;  // the points that windows must cover; none in a layer
-    Ball ball_;                  // holds the scene; for windows of that shape only
+    BoundingSphere ball_;        // holds the scene; for windows of that shape only
     Cell cell_;                  // local coordinates
     StartArea start_area_;
     EntryBox box_;

@@ -80,7 +80,7 @@ ErrorStatistics error_statistics(const Scene& scene, const Result& result) {
     return errors;
 }
 
-std::string percent_words(double part) {
+std::string format_percent(double part) {
     constexpr double kWhole = 10;  // percent from which on there are no decimals
     const double percent = 100 * part;
     return percent < kWhole ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
@@ -98,19 +98,19 @@ std::string advice_on_error(const RunFile& run, double median) {
                      "target_error = {} traces more paths until errors are that small", kLarge / 2);
 }
 
-std::string error_words(const ErrorStatistics& errors) {
+std::string describe_errors(const ErrorStatistics& errors) {
     if (!errors.has_median()) {
         return "no organ has a standard error of the light it absorbs";
     }
     std::string text = fmt::format(
-        "relative standard error of the absorbed flux: median {}", percent_words(errors.median));
+        "relative standard error of the absorbed flux: median {}", format_percent(errors.median));
     text +=
         errors.badly_known > 0
             ? fmt::format(
                   "; {} of {} {} known to no better than {:.0f} % (worst: organ {})",
                   errors.badly_known, counted(errors.organs, "organ"),
                   errors.badly_known == 1 ? "is" : "are", 100 * kBadlyKnown, errors.worst_id)
-            : fmt::format(", worst {} (organ {})", percent_words(errors.worst), errors.worst_id);
+            : fmt::format(", worst {} (organ {})", format_percent(errors.worst), errors.worst_id);
     if (errors.unknown > 0) {
         text += fmt::format(
             "; {} without one (black sides, or nothing hit)", counted(errors.unknown, "organ"));
@@ -118,7 +118,7 @@ std::string error_words(const ErrorStatistics& errors) {
     return text;
 }
 
-std::string energy_words(
+std::string describe_energy(
     const BandBudget& budget, const std::string& unit, bool escaped_by_difference) {
     const PartFormat number(budget.emitted.mean);
     std::string text = fmt::format("[{}]: {} emitted", unit, number(budget.emitted));

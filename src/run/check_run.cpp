@@ -46,14 +46,14 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         }
     };
     require(
-        spec.paths >= 1 && spec.paths <= kMostPaths, "paths", fmt::format("{}", spec.paths),
+        spec.paths >= 1 && spec.paths <= kMaxPaths, "paths", fmt::format("{}", spec.paths),
         "1 to 2^30");
     require(
-        spec.replicates >= 1 && spec.replicates <= kMostReplicates, "replicates",
-        fmt::format("{}", spec.replicates), fmt::format("1 to {}", kMostReplicates));
+        spec.replicates >= 1 && spec.replicates <= kMaxReplicates, "replicates",
+        fmt::format("{}", spec.replicates), fmt::format("1 to {}", kMaxReplicates));
     require(
-        spec.threads <= kMostThreads, "threads", fmt::format("{}", spec.threads),
-        fmt::format("0 to {}", kMostThreads));
+        spec.threads <= kMaxThreads, "threads", fmt::format("{}", spec.threads),
+        fmt::format("0 to {}", kMaxThreads));
     require(
         spec.target_error >= 0 && spec.target_error < 1, "target_error",
         shortest(spec.target_error), "0 to 1, 0 for none");
@@ -78,7 +78,7 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         !(spec.audit > 0) || spec.replicates >= 2, "audit", "needs at least 2 replicates",
         "one replicate has no standard error");
     require(
-        spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMostPaths),
+        spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMaxPaths),
         "max_paths", fmt::format("{}", spec.max_paths), "0, or from paths to 2^30");
 }
 
@@ -163,7 +163,7 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (dark) {
         faults.add(
             {"sources", "no source gives light",
-             fmt::format("irradiances below {} count as 0", shortest(kLeastIrradiance)), ""});
+             fmt::format("irradiances below {} count as 0", shortest(kMinIrradiance)), ""});
     }
 }
 

@@ -200,9 +200,10 @@ void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) 
 
 /// Checks the run with its sources, or those of a moment of its series that has light, if any.
 void check_with_sources(
-    const Sections& sections, const Scene& scene, Faults& faults, Darkness darkness) {
+    const Sections& sections, const Scene& scene, Faults& faults, NoLightPolicy no_light_policy) {
     const RunSpec& spec = sections.options.spec;
-    if (!sections.series && darkness == Darkness::allowed && is_dark(sections.sources.sources)) {
+    if (!sections.series && no_light_policy == NoLightPolicy::allowed &&
+        is_dark(sections.sources.sources)) {
         check_in_darkness(scene, spec, faults);
         return;
     }
@@ -217,8 +218,8 @@ void check_with_sources(
         check_in_darkness(scene, spec, faults);
         return;
     }
-    const auto moment = static_cast<std::size_t>(lit - plans.begin());
-    check_run(scene, sections.series->time_steps[moment].sources, spec, faults);
+    const auto time_step = static_cast<std::size_t>(lit - plans.begin());
+    check_run(scene, sections.series->time_steps[time_step].sources, spec, faults);
 }
 
 /// A sweep is several scenes, or several lights.
@@ -336,7 +337,7 @@ bool is_dark(const Sources& sources) {
     });
 }
 
-std::vector<TimeStep> moments_of(const RunFile& run) {
+std::vector<TimeStep> time_steps_of(const RunFile& run) {
     if (run.series) {
         return run.series->time_steps;
     }
@@ -357,13 +358,13 @@ RunFile read_run_document(
     InputFiles& files,
     const std::vector<Override>& overrides,
     const KnownScene& known,
-    Darkness darkness) {
+    NoLightPolicy no_light_policy) {
     Reporter reporter{name, {}, {}};
     TableReader top(document, "", reporter);
     Sections sections = read_sections(top, files, overrides, known);
     if (reporter.faults.empty()) {
         Faults faults;
-        check_with_sources(sections, *sections.scene, faults, darkness);
+        check_with_sources(sections, *sections.scene, faults, no_light_policy);
         check_path_allocation(sections, faults);
         check_hours(sections, faults);
         add_run_faults(faults, sections.options, reporter);
@@ -420,7 +421,7 @@ LightOfRun read_light_document(
     top.finish();
     if (reporter.faults.empty()) {
         Faults faults;
-        check_with_sources(sections, scene, faults, Darkness::refused);
+        check_with_sources(sections, scene, faults, NoLightPolicy::refused);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);

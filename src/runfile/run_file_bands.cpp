@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostWavebands = 10000;
+constexpr std::size_t kMaxWavebands = 10000;
 
 /// The nodes of a value, one per band; empty after a fault.
 std::vector<const Node*> nodes_of_value(
@@ -106,10 +106,10 @@ std::vector<Band> read_bands(TableReader& top) {
     if (bands.empty() && !top.failed()) {
         top.fault("no band is given", "", "write bands = [\"PAR\"]");
     }
-    if (bands.size() > kMostWavebands) {
+    if (bands.size() > kMaxWavebands) {
         top.fault_at(
             named ? *named : *tables.front(), fmt::format("{} bands", bands.size()),
-            fmt::format("a run has {} at most", kMostWavebands), "compute them in several runs");
+            fmt::format("a run has {} at most", kMaxWavebands), "compute them in several runs");
         bands.resize(1);
     }
     if (!bands.empty()) {

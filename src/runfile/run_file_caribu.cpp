@@ -121,7 +121,7 @@ void add_lights(
     }
     list.notes.push_back(fmt::format(
         "{}: {} directions, together {}", file, lights.size(),
-        irradiance_words("horizontal", whole, context.bands)));
+        format_irradiance("horizontal", whole, context.bands)));
 }
 
 }  // namespace

@@ -45,9 +45,9 @@ std::optional<NotedSource> read_directional(
     }
     const std::string note = fmt::format(
         "{}: directional, light travels along {} (from {}), {}", name,
-        vector_words(context.orientation.outward(*travel)),
-        angles_words(*travel, context.orientation),
-        irradiance_words("plane facing it", *values, context.bands));
+        format_vector(context.orientation.outward(*travel)),
+        format_angles(*travel, context.orientation),
+        format_irradiance("plane facing it", *values, context.bands));
     return NotedSource{make_directional_source(name, *travel, *values), note};
 }
 

@@ -187,7 +187,7 @@ class OrganAdder {
     /// The labels of the file, but for those that the run file states.
     void add_labels(const Labels& labels, OrganSpec& organ) const {
         for (const auto& label : labels) {
-            const auto is_same = [&](const auto& stated) { return stated.first == label.first; };
+            const auto is_same = [&](const auto& given) { return given.first == label.first; };
             if (std::none_of(keys_.labels.begin(), keys_.labels.end(), is_same)) {
                 organ.labels.push_back(label);
             }

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostMoments = 1000000;
+constexpr std::size_t kMaxTimeSteps = 1000000;
 /// Times are computed to 0.1 ms.
 constexpr double kSlack = 1e-3;
 
@@ -130,8 +130,8 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
     std::vector<Interval> intervals;
     const double days = std::round(seconds_from(span.first, span.last) / kSecondsADay);
     const double each = (span.to_hour - span.from_hour) * 3600 / step;
-    if (days * each > static_cast<double>(kMostMoments)) {
-        table.fault(fmt::format("{} times", days * each), fmt::format("at most {}", kMostMoments));
+    if (days * each > static_cast<double>(kMaxTimeSteps)) {
+        table.fault(fmt::format("{} times", days * each), fmt::format("at most {}", kMaxTimeSteps));
         return intervals;
     }
     const auto a_day = static_cast<int>(std::ceil(each - kSlack));
@@ -212,7 +212,9 @@ std::vector<Interval> read_intervals(TimeContext& context) {
         return {};
     }
     if (!has_times && !context.utc_offset_hours) {
-        table.missing("utc_offset_hours", "write the clock's offset from UTC, 2 for central European summer time");
+        table.missing(
+            "utc_offset_hours",
+            "write the clock's offset from UTC, 2 for central European summer time");
         return {};
     }
     if (has_times) {

@@ -30,7 +30,7 @@ namespace quasimc {
 inline constexpr Triangle kStandIn{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
 
 /// Where the sun stands, as a run file states it.
-struct StatedSun {
+struct SunSpec {
     Vec3 to_sun;  ///< unit, world with z up
     double distance_au = 1;
     std::string words;  ///< its time and place; "" if stated by angles
@@ -44,7 +44,7 @@ struct RunFileContext {
     Orientation orientation;
     std::set<std::string> materials;  ///< names that the run file gives, not its files of geometry
     std::optional<Site> site;         ///< [site]
-    std::optional<StatedSun> sun;     ///< of the first source of type "sun"
+    std::optional<SunSpec> sun;       ///< of the first source of type "sun"
     std::string length_unit = "m";
     bool has_time = false;        ///< whether there is a [time]
     MeshCache* meshes = nullptr;  ///< files that are parsed already; or null

@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_timed_sun(TableReader& table, const RunFileContext& context) {
     const auto delta_t_s = table.real("delta_t_s", {-1e6, 1e6});
     const std::optional<std::string> text = table.time_text("time");
     if (!context.site) {
@@ -33,7 +33,7 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
     const std::string words = fmt::format(
         "{} at latitude {}, longitude {}", civil_time_text(*time),
         shortest(context.site->latitude_deg), shortest(context.site->longitude_deg));
-    return StatedSun{
+    return SunSpec{
         context.orientation.towards(sun.azimuth_deg, sun.elevation_deg), sun.distance_au, words};
 }
 
@@ -46,7 +46,7 @@ std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientat
                                 : std::nullopt;
 }
 
-std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext& context) {
     const bool has_time = table.any("time") != nullptr;
     const bool has_angles =
         table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
@@ -65,18 +65,18 @@ std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContex
         return std::nullopt;
     }
     const auto to_sun = read_towards(table, context.orientation);
-    return to_sun ? std::optional(StatedSun{*to_sun, 1, ""}) : std::nullopt;
+    return to_sun ? std::optional(SunSpec{*to_sun, 1, ""}) : std::nullopt;
 }
 
-std::string sun_words(const StatedSun& sun, const Orientation& orientation) {
+std::string describe_sun(const SunSpec& sun, const Orientation& orientation) {
     return fmt::format(
         "{}sun towards {} ({})", sun.words.empty() ? "" : sun.words + ", ",
-        vector_words(orientation.outward(sun.to_sun)), angles_words(-sun.to_sun, orientation));
+        format_vector(orientation.outward(sun.to_sun)), format_angles(-sun.to_sun, orientation));
 }
 
 std::optional<NotedSource> read_sun(
     TableReader& table, const std::string& name, const RunFileContext& context) {
-    const std::optional<StatedSun> sun = read_stated_sun(table, context);
+    const std::optional<SunSpec> sun = read_stated_sun(table, context);
     const bool is_disk = table.boolean("disk").value_or(false);
     std::optional<Irradiance> irradiance = read_irradiance(table, context.bands);
     if (!sun || !irradiance) {
@@ -86,7 +86,7 @@ std::optional<NotedSource> read_sun(
     if (is_down) {
         table.warn(fmt::format(
             "{}: the sun is below the horizon and gives no light ({})", table.what(),
-            angles_words(-sun->to_sun, context.orientation)));
+            format_angles(-sun->to_sun, context.orientation)));
         irradiance = Irradiance{std::vector<double>(context.bands.size(), 0.0), false};
     }
     const auto values = facing_irradiance(table, *irradiance, sun->to_sun.z);
@@ -94,11 +94,11 @@ std::optional<NotedSource> read_sun(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, light travels along {}, {}{}", name, sun_words(*sun, context.orientation),
-        vector_words(context.orientation.outward(-sun->to_sun)),
+        "{}: {}, light travels along {}, {}{}", name, describe_sun(*sun, context.orientation),
+        format_vector(context.orientation.outward(-sun->to_sun)),
         is_disk ? fmt::format("disk of radius {:.4g} deg, ", solar_radius_deg(sun->distance_au))
                 : "",
-        irradiance_words("plane facing it", *values, context.bands));
+        format_irradiance("plane facing it", *values, context.bands));
     NotedSource noted{nullptr, note, sun};
     noted.source =
         is_disk ? make_sun_disk(name, sun->to_sun, solar_radius_deg(sun->distance_au), *values)

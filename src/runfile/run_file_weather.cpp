@@ -93,7 +93,7 @@ std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) 
                                                     std::pair(span.first.month, span.first.day);
         record.start.year = span.first.year + (next_year ? 1 : 0);
     }
-    std::size_t left_out = 0;
+    std::size_t skipped = 0;
     std::erase_if(records, [&](const WeatherRecord& record) {
         if (record.start.day <= days_in_month(record.start.year, record.start.month)) {
             return false;
@@ -104,13 +104,13 @@ std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) 
         march.hour = march.minute = 0;
         march.second = 0;
         const double begin = julian_day(march);
-        left_out += begin > julian_day(span.first) && begin < julian_day(span.last) ? 1 : 0;
+        skipped += begin > julian_day(span.first) && begin < julian_day(span.last) ? 1 : 0;
         return true;
     });
     std::stable_sort(records.begin(), records.end(), [](const auto& a, const auto& b) {
         return julian_day(a.start) < julian_day(b.start);
     });
-    return left_out;
+    return skipped;
 }
 
 /// Whether a span of a typical year is of 365 days at most; it holds no others.
@@ -184,9 +184,9 @@ class Selection {
 
     /// Tells of steps that are asked for between the record before and `next`.
     void note_hole(const CivilTime& next, const WeatherRecord& record) {
-        constexpr double kMostSteps = 1e6;
+        constexpr double kMaxSteps = 1e6;
         const double length = end_ ? kSecondsADay * (julian_day(next) - julian_day(*end_)) : 0;
-        if (length > kMostSteps * record.seconds) {
+        if (length > kMaxSteps * record.seconds) {
             note_gap(record.line, "more than a million rows are missing");
             return;
         }
@@ -281,13 +281,13 @@ std::vector<Interval> read_weather(TimeContext& context) {
         return {};
     }
     if (span && file->is_typical_year) {
-        const std::size_t left_out = set_year(file->records, *span);
-        if (left_out > 0) {
+        const std::size_t skipped = set_year(file->records, *span);
+        if (skipped > 0) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
                     "{} records of a 29 February are left out: the year asked for has none",
-                    left_out));
+                    skipped));
         }
     }
     warn_of_clock(*file, context);

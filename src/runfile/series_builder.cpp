@@ -17,16 +17,16 @@ namespace {
 /// A question after the unit of light that is so many times too bright.
 std::string_view unit_probably_meant(LightUnit unit, double ratio) {
     // On a clear day: PPFD in umol m-2 s-1 is twice the irradiance in W m-2, lux a hundred times.
-    constexpr double kMostPpfd = 4, kMostLux = 200, kMostHourly = 5000;
+    constexpr double kMaxPpfd = 4, kMaxLux = 200, kMaxHourly = 5000;
     const bool is_watts = unit == LightUnit::full_spectrum || unit == LightUnit::par;
-    if (is_watts && ratio < kMostPpfd) {
+    if (is_watts && ratio < kMaxPpfd) {
         return "is it in umol m-2 s-1 (unit = \"PPFD\") or kJ m-2 an hour (divide by 3.6), or are "
                "the clock or the stamp wrong?";
     }
-    if (ratio < kMostLux) {
+    if (ratio < kMaxLux) {
         return "is it in lux (unit = \"lux\")?";
     }
-    if (ratio < kMostHourly) {
+    if (ratio < kMaxHourly) {
         return "is it in J m-2 an hour (divide by 3600)?";
     }
     return "is it in J m-2 a day (divide by 86400)?";
@@ -94,7 +94,7 @@ void SeriesBuilder::add(const Interval& interval) {
     }
     HourParts parts = make_hour_parts(path, light, rules_.how);
     if (rules_.cumulative_sky == CumulativeSky::none) {
-        add_moment(interval, path, light.daylight, std::move(parts));
+        add_time_step(interval, path, light.daylight, std::move(parts));
     } else {
         gather(interval, light.daylight, parts);
     }
@@ -123,7 +123,7 @@ Sources SeriesBuilder::dimmed_lamps(const Share& share) const {
     return sources;
 }
 
-void SeriesBuilder::add_moment(
+void SeriesBuilder::add_time_step(
     const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts) {
     const std::size_t suns = parts.suns.size();
     HourSources hour = make_hour_sources(std::move(parts));

@@ -44,7 +44,7 @@ class SeriesBuilder {
 
     template <typename Share>
     [[nodiscard]] Sources dimmed_lamps(const Share& share) const;
-    void add_moment(
+    void add_time_step(
         const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts);
     void gather(const Interval& interval, const Daylight& daylight, const HourParts& parts);
     void close_gathered();

@@ -64,11 +64,11 @@ SweepPlan::SweepPlan(const Node& document, Reporter& reporter) {
         return;
     }
     read_keys(*table, "", reporter);
-    const std::size_t stated = keys_.size();
+    const std::size_t given = keys_.size();
     std::erase_if(keys_, [&](const SweptKey& key) { return is_refused(document, key, reporter); });
     check_keys(reporter);
-    if (stated > 0 || reporter.faults.empty()) {
-        count_points(*table, stated, reporter);
+    if (given > 0 || reporter.faults.empty()) {
+        count_points(*table, given, reporter);
     }
 }
 
@@ -121,8 +121,8 @@ void SweepPlan::check_keys(Reporter& reporter) const {
     }
 }
 
-void SweepPlan::count_points(const Node& table, std::size_t stated, Reporter& reporter) {
-    if (stated == 0) {
+void SweepPlan::count_points(const Node& table, std::size_t given, Reporter& reporter) {
+    if (given == 0) {
         reporter.fault(table.line, "[sweep]: it has no keys", "nothing varies", "leave it out");
     }
     if (keys_.empty()) {
@@ -141,11 +141,11 @@ void SweepPlan::count_points(const Node& table, std::size_t stated, Reporter& re
                 "give as many");
         }
         points_ =
-            is_zip_ ? std::min(points_, count) : std::min(points_ * count, kMostSweepPoints + 1);
+            is_zip_ ? std::min(points_, count) : std::min(points_ * count, kMaxSweepPoints + 1);
     }
-    if (points_ > kMostSweepPoints) {
+    if (points_ > kMaxSweepPoints) {
         reporter.fault(
-            table.line, fmt::format("[sweep]: there are more than {} points", kMostSweepPoints),
+            table.line, fmt::format("[sweep]: there are more than {} points", kMaxSweepPoints),
             "every value is combined with every other one",
             "give fewer values, or combine = \"zip\"");
         points_ = 1;

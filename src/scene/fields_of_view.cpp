@@ -40,7 +40,7 @@ void check_fields_of_view(
         is_sensor[material.name] = passes_everything(material);
     }
     for (std::size_t i = 0; i < draft.organs.size(); ++i) {
-        const double angle = draft.stated[i].field_of_view_deg;
+        const double angle = draft.given[i].field_of_view_deg;
         if (angle == kHemisphere) {
             continue;
         }

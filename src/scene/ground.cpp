@@ -23,7 +23,7 @@ std::string text_of(const Interval& i) {
 struct AxisRules {
     char axis;
     std::optional<Interval> cell;    ///< if the scene is periodic along the axis
-    std::optional<Interval> stated;  ///< if an extent was given
+    std::optional<Interval> given;   ///< if an extent was given
     std::optional<Interval> organs;  ///< if there are any
 };
 
@@ -37,22 +37,22 @@ bool is_same(const Interval& a, const Interval& b) {
 }
 
 Interval extent_along(const AxisRules& rules, const std::string& where, Faults& faults) {
-    const std::optional<Interval>& stated = rules.stated;
-    if (stated && !(is_usable(stated->low) && is_usable(stated->high) && stated->size() > 0)) {
+    const std::optional<Interval>& given = rules.given;
+    if (given && !(is_usable(given->low) && is_usable(given->high) && given->size() > 0)) {
         faults.add(
-            {where, fmt::format("the extent along {} runs {}", rules.axis, text_of(*stated)),
+            {where, fmt::format("the extent along {} runs {}", rules.axis, text_of(*given)),
              "an extent is low x, low y, high x, high y, low less than high", ""});
         return {};
     }
-    if (rules.cell && stated && !is_same(*stated, *rules.cell)) {
+    if (rules.cell && given && !is_same(*given, *rules.cell)) {
         faults.add(
-            {where, fmt::format("the extent along {} runs {}", rules.axis, text_of(*stated)),
+            {where, fmt::format("the extent along {} runs {}", rules.axis, text_of(*given)),
              "the scene is periodic along it " + text_of(*rules.cell),
              "leave the extent out, or give the ground as triangles"});
         return {};
     }
-    if (rules.cell || stated) {
-        return rules.cell ? *rules.cell : *stated;
+    if (rules.cell || given) {
+        return rules.cell ? *rules.cell : *given;
     }
     if (!rules.organs) {
         faults.add(
@@ -88,8 +88,8 @@ std::vector<Triangle> horizontal_ground(
     }
     if (ground.extent) {
         const auto& [low_x, low_y, high_x, high_y] = *ground.extent;
-        x.stated = {low_x, high_x};
-        y.stated = {low_y, high_y};
+        x.given = {low_x, high_x};
+        y.given = {low_y, high_y};
     }
     if (!organs.empty()) {
         x.organs = {organs.low.x, organs.high.x};

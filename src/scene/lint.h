@@ -55,7 +55,7 @@ class WarningKind {
     [[nodiscard]] std::vector<Warning> finish() &&;
 
   private:
-    static constexpr std::size_t kMostNamed = 3;
+    static constexpr std::size_t kMaxNamed = 3;
 
     std::string_view rest_;
     std::vector<Warning> named_;

@@ -29,16 +29,16 @@ CdfInterval interval_at(std::span<const double> until, double pick) {
     return {i, before, own > 0 ? std::clamp((pick - before) / own, 0.0, 1.0) : 0};
 }
 
-/// How a map stretches: the products of its columns, as fractions of their sum of squares, in steps
+/// How a map segments: the products of its columns, as fractions of their sum of squares, in steps
 /// of 1e-12. Maps alike in this change the areas of all triangles by one factor, that of
 /// square_size().
-using Stretch = std::array<std::int64_t, 6>;
+using LinearPart = std::array<std::int64_t, 6>;
 
 double square_size(const Affine& a) {
     return dot(a.rows[0], a.rows[0]) + dot(a.rows[1], a.rows[1]) + dot(a.rows[2], a.rows[2]);
 }
 
-Stretch stretch_of(const Affine& a) {
+LinearPart linear_part_of(const Affine& a) {
     const auto product = [&](double Vec3::*i, double Vec3::*j) {
         double sum = 0;
         for (const Vec3& row : a.rows) {
@@ -73,10 +73,10 @@ OrganAreas::OrganAreas(
         until_.push_back(area(geometry_->mesh()[i]));
     }
     // Shares of triangles are the same in all copies of a mesh that were not stretched.
-    std::map<std::pair<const Mesh*, Stretch>, std::uint32_t> known;
+    std::map<std::pair<const Mesh*, LinearPart>, std::uint32_t> known;
     for (const Instance& instance : geometry_->instances()) {
         const auto [shape, is_new] = known.try_emplace(
-            {instance.mesh.get(), stretch_of(instance.transform)},
+            {instance.mesh.get(), linear_part_of(instance.transform)},
             static_cast<std::uint32_t>(mesh_until_.size()));
         if (is_new) {
             mesh_until_.push_back(sums_of(instance));

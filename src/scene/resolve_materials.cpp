@@ -11,11 +11,11 @@
 namespace quasimc {
 namespace {
 
-using StatedMaterials = std::span<const std::pair<MaterialSpec, std::string>>;
+using GivenMaterials = std::span<const std::pair<MaterialSpec, std::string>>;
 using MaterialNumbers = std::unordered_map<std::string_view, std::uint32_t>;
 
 /// The number of each material; adds the faults of materials and names.
-MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, Faults& faults) {
+MaterialNumbers number_materials(GivenMaterials materials, std::size_t bands, Faults& faults) {
     MaterialNumbers numbers;
     for (std::uint32_t i = 0; i < materials.size(); ++i) {
         const auto& [spec, origin] = materials[i];

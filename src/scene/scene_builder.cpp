@@ -23,8 +23,8 @@ void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) 
     if (draft.organs.empty()) {
         faults.add({"scene", "there are no organs", "light falls on organs", "add one"});
     }
-    constexpr std::size_t kMostTriangles = std::numeric_limits<std::uint32_t>::max() - 1;
-    if (draft.triangle_count() > kMostTriangles) {
+    constexpr std::size_t kMaxTriangles = std::numeric_limits<std::uint32_t>::max() - 1;
+    if (draft.triangle_count() > kMaxTriangles) {
         faults.add({"scene", "there are more than 4294967294 triangles", "", "divide it"});
     }
     constexpr double kSmallestSize = 1 / kLargestCoordinate;
@@ -126,8 +126,8 @@ bool can_build_on(const SceneBuilder& builder, const Scene& scene) {
     return given.bands == scene.bands() &&
            std::equal(
                given.materials.begin(), given.materials.end(), known.begin(), known.end(),
-               [](const auto& stated, const Material& of_scene) {
-                   const MaterialSpec& material = stated.first;
+               [](const auto& given, const Material& of_scene) {
+                   const MaterialSpec& material = given.first;
                    return material.name == of_scene.name() &&
                           passes_everything(material) == of_scene.is_transparent();
                });

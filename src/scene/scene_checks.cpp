@@ -14,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostOrganFaults = 1000;
+constexpr std::size_t kMaxOrganFaults = 1000;
 
 std::string text_of(const Vec3& p) {
     return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
@@ -138,7 +138,7 @@ double flat_layers_in(const Cell& cell, const SceneDraft& draft, double scene_si
     for (const Instance& copy : draft.copies) {
         triangles += copy.mesh->size();
     }
-    if (triangles > kMostToCompare) {
+    if (triangles > kMaxToCompare) {
         return 0;
     }
     FlatSurfaces flat(scene_size);
@@ -204,15 +204,15 @@ std::string location_of(const MaterialSpec& material, const std::string& where) 
 }
 
 void OrganFaults::add(const SceneDraft& draft, std::size_t organ, Fault fault) {
-    if (++count_ <= kMostOrganFaults) {
+    if (++count_ <= kMaxOrganFaults) {
         fault.where = location_of(draft, organ);
         faults_.add(std::move(fault));
     }
 }
 
 void OrganFaults::finish() {
-    if (count_ > kMostOrganFaults) {
-        faults_.add({"organs", fmt::format("{} more faults", count_ - kMostOrganFaults), "", ""});
+    if (count_ > kMaxOrganFaults) {
+        faults_.add({"organs", fmt::format("{} more faults", count_ - kMaxOrganFaults), "", ""});
     }
 }
 
@@ -261,20 +261,20 @@ void check_cell(const Cell& cell, const Bounds& organs, Faults& faults) {
 }
 
 void check_images(const Cell& cell, const SceneDraft& draft, const Bounds& organs, Faults& faults) {
-    constexpr double kMostImages = 1e8, kMostLayers = 1000;
+    constexpr double kMaxImages = 1e8, kMaxLayers = 1000;
     constexpr const char* kSameUnit = "state cell and organs in the same unit of length";
     if (!cell.periodic()) {
         return;
     }
     const double images = images_in(cell, draft);
-    if (images > kMostImages) {
+    if (images > kMaxImages) {
         faults.add(
             {"cell", fmt::format("the triangles reach over {:.0f} cells in all", images),
              "their images in each are traced", kSameUnit});
         return;
     }
     const double layers = flat_layers_in(cell, draft, size_of(organs));
-    if (layers > kMostLayers) {
+    if (layers > kMaxLayers) {
         faults.add(
             {"cell",
              fmt::format(

@@ -18,7 +18,7 @@ std::shared_ptr<const Mesh> in_order(const std::shared_ptr<const Mesh>& mesh) {
 }  // namespace
 
 void SceneDraft::add(OrganSpec spec) {
-    DraftOrgan& draft = stated.emplace_back();
+    DraftOrgan& draft = given.emplace_back();
     locations += spec.where;
     draft.location_end = locations.size();
     draft.field_of_view_deg = spec.field_of_view_deg;

@@ -39,7 +39,7 @@ struct DraftOrgan {
 /// triangle.
 struct SceneDraft {
     std::vector<Organ> organs;
-    std::vector<DraftOrgan> stated;  ///< of each organ
+    std::vector<DraftOrgan> given;  ///< of each organ
     std::vector<DraftPart> parts;
     Mesh mesh;                     ///< the faces of all parts
     std::vector<Instance> copies;  ///< of meshes that parts share
@@ -48,11 +48,11 @@ struct SceneDraft {
 
     void add(OrganSpec spec);
     [[nodiscard]] std::span<const DraftPart> parts_of(std::size_t organ) const {
-        return std::span(parts).subspan(stated[organ].first_part, stated[organ].part_count);
+        return std::span(parts).subspan(given[organ].first_part, given[organ].part_count);
     }
     [[nodiscard]] std::string_view location_of(std::size_t organ) const {
-        const std::size_t begin = organ == 0 ? 0 : stated[organ - 1].location_end;
-        return std::string_view(locations).substr(begin, stated[organ].location_end - begin);
+        const std::size_t begin = organ == 0 ? 0 : given[organ - 1].location_end;
+        return std::string_view(locations).substr(begin, given[organ].location_end - begin);
     }
     /// How many triangles a part has.
     [[nodiscard]] std::size_t size_of(const DraftPart& part) const {

@@ -97,19 +97,19 @@ class SeriesRun final : public SeriesSteps {
     void trace(std::size_t i) {
         const TimeStepPlan& plan = plans_[i];
         if (plan.traced == i && plan.factor > 0) {
-            kept_[i].result = trace_one(i);
+            cached_[i].result = trace_one(i);
         }
         const TimeStep& time_step = in_.time_steps[i];
         day_.add_seconds(time_step.seconds);
         total_.add_seconds(time_step.seconds);
         if (plan.factor == 0) {
             if (!dark_) {
-                dark_ = dark_result(in_.scene, in_.spec);
+                dark_ = zero_result(in_.scene, in_.spec);
             }
             report_time_step(in_.control, {i, *dark_, i});
             return;
         }
-        Kept& kept = kept_[plan.traced];
+        Kept& kept = cached_[plan.traced];
         kept.day_weight += plan.factor * time_step.seconds;
         kept.total_weight += plan.factor * time_step.seconds;
         if (plan.traced == i) {
@@ -195,7 +195,7 @@ class SeriesRun final : public SeriesSteps {
     }
 
     void finish_day(std::size_t last) override {
-        for (auto& [i, kept] : kept_) {
+        for (auto& [i, kept] : cached_) {
             if (wants_days_ && kept.day_weight > 0) {
                 day_.add(kept.result, kept.day_weight);
                 kept.day_weight = 0;
@@ -210,13 +210,13 @@ class SeriesRun final : public SeriesSteps {
 
     /// Forgets the traces that no moment after `last` needs, once the total has them.
     void add_to_total(std::size_t last) {
-        for (auto it = kept_.begin(); it != kept_.end();) {
+        for (auto it = cached_.begin(); it != cached_.end();) {
             const Kept& kept = it->second;
             const bool is_needed = last_use_[it->first] > last;
             if (wants_total_ && !is_needed && kept.total_weight > 0) {
                 total_.add(kept.result, kept.total_weight);
             }
-            it = is_needed ? std::next(it) : kept_.erase(it);
+            it = is_needed ? std::next(it) : cached_.erase(it);
         }
     }
 
@@ -229,9 +229,9 @@ class SeriesRun final : public SeriesSteps {
     std::vector<TimeStepPlan> plans_;
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
-    std::map<std::size_t, Kept> kept_;
+    std::map<std::size_t, Kept> cached_;
     SeriesAdder day_, total_;
-    GroupResults groups_;         // of darkness
+    GroupResults groups_;         // of no_light_policy
     std::optional<Result> dark_;  // once it was needed
     double least_chance_ = 1;     // of an audit
     double effort_ = 0;           // of all traces

@@ -143,9 +143,9 @@ std::optional<std::int64_t> TableReader::integer(std::string_view key, Range ran
     if (node == nullptr) {
         return std::nullopt;
     }
-    const auto* stated = node->as<std::int64_t>();
+    const auto* given = node->as<std::int64_t>();
     const auto* real = node->as<double>();
-    const std::optional<std::int64_t> integer = stated ? std::optional(*stated)
+    const std::optional<std::int64_t> integer = given  ? std::optional(*given)
                                                 : real ? whole_number(*real)
                                                        : std::nullopt;
     if (!integer) {

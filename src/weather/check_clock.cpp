@@ -62,9 +62,9 @@ std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const 
     return times;
 }
 
-/// Leaves only the days that have light and darkness, which alone tell their hours.
+/// Leaves only the days that have light and no_light_policy, which alone tell their hours.
 void keep_telling_days(std::vector<LitTime>& times) {
-    std::map<std::int64_t, std::pair<bool, bool>> seen;  // light, darkness
+    std::map<std::int64_t, std::pair<bool, bool>> seen;  // light, no_light_policy
     for (const LitTime& time : times) {
         auto& [light, dark] = seen[time.solar_day];
         light = light || time.is_lit;

@@ -15,7 +15,7 @@ namespace {
 // Fields of a record, from 0 (EnergyPlus, Auxiliary Programs: weather converter).
 constexpr std::size_t kYear = 0, kMonth = 1, kDay = 2, kHour = 3, kMinute = 4;
 constexpr std::size_t kBeamNormal = 14, kDiffuse = 15;
-constexpr std::size_t kFewestFields = 16;
+constexpr std::size_t kMinFields = 16;
 /// From here on a value of light is missing.
 constexpr double kMissing = 9999;
 
@@ -117,10 +117,10 @@ class EpwReader {
     }
 
     void read_record(const std::vector<std::string>& fields) {
-        if (fields.size() < kFewestFields) {
+        if (fields.size() < kMinFields) {
             fault(
                 fmt::format("a record of {} fields", fields.size()),
-                fmt::format("it must have at least {}", kFewestFields));
+                fmt::format("it must have at least {}", kMinFields));
             return;
         }
         const std::size_t before = reporter_.faults.size();

@@ -158,10 +158,10 @@ class TableOfWeather {
                         : "write numbers with a point, not with a comma");
                 return;
             }
-            std::optional<double>* const stated =
+            std::optional<double>* const given =
                 part == kDiffuseFraction ? &fraction : part_of(record.reading, part);
-            ENSURE(stated != nullptr);
-            *stated = *value;
+            ENSURE(given != nullptr);
+            *given = *value;
         }
         // A fraction of nothing says nothing.
         if (fraction && record.reading.global.value_or(0) > 0) {

@@ -12,8 +12,8 @@
 
 #include "base/vec3.h"
 #include "quasimc/version.h"
+#include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "window/window_shape.h"
 
@@ -151,7 +151,12 @@ std::vector<WindowColumn> window_columns(
         for (const Band& band : bands) {
             const std::string unit = unit_of(entry, band, length_unit);
             columns.push_back(
-                {{name, band.name}, name, in_words(name), band.name, unit, summed_unit(unit).name});
+                {{name, band.name},
+                 name,
+                 describe_quantity(name),
+                 band.name,
+                 unit,
+                 summed_unit(unit).name});
         }
     }
     // What reads first is what is asked for most: light absorbed per area.

@@ -57,7 +57,7 @@ class DescriptorMaster : public Master {
             text.remove_prefix(static_cast<std::size_t>(count));
         }
     }
-    void tell() override {}
+    void send() override {}
     std::string read() override {
         std::string line, reply;
         while (!line.starts_with("Control")) {
@@ -251,8 +251,8 @@ class SemaphoreMaster : public Master {
     [[nodiscard]] bool has_signed() const override { return ::semctl(set_, 1, GETVAL) == 0; }
     [[nodiscard]] std::optional<long> semaphore_key() const override { return key_; }
     void await_last_sign() override {}
-    void tell() override {
-        told_ = true;
+    void send() override {
+        sent_ = true;
         sembuf give{0, 1, 0};
         ::semop(set_, &give, 1);
     }
@@ -268,7 +268,7 @@ class SemaphoreMaster : public Master {
         }
         return reply();
     }
-    void ask_for_next_chunk() override { tell(); }
+    void ask_for_next_chunk() override { send(); }
 
   protected:
     virtual std::string reply() = 0;
@@ -281,7 +281,7 @@ class SemaphoreMaster : public Master {
 
   private:
     /// The program may end after its last answer.
-    [[nodiscard]] bool has_answer() const { return ::semctl(set_, 1, GETVAL) > 0 && told_; }
+    [[nodiscard]] bool has_answer() const { return ::semctl(set_, 1, GETVAL) > 0 && sent_; }
 
     void make_semaphores() {
         for (key_ = 4L * ::getpid(); set_ < 0; key_ += set_ < 0 ? 65536 : 0) {
@@ -307,7 +307,7 @@ class SemaphoreMaster : public Master {
     std::filesystem::path folder_;
     long key_ = 0;
     int set_ = -1;
-    bool told_ = false;
+    bool sent_ = false;
 };
 
 class FileMaster final : public SemaphoreMaster {

@@ -18,9 +18,9 @@ constexpr double kTakes = 1 - kReflectance - kTransmittance;
 
 SceneBuilder make_matt_builder() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", kReflectance, kTransmittance));
-    builder.add_material(matt("soil", .2, 0));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("leaf", kReflectance, kTransmittance));
+    builder.add_material(diffuse("soil", .2, 0));
+    builder.add_material(diffuse("black", 0, 0));
     return builder;
 }
 

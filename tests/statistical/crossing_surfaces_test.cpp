@@ -21,7 +21,7 @@ namespace {
 
 /// PAR and NIR.
 MaterialSpec of_two_bands(std::string name, double dark, double bright, double passes) {
-    MaterialSpec material = matt(std::move(name), dark, 0, 2);
+    MaterialSpec material = diffuse(std::move(name), dark, 0, 2);
     for (SideOptics* side : {&material.upper[1], &material.lower[1]}) {
         side->reflectance = bright;
         side->transmittance = passes;

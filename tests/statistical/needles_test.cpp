@@ -28,8 +28,8 @@ Vec3 position_of_needle(std::size_t i) {
 
 Scene make_needles(double reflectance) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("needle", reflectance, 0));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("needle", reflectance, 0));
+    builder.add_material(diffuse("black", 0, 0));
     for (std::size_t i = 0; i < kWidths.size(); ++i) {
         builder.add_organ(organ("", "needle", {needle(position_of_needle(i), kWidths[i])}));
     }
@@ -71,7 +71,7 @@ TEST(Needles, AreLitAsGivenByTheSky) {
 /// goes by.
 TEST(Needles, KeepTheEnergyBalanced) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("needle", .4, .3));
+    builder.add_material(diffuse("needle", .4, .3));
     std::vector<Triangle> needles;
     for (int i = 0; i < 2000; ++i) {
         const double x = -1 + 1e-3 * i;

@@ -25,7 +25,7 @@ Scene leaves_in_two_bands() {
     SideOptics dark{.reflectance = .1, .transmittance = .1};
     SideOptics bright{.reflectance = .45, .transmittance = .4};
     builder.add_material({"leaf", {dark, bright}, {dark, bright}});
-    builder.add_material(matt("soil", .2, 0, kBands));
+    builder.add_material(diffuse("soil", .2, 0, kBands));
     add_leaves(builder, random_leaves(kLeaves, .3, 1, 5));
     GroundSpec floor = ground("soil");
     floor.height = -.4;

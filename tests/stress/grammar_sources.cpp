@@ -81,7 +81,8 @@ Anchor lamp_anchor(Draft& draft) {
     }
     const Anchor anchor = random.pick(draft.anchors);
     const double off = random.power_of_ten(-5, -.5) * (random.chance(.5) ? 1 : -1);
-    return {anchor.position + off * anchor.normal, random.chance(.5) ? anchor.normal : -anchor.normal};
+    return {
+        anchor.position + off * anchor.normal, random.chance(.5) ? anchor.normal : -anchor.normal};
 }
 
 Node random_lamp(Draft& draft) {
@@ -123,7 +124,7 @@ Node random_lamp(Draft& draft) {
 }  // namespace
 
 void add_sources(Draft& draft) {
-    constexpr double kMostLight = 1e15;  // that a run file may state
+    constexpr double kMaxLight = 1e15;  // that a run file may state
     const std::size_t count = draft.random.chance(.5) ? 1 : 1 + draft.random.below(3);
     const double brightness = draft.random.chance(.2) ? draft.random.power_of_ten(-6, 6) : 1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -137,7 +138,7 @@ void add_sources(Draft& draft) {
         for (const char* key : {"irradiance_facing", "irradiance_horizontal", "power"}) {
             if (Node* values = find(source, key)) {
                 for (Node& value : items(*values)) {
-                    value = node_of(std::min(number_in(value) * factor, kMostLight));
+                    value = node_of(std::min(number_in(value) * factor, kMaxLight));
                 }
             }
         }

@@ -28,7 +28,7 @@ off_t as_offset(std::size_t offset) {
 }
 
 /// A file that is written without being emptied first.
-int open_kept(const std::string& path) {
+int open_cached(const std::string& path) {
     return ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
 }
 
@@ -66,13 +66,13 @@ class FilePair {
     /// What the simulator reads if we come to an end before we have answered: the head of the file
     /// becomes an empty answer, behind which nothing is read.
     void prepare_for_our_end() const noexcept {
-        const Descriptor file(open_kept(from_us_));
+        const Descriptor file(open_cached(from_us_));
         static_cast<void>(write_at(file, kEmptyAnswer, 0));
     }
     /// Writes the head last, so that at any time the file begins with a message that is whole.
     void write(std::string_view message) const {
         EXPECT(message.size() >= kEmptyAnswer.size());
-        const Descriptor file(open_kept(from_us_));
+        const Descriptor file(open_cached(from_us_));
         const std::size_t head = kEmptyAnswer.size();
         const bool is_written = file.is_open() && write_at(file, message.substr(head), head) &&
                                 ::ftruncate(file.number(), as_offset(message.size())) == 0 &&

@@ -14,9 +14,9 @@
 namespace quasimc {
 
 /// A module sends no more parameters than this; more are a fault of the message.
-inline constexpr std::size_t kMostParameters = 64;
+inline constexpr std::size_t kMaxParameters = 64;
 /// Answers have no more slots.
-inline constexpr std::size_t kMostSlots = 20;
+inline constexpr std::size_t kMaxSlots = 20;
 
 /// Where and how an organ stands. Directions need not be of unit length.
 struct Turtle {

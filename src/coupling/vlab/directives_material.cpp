@@ -11,10 +11,10 @@
 namespace quasimc {
 namespace {
 
-constexpr double kMostBands = 20;
+constexpr double kMaxBands = 20;
 
 void read_samples(Values& values, DirectiveContext& context) {
-    const auto count = values.integer("the number of bands", {1, kMostBands});
+    const auto count = values.integer("the number of bands", {1, kMaxBands});
     if (!count) {
         return;
     }

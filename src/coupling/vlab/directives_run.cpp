@@ -62,7 +62,7 @@ void read_runs(Values& values, DirectiveContext& context) {
 }
 
 void read_rays(Values& values, DirectiveContext& context) {
-    if (const auto rays = values.integer("the number of rays", {1, kMostPaths})) {
+    if (const auto rays = values.integer("the number of rays", {1, kMaxPaths})) {
         context.spec.run.paths = static_cast<std::uint64_t>(*rays);
     }
 }

@@ -59,7 +59,7 @@ void read_cell(Values& values, DirectiveContext& context) {
     const auto low_x = values.number_or(0, "the low border along x", kAnyNumber);
     const auto low_z = values.number_or(0, "the low border along z", kAnyNumber);
     if (size_x && size_z && low_x && low_z) {
-        context.spec.cell = StatedCell{*size_x, *size_z, *low_x, *low_z};
+        context.spec.cell = CellDirective{*size_x, *size_z, *low_x, *low_z};
     }
 }
 
@@ -72,11 +72,11 @@ void read_ground(Values& values, DirectiveContext& context) {
             : values.integer("the number of its material", {static_cast<double>(first), 1e6});
     if (height && material) {
         context.ground_where = values.where();
-        context.spec.ground = StatedGround{*height, static_cast<std::size_t>(*material - first)};
+        context.spec.ground = GroundDirective{*height, static_cast<std::size_t>(*material - first)};
     }
 }
 
-StatedCell& domain_of(DirectiveContext& context) {
+CellDirective& domain_of(DirectiveContext& context) {
     if (!context.domain) {
         context.domain.emplace();
     }

@@ -163,7 +163,7 @@ std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, doub
 /// Follows a ray from cell to cell up to its first hit; the walk is used up.
 CastHit RayCaster::Impl::follow(CellWalk& walk, std::uint32_t self) const {
     for (int cells = 0; walk.inside(); ++cells, walk.step()) {
-        if (cells == kMostCells) {
+        if (cells == kMaxCells) {
             return {RayEnd::lost, {}};
         }
         const std::uint32_t self_here = image_of(self, walk.shift_x(), walk.shift_y());
@@ -177,7 +177,7 @@ CastHit RayCaster::Impl::follow(CellWalk& walk, std::uint32_t self) const {
 }
 
 bool RayCaster::Impl::is_blocked(CellWalk& walk, std::uint32_t self) const {
-    for (int cells = 0; cells < kMostCells && walk.inside(); ++cells, walk.step()) {
+    for (int cells = 0; cells < kMaxCells && walk.inside(); ++cells, walk.step()) {
         if (engine->occluded(walk.piece(), image_of(self, walk.shift_x(), walk.shift_y()))) {
             return true;
         }

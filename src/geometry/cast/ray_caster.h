@@ -14,7 +14,7 @@
 
 namespace quasimc {
 
-/// Where a ray went: to a hit, out of the scene, or, in a periodic scene, past `kMostCells` cells
+/// Where a ray went: to a hit, out of the scene, or, in a periodic scene, past `kMaxCells` cells
 /// (a ray so nearly horizontal in an empty layer that it would never end).
 enum class RayEnd { hit, escaped, lost };
 
@@ -90,7 +90,7 @@ class RayCaster {
     /// not traced.
     void cast(Packet& packet, std::size_t count, std::array<RayEnd, kPacket>& ends) const;
 
-    static constexpr int kMostCells = 100000;
+    static constexpr int kMaxCells = 100000;
 
   private:
     struct Impl;

@@ -90,9 +90,9 @@ CutPolygon cut_polygon(std::span<const Vec3> corners) {
         return fan.faces.empty() ? CutPolygon{{{0, 1, 2}}} : fan;
     }
     // All pairs of sides of very many take long; where ears are left over, some sides cross too.
-    constexpr std::size_t kFew = 32, kMostPairedSides = 1024;
+    constexpr std::size_t kFew = 32, kMaxPairedSides = 1024;
     const std::vector<FlatCorner> flat = flatten(corners, normal);
-    if (flat.size() <= kMostPairedSides && sides_cross(flat)) {
+    if (flat.size() <= kMaxPairedSides && sides_cross(flat)) {
         return cut_fan(corners);
     }
     std::optional<std::vector<Face>> faces =

@@ -102,33 +102,33 @@ class LampStarts {
     }
 
     /// What trial starts of one kind tell.
-    struct Trial {
+    struct Pilot {
         double fraction = 0;  ///< mean weight
         double hits = 0;      ///< mean weight of those that meet the box
         double second = 0;    ///< mean square of that
     };
     template <typename Draw>
-    [[nodiscard]] Trial trial_of(const Draw& draw) const {
+    [[nodiscard]] Pilot trial_of(const Draw& draw) const {
         constexpr int kTrials = 1 << 14;
-        Trial trial;
+        Pilot pilot;
         for (int i = 0; i < kTrials; ++i) {
             const Start start = draw(additive_recurrence_point(i));
             const double hit = entry(start) ? start.weight : 0;
-            trial.fraction += start.weight / kTrials;
-            trial.hits += hit / kTrials;
-            trial.second += hit * hit / kTrials;
+            pilot.fraction += start.weight / kTrials;
+            pilot.hits += hit / kTrials;
+            pilot.second += hit * hit / kTrials;
         }
-        return trial;
+        return pilot;
     }
 
     /// Decides how paths start.
     void choose(bool can_aim) {
-        const Trial wide = trial_of([this](const auto& u) { return by_pattern(u); });
+        const Pilot wide = trial_of([this](const auto& u) { return by_pattern(u); });
         fraction_ = wide.hits > 0 ? 1 : 0;
         if (!can_aim) {
             return;
         }
-        const Trial narrow = trial_of([this](const auto& u) { return aimed(u); });
+        const Pilot narrow = trial_of([this](const auto& u) { return aimed(u); });
         // Where the two disagree, the one with fewer finds has missed the light.
         constexpr double kAgree = 0.8;
         const bool is_missed = narrow.hits < kAgree * wide.hits;
@@ -142,7 +142,7 @@ class LampStarts {
     Pattern pattern_;
     Bounds box_;
     bool open_x_ = true, open_y_ = true;
-    Ball ball_;
+    BoundingSphere ball_;
     bool is_aimed_ = false;
     double fraction_ = 1;
 };
@@ -206,7 +206,7 @@ class Lamp final : public SourceModel {
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
-        const LampBody::Sight seen =
+        const LampBody::LampSample seen =
             by_area_ ? body_.seen_by_area(point, u0, u1) : body_.seen_from(point, u0, u1);
         if (seen.factor == 0) {
             return {axis_back(), 0};

@@ -10,7 +10,8 @@ namespace {
 using std::numbers::pi;
 
 /// The sight of a place, `weight` over the square of its distance.
-LampBody::Sight sight_of(const Vec3& point, const LampBody::SurfacePoint& start, double weight = 1) {
+LampBody::LampSample sight_of(
+    const Vec3& point, const LampBody::SurfacePoint& start, double weight = 1) {
     const Vec3 towards = start.position - point;
     const double square = dot(towards, towards);
     if (square == 0) {
@@ -21,7 +22,7 @@ LampBody::Sight sight_of(const Vec3& point, const LampBody::SurfacePoint& start,
 }
 
 /// Uniform in the angle under which the line is seen (Kulla and Fajardo 2012, section 4.1).
-LampBody::Sight line_seen_from(const LampBody& body, const Vec3& point, double u) {
+LampBody::LampSample line_seen_from(const LampBody& body, const Vec3& point, double u) {
     const Vec3 offset = point - body.center;
     const double foot = dot(offset, body.axes.n);
     const double away = length(offset - foot * body.axes.n);
@@ -32,13 +33,14 @@ LampBody::Sight line_seen_from(const LampBody& body, const Vec3& point, double u
     const double low = std::atan((-half - foot) / away);
     const double high = std::atan((half - foot) / away);
     const double along = foot + away * std::tan(low + u * (high - low));
-    LampBody::Sight sight = sight_of(point, {body.center + along * body.axes.n, body.axes});
-    sight.factor = (high - low) / (body.opening.length * away);
-    return sight;
+    LampBody::LampSample sample = sight_of(point, {body.center + along * body.axes.n, body.axes});
+    sample.factor = (high - low) / (body.opening.length * away);
+    return sample;
 }
 
 /// Uniform in the solid angle of the visible cap.
-LampBody::Sight sphere_seen_from(const LampBody& body, const Vec3& point, double u0, double u1) {
+LampBody::LampSample sphere_seen_from(
+    const LampBody& body, const Vec3& point, double u0, double u1) {
     const Vec3 towards = body.center - point;
     const double distance = length(towards);
     const double radius = body.opening.radius;
@@ -98,7 +100,8 @@ class SphericalRectangle {
     double b0_ = 0, b1_ = 0, k_ = 0, solid_angle_ = 0;
 };
 
-LampBody::Sight rectangle_seen_from(const LampBody& body, const Vec3& point, double u0, double u1) {
+LampBody::LampSample rectangle_seen_from(
+    const LampBody& body, const Vec3& point, double u0, double u1) {
     const Opening& opening = body.opening;
     const Vec3 offset = to_axes(body.axes, body.center - point);
     const double area = opening.length * opening.width;
@@ -160,11 +163,11 @@ LampBody::SurfacePoint LampBody::draw_point(double u0, double u1) const {
     }
 }
 
-LampBody::Sight LampBody::seen_by_area(const Vec3& point, double u0, double u1) const {
+LampBody::LampSample LampBody::seen_by_area(const Vec3& point, double u0, double u1) const {
     return sight_of(point, draw_point(u0, u1));
 }
 
-LampBody::Sight LampBody::seen_from(const Vec3& point, double u0, double u1) const {
+LampBody::LampSample LampBody::seen_from(const Vec3& point, double u0, double u1) const {
     switch (opening.kind) {
         case Opening::Kind::line:
             return line_seen_from(*this, point, u0);

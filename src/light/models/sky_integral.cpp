@@ -23,7 +23,7 @@ constexpr double kQuarter = std::numbers::pi / 2;
 /// Of the sum of the pieces' estimated errors. These are those of the rule of degree 5: true errors
 /// are fifty times smaller.
 constexpr double kTolerance = 2e-6;
-constexpr std::size_t kMostPieces = 20000;
+constexpr std::size_t kMaxPieces = 20000;
 
 double sum_of(const Vec3& a) {
     return std::abs(a.x) + std::abs(a.y) + std::abs(a.z);
@@ -133,7 +133,7 @@ Vec3 smooth_integral(const SkyShape& shape) {
         sum += piece.integral.z;
         error += piece.error;
     }
-    const std::size_t most = std::max(kMostPieces, 2 * heap.size());
+    const std::size_t most = std::max(kMaxPieces, 2 * heap.size());
     while (error > kTolerance * sum && heap.size() < most) {
         std::pop_heap(heap.begin(), heap.end(), smaller);
         const Piece whole = heap.back();

@@ -43,7 +43,7 @@ class UniformSkySampler final : public SourceSampler {
     }
 
     /// Evenly over the sky; through the top alone, as light comes through it.
-    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+    [[nodiscard]] DirectionSample draw_direction(double u0, double u1) const override {
         const Vec3 to_light = has_sides() ? hemisphere_direction(2 * std::numbers::pi * u1, u0)
                                           : upward_cosine_direction(1 - u0, u1);
         return {-to_light, density(-to_light)};

@@ -156,7 +156,7 @@ std::optional<OverlapSearchResult> KnownOverlaps::find_among_changed(
 Overlaps KnownOverlaps::find(
     std::shared_ptr<const SceneGeometry> triangles, const std::vector<std::int64_t>& owners) {
     last_changed_.reset();
-    if (triangles->size() > kMostToCompare) {
+    if (triangles->size() > kMaxToCompare) {
         triangles_.reset();
         return find_overlaps(*triangles);
     }

@@ -25,7 +25,7 @@ constexpr double kUnits = 1 << 28;
 constexpr std::size_t kChunk = 256;
 
 /// Bins of a replicate that stand side by side, and which amount of each response counts for them.
-struct BinStretch {
+struct BinRange {
     std::size_t replicate, first, count;
     std::size_t amount, amounts;  // which of how many
 };
@@ -50,7 +50,7 @@ std::vector<std::size_t> used_responses(std::span<const LightResponse> responses
 std::vector<double> factors_of(
     std::span<const std::size_t> used,
     std::span<const std::vector<double>* const> amounts,
-    const BinStretch& bins) {
+    const BinRange& bins) {
     const std::size_t sums = filled_up(amounts.size());
     std::vector<double> factors(used.size() * sums);
     for (std::size_t k = 0; k < used.size(); ++k) {
@@ -67,7 +67,7 @@ std::vector<double> factors_of(
 void add_all(
     std::span<const LightResponse> responses,
     std::span<const std::vector<double>* const> amounts,
-    const BinStretch& bins,
+    const BinRange& bins,
     std::span<double* const> to) {
     static const AddResponses add = best_add_responses();
     const std::vector<std::size_t> used = used_responses(responses);
@@ -235,10 +235,10 @@ LightSum LightSum::averaged() const {
     return average;
 }
 
-LightSpread LightSum::spread(std::span<const double> errors) const {
+SumWithVariance LightSum::spread(std::span<const double> errors) const {
     const BinIndex index(layout_);
     const auto count = static_cast<double>(bins_.size());
-    LightSpread spread{std::vector<double>(layout_.bands), std::vector<double>(layout_.bands)};
+    SumWithVariance spread{std::vector<double>(layout_.bands), std::vector<double>(layout_.bands)};
     std::vector<double> light(bins_.size());
     for (std::size_t i = 0; i < layout_.regions * layout_.bands; ++i) {
         const std::size_t region = i / layout_.bands;
@@ -274,7 +274,7 @@ ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> un
     ExactBins bins(layout_.bins());
     const auto put = [&](std::size_t bin, double value, double unit) {
         if (value != 0 && unit > 0) {
-            bins.add(bin, rounded(value / unit * ExactBins::kStepsPerUnit));
+            bins.add(bin, rounded(value / unit * ExactBins::kQuantaPerUnit));
         }
     };
     for (std::size_t part = 0; part < units.size(); ++part) {

@@ -10,7 +10,7 @@
 namespace quasimc {
 
 /// What falls on all regions, per band: the sum, and the sum of its variances.
-struct LightSpread {
+struct SumWithVariance {
     std::vector<double> light, variance;
 };
 
@@ -46,7 +46,7 @@ class LightSum {
     /// [replicate][BinIndex]
     [[nodiscard]] const std::vector<std::vector<double>>& bins() const { return bins_; }
     /// @param errors  relative, by place of a bin, on top of what replicates say; empty: none
-    [[nodiscard]] LightSpread spread(std::span<const double> errors) const;
+    [[nodiscard]] SumWithVariance spread(std::span<const double> errors) const;
     [[nodiscard]] bool is_dark() const;
 
     /// What evaluate() reads.

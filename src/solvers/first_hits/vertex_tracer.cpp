@@ -35,9 +35,9 @@ class VertexTracer {
     std::uint64_t trace() {
         order_by_position(vertices_, prepared_.caster().mesh().triangle_count(), scratch_.order);
         // As many at a time as stay in the cache.
-        constexpr std::size_t kMostAtOnce = 512, kWeightsAtOnce = 8192;
+        constexpr std::size_t kMaxAtOnce = 512, kWeightsAtOnce = 8192;
         const std::size_t at_once =
-            std::clamp<std::size_t>(kWeightsAtOnce / prepared_.bands(), 1, kMostAtOnce);
+            std::clamp<std::size_t>(kWeightsAtOnce / prepared_.bands(), 1, kMaxAtOnce);
         std::uint64_t rays = 0;
         for (std::size_t first = 0; first < vertices_.size(); first += at_once) {
             throw_if_stopped(rules_);

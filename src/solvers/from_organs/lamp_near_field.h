@@ -46,7 +46,7 @@ class LampNearField {
 
   private:
     struct Lamp {
-        Ball body;
+        BoundingSphere body;
         double scatter_radius = 0;  ///< within which scattered light is near; 0: none is
         double min_connection_distance = 0;
         double organ_part = 0;    ///< of the size of an organ, within which light on it is

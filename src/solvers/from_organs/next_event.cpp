@@ -16,13 +16,13 @@ NextEvent::NextEvent(
     const Sampler& sampler,
     const LampNearField& near,
     double scale,
-    double sharp_from,
+    double narrow_from,
     std::uint64_t points)
     : prepared_(prepared),
       sampler_(sampler),
       near_(near),
       scale_(scale),
-      sharp_from_(sharp_from),
+      narrow_from_(narrow_from),
       shares_(prepared, points) {
     const auto& lights = prepared.lights();
     dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
@@ -45,7 +45,7 @@ double NextEvent::importance(std::size_t index, const Vec3& p) const {
     if (!light.source->is_lamp()) {
         return spectrum;
     }
-    const Ball& body = lamps_[index].body;
+    const BoundingSphere& body = lamps_[index].body;
     constexpr double kNearest = 1e-6;
     const Vec3 offset = p - body.center;
     const double square = std::max(dot(offset, offset), body.radius * body.radius);
@@ -150,7 +150,7 @@ std::uint64_t NextEvent::add_light(
     }
     material.add_reflected(
         surface.normal, surface.side, out, -sample.to_light, sample.factor, path.products,
-        path.gathered, sample.light->is_extended() ? kSharpPeak : sharp_from_);
+        path.gathered, sample.light->is_extended() ? kSharpPeak : narrow_from_);
     return 1;
 }
 

@@ -284,7 +284,7 @@ void check_matt(const Scene& scene, Faults& faults) {
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         const Material& material = data_of(scene).materials[m];
-        if (is_used[m] && !is_matt(material)) {
+        if (is_used[m] && !is_diffuse(material)) {
             faults.add(
                 {"method",
                  fmt::format(
@@ -299,7 +299,7 @@ SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spe
     declare_scattered_on_surfaces(kCoarse, prepared.bands(), meaning.blocks);
     declare_scattered_of_run(kCoarse, prepared.bands(), meaning.blocks);
     for (double& flux : meaning.bound("scattered").largest) {
-        flux *= light_of_stretch();
+        flux *= light_of_segment();
     }
     return meaning;
 }

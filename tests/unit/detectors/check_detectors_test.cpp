@@ -9,7 +9,7 @@ namespace {
 
 SceneBuilder builder_of_a_leaf() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     return builder;
 }

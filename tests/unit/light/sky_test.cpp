@@ -147,7 +147,7 @@ TEST_P(EverySky, TellsTheDensityThatItDrawsDirectionsWith) {
         const double u1 = uniform(bits);
         const Emission start = sampler->emit({.5, .5, u0, u1});
         const Vec3& d = start.direction;
-        const DrawnDirection drawn = sampler->draw_direction(u0, u1);
+        const DirectionSample drawn = sampler->draw_direction(u0, u1);
         EXPECT_EQ(length(drawn.direction - d), 0);
         EXPECT_NEAR(drawn.density, sampler->density(d), 1e-12 * drawn.density);
         const double light = model_of(*sky_).radiance(-d) *

@@ -186,7 +186,7 @@ void tell_the_density(const Cell& cell) {
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < kDraws; ++i) {
         const double u0 = uniform(bits);
-        const DrawnDirection drawn = sampler->draw_direction(u0, uniform(bits));
+        const DirectionSample drawn = sampler->draw_direction(u0, uniform(bits));
         EXPECT_EQ(drawn.density, sampler->density(drawn.direction));
         found[bin_of(drawn.direction)] += 1;
     }

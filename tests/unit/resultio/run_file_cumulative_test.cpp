@@ -46,11 +46,11 @@ TEST(RunFileCumulative, MakesAMomentOfAPeriod) {
     for (const std::size_t band : {0U, 1U}) {
         EXPECT_NEAR(sum_over(one, band), sum_over(hours, band), 1e-6 * sum_over(hours, band));
     }
-    const MomentNotes& notes = one.notes[0];
+    const TimeStepNotes& notes = one.notes[0];
     ASSERT_TRUE(notes.cumulated.has_value());
     std::size_t suns = 0;
     std::size_t lit = 0;
-    for (const MomentNotes& hour : hours.notes) {
+    for (const TimeStepNotes& hour : hours.notes) {
         suns += hour.suns;
         lit += hour.daylight.global() > 0 ? 1 : 0;
         EXPECT_FALSE(hour.cumulated.has_value());
@@ -110,7 +110,7 @@ std::string series_json(RunFile run) {
     run.output.include_night = true;  // the result is dark
     std::string text;
     JsonWriter json(run, [&](std::string_view part) { text += part; });
-    json.on_time_step({0, dark_result(run.scene, run.spec)});
+    json.on_time_step({0, zero_result(run.scene, run.spec)});
     json.finish({});
     return text;
 }
@@ -148,7 +148,7 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
     std::string digest;
     {
         JsonWriter json(run, [&](std::string_view part) { text += part; });
-        const Result dark = dark_result(run.scene, run.spec);
+        const Result dark = zero_result(run.scene, run.spec);
         for (std::size_t day = 0; day < 3; ++day) {
             for (std::size_t hour = 0; hour < 24; ++hour) {
                 json.on_time_step({24 * day + hour, dark, 24 * day + hour});
@@ -184,7 +184,7 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
 
 TEST(JsonOfTimes, HasADigestWithoutAFile) {
     const RunFile run = read_text(with_two_bands(kDays));
-    const Result dark = dark_result(run.scene, run.spec);
+    const Result dark = zero_result(run.scene, run.spec);
     std::string text;
     JsonWriter written(run, [&](std::string_view part) { text += part; });
     JsonWriter unwritten(run);
@@ -198,11 +198,11 @@ TEST(JsonOfTimes, HasADigestWithoutAFile) {
 
 TEST(MomentsOf, ARunWithoutTimesAreOneInstant) {
     const RunFile single = read_text(RunText{}.text());
-    const std::vector<TimeStep> one = moments_of(single);
+    const std::vector<TimeStep> one = time_steps_of(single);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(one[0].sources, single.sources);
     EXPECT_EQ(one[0].seconds, 0);
-    EXPECT_EQ(moments_of(read_text(with_two_bands(kDays))).size(), 72U);
+    EXPECT_EQ(time_steps_of(read_text(with_two_bands(kDays))).size(), 72U);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 Scene make_leaf_of_bands(std::size_t bands = 1) {
     SceneBuilder builder = make_builder(bands);
-    builder.add_material(matt("leaf", .1, .1, bands));
+    builder.add_material(diffuse("leaf", .1, .1, bands));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     return std::move(builder).build();
 }
@@ -36,7 +36,7 @@ std::vector<Fault> faults_of(const RunSpec& spec, const Sources& sources = {sun(
 /// A leaf of a material with one side like this.
 Scene make_leaf_with(const SideOptics& upper) {
     SceneBuilder builder = make_builder();
-    MaterialSpec waxy = matt("waxy", .1, .1);
+    MaterialSpec waxy = diffuse("waxy", .1, .1);
     waxy.upper[0] = upper;
     builder.add_material(waxy);
     builder.add_organ(organ("leaf", "waxy", floor_of(0, 1, 0, 1, 0)));
@@ -68,7 +68,7 @@ TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotMatt) {
 Scene make_large_scene() {
     constexpr std::size_t kBands = 40;
     SceneBuilder builder = make_builder(kBands);
-    builder.add_material(matt("leaf", .1, .1, kBands));
+    builder.add_material(diffuse("leaf", .1, .1, kBands));
     const auto plant = std::make_shared<const Mesh>(random_leaves(1000, .1, 1, 1));
     for (int i = 0; i < 100; ++i) {
         OrganSpec organ;

@@ -16,8 +16,8 @@ namespace {
 
 SceneBuilder growth_frame(double rho = .3) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", rho, .2));
-    builder.add_material(matt("soil", .2, 0));
+    builder.add_material(diffuse("leaf", rho, .2));
+    builder.add_material(diffuse("soil", .2, 0));
     builder.set_ground({.material = "soil", .extent = {{-.2, -.2, 1.2, 1.2}}});
     return builder;
 }

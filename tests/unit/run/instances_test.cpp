@@ -19,8 +19,8 @@ namespace {
 Scene make_copied_stand(bool shared, const Cell& cell) {
     const auto plant = std::make_shared<const Mesh>(random_leaves(80, .3, 1, 5));
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .3));
-    builder.add_material(matt("soil", .2, 0));
+    builder.add_material(diffuse("leaf", .3, .3));
+    builder.add_material(diffuse("soil", .2, 0));
     for (int i = 0; i < 12; ++i) {
         const double size = .6 + .05 * i, angle = .7 * i;
         const double c = size * std::cos(angle), s = size * std::sin(angle);

@@ -35,7 +35,7 @@ constexpr std::size_t kTriangles = 200'000;
 
 /// Makes a scene ready to trace.
 void prepare(SceneBuilder builder) {
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(0, {1})};
     const PreparedScene prepared(
@@ -148,7 +148,7 @@ TEST_F(Memory, OfSumsIsGivenBackWhileTheResultGrows) {
     }
     const double bytes = of_child([&] {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         for (const Triangle& leaf : random_leaves(kTriangles, .001, 1, 1)) {
             builder.add_organ({.parts = {{"leaf", {leaf}}}});
         }

@@ -96,7 +96,7 @@ class NewQuantity : public ::testing::Test {
   private:
     static Scene scene_of_a_leaf() {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .3, .2));
+        builder.add_material(diffuse("leaf", .3, .2));
         builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 1)));
         return std::move(builder).build();
     }

@@ -17,7 +17,7 @@ namespace {
 /// A floor of 2 x 3, in one infinite layer: 6 square metres of light for each unit overhead.
 Scene make_layer(std::size_t bands, const std::vector<OrganSpec>& more = {}) {
     SceneBuilder builder = make_builder(bands);
-    builder.add_material(matt("leaf", .1, .1, bands));
+    builder.add_material(diffuse("leaf", .1, .1, bands));
     builder.add_material(net("mirror", std::vector<double>(bands, .5)));
     builder.add_material(sensor("sensor", bands));
     builder.add_organ(organ("floor", "leaf", floor_of(0, 2, 0, 3, 0)));

@@ -18,7 +18,7 @@ namespace {
 /// A leaf over a floor, both grey.
 Scene leaf_and_floor() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
     OrganSpec leaf = organ("leaf", "leaf", floor_of(0, .5, 0, .5, .4));
     leaf.labels = {{"plant", "1"}};
     builder.add_organ(leaf);

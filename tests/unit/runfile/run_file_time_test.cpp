@@ -281,7 +281,7 @@ TEST(RunFileWeather, GivesTheLightOfATable) {
         series_of("weather = 'w.csv'\nstamp = 'start'\n", {{"w.csv", day_table()}});
     ASSERT_EQ(series.time_steps.size(), 48U);
     EXPECT_EQ(series.time_steps[0].seconds, 1800);
-    const MomentNotes& noon = series.notes[24];
+    const TimeStepNotes& noon = series.notes[24];
     EXPECT_EQ(noon.time, "2024-06-21T12:00+01:00");
     EXPECT_NEAR(noon.daylight.diffuse / noon.daylight.global(), .3, 1e-4);
     const TimeSeries some = series_of(

@@ -63,7 +63,7 @@ TEST(SceneInstances, KeepTheirMeshOnce) {
 
 TEST(SceneInstances, FewOrSmallCopiesAreStoredAsTriangles) {
     for (const std::size_t size : {kSmallestPrototype - 1, kSmallestPrototype}) {
-        const std::size_t copies = size < kSmallestPrototype ? 10 : kFewestCopies - 1;
+        const std::size_t copies = size < kSmallestPrototype ? 10 : kMinCopies - 1;
         SceneBuilder builder = one_band_builder();
         const auto mesh = strip(size);
         for (std::size_t i = 0; i < copies; ++i) {

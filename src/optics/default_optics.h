@@ -11,15 +11,15 @@ struct OpticsByRegion {
 };
 
 /// Optics to start from where nothing was measured. See docs/theory/usual-optics.md.
-struct UsualOptics {
+struct DefaultOptics {
     std::string_view name, summary;
     OpticsByRegion reflectance, transmittance;
 };
 
 /// Leaves and stems. Lawrence et al. (2018), Technical description of version 5.0 of the Community
 /// Land Model, table of plant functional types' optical properties.
-[[nodiscard]] std::span<const UsualOptics> usual_optics();
-[[nodiscard]] const UsualOptics* find_usual_optics(std::string_view name);
+[[nodiscard]] std::span<const DefaultOptics> usual_optics();
+[[nodiscard]] const DefaultOptics* find_usual_optics(std::string_view name);
 
 inline constexpr int kSoilColors = 20;
 

@@ -1,4 +1,4 @@
-#include "series/basis/season_errors.h"
+#include "series/basis/interpolation_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,11 @@ namespace quasimc {
 namespace {
 
 /// Regions are in so many groups by their light, of at least so many regions.
-constexpr std::size_t kGroups = 16, kFewestRegions = 64;
+constexpr std::size_t kGroups = 16, kMinRegions = 64;
 
 }  // namespace
 
-void SeasonErrors::add(const LightSum& together, const LightSum& as_it_is) {
+void InterpolationErrors::add(const LightSum& together, const LightSum& as_it_is) {
     const auto count = static_cast<double>(together.bins().size());
     std::vector<double> squares(light_.size()), lights(light_.size());
     for (std::size_t i = 0; i < light_.size(); ++i) {
@@ -35,7 +35,7 @@ void SeasonErrors::add(const LightSum& together, const LightSum& as_it_is) {
 }
 
 /// In parts of all light of the time: at dawn the sky is dim, and its hats are the worst.
-void SeasonErrors::add_parts(
+void InterpolationErrors::add_parts(
     const std::vector<double>& squares, const std::vector<double>& lights) {
     std::vector<float>& own = squares_.emplace_back(light_.size());
     const BinIndex index(layout_);
@@ -54,7 +54,7 @@ void SeasonErrors::add_parts(
     }
 }
 
-std::vector<double> SeasonErrors::relative() const {
+std::vector<double> InterpolationErrors::relative() const {
     const BinIndex index(layout_);
     std::vector<double> errors(light_.size());
     const std::size_t parts = bin_parts(layout_).size();
@@ -64,8 +64,7 @@ std::vector<double> SeasonErrors::relative() const {
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return light_[a] < light_[b];
         });
-        const std::size_t groups =
-            std::clamp<std::size_t>(order.size() / kFewestRegions, 1, kGroups);
+        const std::size_t groups = std::clamp<std::size_t>(order.size() / kMinRegions, 1, kGroups);
         for (std::size_t g = 0; g < groups; ++g) {
             const auto at = [&](std::size_t i) {
                 return order.begin() + static_cast<std::ptrdiff_t>(i * order.size() / groups);
@@ -81,7 +80,7 @@ std::vector<double> SeasonErrors::relative() const {
 }
 
 /// Of a group.
-double SeasonErrors::relative(const std::vector<std::size_t>& bins) const {
+double InterpolationErrors::relative(const std::vector<std::size_t>& bins) const {
     double light = 0;
     for (const std::size_t bin : bins) {
         light += light_[bin];

@@ -1,4 +1,4 @@
-#include "capi/statement.h"
+#include "capi/scene_description.h"
 
 #include <algorithm>
 #include <array>
@@ -108,15 +108,15 @@ quasimc_part part_of(std::string_view key) {
 
 }  // namespace
 
-Statement::Statement()
+SceneDescription::SceneDescription()
     : document_{Node::Table{}}, name_("scene"), folder_(std::filesystem::current_path().string()) {}
 
-Statement::Statement(const std::string& run_file)
+SceneDescription::SceneDescription(const std::string& run_file)
     : document_(read_toml(read_file(run_file), run_file)),
       name_(run_file),
       folder_(std::filesystem::absolute(run_file).parent_path().string()) {}
 
-void Statement::add(const std::string& toml) {
+void SceneDescription::add(const std::string& toml) {
     Node piece = read_toml(toml, kPiece);
     forget_lines(piece);
     Node joined = document_;  // nothing is stated if a key is refused
@@ -124,11 +124,12 @@ void Statement::add(const std::string& toml) {
     document_ = std::move(joined);
 }
 
-void Statement::add_table(const std::string& key, Node::Table table) {
+void SceneDescription::add_table(const std::string& key, Node::Table table) {
     join(top(), {{key, 0, {Node::List{{std::move(table)}}}}});
 }
 
-void Statement::put_table(const std::string& key, const std::string& name, Node::Table table) {
+void SceneDescription::put_table(
+    const std::string& key, const std::string& name, Node::Table table) {
     const auto has_name = [&](const Node& item) {
         const Node* of_item = item.find("name");
         const auto* text = of_item == nullptr ? nullptr : of_item->as<std::string>();
@@ -148,16 +149,16 @@ void Statement::put_table(const std::string& key, const std::string& name, Node:
     }
 }
 
-void Statement::set_table(const std::string& key, Node::Table table) {
+void SceneDescription::set_table(const std::string& key, Node::Table table) {
     remove(key);
     top().push_back({key, 0, {std::move(table)}});
 }
 
-void Statement::remove(const std::string& key) {
+void SceneDescription::remove(const std::string& key) {
     std::erase_if(top(), [&](const Member& member) { return member.key == key; });
 }
 
-void Statement::clear(quasimc_part part) {
+void SceneDescription::clear(quasimc_part part) {
     std::erase_if(top(), [&](const Member& member) { return part_of(member.key) == part; });
     if (part == QUASIMC_ORGANS) {
         organs_.clear();
@@ -165,7 +166,7 @@ void Statement::clear(quasimc_part part) {
     }
 }
 
-std::size_t Statement::band_count() const {
+std::size_t SceneDescription::band_count() const {
     std::size_t count = 0;
     for (const char* key : {"bands", "band"}) {
         const Node* found = document_.find(key);
@@ -175,7 +176,7 @@ std::size_t Statement::band_count() const {
     return count;
 }
 
-void Statement::set_option(const std::string& key, const std::string& text) {
+void SceneDescription::set_option(const std::string& key, const std::string& text) {
     const Option* option = find_option(key);
     if (option == nullptr) {
         throw InputError(
@@ -184,7 +185,7 @@ void Statement::set_option(const std::string& key, const std::string& text) {
     add(fmt::format("[run]\n{} = {}\n", key, option_toml(parse_option(*option, text))));
 }
 
-void Statement::add_organs(std::vector<OrganSpec> organs) {
+void SceneDescription::add_organs(std::vector<OrganSpec> organs) {
     for (const OrganSpec& organ : organs) {
         if (organ.id && indices_.contains(*organ.id)) {
             throw InputError(
@@ -200,7 +201,7 @@ void Statement::add_organs(std::vector<OrganSpec> organs) {
     }
 }
 
-OrganSpec& Statement::organ(std::int64_t id) {
+OrganSpec& SceneDescription::organ(std::int64_t id) {
     const auto found = indices_.find(id);
     if (found == indices_.end()) {
         throw InputError(
@@ -210,7 +211,7 @@ OrganSpec& Statement::organ(std::int64_t id) {
     return organs_[found->second];
 }
 
-void Statement::give_organs_to(SceneBuilder& builder) const {
+void SceneDescription::give_organs_to(SceneBuilder& builder) const {
     for (const OrganSpec& organ : organs_) {
         builder.add_organ(organ);
     }

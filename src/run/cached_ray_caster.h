@@ -11,7 +11,7 @@ namespace quasimc {
 
 /// The ray caster of the scene that was asked for last: it is built anew when triangles, cell or
 /// accelerator are others.
-class KeptCaster {
+class CachedRayCaster {
   public:
     /// @throws StopRequested  if it was stopped while it was built
     /// @throws InputError  if there is not enough memory for it

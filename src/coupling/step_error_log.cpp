@@ -1,4 +1,4 @@
-#include "coupling/fault_teller.h"
+#include "coupling/step_error_log.h"
 
 #include <algorithm>
 #include <new>
@@ -9,12 +9,12 @@
 
 namespace quasimc {
 
-void FaultTeller::tell_step(std::uint64_t step, const std::exception_ptr& fault) {
+void StepErrorLog::report_step(std::uint64_t step, const std::exception_ptr& fault) {
     const std::string text = fault ? words_of(fault) : "";
     if (text == last_) {
         return;
     }
-    tell_(
+    send_(
         fault ? fmt::format(
                     "step {}: {}\nThe simulator goes on; modules without an answer keep the "
                     "values they have.",
@@ -23,21 +23,21 @@ void FaultTeller::tell_step(std::uint64_t step, const std::exception_ptr& fault)
     last_ = text;
 }
 
-void FaultTeller::tell_refusal(const std::exception_ptr& fault) {
-    tell_(words_of(fault) + "\nThere will be no light.");
+void StepErrorLog::report_rejection(const std::exception_ptr& fault) {
+    send_(words_of(fault) + "\nThere will be no light.");
 }
 
-std::string FaultTeller::words_of(const std::exception_ptr& fault) {
-    worst_ = std::max(worst_, Conversation::faulty);
+std::string StepErrorLog::words_of(const std::exception_ptr& fault) {
+    worst_ = std::max(worst_, SessionOutcome::faulty);
     try {
         std::rethrow_exception(fault);
     } catch (const InputError& error) {
         return error.what();
     } catch (const std::bad_alloc&) {
-        worst_ = Conversation::failed;
+        worst_ = SessionOutcome::failed;
         return "not enough memory";
     } catch (const std::exception& error) {
-        worst_ = Conversation::failed;
+        worst_ = SessionOutcome::failed;
         return fmt::format(
             "internal error: {}\nThis is a fault of the program; please report it.", error.what());
     }

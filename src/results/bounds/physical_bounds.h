@@ -33,11 +33,11 @@ struct OrganLimits {
 };
 
 /// What the sources of a scene can bring to its organs, at most.
-class LightLimits {
+class PhysicalBounds {
   public:
     /// What `scene` and `spec` hold must outlive this.
     /// @param emitted  flux into the scene, per band; empty: not known
-    LightLimits(const Scene& scene, const EvaluationSpec& spec, std::span<const double> emitted);
+    PhysicalBounds(const Scene& scene, const EvaluationSpec& spec, std::span<const double> emitted);
 
     /// Of no organ yet.
     [[nodiscard]] OrganLimits none() const { return OrganLimits(emitted_); }
@@ -46,9 +46,9 @@ class LightLimits {
 
   private:
     // Of more sources only how bright they are is looked at, not from where they shine.
-    static constexpr std::size_t kMostLooks = 16;
+    static constexpr std::size_t kMaxDirectLights = 16;
     struct UnoccludedSides {
-        std::array<double, kMostLooks> upper{}, lower{};  // per source looked at, times area
+        std::array<double, kMaxDirectLights> upper{}, lower{};  // per source looked at, times area
         double sunlit_area = 0;
     };
 

@@ -1,4 +1,4 @@
-#include "resultio/series_words.h"
+#include "resultio/describe_series.h"
 
 #include <algorithm>
 
@@ -11,8 +11,8 @@
 namespace quasimc {
 namespace {
 
-std::string cumulated_words(const MomentNotes& notes) {
-    const MomentNotes::Cumulated& times = *notes.cumulated;
+std::string cumulated_words(const TimeStepNotes& notes) {
+    const TimeStepNotes::Cumulated& times = *notes.cumulated;
     return fmt::format(
         "{} to {}, {} s: {} times, {} with daylight, as {} sun positions and {} skies; mean on the "
         "horizontal direct {:.6g}, diffuse {:.6g} W m-2",
@@ -20,7 +20,7 @@ std::string cumulated_words(const MomentNotes& notes) {
         times.skies, notes.daylight.direct, notes.daylight.diffuse);
 }
 
-std::string moment_words(const MomentNotes& notes) {
+std::string describe_time_step(const TimeStepNotes& notes) {
     if (notes.cumulated) {
         return cumulated_words(notes);
     }
@@ -42,13 +42,13 @@ std::string series_comments(const RunFile& run) {
     for (const std::string& words : run.series->words) {
         out += "# time: " + one_line(words) + "\n";
     }
-    for (const MomentNotes& notes : run.series->notes) {
-        out += "# time_step: " + moment_words(notes) + "\n";
+    for (const TimeStepNotes& notes : run.series->notes) {
+        out += "# time_step: " + describe_time_step(notes) + "\n";
     }
     return out;
 }
 
-std::string in_words(std::string_view name) {
+std::string describe_quantity(std::string_view name) {
     std::string words(name);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;

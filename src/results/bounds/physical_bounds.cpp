@@ -1,6 +1,6 @@
 // What is physically possible: docs/theory/statistics.md.
 
-#include "results/bounds/light_limits.h"
+#include "results/bounds/physical_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ OrganLimits& OrganLimits::operator+=(const OrganLimits& other) {
     return *this;
 }
 
-LightLimits::LightLimits(
+PhysicalBounds::PhysicalBounds(
     const Scene& scene, const EvaluationSpec& spec, std::span<const double> emitted)
     : scene_(scene),
       facing_(scene.bands().size()),
@@ -85,7 +85,7 @@ LightLimits::LightLimits(
     emitted_.resize(scene.bands().size(), kUnlimited);
     for (const auto& source : spec.sources) {
         const bool is_lamp = source->is_lamp();
-        if (!is_lamp && looked_at_.size() < kMostLooks) {
+        if (!is_lamp && looked_at_.size() < kMaxDirectLights) {
             looked_at_.push_back(source.get());
             continue;
         }
@@ -104,7 +104,7 @@ LightLimits::LightLimits(
     }
 }
 
-LightLimits::UnoccludedSides LightLimits::unoccluded_sides(const Organ& organ) const {
+PhysicalBounds::UnoccludedSides PhysicalBounds::unoccluded_sides(const Organ& organ) const {
     UnoccludedSides sides;
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const Triangle triangle =
@@ -125,7 +125,7 @@ LightLimits::UnoccludedSides LightLimits::unoccluded_sides(const Organ& organ) c
     return sides;
 }
 
-void LightLimits::find(const Organ& organ, OrganLimits& limits) const {
+void PhysicalBounds::find(const Organ& organ, OrganLimits& limits) const {
     const UnoccludedSides sides = unoccluded_sides(organ);
     // Of all of an organ to rounding.
     const bool is_all = !knows_suns_ || sides.sunlit_area >= kFullyLit * organ.area;

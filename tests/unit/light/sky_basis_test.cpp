@@ -1,4 +1,4 @@
-#include "light/models/sky_mesh.h"
+#include "light/models/sky_basis.h"
 
 #include <cmath>
 #include <numeric>
@@ -23,18 +23,18 @@ std::vector<Vec3> some_directions() {
 }
 
 /// The weight of each hat.
-std::vector<double> weights_at(const SkyMesh& mesh, const Vec3& direction) {
+std::vector<double> weights_at(const SkyBasis& mesh, const Vec3& direction) {
     std::vector<double> weights(mesh.nodes());
-    for (const SkyMesh::Share& share : mesh.shares(direction)) {
+    for (const SkyBasis::Share& share : mesh.shares(direction)) {
         EXPECT_GE(share.weight, 0);
         weights[share.node] += share.weight;
     }
     return weights;
 }
 
-TEST(SkyMesh, HasHatsThatAddUpToOne) {
+TEST(SkyBasis, HasHatsThatAddUpToOne) {
     for (const std::uint32_t rings : {2U, 5U, 9U}) {
-        const SkyMesh mesh(rings);
+        const SkyBasis mesh(rings);
         for (const Vec3& direction : some_directions()) {
             const std::vector<double> weights = weights_at(mesh, direction);
             EXPECT_NEAR(std::accumulate(weights.begin(), weights.end(), 0.0), 1, 1e-12);
@@ -42,18 +42,18 @@ TEST(SkyMesh, HasHatsThatAddUpToOne) {
     }
 }
 
-TEST(SkyMesh, GivesEachHatAsASky) {
-    const SkyMesh mesh(4);
+TEST(SkyBasis, GivesEachHatAsASky) {
+    const SkyBasis mesh(4);
     for (std::uint32_t node = 0; node < mesh.nodes(); ++node) {
-        const SkyShape hat = mesh.hat(node);
+        const SkyShape basis_function = mesh.basis_function(node);
         for (const Vec3& direction : some_directions()) {
-            EXPECT_EQ(hat.radiance(direction), weights_at(mesh, direction)[node]);
+            EXPECT_EQ(basis_function.radiance(direction), weights_at(mesh, direction)[node]);
         }
     }
 }
 
-TEST(SkyMesh, IsContinuous) {
-    const SkyMesh mesh(6);
+TEST(SkyBasis, IsContinuous) {
+    const SkyBasis mesh(6);
     for (const Vec3& direction : some_directions()) {
         const Vec3 beside = normalized(direction + Vec3{1e-7, -2e-7, 1e-7});
         const std::vector<double> here = weights_at(mesh, direction);
@@ -66,14 +66,14 @@ TEST(SkyMesh, IsContinuous) {
 }
 
 /// Each hat gets what the sky sheds under it, all of them together its light on the horizontal.
-TEST(SkyMesh, SharesOutTheLightOfASky) {
-    const SkyMesh mesh(9);
+TEST(SkyBasis, SharesOutTheLightOfASky) {
+    const SkyBasis mesh(9);
     const auto uniform = make_uniform_sky("sky", {1});
     const std::vector<double> light = mesh.light_of_sky(*uniform);
     double sum = 0;
     for (std::uint32_t node = 0; node < mesh.nodes(); ++node) {
         sum += light[node];
-        const double own = horizontal_irradiance(mesh.hat(node)) / std::acos(-1.0);
+        const double own = horizontal_irradiance(mesh.basis_function(node)) / std::acos(-1.0);
         EXPECT_NEAR(light[node], own, .02 * own) << node;
     }
     EXPECT_NEAR(sum, uniform->horizontal_irradiance(), 1e-12);
@@ -86,11 +86,11 @@ TEST(SkyMesh, SharesOutTheLightOfASky) {
     EXPECT_GT(clear_light[at], 3 * light[at]) << "about the sun";
 }
 
-TEST(SkyMesh, PutsABeamWhereItComesFrom) {
-    const SkyMesh mesh(9);
+TEST(SkyBasis, PutsABeamWhereItComesFrom) {
+    const SkyBasis mesh(9);
     for (const Vec3& direction : some_directions()) {
         double horizontal = 0;
-        for (const SkyMesh::Share& share : mesh.light_of_beam(direction)) {
+        for (const SkyBasis::Share& share : mesh.light_of_beam(direction)) {
             horizontal += share.weight;
         }
         // The mean height of hats, 11 degrees wide to either side.

@@ -1,4 +1,4 @@
-#include "optics/usual_optics.h"
+#include "optics/default_optics.h"
 
 #include <algorithm>
 #include <array>
@@ -9,19 +9,19 @@ namespace quasimc {
 namespace {
 
 constexpr std::array kUsual{
-    UsualOptics{
+    DefaultOptics{
         "needle_leaf", "needles of trees, leaves of evergreen shrubs", {.07, .35}, {.05, .10}},
-    UsualOptics{
+    DefaultOptics{
         "broad_leaf", "leaves of broadleaf trees and deciduous shrubs", {.10, .45}, {.05, .25}},
-    UsualOptics{
+    DefaultOptics{
         "grass_leaf", "leaves of grasses and crops: wheat, maize, soybean", {.11, .35}, {.05, .34}},
-    UsualOptics{
+    DefaultOptics{
         "tropical_crop_leaf",
         "leaves of cotton, rice, sugarcane, maize and soybean of the tropics",
         {.11, .58},
         {.07, .25}},
-    UsualOptics{"woody_stem", "stems of trees and shrubs", {.16, .39}, {.001, .001}},
-    UsualOptics{"grass_stem", "stems of grasses and crops", {.31, .53}, {.12, .25}}};
+    DefaultOptics{"woody_stem", "stems of trees and shrubs", {.16, .39}, {.001, .001}},
+    DefaultOptics{"grass_stem", "stems of grasses and crops", {.31, .53}, {.12, .25}}};
 
 /// Of each colour, dry and saturated.
 struct SoilColor {
@@ -38,14 +38,14 @@ constexpr std::array<SoilColor, kSoilColors> kSoils{
 
 }  // namespace
 
-std::span<const UsualOptics> usual_optics() {
+std::span<const DefaultOptics> usual_optics() {
     return kUsual;
 }
 
-const UsualOptics* find_usual_optics(std::string_view name) {
-    const auto* found = std::find_if(kUsual.begin(), kUsual.end(), [&](const UsualOptics& optics) {
-        return optics.name == name;
-    });
+const DefaultOptics* find_usual_optics(std::string_view name) {
+    const auto* found = std::find_if(
+        kUsual.begin(), kUsual.end(),
+        [&](const DefaultOptics& optics) { return optics.name == name; });
     return found == kUsual.end() ? nullptr : found;
 }
 

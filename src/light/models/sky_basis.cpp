@@ -1,4 +1,4 @@
-#include "light/models/sky_mesh.h"
+#include "light/models/sky_basis.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ double elevation_of(const Vec3& direction) {
 
 }  // namespace
 
-SkyMesh::SkyMesh(std::uint32_t rings) : step_(kQuarterTurn / (rings - 0.5)), first_{0} {
+SkyBasis::SkyBasis(std::uint32_t rings) : step_(kQuarterTurn / (rings - 0.5)), first_{0} {
     EXPECT(rings >= 2);
     for (std::uint32_t ring = 0; ring + 1 < rings; ++ring) {
         const double around = kFullTurn * std::cos(elevation(ring)) / step_;
@@ -34,15 +34,15 @@ SkyMesh::SkyMesh(std::uint32_t rings) : step_(kQuarterTurn / (rings - 0.5)), fir
         first_.push_back(first_.back() + static_cast<std::uint32_t>(count));
     }
     first_.push_back(first_.back() + 1);  // the zenith
-    set_looks();
+    set_samples();
 }
 
-double SkyMesh::elevation(std::uint32_t ring) const {
+double SkyBasis::elevation(std::uint32_t ring) const {
     return (ring + 0.5) * step_;
 }
 
-void SkyMesh::set_looks() {
-    looked_.resize(nodes());
+void SkyBasis::set_samples() {
+    sampled_weight_.resize(nodes());
     sine_.resize(nodes());
     for (std::uint32_t row = 0; row < kLookRows; ++row) {
         for (std::uint32_t column = 0; column < kLookColumns; ++column) {
@@ -50,20 +50,20 @@ void SkyMesh::set_looks() {
             const double sine = std::sin(elevation);
             const Vec3 direction =
                 hemisphere_direction(kFullTurn * (column + 0.5) / kLookColumns, sine);
-            looks_.push_back({direction, std::cos(elevation), shares(direction)});
-            for (const Share& share : looks_.back().shares) {
-                const double weight = looks_.back().weight * share.weight;
-                looked_[share.node] += weight;
+            samples_.push_back({direction, std::cos(elevation), shares(direction)});
+            for (const Share& share : samples_.back().shares) {
+                const double weight = samples_.back().weight * share.weight;
+                sampled_weight_[share.node] += weight;
                 sine_[share.node] += weight * sine;
             }
         }
     }
     for (std::uint32_t node = 0; node < nodes(); ++node) {
-        sine_[node] /= looked_[node];
+        sine_[node] /= sampled_weight_[node];
     }
 }
 
-void SkyMesh::put_ring(std::uint32_t ring, double weight, double azimuth, Share* to) const {
+void SkyBasis::put_ring(std::uint32_t ring, double weight, double azimuth, Share* to) const {
     const std::uint32_t count = in_ring(ring);
     const double turns = azimuth / kFullTurn;
     const double position = (turns - std::floor(turns)) * count;
@@ -73,7 +73,7 @@ void SkyMesh::put_ring(std::uint32_t ring, double weight, double azimuth, Share*
     to[1] = {first_[ring] + (below + 1) % count, weight * part};
 }
 
-std::array<SkyMesh::Share, 4> SkyMesh::shares(const Vec3& to_light) const {
+std::array<SkyBasis::Share, 4> SkyBasis::shares(const Vec3& to_light) const {
     const auto last = static_cast<std::uint32_t>(first_.size() - 2);
     const double position = std::max(0.0, elevation_of(to_light) / step_ - 0.5);
     const std::uint32_t ring = std::min(static_cast<std::uint32_t>(position), last - 1);
@@ -85,7 +85,7 @@ std::array<SkyMesh::Share, 4> SkyMesh::shares(const Vec3& to_light) const {
     return shares;
 }
 
-SkyShape SkyMesh::hat(std::uint32_t node) const {
+SkyShape SkyBasis::basis_function(std::uint32_t node) const {
     const auto after = std::upper_bound(first_.begin(), first_.end(), node);
     const auto ring = static_cast<std::uint32_t>(after - first_.begin() - 1);
     SkyShape shape;
@@ -100,7 +100,7 @@ SkyShape SkyMesh::hat(std::uint32_t node) const {
         shape.azimuths.push_back(azimuth - kFullTurn * std::floor(azimuth / kFullTurn));
     }
     std::sort(shape.azimuths.begin(), shape.azimuths.end());
-    shape.radiance = [mesh = std::make_shared<const SkyMesh>(*this), node](const Vec3& to_light) {
+    shape.radiance = [mesh = std::make_shared<const SkyBasis>(*this), node](const Vec3& to_light) {
         double sum = 0;
         for (const Share& share : mesh->shares(to_light)) {
             sum += share.node == node ? share.weight : 0;
@@ -110,36 +110,36 @@ SkyShape SkyMesh::hat(std::uint32_t node) const {
     return shape;
 }
 
-std::vector<double> SkyMesh::fit(const Source& sky) const {
+std::vector<double> SkyBasis::fit(const Source& sky) const {
     std::vector<double> radiance, sky_radiance;
-    for (const Look& look : looks_) {
-        sky_radiance.push_back(model_of(sky).radiance(look.direction));
+    for (const QuadratureNode& node : samples_) {
+        sky_radiance.push_back(model_of(sky).radiance(node.direction));
     }
     radiance.assign(nodes(), 1);
     for (int i = 0; i < kFits; ++i) {
         std::vector<double> factors(nodes());
-        for (std::size_t k = 0; k < looks_.size(); ++k) {
+        for (std::size_t k = 0; k < samples_.size(); ++k) {
             double now = 0;
-            for (const Share& share : looks_[k].shares) {
+            for (const Share& share : samples_[k].shares) {
                 now += share.weight * radiance[share.node];
             }
-            const double factor = now > 0 ? looks_[k].weight * sky_radiance[k] / now : 0;
-            for (const Share& share : looks_[k].shares) {
+            const double factor = now > 0 ? samples_[k].weight * sky_radiance[k] / now : 0;
+            for (const Share& share : samples_[k].shares) {
                 factors[share.node] += share.weight * factor;
             }
         }
         for (std::uint32_t node = 0; node < nodes(); ++node) {
-            radiance[node] *= factors[node] / looked_[node];
+            radiance[node] *= factors[node] / sampled_weight_[node];
         }
     }
     return radiance;
 }
 
-std::vector<double> SkyMesh::light_of_sky(const Source& sky) const {
+std::vector<double> SkyBasis::light_of_sky(const Source& sky) const {
     std::vector<double> light = fit(sky);
     double sum = 0;
     for (std::uint32_t node = 0; node < nodes(); ++node) {
-        light[node] *= looked_[node] * sine_[node];
+        light[node] *= sampled_weight_[node] * sine_[node];
         sum += light[node];
     }
     const double scale = sum > 0 ? sky.horizontal_irradiance() / sum : 0;
@@ -147,7 +147,7 @@ std::vector<double> SkyMesh::light_of_sky(const Source& sky) const {
     return light;
 }
 
-std::array<SkyMesh::Share, 4> SkyMesh::light_of_beam(const Vec3& to_light) const {
+std::array<SkyBasis::Share, 4> SkyBasis::light_of_beam(const Vec3& to_light) const {
     std::array<Share, 4> light = shares(to_light);
     for (Share& share : light) {
         share.weight *= sine_[share.node];

@@ -1,4 +1,4 @@
-#include "run/kept_caster.h"
+#include "run/cached_ray_caster.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 
 namespace quasimc {
 
-std::shared_ptr<const RayCaster> KeptCaster::caster_for(
+std::shared_ptr<const RayCaster> CachedRayCaster::caster_for(
     const Scene& scene, Accelerator accelerator, const std::stop_token& stop) {
     const auto triangles = data_of(scene).geometry;
     const bool same = caster_ && accelerator == accelerator_ && scene.cell() == cell_ &&
@@ -29,7 +29,7 @@ std::shared_ptr<const RayCaster> KeptCaster::caster_for(
     return caster_;
 }
 
-void KeptCaster::forget() {
+void CachedRayCaster::forget() {
     caster_.reset();
     triangles_.reset();
 }

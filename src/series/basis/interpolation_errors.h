@@ -10,9 +10,10 @@ namespace quasimc {
 /// it is. What the noise of replicates makes of the difference is taken off; regions of like
 /// brightness share an error, so that a few times are enough to tell it. Bright times and dim ones
 /// count alike.
-class SeasonErrors {
+class InterpolationErrors {
   public:
-    explicit SeasonErrors(const BasisLayout& layout) : layout_(layout), light_(layout.bins()) {}
+    explicit InterpolationErrors(const BasisLayout& layout)
+        : layout_(layout), light_(layout.bins()) {}
 
     /// Adds a time.
     void add(const LightSum& together, const LightSum& as_it_is);

@@ -13,10 +13,10 @@ namespace quasimc {
 /// Where lights are few, their shares are whole numbers of points, at least one: by flux, to the
 /// nearest end. Else replicates would have one point more or less of a light, most of them the same
 /// number, and could not tell how often.
-class LightShares {
+class LightSampler {
   public:
     /// @param points  of a set that is spread evenly; best a power of two
-    LightShares(const PreparedScene& prepared, std::uint64_t points);
+    LightSampler(const PreparedScene& prepared, std::uint64_t points);
 
     [[nodiscard]] LightPick pick(double u) const {
         if (ends_.empty()) {

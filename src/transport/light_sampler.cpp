@@ -1,11 +1,11 @@
-#include "transport/light_shares.h"
+#include "transport/light_sampler.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace quasimc {
 
-LightShares::LightShares(const PreparedScene& prepared, std::uint64_t points)
+LightSampler::LightSampler(const PreparedScene& prepared, std::uint64_t points)
     : prepared_(prepared) {
     constexpr std::uint64_t kFinest = 1024, kEach = 8;
     const auto& lights = prepared.lights();

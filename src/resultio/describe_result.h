@@ -22,8 +22,8 @@ namespace quasimc {
 [[nodiscard]] std::string audit_warning(double p_value);
 
 /// Why a result is of fewer paths than were asked for; empty if it isn't.
-[[nodiscard]] std::string stop_words(const RunSpec& spec, const Result& result);
+[[nodiscard]] std::string describe_stop(const RunSpec& spec, const Result& result);
 /// The same of times.
-[[nodiscard]] std::string stop_words(const RunFile& run, const SeriesSummary& summary);
+[[nodiscard]] std::string describe_stop(const RunFile& run, const SeriesSummary& summary);
 
 }  // namespace quasimc

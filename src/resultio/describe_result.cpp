@@ -1,4 +1,4 @@
-#include "resultio/result_words.h"
+#include "resultio/describe_result.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +53,8 @@ std::vector<std::string> audit_lines(const RunFile& run, const Result& result) {
     std::vector<std::string> lines{fmt::format(
         "{} with plain Monte Carlo, {} paths x {} replicates", verdict(audit.p_value), audit.paths,
         audit.replicates)};
-    constexpr std::size_t kMostBands = 4;
-    for (std::size_t b = 0; b < std::min(audit.bands.size(), kMostBands); ++b) {
+    constexpr std::size_t kMaxBands = 4;
+    for (std::size_t b = 0; b < std::min(audit.bands.size(), kMaxBands); ++b) {
         lines.push_back(band_line(audit.bands[b], run.scene.bands()[b], run.scene.length_unit()));
     }
     return lines;
@@ -77,7 +77,7 @@ std::string audit_warning(double p_value) {
                      p_value, kAuditLevel);
 }
 
-std::string stop_words(const RunSpec& spec, const Result& result) {
+std::string describe_stop(const RunSpec& spec, const Result& result) {
     const std::string why = reason(spec, result.stop);
     if (why.empty()) {
         return "";
@@ -90,7 +90,7 @@ std::string stop_words(const RunSpec& spec, const Result& result) {
         lacks_audit ? ", the audit is not" : "");
 }
 
-std::string stop_words(const RunFile& run, const SeriesSummary& summary) {
+std::string describe_stop(const RunFile& run, const SeriesSummary& summary) {
     const std::string why = reason(run.spec, summary.stop);
     if (why.empty()) {
         return "";

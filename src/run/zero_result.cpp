@@ -1,4 +1,4 @@
-#include "run/dark_result.h"
+#include "run/zero_result.h"
 
 #include <algorithm>
 #include <limits>
@@ -22,7 +22,7 @@ bool has_bright_sun(const Sources& sources) {
 
 }  // namespace
 
-Result dark_result(const Scene& scene, const RunSpec& spec) {
+Result zero_result(const Scene& scene, const RunSpec& spec) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     Result dark;
     dark.names = scene.names();
@@ -40,7 +40,7 @@ Result dark_result(const Scene& scene, const RunSpec& spec) {
 }
 
 Result unlit_result(const Scene& scene, const RunSpec& spec) {
-    Result unlit = dark_result(scene, spec);
+    Result unlit = zero_result(scene, spec);
     unlit.stop = StopReason::no_light;
     unlit.fraction_at_target = spec.target_error > 0 ? 1 : 0;
     return unlit;

@@ -1,4 +1,4 @@
-#include "picture/sight_caster.h"
+#include "picture/camera_ray_caster.h"
 
 #include <algorithm>
 #include <limits>
@@ -25,7 +25,7 @@ struct Reach {
 };
 
 Reach reach_of(
-    const Camera::SightLine& line, const Bounds& box, const std::vector<CutPlane>& cuts) {
+    const Camera::CameraRay& line, const Bounds& box, const std::vector<CutPlane>& cuts) {
     Reach reach;
     const Vec3 &o = line.origin, &d = line.direction;
     reach.cut(d.x, box.high.x - o.x);
@@ -42,7 +42,7 @@ Reach reach_of(
 
 }  // namespace
 
-SightCaster::SightCaster(
+CameraRayCaster::CameraRayCaster(
     const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts)
     : scene_(scene),
       camera_(camera),
@@ -55,8 +55,8 @@ SightCaster::SightCaster(
     box_.add(box_.high + more);
 }
 
-std::optional<SeenHit> SightCaster::look(const PixelPoint& pixel) const {
-    const Camera::SightLine line = camera_.through(pixel);
+std::optional<PrimaryHit> CameraRayCaster::trace(const PixelPoint& pixel) const {
+    const Camera::CameraRay line = camera_.through(pixel);
     const Reach reach = reach_of(line, box_, cuts_);
     if (!(reach.near < reach.far)) {
         return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<SeenHit> SightCaster::look(const PixelPoint& pixel) const {
     if (cast.end != RayEnd::hit || double{cast.hit.t} > (reach.far - reach.near) * mesh.scale) {
         return std::nullopt;
     }
-    return SeenHit{
+    return PrimaryHit{
         cast.hit, data_of(scene_).region_of(caster_.source(cast.hit.triangle)).value,
         line.direction};
 }

@@ -17,12 +17,12 @@
 namespace quasimc::capi {
 
 /// What was stated of a scene: a document as a run file would have it, and organs from arrays.
-class Statement {
+class SceneDescription {
   public:
     /// Nothing yet; paths are relative to the current folder.
-    Statement();
+    SceneDescription();
     /// What a run file says. @throws InputError  if it can't be read
-    explicit Statement(const std::string& run_file);
+    explicit SceneDescription(const std::string& run_file);
 
     /// Adds a piece of a run file. @throws InputError  if it is no TOML, or a key is of another
     /// kind

@@ -10,13 +10,13 @@
 namespace quasimc {
 
 /// A prepared scene as beams see it, with what that refers to. The scene must outlive it.
-class SeenScene {
+class ProjectionInput {
   public:
     /// @param stop  asked while beams are prepared, if given; must outlive this
-    explicit SeenScene(const PreparedScene& prepared, const std::stop_token* stop = nullptr);
-    ~SeenScene() = default;
-    SeenScene(const SeenScene&) = delete;
-    SeenScene& operator=(const SeenScene&) = delete;
+    explicit ProjectionInput(const PreparedScene& prepared, const std::stop_token* stop = nullptr);
+    ~ProjectionInput() = default;
+    ProjectionInput(const ProjectionInput&) = delete;
+    ProjectionInput& operator=(const ProjectionInput&) = delete;
 
     /// For beams of many directions.
     void store_blocks();

@@ -16,20 +16,20 @@ struct CutPlane {
 };
 
 /// What a line of sight meets.
-struct SeenHit {
+struct PrimaryHit {
     Hit hit;  ///< of the caster's mesh, local coordinates
     std::uint32_t region = 0;
     Vec3 direction;  ///< of the line, unit
 };
 
 /// Casts lines of sight into a scene, of which cuts leave a part. Of a periodic scene one cell.
-class SightCaster {
+class CameraRayCaster {
   public:
     /// All outlive the object.
-    SightCaster(const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts);
+    CameraRayCaster(const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts);
 
     /// @param place  in the picture. @returns nothing where nothing is seen
-    [[nodiscard]] std::optional<SeenHit> look(const PixelPoint& pixel) const;
+    [[nodiscard]] std::optional<PrimaryHit> trace(const PixelPoint& pixel) const;
     [[nodiscard]] const RayCaster& caster() const { return caster_; }
 
   private:

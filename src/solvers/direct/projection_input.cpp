@@ -1,4 +1,4 @@
-#include "solvers/direct/seen_scene.h"
+#include "solvers/direct/projection_input.h"
 
 namespace quasimc {
 namespace {
@@ -14,7 +14,7 @@ std::vector<VisibilityRole> roles_in(const PreparedScene& prepared) {
         const bool image = repeats && i > 0 && caster.source(i) == caster.source(i - 1);
         const bool sensor = prepared.material(prepared.region(i)).is_transparent();
         roles.push_back(
-            image ? VisibilityRole::left_out
+            image ? VisibilityRole::omitted
                   : (sensor ? VisibilityRole::sensor : VisibilityRole::opaque));
     }
     return roles;
@@ -22,13 +22,13 @@ std::vector<VisibilityRole> roles_in(const PreparedScene& prepared) {
 
 }  // namespace
 
-SeenScene::SeenScene(const PreparedScene& prepared, const std::stop_token* stop)
+ProjectionInput::ProjectionInput(const PreparedScene& prepared, const std::stop_token* stop)
     : roles_(roles_in(prepared)),
       projected_{
           &prepared.caster().mesh(), prepared.projection().cell(), roles_,
           prepared.projection().outline(), stop} {}
 
-void SeenScene::store_blocks() {
+void ProjectionInput::store_blocks() {
     blocks_ = stored_blocks(projected_);
     projected_.blocks = blocks_;
 }

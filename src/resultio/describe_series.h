@@ -14,7 +14,7 @@ namespace quasimc {
 [[nodiscard]] std::string series_comments(const RunFile& run);
 
 /// "absorbed flux" for "absorbed_flux".
-[[nodiscard]] std::string in_words(std::string_view name);
+[[nodiscard]] std::string describe_quantity(std::string_view name);
 
 /// A unit summed over time: "J m-2" for "W m-2", "mol m-2" for "umol m-2 s-1", "lx s" for "lx".
 struct SummedUnit {

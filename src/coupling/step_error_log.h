@@ -11,23 +11,23 @@ namespace quasimc {
 
 /// Tells what goes wrong in a conversation, once as long as it stays the same, and keeps the worst
 /// of it.
-class FaultTeller {
+class StepErrorLog {
   public:
     /// @param tell  outlives the object
-    explicit FaultTeller(const std::function<void(const std::string&)>& tell) : tell_(tell) {}
+    explicit StepErrorLog(const std::function<void(const std::string&)>& send) : send_(send) {}
 
     /// @param fault  of the step; none: it was good
-    void tell_step(std::uint64_t step, const std::exception_ptr& fault);
+    void report_step(std::uint64_t step, const std::exception_ptr& fault);
     /// Of what is refused before the first step.
-    void tell_refusal(const std::exception_ptr& fault);
-    [[nodiscard]] Conversation worst() const { return worst_; }
+    void report_rejection(const std::exception_ptr& fault);
+    [[nodiscard]] SessionOutcome worst() const { return worst_; }
 
   private:
     std::string words_of(const std::exception_ptr& fault);
 
-    const std::function<void(const std::string&)>& tell_;
+    const std::function<void(const std::string&)>& send_;
     std::string last_;  // of the step before; empty: it was good
-    Conversation worst_ = Conversation::good;
+    SessionOutcome worst_ = SessionOutcome::good;
 };
 
 }  // namespace quasimc

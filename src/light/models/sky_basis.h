@@ -13,10 +13,10 @@ namespace quasimc {
 /// apart, the topmost of which is the zenith, each of nodes about as far apart. Every node has a
 /// hat, 1 there and falling to 0 at its neighbours, linear in elevation and azimuth; below the
 /// lowest ring it stays as it is. All hats add up to 1 everywhere.
-class SkyMesh {
+class SkyBasis {
   public:
     /// @param rings  at least 2
-    explicit SkyMesh(std::uint32_t rings);
+    explicit SkyBasis(std::uint32_t rings);
 
     [[nodiscard]] std::uint32_t nodes() const { return first_.back(); }
 
@@ -29,7 +29,7 @@ class SkyMesh {
     /// @param to_light  unit, z up
     [[nodiscard]] std::array<Share, 4> shares(const Vec3& to_light) const;
     /// The hat of a node as a sky.
-    [[nodiscard]] SkyShape hat(std::uint32_t node) const;
+    [[nodiscard]] SkyShape basis_function(std::uint32_t node) const;
 
     /// A sky in hats, fitted to its radiance (expectation maximization, Richardson 1972 and Lucy
     /// 1974: nothing is negative), scaled together to the sky's irradiance on the horizontal; no
@@ -43,7 +43,7 @@ class SkyMesh {
 
   private:
     /// A direction that stands for a part of the hemisphere.
-    struct Look {
+    struct QuadratureNode {
         Vec3 direction;
         double weight = 0;  ///< its solid angle, in any unit
         std::array<Share, 4> shares;
@@ -54,14 +54,14 @@ class SkyMesh {
     }
     [[nodiscard]] double elevation(std::uint32_t ring) const;
     void put_ring(std::uint32_t ring, double weight, double azimuth, Share* to) const;
-    void set_looks();
+    void set_samples();
     [[nodiscard]] std::vector<double> fit(const Source& sky) const;
 
     double step_;                       // between rings, radians
     std::vector<std::uint32_t> first_;  // node of each ring from below, and their number
-    std::vector<Look> looks_;
-    std::vector<double> looked_;  // by node: its hat's sum over them, by weight
-    std::vector<double> sine_;    // by node: mean sine of elevation under its hat
+    std::vector<QuadratureNode> samples_;
+    std::vector<double> sampled_weight_;  // by node: its hat's sum over them, by weight
+    std::vector<double> sine_;            // by node: mean sine of elevation under its hat
 };
 
 }  // namespace quasimc
