@@ -21,7 +21,7 @@ void refuse_choices(const ValueChoice& choice) {
     };
     refuse(!choice.time.empty(), "--time", "times");
     refuse(!choice.day.empty(), "--day", "days");
-    refuse(choice.point > 0, "--point", "points of a sweep");
+    refuse(choice.point > 0, "--sweep-point", "points of a sweep");
     faults.throw_if_any();
 }
 

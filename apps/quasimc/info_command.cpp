@@ -169,11 +169,11 @@ Command info_command() {
     }
     return {
         "info",
-        "tell what a geometry or run file holds, and what smells wrong",
+        "describe a geometry or run file, and report possible problems",
         {{"FILE", &arguments->file, "geometry file or run file", true},
          {.name = "--format",
           .target = &arguments->format,
-          .summary = "of a geometry file whose name does not tell",
+          .summary = "format of a geometry file whose name does not say it",
           .choices = formats}},
         [arguments] { return print_info(*arguments); }};
 }

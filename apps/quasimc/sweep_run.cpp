@@ -60,7 +60,7 @@ SweepRun::SweepRun(
     }
     if (team != nullptr) {
         const std::size_t traces =
-            quasimc::traces_of(run_->scene, quasimc::moments_of(*run_), run_->spec).size();
+            quasimc::traces_of(run_->scene, quasimc::time_steps_of(*run_), run_->spec).size();
         is_dealt_ = traces * sweep.size() >= team->size() && team->size() > 1;
     }
 }
@@ -114,14 +114,15 @@ bool SweepRun::goes_on() {
 bool SweepRun::trace(const std::stop_token& stop) {
     const quasimc::Stopwatch watch;
     try {
-        moments_ = quasimc::moments_of(*run_);
-        checkpoint_.set_moments_before(moments_before_);
+        time_steps_ = quasimc::time_steps_of(*run_);
+        checkpoint_.set_time_steps_before(time_steps_before_);
         const bool is_last = point_ + 1 == sweep_.size();
         const quasimc::RunControl own = control(stop);
-        last_ = is_last ? quasimc::run_series(
-                              std::move(simulator_), run_->scene, moments_, run_->spec, own)
-                        : quasimc::run_series(simulator_, run_->scene, moments_, run_->spec, own);
-        moments_before_ += moments_.size();
+        last_ = is_last
+                    ? quasimc::run_series(
+                          std::move(simulator_), run_->scene, time_steps_, run_->spec, own)
+                    : quasimc::run_series(simulator_, run_->scene, time_steps_, run_->spec, own);
+        time_steps_before_ += time_steps_.size();
     } catch (const quasimc::Stopped& stopped) {
         checkpoint_.flush();
         if (point_ == 0) {
@@ -174,7 +175,7 @@ quasimc::RunControl SweepRun::control(const std::stop_token& stop) {
 std::optional<quasimc::GivenSums> SweepRun::sums_of(
     std::size_t time_step, const quasimc::RunSpec& spec, const quasimc::RunControl& control) {
     if (parts_ != nullptr) {
-        return quasimc::GivenSums{parts_->next(moments_before_ + time_step)};
+        return quasimc::GivenSums{parts_->next(time_steps_before_ + time_step)};
     }
     if (!dealt_ && checkpoint_.has_state(time_step)) {
         return std::nullopt;
@@ -182,5 +183,5 @@ std::optional<quasimc::GivenSums> SweepRun::sums_of(
     if (!dealt_) {
         dealt_ = std::make_unique<quasimc::DealtRuns>(*team_, point_, time_step);
     }
-    return dealt_->next(simulator_, run_->scene, moments_[time_step].sources, spec, control);
+    return dealt_->next(simulator_, run_->scene, time_steps_[time_step].sources, spec, control);
 }

@@ -79,9 +79,9 @@ Comparison compare(const Result& plain, const Result& other) {
 }
 
 double nine_in_ten(std::vector<double> values) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), rank, values.end());
+    return *rank;
 }
 
 void print_stand(StandKind kind, const Effort& effort) {

@@ -161,7 +161,7 @@ void print_merit(
 void print_time(
     Method method, const char* name, const Case& one, double most_ms, const Effort& effort) {
     constexpr double kError = 0.01;
-    constexpr double kLeastStep = 1.03;
+    constexpr double kMinStep = 1.03;
     if (!is_asked_for(name, effort)) {
         return;
     }
@@ -179,7 +179,7 @@ void print_time(
             // Variance falls at least with the number of paths.
             const double missing = std::pow(m.error / kError, 2);
             paths = static_cast<std::uint64_t>(
-                static_cast<double>(paths) * std::clamp(missing, kLeastStep, 2.0));
+                static_cast<double>(paths) * std::clamp(missing, kMinStep, 2.0));
             m = try_paths();
         }
         std::printf(

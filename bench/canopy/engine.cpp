@@ -56,7 +56,7 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
     RayLog log;
     {
         const PreparedScene recording(
-            scene, sources, spec.window,
+            scene, sources, spec.start_area,
             std::make_shared<RayCaster>(
                 data_of(scene).geometry, scene.cell(), [&](const LocalMesh& mesh) {
                     return std::make_unique<Recorder>(make_embree_intersector(mesh), log);
@@ -64,8 +64,8 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
         static_cast<void>(trace_all(recording, *sampler, spec));
     }
     const PreparedScene stage(
-        scene, sources, spec.window,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), spec.engine));
+        scene, sources, spec.start_area,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), spec.accelerator));
     const BareEmbree bare(stage.caster().mesh());
     std::vector<double> ratios;
     std::vector<double> engine;

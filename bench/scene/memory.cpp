@@ -134,8 +134,8 @@ int main_of(const std::vector<std::string>& words) {
             status_bytes("VmHWM") / static_cast<double>(count));
         return 0;
     }
-    const bool stated = words.size() == 2 && words[0] == "--triangles";
-    const std::size_t count = stated ? std::stoul(words[1]) : kTriangles;
+    const bool given = words.size() == 2 && words[0] == "--triangles";
+    const std::size_t count = given ? std::stoul(words[1]) : kTriangles;
     return run_surface("soup", count) + run_surface("sheet", count);
 }
 

@@ -130,7 +130,7 @@ int quasimc_scene_set_ground(quasimc_scene* scene, const char* material, double 
 int quasimc_scene_set_cell(
     quasimc_scene* scene, double x_low, double x_high, double y_low, double y_high);
 /** Where the scene lies, for suns by time: degrees, north and east positive; m. */
-int quasimc_scene_set_place(
+int quasimc_scene_set_site(
     quasimc_scene* scene, double latitude_deg, double longitude_deg, double elevation_m);
 
 /* Sources. Irradiance and power: one number for each band, in its unit. */
@@ -144,7 +144,7 @@ int quasimc_scene_add_sun(
     double azimuth_deg,
     double elevation_deg,
     const double* irradiance_facing);
-/** The sun of a moment, "2024-06-21T12:00:00+02:00"; the scene needs a place. */
+/** The sun of a moment, "2024-06-21T12:00:00+02:00"; the scene needs a site. */
 int quasimc_scene_add_sun_at(
     quasimc_scene* scene, const char* time, const double* irradiance_facing);
 /** A sky that asks for nothing more, or for the first sun: "uniform", "cie_overcast", ... */

@@ -16,7 +16,7 @@ namespace quasimc {
 
 /// One fault in what a person gave us. Printed as "place: problem (why); suggestion".
 struct Fault {
-    std::string place;       ///< file:line, key or organ; where to look
+    std::string where;       ///< file:line, key or organ; where to look
     std::string problem;     ///< what is wrong
     std::string why;         ///< what rule it breaks; may be empty
     std::string suggestion;  ///< what to do; may be empty

@@ -60,6 +60,6 @@ struct MaterialSpec {
 /// every fault to `faults`, at "place, upper side, band 2". Bands count from 1.
 /// @param place  where the material stands; empty for "material 'name'"
 void check_material(
-    const MaterialSpec& spec, std::size_t bands, const std::string& place, Faults& faults);
+    const MaterialSpec& spec, std::size_t bands, const std::string& where, Faults& faults);
 
 }  // namespace quasimc

@@ -324,7 +324,7 @@ class OrganLight {
 /// What is to be made of sums.
 struct EvaluationSpec {
     std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
-    DirectLight direct_light = DirectLight::counted;
+    DirectLight direct_light = DirectLight::included;
     GroupSpec groups = {};
     /// On the horizontal, per band, of all sources; empty where it is not known (lamps).
     std::vector<double> horizontal_irradiance = {};

@@ -131,7 +131,7 @@ class Summary : public OutputWriter {
     std::vector<std::string> point_lines_;  // of the points of a sweep that ended
     std::string result_lines_;              // of a run without [time]
     // Of one with [time]:
-    std::size_t moments_ = 0;
+    std::size_t time_steps_ = 0;
     double seconds_ = 0;
     std::vector<BandBudget> energy_;  // flux x s
     bool escaped_by_difference_ = false;

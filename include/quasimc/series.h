@@ -89,18 +89,19 @@ struct TimeStepPlan {
     std::size_t traced = 0;
     double factor = 1;  ///< 0: dark
     // Of a moment that is traced:
-    double effort = 1;  ///< on RunSpec::paths: a power of two
-    double target = 1;  ///< on RunSpec::target_error
+    double path_factor = 1;  ///< on RunSpec::paths: a power of two
+    double target = 1;       ///< on RunSpec::target_error
 };
 /// Finds the moments whose sources have equal shapes and proportional spectra: of those only the
 /// first is traced.
 [[nodiscard]] std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps);
 
-/// Shares out the effort of a series by days (Effort::day): the paths of a trace are in proportion
-/// to the light that its moments bring to the sum of a day, where they bring most, and as many in
-/// all as if each trace had `paths`, to a factor of sqrt(2). The targets are such that the sum of a
-/// day has the target error. What brings next to nothing has a 64th of the paths.
-void spread_effort(
+/// Shares out the paths of a series by days (PathAllocation::proportional): the paths of a trace
+/// are in proportion to the light that its moments bring to the sum of a day, where they bring
+/// most, and as many in all as if each trace had `paths`, to a factor of sqrt(2). The targets are
+/// such that the sum of a day has the target error. What brings next to nothing has a 64th of the
+/// paths.
+void allocate_paths(
     const Scene& scene, const std::vector<TimeStep>& time_steps, std::vector<TimeStepPlan>& plans);
 
 /// The same light times a factor.
@@ -137,8 +138,8 @@ SeriesSummary run_series(
     const RunControl& control = {});
 
 /// Adds the faults of a specification whose times are to be computed together
-/// (SeriesMode::together): of sources, detectors and options that this can't do. None of other
-/// specifications.
+/// (TimeMethod::daylight_coefficients): of sources, detectors and options that this can't do. None
+/// of other specifications.
 void check_together(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,

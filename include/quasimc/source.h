@@ -19,8 +19,8 @@ namespace quasimc {
 
 inline constexpr double kSecondsADay = 86400;
 
-/// A place on the Earth.
-struct Place {
+/// A site on the Earth.
+struct Site {
     double latitude_deg = 0;        ///< -90 to 90, north positive
     double longitude_deg = 0;       ///< -180 to 180, east positive
     double elevation_m = 0;         ///< above the sea
@@ -45,8 +45,8 @@ struct CivilTime {
 inline constexpr int kFirstYear = 1900;
 inline constexpr int kLastYear = 2100;
 
-/// Reports what is wrong with a place. @param where  for the messages
-void check_place(const Place& place, std::string_view where, Faults& faults);
+/// Reports what is wrong with a site. @param where  for the messages
+void check_site(const Site& site, std::string_view where, Faults& faults);
 /// Reports what is wrong with a time: fields out of range, days that no calendar has, leap seconds
 /// where none can be.
 void check_time(const CivilTime& time, std::string_view where, Faults& faults);
@@ -84,13 +84,13 @@ struct SunIntermediates {
     double sidereal_time_deg = 0;       ///< apparent, at Greenwich
     double right_ascension_deg = 0;     ///< geocentric
     double declination_deg = 0;         ///< geocentric
-    double hour_angle_deg = 0;          ///< of the place, west positive, 0 to 360
+    double hour_angle_deg = 0;          ///< of the site, west positive, 0 to 360
     double topocentric_right_ascension_deg = 0;
     double topocentric_declination_deg = 0;
     double topocentric_hour_angle_deg = 0;
 };
 
-/// Where the sun stands, seen from a place.
+/// Where the sun stands, seen from a site.
 struct SunPosition {
     double azimuth_deg = 0;           ///< clockwise from north, 0 to 360
     double elevation_deg = 0;         ///< above the horizon, as refracted by the air
@@ -107,10 +107,10 @@ struct SunPosition {
 ///
 /// Reda and Andreas (2004), "Solar position algorithm for solar radiation applications", Solar
 /// Energy 76, 577-589; NREL/TP-560-34302 (revised 2008).
-/// @param place, time  without faults (check_place, check_time)
+/// @param site, time  without faults (check_site, check_time)
 /// @param delta_t_s  terrestrial less universal time [s]; default: delta_t_seconds(time)
 [[nodiscard]] SunPosition sun_position(
-    const Place& place, const CivilTime& time, std::optional<double> delta_t_s = std::nullopt);
+    const Site& site, const CivilTime& time, std::optional<double> delta_t_s = std::nullopt);
 
 /// What the sun does in the course of a day.
 enum class DayKind {
@@ -132,7 +132,7 @@ struct SunDay {
 /// Rise and set: the sun's centre is 0.8333 degrees below the horizon, which stands for its radius
 /// and the refraction there.
 [[nodiscard]] SunDay sun_day(
-    const Place& place, const CivilTime& date, std::optional<double> delta_t_s = std::nullopt);
+    const Site& site, const CivilTime& date, std::optional<double> delta_t_s = std::nullopt);
 
 /// The simple model that plant simulators know from the original program: declination, equation of
 /// time (Iqbal 1983, as in Preetham et al. 1999) and hour angle.
@@ -179,7 +179,7 @@ inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, 
 
 /// Less light than this is none, as the direct sun at the horizon on a foggy day: the squares of
 /// its errors would be lost to rounding.
-inline constexpr double kLeastIrradiance = 1e-60;
+inline constexpr double kMinIrradiance = 1e-60;
 
 /// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
 /// spectrum varies over it is several sources.) Places and directions are in the world with z up;

@@ -10,7 +10,7 @@ namespace {
 
 py::object fault_dict(const Fault& fault) {
     py::dict result;
-    result["where"] = fault.place;
+    result["where"] = fault.where;
     result["problem"] = fault.problem;
     result["why"] = fault.why;
     result["suggestion"] = fault.suggestion;

@@ -69,15 +69,15 @@ std::size_t organs_of(const SeriesSum& sum) {
     return sum.bands == 0 ? 0 : sum.values.size() / (kQuantities * sum.bands);
 }
 
-py::dict notes_of(const MomentNotes& notes) {
-    py::dict moment;
-    moment["time"] = notes.time;
-    moment["seconds"] = notes.seconds;
-    moment["sun_azimuth_deg"] = notes.sun.azimuth_deg;
-    moment["sun_elevation_deg"] = notes.sun.elevation_deg;
-    moment["direct"] = notes.daylight.direct;
-    moment["diffuse"] = notes.daylight.diffuse;
-    return moment;
+py::dict notes_of(const TimeStepNotes& notes) {
+    py::dict time_step;
+    time_step["time"] = notes.time;
+    time_step["seconds"] = notes.seconds;
+    time_step["sun_azimuth_deg"] = notes.sun.azimuth_deg;
+    time_step["sun_elevation_deg"] = notes.sun.elevation_deg;
+    time_step["direct"] = notes.daylight.direct;
+    time_step["diffuse"] = notes.daylight.diffuse;
+    return time_step;
 }
 
 py::list times_of(const SeriesHandle& all) {

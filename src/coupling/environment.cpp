@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "base/number_text.h"
-#include "coupling/fault_teller.h"
 #include "coupling/plant_light.h"
 #include "coupling/protocol/guarded_stream.h"
 #include "coupling/protocol/notices.h"
 #include "coupling/protocol/session.h"
 #include "coupling/protocol/stop_signals.h"
+#include "coupling/step_error_log.h"
 #include "files/file_identity.h"
 #include "solvers/catalogue.h"
 #include "text/numbers.h"
@@ -59,10 +59,10 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
 }
 
 /// Tells what a step was like.
-void tell_step(
+void report_step(
     const PlantLight& light,
     const Pass& pass,
-    const std::function<void(const std::string&)>& tell) {
+    const std::function<void(const std::string&)>& send) {
     std::string text =
         fmt::format("step {}: {}", pass.step, counted(pass.queries.size(), "query", "queries"));
     for (const Result& result : light.last().results) {
@@ -74,7 +74,7 @@ void tell_step(
             result.preparation_seconds + result.solve_seconds,
             find_solver(result.chosen.method)->name, result.chosen.reason);
     }
-    tell(text);
+    send(text);
 }
 
 /// The line that the switches alone name, where the environment file can't be read: only cpfg's
@@ -90,15 +90,15 @@ std::unique_ptr<ByteStream> open_by_switches(const Arguments& switches) {
 
 /// Answers a simulator whom nothing can be computed for.
 void refuse(ByteStream& stream) {
-    if (stream.refuse() == AfterRefusal::it_asks) {
+    if (stream.refuse() == RejectAction::it_asks) {
         serve_nothing(stream);
     }
 }
 
 /// Ends the process at a signal, not without an answer.
-void end_at(int signal, ByteStream& stream, const std::function<void(const std::string&)>& tell) {
+void end_at(int signal, ByteStream& stream, const std::function<void(const std::string&)>& send) {
     stream.resign();
-    tell(fmt::format(
+    send(fmt::format(
         "ended by {}", signal == SIGTERM  ? "SIGTERM"
                        : signal == SIGINT ? "SIGINT"
                                           : "SIGHUP"));
@@ -131,17 +131,17 @@ class Environment {
   public:
     Environment(
         const Arguments& arguments,
-        const std::function<void(const std::string&)>& tell,
+        const std::function<void(const std::string&)>& send,
         StepViewer* viewer,
         GuardedStream& stream)
         : arguments_(arguments),
-          tell_(tell),
+          send_(send),
           viewer_(viewer),
           stream_(stream),
-          notices_(tell),
-          faults_(tell) {}
+          notices_(send),
+          faults_(send) {}
 
-    Conversation run(const Descriptors& descriptors) {
+    SessionOutcome run(const Descriptors& descriptors) {
         if (!read_files(descriptors)) {
             refuse(stream_);
             return faults_.worst();
@@ -162,7 +162,7 @@ class Environment {
             if (!open_by_switches_alone()) {
                 std::rethrow_exception(fault);
             }
-            faults_.tell_refusal(fault);
+            faults_.report_rejection(fault);
             return false;
         }
         stream_.open(open_stream(arguments_, format_, descriptors));
@@ -175,7 +175,7 @@ class Environment {
             open_view(spec);
             light_.emplace(std::move(spec), notices_);
         } catch (const std::exception&) {
-            faults_.tell_refusal(std::current_exception());
+            faults_.report_rejection(std::current_exception());
             return false;
         }
         return true;
@@ -217,17 +217,17 @@ class Environment {
             [&](const Pass& pass, const std::function<void()>& check, Answers& answers) {
                 answer(pass, check, answers);
                 if (tells_steps) {
-                    tell_step(*light_, pass, tell_);
+                    report_step(*light_, pass, send_);
                 }
-                tell_if_unlit();
+                report_if_unlit();
             },
             [&](std::uint64_t step, const std::exception_ptr& fault) {
                 light_->set_step(step + 1);
-                faults_.tell_step(step, fault);
+                faults_.report_step(step, fault);
             });
     }
 
-    void tell_if_unlit() {
+    void report_if_unlit() {
         for (const Result& result : light_->last().results) {
             if (result.stop == StopReason::no_light) {
                 notices_.once(
@@ -239,12 +239,12 @@ class Environment {
     }
 
     const Arguments& arguments_;
-    const std::function<void(const std::string&)>& tell_;
+    const std::function<void(const std::string&)>& send_;
     StepViewer* viewer_;
     bool is_viewed_ = false;
     GuardedStream& stream_;
     Notices notices_;
-    FaultTeller faults_;
+    StepErrorLog faults_;
     CommFile format_;
     std::optional<PlantLight> light_;
 };
@@ -274,14 +274,14 @@ std::unique_ptr<ByteStream> open_stream(
                : make_file_stream(*arguments.key, arguments.extension);
 }
 
-Conversation run_environment(
+SessionOutcome run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
-    const std::function<void(const std::string&)>& tell,
+    const std::function<void(const std::string&)>& send,
     StepViewer* viewer) {
     GuardedStream stream;
-    const StopSignals signals([&](int signal) { end_at(signal, stream, tell); });
-    Environment environment(arguments, tell, viewer, stream);
+    const StopSignals signals([&](int signal) { end_at(signal, stream, send); });
+    Environment environment(arguments, send, viewer, stream);
     try {
         return environment.run(descriptors);
     } catch (const PeerDisconnected&) {

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-constexpr double kMaxAlongAnAxis = 1e4, kMostCells = 1e6;
+constexpr double kMaxAlongAnAxis = 1e4, kMaxCells = 1e6;
 
 /// Cells azimuth by azimuth, from the horizon up: azimuth, elevation and radiance of each.
 std::optional<SkyTable> read_cells(Values& numbers, std::size_t azimuths, std::size_t elevations) {
@@ -123,7 +123,7 @@ std::optional<SkyTable> read_sky_table(Values& numbers) {
         return std::nullopt;
     }
     const double cells = static_cast<double>(*first) * static_cast<double>(*second);
-    if (cells > kMostCells) {
+    if (cells > kMaxCells) {
         numbers.fault(fmt::format("{} cells", cells), "at most a million are read");
         return std::nullopt;
     }

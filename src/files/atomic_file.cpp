@@ -153,8 +153,8 @@ void AtomicFile::fail() const {
         throw ReaderGone();
     }
     const std::string why = std::generic_category().message(errno);
-    const std::string place = path_ == "-" ? "standard output" : path_.string();
-    throw InputError({{place, "can't be written", why, ""}});
+    const std::string where = path_ == "-" ? "standard output" : path_.string();
+    throw InputError({{where, "can't be written", why, ""}});
 }
 
 /// Pipes and devices.

@@ -26,9 +26,9 @@ FileIdentity identity(const struct stat& status) {
 }  // namespace
 
 fs::path followed(fs::path path) {
-    constexpr int kMostLinks = 40;
+    constexpr int kMaxLinks = 40;
     std::error_code error;
-    for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
         if (fs::exists(path, error)) {
             break;
         }

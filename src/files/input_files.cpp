@@ -116,10 +116,10 @@ std::string read_text(int descriptor, const fs::path& path) {
 
 }  // namespace
 
-fs::path absolute_path(const std::string& stated) {
+fs::path absolute_path(const std::string& given) {
     std::error_code error;
-    const bool is_stream = stated == "-" || stated == "/dev/stdin" || fs::is_fifo(stated, error);
-    return is_stream ? fs::current_path() / fs::path(stated).filename() : fs::absolute(stated);
+    const bool is_stream = given == "-" || given == "/dev/stdin" || fs::is_fifo(given, error);
+    return is_stream ? fs::current_path() / fs::path(given).filename() : fs::absolute(given);
 }
 
 std::string read_file(const fs::path& path) {

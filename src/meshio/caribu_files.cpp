@@ -48,13 +48,13 @@ void read_species(
 
 CaribuOptics read_caribu_optics(std::string_view bytes, Reporter& reporter) {
     CaribuOptics optics;
-    std::optional<std::int64_t> stated;
+    std::optional<std::int64_t> given;
     LineScanner scanner(bytes);
     while (scanner.next() && !reporter.is_full()) {
         std::string_view line = scanner.line().substr(0, scanner.line().find('#'));
         const std::string_view word = take_word(line);
         if (word == "n") {
-            stated = parse_integer(take_word(line));
+            given = parse_integer(take_word(line));
         } else if (word == "s" || word == "e") {
             const auto fractions = fractions_of_line(line, scanner.number(), reporter);
             if (fractions && word == "e") {
@@ -71,9 +71,9 @@ CaribuOptics read_caribu_optics(std::string_view bytes, Reporter& reporter) {
         }
     }
     const auto count = static_cast<std::int64_t>(optics.species.size());
-    if (reporter.faults.empty() && stated.value_or(count) != count) {
+    if (reporter.faults.empty() && given.value_or(count) != count) {
         reporter.faults.add(
-            {reporter.file, fmt::format("states {} species and has {}", *stated, count), "", ""});
+            {reporter.file, fmt::format("states {} species and has {}", *given, count), "", ""});
     }
     return optics;
 }

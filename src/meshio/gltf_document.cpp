@@ -116,15 +116,17 @@ class GltfDocumentReader {
     void read_materials() {
         for (const Node& json : gltf_list(root_, "materials")) {
             GltfMaterial material;
-            const std::string place = fmt::format("material {}", file_.materials.size());
+            const std::string where = fmt::format("material {}", file_.materials.size());
             material.name = one_line(gltf_text(json, "name"));
-            material.name = material.name.empty() ? place : material.name;
+            material.name = material.name.empty() ? where : material.name;
             const std::string alpha = gltf_text(json, "alphaMode");
             material.is_cut_out = alpha == "MASK" || alpha == "BLEND";
-            const Node* look = json.find("pbrMetallicRoughness");
-            if (look != nullptr && look->find("baseColorTexture") == nullptr) {
+            const Node* metallic_roughness = json.find("pbrMetallicRoughness");
+            if (metallic_roughness != nullptr &&
+                metallic_roughness->find("baseColorTexture") == nullptr) {
                 constexpr std::size_t kColor = 4;
-                const auto color = values_.numbers(*look, "baseColorFactor", kColor, place);
+                const auto color =
+                    values_.numbers(*metallic_roughness, "baseColorFactor", kColor, where);
                 material.reflectance =
                     color ? std::optional(((*color)[0] + (*color)[1] + (*color)[2]) / 3)
                           : std::nullopt;
@@ -135,33 +137,33 @@ class GltfDocumentReader {
 
     void read_meshes() {
         for (const Node& json : gltf_list(root_, "meshes")) {
-            const std::string place = fmt::format("mesh {}", file_.meshes.size());
-            check_weights(json, place);
+            const std::string where = fmt::format("mesh {}", file_.meshes.size());
+            check_weights(json, where);
             GltfMesh mesh{one_line(gltf_text(json, "name")), {}};
             for (const Node& primitive : gltf_list(json, "primitives")) {
-                mesh.primitives.push_back(read_primitive(primitive, place));
+                mesh.primitives.push_back(read_primitive(primitive, where));
             }
             file_.meshes.push_back(std::move(mesh));
         }
     }
 
-    GltfPrimitive read_primitive(const Node& json, const std::string& place) {
+    GltfPrimitive read_primitive(const Node& json, const std::string& where) {
         constexpr std::uint64_t kUsual = 4;
         GltfPrimitive primitive;
-        primitive.mode = mode_of(values_.whole(json, "mode", place).value_or(kUsual));
-        primitive.material = values_.index(json, "material", file_.materials.size(), place);
+        primitive.mode = mode_of(values_.whole(json, "mode", where).value_or(kUsual));
+        primitive.material = values_.index(json, "material", file_.materials.size(), where);
         const std::size_t accessors = gltf_list(root_, "accessors").size();
-        primitive.indices = values_.index(json, "indices", accessors, place);
+        primitive.indices = values_.index(json, "indices", accessors, where);
         if (const Node* attributes = json.find("attributes")) {
-            primitive.positions = values_.index(*attributes, "POSITION", accessors, place);
+            primitive.positions = values_.index(*attributes, "POSITION", accessors, where);
         }
         if (!primitive.positions) {
-            values_.fault(place + " has a part without positions", "");
+            values_.fault(where + " has a part without positions", "");
         }
         return primitive;
     }
 
-    void check_weights(const Node& json, const std::string& place) {
+    void check_weights(const Node& json, const std::string& where) {
         const Node::List& weights = gltf_list(json, "weights");
         const bool is_blended = std::any_of(weights.begin(), weights.end(), [](const Node& weight) {
             const auto* whole = weight.as<std::int64_t>();
@@ -170,7 +172,7 @@ class GltfDocumentReader {
         });
         if (is_blended) {
             values_.fault(
-                place + " blends several shapes (weights)", "such meshes are not read",
+                where + " blends several shapes (weights)", "such meshes are not read",
                 "apply the shape keys and export it anew");
         }
     }
@@ -178,29 +180,29 @@ class GltfDocumentReader {
     void read_nodes() {
         const Node::List& nodes = gltf_list(root_, "nodes");
         for (const Node& json : nodes) {
-            const std::string place = fmt::format("node {}", file_.nodes.size());
+            const std::string where = fmt::format("node {}", file_.nodes.size());
             GltfNode node;
             node.name = one_line(gltf_text(json, "name"));
-            node.mesh = values_.index(json, "mesh", file_.meshes.size(), place);
-            node.children = values_.indices(json, "children", nodes.size(), place);
-            node.transform = values_.transform(json, place);
-            check_weights(json, place);
-            refuse_deformed(json, place);
+            node.mesh = values_.index(json, "mesh", file_.meshes.size(), where);
+            node.children = values_.indices(json, "children", nodes.size(), where);
+            node.transform = values_.transform(json, where);
+            check_weights(json, where);
+            refuse_deformed(json, where);
             read_extras(json, node);
             file_.nodes.push_back(std::move(node));
         }
     }
 
-    void refuse_deformed(const Node& json, const std::string& place) {
+    void refuse_deformed(const Node& json, const std::string& where) {
         if (json.find("skin") != nullptr && json.find("mesh") != nullptr) {
             values_.fault(
-                place + " has a skin", "meshes that bones deform are not read",
+                where + " has a skin", "meshes that bones deform are not read",
                 "apply the armature and export it anew");
         }
         const Node* extensions = json.find("extensions");
         if (extensions != nullptr && extensions->find("EXT_mesh_gpu_instancing") != nullptr) {
             values_.fault(
-                place + " has the extension 'EXT_mesh_gpu_instancing'", "that is not read",
+                where + " has the extension 'EXT_mesh_gpu_instancing'", "that is not read",
                 "export each copy as a node");
         }
     }

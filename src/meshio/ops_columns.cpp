@@ -27,7 +27,7 @@ Affine ops_transform(const OpsNumbers& numbers, double unit, double size) {
     const Affine inclined{
         {Vec3{cosine + x * x * rest, x * y * rest, y * sine},
          Vec3{x * y * rest, cosine + y * y * rest, -x * sine}, Vec3{-y * sine, x * sine, cosine}},
-        unit * numbers.place};
+        unit * numbers.position};
     return after(inclined, turned);
 }
 

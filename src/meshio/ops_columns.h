@@ -13,7 +13,7 @@ namespace quasimc {
 
 /// The numbers of a line that places a plant.
 struct OpsNumbers {
-    Vec3 place;  ///< metres
+    Vec3 position;  ///< metres
     double scale = 1;
     double azimuth = 0, angle = 0, twist = 0;  ///< of the inclination; about the stem; radians
 };

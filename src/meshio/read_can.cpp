@@ -36,7 +36,7 @@ class CanReader {
         }
         const auto attributes = parse_integer(take_word(line));
         const std::string_view label = take_word(line);
-        if (type != "p" || !attributes || *attributes < 1 || *attributes > kMostAttributes) {
+        if (type != "p" || !attributes || *attributes < 1 || *attributes > kMaxAttributes) {
             fault(shown(type) + " is no polygon with a label");
             return;
         }
@@ -56,7 +56,7 @@ class CanReader {
         if (!numbers) {
             return;
         }
-        if (!corners || *corners < 3 || *corners > static_cast<std::int64_t>(kMostCorners) ||
+        if (!corners || *corners < 3 || *corners > static_cast<std::int64_t>(kMaxCorners) ||
             numbers->size() != 3 * static_cast<std::size_t>(*corners)) {
             fault(
                 fmt::format("{} coordinates of {} corners", numbers->size(), corners.value_or(0)));
@@ -96,7 +96,7 @@ class CanReader {
 
     void fault(std::string problem) { reporter_.fault(line_, std::move(problem), kCanLine); }
 
-    static constexpr std::int64_t kMostAttributes = 64;
+    static constexpr std::int64_t kMaxAttributes = 64;
 
     Reporter& reporter_;
     MeshFile mesh_{{}, {}, "line", {}};

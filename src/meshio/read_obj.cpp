@@ -113,10 +113,10 @@ class ObjReader {
             numbers_.push_back(*number);
             corners_.push_back(vertices_[*number]);
         }
-        if (corners_.size() < 3 || corners_.size() > kMostCorners) {
+        if (corners_.size() < 3 || corners_.size() > kMaxCorners) {
             fault(
                 fmt::format("a face of {} corners", corners_.size()),
-                fmt::format("a face has 3 to {}", kMostCorners));
+                fmt::format("a face has 3 to {}", kMaxCorners));
             return;
         }
         if (current_part().add_face(corners_, numbers_, line_)) {

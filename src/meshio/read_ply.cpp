@@ -116,10 +116,10 @@ class PlyReader {
             return value(element, property.type);
         }
         const double count = value(element, property.count_type);
-        if (!(count >= 0) || count > static_cast<double>(kMostCorners)) {
+        if (!(count >= 0) || count > static_cast<double>(kMaxCorners)) {
             throw Broken{
                 fmt::format("{} {} has a list of {}", element.name, number_, count),
-                fmt::format("a list has 0 to {}", kMostCorners)};
+                fmt::format("a list has 0 to {}", kMaxCorners)};
         }
         items_.clear();
         const auto items = static_cast<std::size_t>(std::ceil(count));
@@ -235,7 +235,7 @@ class PlyReader {
             }
         }
         std::set<std::string> unnamed;
-        for (const auto& [key, place] : parts_) {
+        for (const auto& [key, index] : parts_) {
             if (key.material && !names.contains(std::to_string(*key.material))) {
                 unnamed.insert(std::to_string(*key.material));
             }
@@ -254,17 +254,17 @@ class PlyReader {
     /// several share.
     void name_materials() {
         const std::map<std::string, std::string> names = clear_names();
-        for (const auto& [key, place] : parts_) {
-            MeshPart& part = mesh_.groups[groups_.at(key.organ)].parts[place];
-            const auto stated =
+        for (const auto& [key, index] : parts_) {
+            MeshPart& part = mesh_.groups[groups_.at(key.organ)].parts[index];
+            const auto given =
                 key.material ? header_.materials.find(*key.material) : header_.materials.end();
             if (const auto named = names.find(part.material); named != names.end()) {
                 mesh_.aliases.emplace(named->second, part.material);
                 part.material = named->second;
             } else if (
-                stated != header_.materials.end() && !stated->second.empty() &&
-                !parse_integer(stated->second)) {
-                mesh_.aliases.emplace(part.material, stated->second);
+                given != header_.materials.end() && !given->second.empty() &&
+                !parse_integer(given->second)) {
+                mesh_.aliases.emplace(part.material, given->second);
             }
             if (header_.has_texture) {
                 mesh_.masks.emplace(part.material, "TextureFile");
@@ -279,10 +279,10 @@ class PlyReader {
                 return property.role == PlyRole::organ || property.role == PlyRole::material;
             });
         if (is_one && element.count > 0) {
-            constexpr std::uint64_t kFewestBytes = 4;
+            constexpr std::uint64_t kMinBytes = 4;
             MeshPart& part = part_of({});
             part.faces.reserve(
-                std::min<std::uint64_t>(element.count, values_.bytes_left() / kFewestBytes));
+                std::min<std::uint64_t>(element.count, values_.bytes_left() / kMinBytes));
             part.lines.reserve(part.faces.capacity());
         }
     }

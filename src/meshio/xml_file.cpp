@@ -154,7 +154,7 @@ std::optional<std::vector<std::uint32_t>> XmlFile::face(
         }
         corners.push_back(static_cast<std::uint32_t>(number));
     }
-    if (corners.size() < 3 || corners.size() > kMostCorners) {
+    if (corners.size() < 3 || corners.size() > kMaxCorners) {
         fault(element, fmt::format("a face of {} corners", corners.size()));
         return std::nullopt;
     }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "resultio/series_words.h"
+#include "resultio/describe_series.h"
 #include "results/evaluate.h"
 #include "results/groups.h"
 #include "results/units.h"
@@ -130,11 +130,11 @@ void NetcdfLayout::define_times() {
     std::vector<double> begin, bounds;
     std::vector<std::string> texts;
     for (const std::size_t row : rows_) {
-        const MomentNotes& notes = run_.series->notes[row];
+        const TimeStepNotes& notes = run_.series->notes[row];
         begin.push_back(netcdf_seconds(notes.time));
         bounds.push_back(begin.back());
         bounds.push_back(
-            notes.collapsed ? netcdf_seconds(notes.collapsed->until)
+            notes.cumulated ? netcdf_seconds(notes.cumulated->until)
                             : begin.back() + notes.seconds);
         texts.push_back(notes.time);
     }
@@ -210,7 +210,7 @@ void NetcdfLayout::put_areas(const RunFile& run) {
     }
     NetcdfBlock block;
     if (sweep_.changes_geometry()) {
-        block.start = place_of(run);
+        block.start = indices_of(run);
         block.count.assign(block.start.size(), 1);
     }
     block.start.push_back(0);

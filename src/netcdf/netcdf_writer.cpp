@@ -8,7 +8,7 @@
 
 #include "netcdf/netcdf_layout.h"
 #include "quasimc/error.h"
-#include "resultio/series_words.h"
+#include "resultio/describe_series.h"
 #include "runfile/written.h"
 
 namespace quasimc {
@@ -27,7 +27,7 @@ class NetcdfLight final : public NetcdfWriter {
 
     void on_time_step(const TimeStepResult& step) override {
         const Result& result = step.result;
-        std::vector<std::size_t> start = layout_.place_of(*run_);
+        std::vector<std::size_t> start = layout_.indices_of(*run_);
         if (!is_written(*run_, step.time_step, result)) {
             return;
         }
@@ -62,7 +62,7 @@ class NetcdfLight final : public NetcdfWriter {
     }
 
     void add_day(std::size_t day, const SeriesSum& sum) override {
-        std::vector<std::size_t> start = layout_.place_of(*run_);
+        std::vector<std::size_t> start = layout_.indices_of(*run_);
         start.push_back(day);
         put_light(layout_.days, start, sum);
     }

@@ -112,19 +112,19 @@ std::vector<BsdfParameter> parameters_of_all(std::span<const BsdfEntry> models) 
     return all;
 }
 
-std::vector<double> parameter_values(const BsdfEntry& model, const BsdfParameters& stated) {
+std::vector<double> parameter_values(const BsdfEntry& model, const BsdfParameters& given) {
     std::vector<double> values;
     for (const BsdfParameter& parameter : model.parameters) {
-        const auto found = stated.find(parameter.name);
+        const auto found = given.find(parameter.name);
         values.push_back(
-            found != stated.end()
+            found != given.end()
                 ? found->second
                 : parameter.usual.value_or(std::numeric_limits<double>::quiet_NaN()));
     }
     return values;
 }
 
-std::string parameter_words(const BsdfEntry& model) {
+std::string describe_parameters(const BsdfEntry& model) {
     std::string words;
     for (const BsdfParameter& p : model.parameters) {
         words += fmt::format(

@@ -41,7 +41,7 @@ class LobeTable {
         std::size_t offset;      ///< of its albedos, one for every band
         double sign;             ///< 1 reflected, -1 transmitted
         bool delta, lambertian, reciprocal;
-        bool sharp;     ///< see is_sharp()
+        bool sharp;     ///< see is_narrow()
         double peak;    ///< see peak_brightness()
         bool alone;     ///< no other lobe can give the same direction
         bool constant;  ///< the albedo is the same at every angle

@@ -84,12 +84,12 @@ class Side {
         std::span<double> weights) const;
 
     /// Adds to out[b] the light that is sent in a direction `wo`, per steradian, of weights[b] that
-    /// travels along `wi`: by lobes whose peak_brightness() is below `sharp_from`.
+    /// travels along `wi`: by lobes whose peak_brightness() is below `narrow_from`.
     void add_scattered(
         const Vec3& n,
         const Vec3& wi,
         const Vec3& wo,
-        double sharp_from,
+        double narrow_from,
         std::span<const double> weights,
         std::span<double> out) const;
 

@@ -19,7 +19,7 @@ namespace quasimc {
 namespace {
 
 constexpr std::string_view kFirstLine = "QuasiMC part, format 2\n";
-constexpr std::uint64_t kMostParts = 1'000'000;
+constexpr std::uint64_t kMaxParts = 1'000'000;
 /// Stands for the number of a moment behind the last one.
 constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::max();
 
@@ -30,7 +30,7 @@ Fault missing_part(std::uint64_t part, std::uint64_t parts) {
 
 }  // namespace
 
-PartNumber read_part_number(const std::string& text, const std::string& place) {
+PartNumber read_part_number(const std::string& text, const std::string& where) {
     PartNumber number;
     const char* end = text.data() + text.size();
     const auto [slash, wrong] = std::from_chars(text.data(), end, number.part);
@@ -39,11 +39,10 @@ PartNumber read_part_number(const std::string& text, const std::string& place) {
         const auto [last, bad] = std::from_chars(slash + 1, end, number.parts);
         is_read = bad == std::errc() && last == end;
     }
-    if (!is_read || number.part < 1 || number.part > number.parts || number.parts > kMostParts) {
+    if (!is_read || number.part < 1 || number.part > number.parts || number.parts > kMaxParts) {
         throw InputError(
-            {{place, fmt::format("'{}' is no part of a run", text),
-              fmt::format(
-                  "it is K/N, the K-th of N parts, K from 1 to N, N at most {}", kMostParts),
+            {{where, fmt::format("'{}' is no part of a run", text),
+              fmt::format("it is K/N, the K-th of N parts, K from 1 to N, N at most {}", kMaxParts),
               "state 3/16 for the third of sixteen"}});
     }
     return number;
@@ -63,9 +62,9 @@ void PartWriter::write(const std::string& bytes) {
     sink_(bytes);
 }
 
-void PartWriter::add(std::size_t moment, const Sums& sums) {
+void PartWriter::add(std::size_t time_step, const Sums& sums) {
     const std::string bytes = save_sums(sums);
-    write(number_bytes(moment) + number_bytes(bytes.size()));
+    write(number_bytes(time_step) + number_bytes(bytes.size()));
     write(bytes);
     write_digest();
 }
@@ -90,7 +89,7 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
     const std::string numbers = read_bytes(2 * sizeof(std::uint64_t));
     std::memcpy(&number_.part, numbers.data(), sizeof number_.part);
     std::memcpy(&number_.parts, numbers.data() + sizeof number_.part, sizeof number_.parts);
-    if (number_.part < 1 || number_.part > number_.parts || number_.parts > kMostParts) {
+    if (number_.part < 1 || number_.part > number_.parts || number_.parts > kMaxParts) {
         refuse("is damaged", "its number among the parts can't be");
     }
     head_ = read_block();
@@ -132,8 +131,8 @@ std::string PartReader::read_block() {
     return read_bytes(read_number());
 }
 
-Sums PartReader::next(std::size_t moment) {
-    if (read_number() != moment) {
+Sums PartReader::next(std::size_t time_step) {
+    if (read_number() != time_step) {
         refuse("is damaged, or of another run", "it has the sums of other times");
     }
     const std::string block = read_block();
@@ -179,7 +178,8 @@ void PartFiles::check_complete() const {
                  fmt::format("{} is one of {}", parts_.front().path(), count), ""});
         } else if (!difference.empty()) {
             faults.add(
-                {part.path(), "is of another run than " + parts_.front().path(), difference, ""});
+                {part.path(), "belongs to another run than " + parts_.front().path(), difference,
+                 ""});
         } else if (number.part < expected) {
             faults.add(
                 {part.path(), fmt::format("part {} of {} is there twice", number.part, count),
@@ -202,11 +202,11 @@ StoredSweep PartFiles::read_runs() const {
         parts_.front().head(), path, std::filesystem::absolute(path).parent_path());
 }
 
-Sums PartFiles::next(std::size_t moment) {
-    Sums sums = parts_.front().next(moment);
+Sums PartFiles::next(std::size_t time_step) {
+    Sums sums = parts_.front().next(time_step);
     for (std::size_t i = 1; i < parts_.size(); ++i) {
         try {
-            sums.add_share(parts_[i].next(moment));
+            sums.add_share(parts_[i].next(time_step));
         } catch (const std::invalid_argument& error) {
             throw InputError(
                 {{parts_[i].path(), "does not fit " + parts_.front().path(), error.what(), ""}});

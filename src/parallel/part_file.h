@@ -24,7 +24,7 @@ struct PartNumber {
 };
 /// @param place  of the text, for messages
 /// @throws InputError
-[[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& place);
+[[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& where);
 
 /// Writes the sums of a part, moment by moment.
 class PartWriter {
@@ -33,7 +33,7 @@ class PartWriter {
     /// bytes before.
     PartWriter(const RunFile& run, const PartNumber& number, TextSink sink);
     /// @param moment  counted through all points of a sweep, ascending
-    void add(std::size_t moment, const Sums& sums);
+    void add(std::size_t time_step, const Sums& sums);
     void finish();
 
   private:
@@ -56,7 +56,7 @@ class PartReader {
     [[nodiscard]] const std::string& head() const { return head_; }
     /// The sums of a moment, which must be the next there.
     /// @throws InputError  if it isn't, or the file is cut off or damaged
-    [[nodiscard]] Sums next(std::size_t moment);
+    [[nodiscard]] Sums next(std::size_t time_step);
     /// @throws InputError  if there are more
     void expect_end();
 
@@ -86,7 +86,7 @@ class PartFiles {
     [[nodiscard]] StoredSweep read_runs() const;
     /// The sums of a moment, of all parts together. Moments in their order.
     /// @throws InputError
-    [[nodiscard]] Sums next(std::size_t moment);
+    [[nodiscard]] Sums next(std::size_t time_step);
     /// @throws InputError  if there are sums of more moments
     void expect_end();
     /// The files themselves, which no output may be.

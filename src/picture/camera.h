@@ -24,7 +24,7 @@ struct NamedView {
 [[nodiscard]] const NamedView* find_view(std::string_view name);
 
 /// A place in a picture, pixels from its top left corner.
-struct PixelPlace {
+struct PixelPoint {
     double x = 0, y = 0;
 };
 
@@ -40,11 +40,11 @@ class Camera {
         double width,
         double height);
 
-    struct SightLine {
+    struct CameraRay {
         Vec3 origin, direction;  ///< unit; all the scene is ahead
     };
-    [[nodiscard]] SightLine through(const PixelPlace& place) const;
-    [[nodiscard]] PixelPlace place_of(const Vec3& point) const;
+    [[nodiscard]] CameraRay through(const PixelPoint& pixel) const;
+    [[nodiscard]] PixelPoint pixel_of(const Vec3& point) const;
     /// A direction of the world as it is seen: to the right, upwards, towards the eye.
     [[nodiscard]] Vec3 seen(const Vec3& direction) const;
     /// Pixels to a unit of length, in the plane through the middle of what is shown.

@@ -26,13 +26,13 @@ class Canvas {
     [[nodiscard]] const Image& image() const { return image_; }
 
     /// Puts a picture on a place of whole pixels, which its top left corner has.
-    void put(const PixelPlace& corner, const Image& picture);
-    void polygon(std::span<const PixelPlace> corners, const Rgb& fill);
-    void line(const PixelPlace& a, const PixelPlace& b, const Rgb& color, double width);
-    void rectangle(const PixelPlace& corner, double width, double height, const Rgb& fill);
-    void disk(const PixelPlace& center, double radius, const Rgb& fill);
+    void put(const PixelPoint& corner, const Image& picture);
+    void polygon(std::span<const PixelPoint> corners, const Rgb& fill);
+    void line(const PixelPoint& a, const PixelPoint& b, const Rgb& color, double width);
+    void rectangle(const PixelPoint& corner, double width, double height, const Rgb& fill);
+    void disk(const PixelPoint& center, double radius, const Rgb& fill);
     /// Needs has_png(). @param place  on the line that letters stand on
-    void text(const PixelPlace& place, std::string_view utf8, const TextStyle& style);
+    void text(const PixelPoint& position, std::string_view utf8, const TextStyle& style);
 
   private:
     void blend(std::size_t x, std::size_t y, const Rgb& color, double part);

@@ -42,8 +42,8 @@ std::optional<Vec3> find_lamp(const Source& source, const Bounds& bounds) {
     const double far = 1000 * bounds.radius();
     for (const Vec3& direction : kDirections) {
         const Vec3 point = bounds.center() + far * direction;
-        if (const std::optional<Vec3> place = place_of_lamp(source, {point, point})) {
-            return place;
+        if (const std::optional<Vec3> position = position_of_lamp(source, {point, point})) {
+            return position;
         }
     }
     return std::nullopt;
@@ -75,21 +75,21 @@ std::vector<Warning> lint_lamp_unit(const Scene& scene, const Sources& sources, 
              size, scene.length_unit())}};
 }
 
-std::vector<Warning> lint_lamp_places(const Scene& scene, const Sources& sources) {
+std::vector<Warning> lint_lamp_positions(const Scene& scene, const Sources& sources) {
     if (ground_of(scene) == nullptr || !has_lamp(sources)) {
         return {};
     }
     const Bounds ground = survey_of(scene).organ_bounds.back();
     WarningKind below("lamps are below the ground");
     for (const auto& source : sources) {
-        const std::optional<Vec3> place = find_lamp(*source, scene.bounds());
-        if (place && ground.size().z == 0 && place->z < ground.low.z) {
+        const std::optional<Vec3> position = find_lamp(*source, scene.bounds());
+        if (position && ground.size().z == 0 && position->z < ground.low.z) {
             below.add(
                 "source '" + source->name() + "'",
                 fmt::format(
                     "is a lamp {:.3g} below the ground, which keeps its light from all that is "
                     "above: check its position",
-                    ground.low.z - place->z));
+                    ground.low.z - position->z));
         }
     }
     return std::move(below).finish();

@@ -48,7 +48,7 @@ constexpr double kMuchSharpLight = 0.3;
 constexpr double kFewPaths = 5;
 /// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
 /// has paths of its own.
-constexpr double kMostLostToGloss = 12;
+constexpr double kMaxLostToGloss = 12;
 
 /// What the sources are, dark ones left out.
 struct Lighting {
@@ -79,7 +79,7 @@ struct Scattering {
 };
 
 Scattering scattering_of(const Scene& scene) {
-    const double sharp_from = followed_peak(scene);
+    const double narrow_from = followed_peak(scene);
     double area = 0, sharp = 0;
     std::vector<double> scattered(scene.bands().size());
     for (const Region& region : scene.regions()) {
@@ -93,7 +93,7 @@ Scattering scattering_of(const Scene& scene) {
                 scattered[b] += region.area * material.side(side).albedo()[b];
             }
             for (const Lobe& lobe : material.side(side).lobes()) {
-                const bool is_followed = peak_brightness(*lobe.shape) >= sharp_from;
+                const bool is_followed = peak_brightness(*lobe.shape) >= narrow_from;
                 sharp += is_followed ? region.area * mean_of(lobe.albedo) : 0;
             }
         }
@@ -107,13 +107,13 @@ Scattering scattering_of(const Scene& scene) {
         all > 0 ? sharp / all : 0};
 }
 
-double brightest_peak(const Side& side, double sharp_from) {
+double brightest_peak(const Side& side, double narrow_from) {
     double brightest = 0;
     for (const Lobe& lobe : side.lobes()) {
         const double peak = peak_brightness(*lobe.shape);
         brightest = std::max(
-            brightest, peak < sharp_from ? peak * mean_of(lobe.albedo)
-                                         : std::numeric_limits<double>::infinity());
+            brightest, peak < narrow_from ? peak * mean_of(lobe.albedo)
+                                          : std::numeric_limits<double>::infinity());
     }
     return brightest;
 }
@@ -154,13 +154,13 @@ double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& s
         scattering.brightest_band < kBright) {
         gain = kDarkBelowFarLamps;
     }
-    return is_small ? gain * std::clamp(std::sqrt(peak), 1.0, kMostLostToGloss) : gain;
+    return is_small ? gain * std::clamp(std::sqrt(peak), 1.0, kMaxLostToGloss) : gain;
 }
 
 /// About how many of the scan lines across the scene meet a typical organ.
 double lines_per_organ(const Scene& scene, std::uint64_t paths) {
-    constexpr double kPathsPerLine = 80, kFewestLines = 128;
-    const double lines = std::max(kFewestLines, static_cast<double>(paths) / kPathsPerLine);
+    constexpr double kPathsPerLine = 80, kMinLines = 128;
+    const double lines = std::max(kMinLines, static_cast<double>(paths) / kPathsPerLine);
     return lines * std::sqrt(median_measured_area(scene)) / length(scene.bounds().size());
 }
 
@@ -197,21 +197,21 @@ double gain_of_equal_shares(const Scene& scene) {
 
 double brightest_peak(const Scene& scene) {
     double brightest = 0;
-    const double sharp_from = followed_peak(scene);
+    const double narrow_from = followed_peak(scene);
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         const Material& material = data_of(scene).materials[m];
         if (is_used[m] && !material.is_transparent()) {
             brightest = std::max(
-                {brightest, brightest_peak(material.side(SurfaceSide::upper), sharp_from),
-                 brightest_peak(material.side(SurfaceSide::lower), sharp_from)});
+                {brightest, brightest_peak(material.side(SurfaceSide::upper), narrow_from),
+                 brightest_peak(material.side(SurfaceSide::lower), narrow_from)});
         }
     }
     return brightest;
 }
 
 /// Copies of meshes may be more triangles than memory could hold; rasters keep something of each.
-constexpr std::size_t kMostForRasters = 100'000'000;
+constexpr std::size_t kMaxForRasters = 100'000'000;
 
 ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     return plan_method(scene, sources, spec, [] { return false; });
@@ -249,7 +249,7 @@ ChosenMethod plan_method(
     if (!lighting.sun && !lighting.sky) {
         return {Method::light_tracing, "all light comes from lamps"};
     }
-    if (scene.triangle_count() > kMostForRasters) {
+    if (scene.triangle_count() > kMaxForRasters) {
         return {
             Method::light_tracing,
             fmt::format("projecting {} triangles would take too long", scene.triangle_count())};

@@ -17,8 +17,8 @@ namespace quasimc {
 /// How a beam meets a triangle.
 enum class VisibilityRole : std::uint8_t {
     opaque,
-    sensor,    ///< receives light and lets it pass
-    left_out,  ///< another image of the same triangle stands for it (RayCaster::source)
+    sensor,   ///< receives light and lets it pass
+    omitted,  ///< another image of the same triangle stands for it (RayCaster::source)
 };
 
 /// A place v0 + u (v1 - v0) + v (v2 - v0) on a triangle.
@@ -48,7 +48,7 @@ struct ProjectedTriangle {
         return {low, middle, high};
     }
     /// What of it is seen at a place. Its picture must have an area.
-    [[nodiscard]] Barycentric place(double at_x, double at_y) const;
+    [[nodiscard]] Barycentric barycentric(double at_x, double at_y) const;
 };
 
 /// One coordinate of the plane of a beam: point p is seen at dot(along, p) + offset.
@@ -128,7 +128,7 @@ struct Periods {
 };
 /// @param low, high  of the stretch, from the beginning of the first period
 /// @param period  > 0. Not more than 100,000 to either side are counted: light that flies past as
-///        many is lost (RayCaster::kMostCells)
+///        many is lost (RayCaster::kMaxCells)
 [[nodiscard]] Periods periods_of(double low, double high, double period, bool repeats);
 
 /// The periods of x that a triangle reaches into within one period of y; the last before the first

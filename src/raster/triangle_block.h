@@ -34,7 +34,7 @@ struct RasterGrid {
     std::int64_t columns = 0, rows = 0;
     bool repeats_x = false, repeats_y = false;
     double row_shift = 0;    ///< how far a row stands beside the last, in columns
-    bool has_places = true;  ///< whether `u` and `v` of a block are asked for
+    bool has_barycentric = true;  ///< whether `u` and `v` of a block are asked for
 };
 
 /// A number as it changes over the grid, by triangle: at + by_x x + by_y y.
@@ -82,7 +82,7 @@ struct alignas(64) BlockPatches {
 
 /// Places where lines pass triangles, in no order: the line, and a key that is larger for what is
 /// deeper and tells what is passed there (depth_key()).
-struct LinePlaces {
+struct LineHitArrays {
     std::uint32_t* lines;
     std::uint64_t* keys;
 };
@@ -107,12 +107,12 @@ struct SpanLoops {
     bool (*next)(const RasterGrid& grid, BlockSpans& spans);
     /// Writes the places on the spans at hand of the lanes whose bit is set in `wanted`. There must
     /// be room for all. @returns how many
-    std::size_t (*place)(
+    std::size_t (*write_hits)(
         const RasterGrid& grid,
         const BlockSpans& spans,
         const BlockPatches& patches,
         std::uint32_t wanted,
-        const LinePlaces& to);
+        const LineHitArrays& to);
 };
 
 /// Those for the vector unit of this machine. All variants compute the same bits.

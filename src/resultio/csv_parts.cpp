@@ -8,8 +8,8 @@
 
 #include "options/options.h"
 #include "quasimc/version.h"
-#include "resultio/result_words.h"
-#include "resultio/series_words.h"
+#include "resultio/describe_result.h"
+#include "resultio/describe_series.h"
 #include "results/groups.h"
 #include "results/units.h"
 #include "text/line_scanner.h"
@@ -37,7 +37,7 @@ std::string source_comments(const RunFile& run) {
     }
     for (std::size_t i = 0; i < run.sweep->size(); ++i) {
         const SweepPoint& point = (*run.sweep)[i];
-        out += fmt::format("# point {}: {}\n", i + 1, one_line(point_words(point)));
+        out += fmt::format("# point {}: {}\n", i + 1, one_line(describe_point(point)));
         for (const std::string& note : point.source_notes) {
             out += fmt::format("# point {}: source: {}\n", i + 1, one_line(note));
         }
@@ -193,7 +193,7 @@ std::string csv_result_comments(const RunFile& run, const Result& result) {
     out += fmt::format(
         "# completed: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
         result.rays);
-    const std::string stopped = stop_words(run.spec, result);
+    const std::string stopped = describe_stop(run.spec, result);
     out += stopped.empty() ? "" : "# stopped: " + stopped + "\n";
     for (const std::string& words : audit_lines(run, result)) {
         out += "# audit: " + one_line(words) + "\n";
@@ -203,7 +203,7 @@ std::string csv_result_comments(const RunFile& run, const Result& result) {
 
 std::string csv_light_columns(const RunFile& run, LightAmount amount) {
     const WrittenColumns columns = written_columns(run);
-    const bool is_period = run.series && run.series->collapse == Collapse::period;
+    const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
     std::string out;
     for (const std::size_t b : columns.bands) {
         const Band& band = run.scene.bands()[b];

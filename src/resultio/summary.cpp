@@ -8,9 +8,9 @@
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "quasimc/version.h"
+#include "resultio/describe_result.h"
+#include "resultio/describe_series.h"
 #include "resultio/fraction_table.h"
-#include "resultio/result_words.h"
-#include "resultio/series_words.h"
 #include "resultio/summary_parts.h"
 #include "results/units.h"
 #include "runfile/written.h"
@@ -113,7 +113,7 @@ std::string time_line(const Result& result) {
 
 std::string error_line(const RunFile& run, const ErrorStatistics& errors) {
     const std::string advice = advice_on_error(run, errors.median);
-    return line("errors", error_words(errors)) + (advice.empty() ? "" : line("advice", advice));
+    return line("errors", describe_errors(errors)) + (advice.empty() ? "" : line("advice", advice));
 }
 
 std::string fraction_with_error(const Estimate& e) {
@@ -130,17 +130,17 @@ std::string energy_lines(
     const std::vector<BandBudget>& budgets,
     bool escaped_by_difference,
     const UnitOfBand& unit_of_band) {
-    constexpr std::size_t kMostBands = 4;
+    constexpr std::size_t kMaxBands = 4;
     std::string text;
-    for (std::size_t b = 0; b < std::min(budgets.size(), kMostBands); ++b) {
+    for (std::size_t b = 0; b < std::min(budgets.size(), kMaxBands); ++b) {
         const Band& band = scene.bands()[b];
         text += line(
-            "energy",
-            band.name + " " + energy_words(budgets[b], unit_of_band(band), escaped_by_difference));
+            "energy", band.name + " " +
+                          describe_energy(budgets[b], unit_of_band(band), escaped_by_difference));
     }
-    if (budgets.size() > kMostBands) {
+    if (budgets.size() > kMaxBands) {
         text +=
-            line("", fmt::format("... and {}", counted(budgets.size() - kMostBands, "more band")));
+            line("", fmt::format("... and {}", counted(budgets.size() - kMaxBands, "more band")));
     }
     return text;
 }
@@ -155,7 +155,7 @@ void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
 }
 
 /// "reflectance .08 +- .001, ..."; "" of what can't be told.
-std::string fraction_words(const CanopyFractions& fractions) {
+std::string describe_fractions(const CanopyFractions& fractions) {
     std::string text;
     for (const FractionEntry& entry : fraction_table()) {
         const Estimate& part = fractions.*entry.part;
@@ -168,10 +168,10 @@ std::string fraction_words(const CanopyFractions& fractions) {
 }
 
 std::string canopy_lines(const Scene& scene, const Result& result) {
-    constexpr std::size_t kMostBands = 4;
+    constexpr std::size_t kMaxBands = 4;
     std::string text;
-    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMostBands); ++b) {
-        const std::string words = fraction_words(result.canopy[b]);
+    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMaxBands); ++b) {
+        const std::string words = describe_fractions(result.canopy[b]);
         if (!words.empty()) {
             text += line("canopy", fmt::format("{}: {}", scene.bands()[b].name, words));
         }
@@ -212,10 +212,10 @@ std::string written_line(const std::vector<std::string>& written) {
 }
 
 /// How many time steps there are, and how many were computed.
-std::string times_words(const TimeSeries& series, const SeriesSummary& summary) {
-    const MomentNotes& first = series.notes.front();
-    const MomentNotes& last = series.notes.back();
-    if (series.collapse == Collapse::none) {
+std::string describe_times(const TimeSeries& series, const SeriesSummary& summary) {
+    const TimeStepNotes& first = series.notes.front();
+    const TimeStepNotes& last = series.notes.back();
+    if (series.cumulative_sky == CumulativeSky::none) {
         return fmt::format(
             "{} from {} to {}, {}: {} computed, {} at night or scaled from another",
             counted(series.time_steps.size(), "time step"), first.time, last.time,
@@ -224,13 +224,13 @@ std::string times_words(const TimeSeries& series, const SeriesSummary& summary) 
     }
     std::size_t times = 0;
     std::size_t suns = 0;
-    for (const MomentNotes& notes : series.notes) {
-        times += notes.collapsed->times;
+    for (const TimeStepNotes& notes : series.notes) {
+        times += notes.cumulated->times;
         suns += notes.suns;
     }
     return fmt::format(
         "{} from {} to {}, in {} with {}: {} computed", counted(times, "time step"), first.time,
-        last.collapsed->until, counted(series.notes.size(), "cumulative sky", "cumulative skies"),
+        last.cumulated->until, counted(series.notes.size(), "cumulative sky", "cumulative skies"),
         counted(suns, "sun position"), summary.computed);
 }
 
@@ -258,14 +258,15 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
         const std::size_t end = words.find(": ");
         text += line(words.substr(0, end), one_line(words.substr(end + 2)));
     }
-    text += line("steps", times_words(series, summary));
+    text += line("steps", describe_times(series, summary));
     text += sampling_line(
-        run.spec, fmt::format(
-                      "{} x {} per time step{}", counted(run.spec.paths, "path"),
-                      counted(run.spec.replicates, "replicate"),
-                      run.spec.effort == Effort::day ? " on average" : ""));
+        run.spec,
+        fmt::format(
+            "{} x {} per time step{}", counted(run.spec.paths, "path"),
+            counted(run.spec.replicates, "replicate"),
+            run.spec.path_allocation == PathAllocation::proportional ? " on average" : ""));
     text += line("method", series_method(run.spec, summary));
-    text += stopped_line(stop_words(run, summary));
+    text += stopped_line(describe_stop(run, summary));
     text += series_time_line(summary);
     if (run.spec.target_error > 0) {
         text += line(
@@ -282,7 +283,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
     std::string text =
-        sampling_line(run.spec, result) + stopped_line(stop_words(run.spec, result)) +
+        sampling_line(run.spec, result) + stopped_line(describe_stop(run.spec, result)) +
         method_line(run.spec, result) + time_line(result) + target_line(run.spec, result) +
         energy_lines(
             run.scene, result.budget, result.escaped_by_difference,
@@ -316,15 +317,15 @@ std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::si
 
 /// The first and the last points, if there are many.
 std::string point_text(const std::vector<std::string>& points) {
-    constexpr std::size_t kMostLines = 20;
+    constexpr std::size_t kMaxLines = 20;
     std::string text;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool is_shown =
-            points.size() <= kMostLines || i + 1 < kMostLines || i + 1 == points.size();
+            points.size() <= kMaxLines || i + 1 < kMaxLines || i + 1 == points.size();
         text += is_shown ? points[i] : "";
         if (!is_shown && i + 2 == points.size()) {
             text +=
-                line("", fmt::format("... {}", counted(points.size() - kMostLines, "more point")));
+                line("", fmt::format("... {}", counted(points.size() - kMaxLines, "more point")));
         }
     }
     return text;
@@ -338,8 +339,8 @@ void Summary::on_time_step(const TimeStepResult& step) {
         result_lines_ = result_lines(*run_, result);
         return;
     }
-    const std::size_t moment = moments_++;
-    const double seconds = run_->series ? run_->series->time_steps[moment].seconds : 0;
+    const std::size_t time_step = time_steps_++;
+    const double seconds = run_->series ? run_->series->time_steps[time_step].seconds : 0;
     energy_.resize(result.budget.size());
     for (std::size_t b = 0; b < energy_.size(); ++b) {
         const Band& band = run_->scene.bands()[b];
@@ -350,7 +351,7 @@ void Summary::on_time_step(const TimeStepResult& step) {
     escaped_by_difference_ = escaped_by_difference_ || result.escaped_by_difference;
     const ErrorStatistics errors = error_statistics(run_->scene, result);
     if (errors.median > 0) {
-        medians_.emplace_back(errors.median, moment);
+        medians_.emplace_back(errors.median, time_step);
         badly_known_ = std::max(badly_known_, errors.badly_known);
     }
 }
@@ -368,13 +369,13 @@ std::string Summary::series_quality() const {
     auto medians = medians_;
     std::sort(medians.begin(), medians.end());
     const double middle = medians[medians.size() / 2].first;
-    const auto& [worst, moment] = medians.back();
+    const auto& [worst, time_step] = medians.back();
     text += line(
         "errors",
         fmt::format(
             "absorbed flux, relative standard error, median of the organs: {} at the median time "
             "step, {} at the worst ({})",
-            percent_words(middle), percent_words(worst), run_->series->notes[moment].time));
+            format_percent(middle), format_percent(worst), run_->series->notes[time_step].time));
     if (badly_known_ > 0) {
         text += line(
             "errors",
@@ -390,16 +391,16 @@ std::string Summary::series_quality() const {
 std::string Summary::point_line() const {
     const std::string words = fmt::format(
         "{} of {}: {}", run_->point + 1, run_->sweep->size(),
-        one_line(point_words((*run_->sweep)[run_->point])));
+        one_line(describe_point((*run_->sweep)[run_->point])));
     auto medians = medians_;
     std::sort(medians.begin(), medians.end());
     const std::string errors =
-        medians.empty() ? "unknown" : percent_words(medians[medians.size() / 2].first);
+        medians.empty() ? "unknown" : format_percent(medians[medians.size() / 2].first);
     return line("point", fmt::format("{}; median error {}", words, errors));
 }
 
 void Summary::next_run(const RunFile& run, const SeriesSummary& /*summary*/) {
-    if (run_->sweep && moments_ > 0) {
+    if (run_->sweep && time_steps_ > 0) {
         point_lines_.push_back(point_line());
     }
     *this = Summary(run, std::move(point_lines_));
@@ -413,7 +414,7 @@ std::string Summary::text(
                written_line(written);
     }
     std::vector<std::string> points = point_lines_;
-    if (moments_ > 0) {
+    if (time_steps_ > 0) {
         points.push_back(point_line());
     }
     return sweep_head(*run_, summary, points.size()) + point_text(points) + written_line(written);

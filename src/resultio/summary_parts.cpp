@@ -83,7 +83,7 @@ ErrorStatistics error_statistics(const Scene& scene, const Result& result) {
     return errors;
 }
 
-std::string percent_words(double part) {
+std::string format_percent(double part) {
     constexpr double kWhole = 10;  // percent from which on there are no decimals
     const double percent = 100 * part;
     return percent < kWhole ? fmt::format("{:.2g} %", percent) : fmt::format("{:.0f} %", percent);
@@ -95,24 +95,24 @@ std::string advice_on_error(const RunFile& run, double median) {
         return "";
     }
     // By how much more paths lower an error depends on the method, which `auto` may change then.
-    return run.spec.series == SeriesMode::together
+    return run.spec.time_method == TimeMethod::daylight_coefficients
                ? "more paths make errors smaller"
                : fmt::format(
-                     "to reach {}: --target-error {}", percent_words(kLarge / 2), kLarge / 2);
+                     "to reach {}: --target-error {}", format_percent(kLarge / 2), kLarge / 2);
 }
 
-std::string error_words(const ErrorStatistics& errors) {
+std::string describe_errors(const ErrorStatistics& errors) {
     if (!errors.has_median()) {
         return "absorbed flux: no standard error could be estimated";
     }
     std::string text = fmt::format(
-        "absorbed flux, relative standard error: median {}", percent_words(errors.median));
+        "absorbed flux, relative standard error: median {}", format_percent(errors.median));
     text +=
         errors.badly_known > 0
             ? fmt::format(
                   ", above {:.0f} % for {} of {} (largest: organ {})", 100 * kBadlyKnown,
                   errors.badly_known, counted(errors.organs, "organ"), errors.worst_id)
-            : fmt::format(", largest {} (organ {})", percent_words(errors.worst), errors.worst_id);
+            : fmt::format(", largest {} (organ {})", format_percent(errors.worst), errors.worst_id);
     if (errors.unknown > 0) {
         text += fmt::format(
             "; none for {} (no absorbed light found)", counted(errors.unknown, "organ"));
@@ -120,7 +120,7 @@ std::string error_words(const ErrorStatistics& errors) {
     return text;
 }
 
-std::string energy_words(
+std::string describe_energy(
     const BandBudget& budget, const std::string& unit, bool escaped_by_difference) {
     const PartFormat number(budget.emitted.mean);
     std::string text = fmt::format("[{}]: emitted {}", unit, number(budget.emitted));

@@ -9,9 +9,9 @@
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "resultio/csv_parts.h"
+#include "resultio/describe_series.h"
 #include "resultio/fraction_table.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "runfile/written.h"
 #include "text/line_scanner.h"
 
@@ -46,7 +46,7 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
 }
 
 /// The comments on the columns that a time has and a day has not.
-std::string moment_columns(const RunFile& run, CsvRows rows) {
+std::string time_step_columns(const RunFile& run, CsvRows rows) {
     const bool is_of_groups = rows == CsvRows::groups;
     std::string out;
     if (written_columns(run).has_sunlit) {
@@ -136,7 +136,7 @@ void CsvWriter::write_head(const Result* result) {
     sink_(csv_point_columns(run) + times);
     sink_(is_of_organs ? csv_organ_columns(run) : csv_group_columns(run));
     sink_(csv_light_columns(run, result == nullptr ? LightAmount::sum : LightAmount::rate));
-    sink_((result == nullptr ? "" : moment_columns(run, rows_)) + csv_error_columns());
+    sink_((result == nullptr ? "" : time_step_columns(run, rows_)) + csv_error_columns());
     const std::vector<std::string> columns = estimate_columns(run, rows_, times_);
     sink_(
         is_of_organs ? csv_organ_header(first, labels_, columns)
@@ -210,7 +210,7 @@ std::unique_ptr<OutputWriter> make_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink);
 }
 
-std::unique_ptr<OutputWriter> make_days(const OutputInput& input) {
+std::unique_ptr<OutputWriter> make_daily_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::organs, CsvTimes::days);
 }
 
@@ -218,7 +218,7 @@ std::unique_ptr<OutputWriter> make_groups_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::groups);
 }
 
-std::unique_ptr<OutputWriter> make_groups_days(const OutputInput& input) {
+std::unique_ptr<OutputWriter> make_groups_daily_csv(const OutputInput& input) {
     return std::make_unique<CsvWriter>(input.run, input.sink, CsvRows::groups, CsvTimes::days);
 }
 

@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "resultio/csv_parts.h"
+#include "resultio/describe_series.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "text/line_scanner.h"
 

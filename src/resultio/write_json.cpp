@@ -5,9 +5,9 @@
 #include "files/sha256.h"
 #include "files/spool.h"
 #include "quasimc/result_file.h"
+#include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
 
@@ -26,15 +26,15 @@ Json series_head(const RunFile& run) {
 }
 
 /// When a moment is, and where its light comes from.
-Json moment_head(const MomentNotes& notes) {
+Json time_step_head(const TimeStepNotes& notes) {
     Json head = {{"time", notes.time}, {"seconds", notes.seconds}};
-    if (notes.collapsed) {
-        head["until"] = notes.collapsed->until;
+    if (notes.cumulated) {
+        head["until"] = notes.cumulated->until;
         head["cumulative_sky"] = {
-            {"times", notes.collapsed->times},
-            {"with_daylight", notes.collapsed->with_light},
+            {"times", notes.cumulated->times},
+            {"with_daylight", notes.cumulated->with_light},
             {"sun_positions", notes.suns},
-            {"skies", notes.collapsed->skies}};
+            {"skies", notes.cumulated->skies}};
     } else {
         head["sun"] = {
             {"azimuth_deg", notes.sun.azimuth_deg},
@@ -212,7 +212,7 @@ void JsonWriter::State::add_time_step(const TimeStepResult& step) {
         return;
     }
     json_.begin('{');
-    json_.members(moment_head(run_->series->notes[time_step]));
+    json_.members(time_step_head(run_->series->notes[time_step]));
     json_.members({{"computed", run_->series->notes[computed].time}});
     write_light(result);
     json_.end('}');

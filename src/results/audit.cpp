@@ -51,7 +51,7 @@ class Scatter {
 
     /// A sum of squares of normal numbers over an estimate of its mean: F, with the degrees of
     /// freedom of a sum of unequal variances.
-    void tell(BandAudit& audit) const {
+    void send(BandAudit& audit) const {
         if (!(variances_ > 0)) {
             return;
         }
@@ -97,7 +97,7 @@ Audit compare_results(const Scene& scene, const Result& a, const Result& b) {
             }
         }
         BandAudit& own = audit.bands[band];
-        scatter.tell(own);
+        scatter.send(own);
         compare_totals(a, b, band, own);
         least = std::min({least, own.chi_square_p_value, own.difference_p_value});
     }

@@ -103,11 +103,11 @@ void add_groups_of_labels(
         if (!value) {
             continue;
         }
-        const auto [place, is_new] = known.try_emplace(*value, groups.size());
+        const auto [found, is_new] = known.try_emplace(*value, groups.size());
         if (is_new) {
             groups.push_back({.by = by, .value = *value});
         }
-        add_to_group(groups[place->second], scene, i);
+        add_to_group(groups[found->second], scene, i);
     }
 }
 
@@ -121,7 +121,7 @@ struct OrganHeight {
 OrganHeight height_of(const Scene& scene, const Organ& organ) {
     OrganHeight height;
     double area_sum = 0;
-    double moment = 0;
+    double time_step = 0;
     double plain = 0;  // for an organ of no area
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const Triangle triangle = data_of(scene).triangles()[std::size_t{organ.first_triangle} + i];
@@ -129,12 +129,12 @@ OrganHeight height_of(const Scene& scene, const Organ& organ) {
         const double middle = (a.z + b.z + c.z) / 3;
         const double own = area(triangle);
         area_sum += own;
-        moment += own * middle;
+        time_step += own * middle;
         plain += middle / organ.triangle_count;
         height.low = std::min({height.low, a.z, b.z, c.z});
         height.high = std::max({height.high, a.z, b.z, c.z});
     }
-    height.centroid = area_sum > 0 ? moment / area_sum : plain;
+    height.centroid = area_sum > 0 ? time_step / area_sum : plain;
     return height;
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "results/bounds/organ_finds.h"
+#include "results/bounds/organ_contributions.h"
 #include "results/bounds/organ_reader.h"
 #include "results/bounds/patch_error.h"
 #include "results/bounds/patch_error_pool.h"
@@ -62,7 +62,7 @@ Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
     for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
         absorbed[r] = reader.incident(r, band).absorbed;
     }
-    return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
+    return OrganContributions(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
 /// What of the light of an organ other surfaces sent, in a band: 0 to 1.

@@ -28,7 +28,7 @@ void bound_unseen_totals(const Scene& scene, Result& result) {
 }
 
 /// Widens a total of which something was found. @param per_flux  its unit
-void widen(Estimate& total, const SingleFind& find, double per_flux = 1) {
+void widen(Estimate& total, const ContributionSize& find, double per_flux = 1) {
     if (total.mean > 0) {
         total = widened(total, {find.more * per_flux, find.less * per_flux});
     }
@@ -42,23 +42,23 @@ Estimate with_mean(const Estimate& e) {
 
 }  // namespace
 
-void TotalFind::include(const TotalFind& other) {
+void TotalContribution::include(const TotalContribution& other) {
     organs = larger(organs, other.organs);
     ground = larger(ground, other.ground);
 }
 
-void TotalFinds::include(std::span<const TotalFind> some) {
+void TotalContributions::include(std::span<const TotalContribution> some) {
     const std::lock_guard lock(mutex_);
     for (std::size_t b = 0; b < bands_.size(); ++b) {
         bands_[b].include(some[b]);
     }
 }
 
-void tell_errors_of_totals(
-    const Sums& sums, const Scene& scene, const TotalFinds& finds, Result& result) {
+void report_errors_of_totals(
+    const Sums& sums, const Scene& scene, const TotalContributions& finds, Result& result) {
     bound_unseen_totals(scene, result);
     for (std::size_t b = 0; b < result.bands; ++b) {
-        const TotalFind& find = finds.of(b);
+        const TotalContribution& find = finds.of(b);
         BandBudget& budget = result.budget[b];
         widen(budget.absorbed_by_organs, find.organs);
         widen(budget.absorbed_by_ground, find.ground);

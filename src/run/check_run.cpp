@@ -39,21 +39,21 @@ void check_sampler(const RunSpec& spec, Faults& faults) {
 }
 
 void check_numbers(const RunSpec& spec, Faults& faults) {
-    const auto require = [&](bool good, std::string_view place, std::string problem,
+    const auto require = [&](bool good, std::string_view where, std::string problem,
                              std::string why) {
         if (!good) {
-            faults.add({std::string(place), std::move(problem), std::move(why), ""});
+            faults.add({std::string(where), std::move(problem), std::move(why), ""});
         }
     };
     require(
-        spec.paths >= 1 && spec.paths <= kMostPaths, "paths", fmt::format("{}", spec.paths),
+        spec.paths >= 1 && spec.paths <= kMaxPaths, "paths", fmt::format("{}", spec.paths),
         "1 to 2^30");
     require(
-        spec.replicates >= 1 && spec.replicates <= kMostReplicates, "replicates",
-        fmt::format("{}", spec.replicates), fmt::format("1 to {}", kMostReplicates));
+        spec.replicates >= 1 && spec.replicates <= kMaxReplicates, "replicates",
+        fmt::format("{}", spec.replicates), fmt::format("1 to {}", kMaxReplicates));
     require(
-        spec.threads <= kMostThreads, "threads", fmt::format("{}", spec.threads),
-        fmt::format("0 to {}", kMostThreads));
+        spec.threads <= kMaxThreads, "threads", fmt::format("{}", spec.threads),
+        fmt::format("0 to {}", kMaxThreads));
     require(
         spec.target_error >= 0 && spec.target_error < 1, "target_error",
         shortest(spec.target_error), "0 to 1, 0 for none");
@@ -67,8 +67,8 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         spec.tally_memory_mb >= 0 && std::isfinite(spec.tally_memory_mb), "tally_memory_mb",
         shortest(spec.tally_memory_mb), "0 or more");
     require(
-        spec.roulette_weight > 0 && spec.roulette_weight <= 1, "roulette_weight",
-        shortest(spec.roulette_weight), "above 0, at most 1");
+        spec.roulette_threshold > 0 && spec.roulette_threshold <= 1, "roulette_threshold",
+        shortest(spec.roulette_threshold), "above 0, at most 1");
     require(
         spec.target_error == 0 || spec.replicates >= 2, "target_error",
         "needs at least 2 replicates", "one replicate has no standard error");
@@ -78,7 +78,7 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         !(spec.audit > 0) || spec.replicates >= 2, "audit", "needs at least 2 replicates",
         "one replicate has no standard error");
     require(
-        spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMostPaths),
+        spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMaxPaths),
         "max_paths", fmt::format("{}", spec.max_paths), "0, or from paths to 2^30");
 }
 
@@ -97,9 +97,11 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
         }
         for (const std::string& name : {ratio.substr(0, colon), ratio.substr(colon + 1)}) {
             if (std::find(names.begin(), names.end(), name) == names.end()) {
+                const std::string_view near = nearest_word(name, names);
                 faults.add(
-                    {"ratios", fmt::format("'{}' is not a band of the scene", name), "",
-                     did_you_mean(name, names)});
+                    {"ratios",
+                     fmt::format("'{}' is not a band (bands: {})", name, joined(names, ", ")), "",
+                     near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
             }
         }
     }
@@ -134,15 +136,15 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
 }
 
 void check_irradiance(const Source& source, double x, Faults& faults) {
-    const std::string place = fmt::format("source '{}'", source.name());
+    const std::string where = fmt::format("source '{}'", source.name());
     if (!(x >= 0) || !std::isfinite(x)) {
-        faults.add({place, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
+        faults.add({where, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
     }
 }
 
 void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (sources.empty()) {
-        faults.add({"sources", "there are none", "the scene would be dark", "add a [[source]]"});
+        faults.add({"sources", "there are none", "", "add a [[source]]"});
     }
     bool dark = !sources.empty();
     for (const auto& source : sources) {
@@ -160,10 +162,8 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     }
     if (dark) {
         faults.add(
-            {"sources", "all irradiances are 0",
-             fmt::format(
-                 "the scene would be dark; less than {} counts as 0", shortest(kLeastIrradiance)),
-             ""});
+            {"sources", "no source gives light",
+             fmt::format("irradiances below {} count as 0", shortest(kMinIrradiance)), ""});
     }
 }
 

@@ -38,7 +38,7 @@ const MeshMaterial* definition_of(const std::string& name, const Definitions& de
 }
 
 /// What a file gives for a material that the run file does not.
-std::string optics_words(const MeshMaterial& material) {
+std::string describe_optics(const MeshMaterial& material) {
     if (!material.is_stated) {
         return "its library gives no colour, so that it is black";
     }
@@ -212,10 +212,10 @@ std::string FileMaterials::find_one(Search& search, const std::string& name) {
     std::string run_name = name_of(file.name, *material);
     search.renamed += run_name == name ? 0 : 1;
     search.defined.push_back(name);
-    search.definitions.push_back(optics_words(*material));
+    search.definitions.push_back(describe_optics(*material));
     if (added_.emplace(run_name, optics_of(*material)).second) {
         search.builder.add_material(
-            spec_of(run_name, *material, context_.bands.size()), search.table.place());
+            spec_of(run_name, *material, context_.bands.size()), search.table.where());
     }
     return run_name;
 }

@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostWavebands = 10000;
+constexpr std::size_t kMaxWavebands = 10000;
 
 /// The nodes of a value, one per band; empty after a fault.
 std::vector<const Node*> nodes_of_value(
@@ -65,11 +65,11 @@ Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
 }
 
 /// What would break a column's name or a ratio "A:B". (The scene checks the rest.)
-void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& place) {
+void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& node) {
     for (const Band& band : bands) {
         if (band.name.find_first_of(":,\"\n\r#") != std::string::npos) {
             top.fault_at(
-                place, fmt::format("a band is named {}", shown(band.name)),
+                node, fmt::format("a band is named {}", shown(band.name)),
                 "a name holds no ':', ',', '#', quote or line break");
         }
     }
@@ -106,10 +106,10 @@ std::vector<Band> read_bands(TableReader& top) {
     if (bands.empty() && !top.failed()) {
         top.fault("no band is given", "", "write bands = [\"PAR\"]");
     }
-    if (bands.size() > kMostWavebands) {
+    if (bands.size() > kMaxWavebands) {
         top.fault_at(
             named ? *named : *tables.front(), fmt::format("{} bands", bands.size()),
-            fmt::format("a run has {} at most", kMostWavebands), "compute them in several runs");
+            fmt::format("a run has {} at most", kMaxWavebands), "compute them in several runs");
         bands.resize(1);
     }
     if (!bands.empty()) {

@@ -121,7 +121,7 @@ void add_lights(
     }
     list.notes.push_back(fmt::format(
         "{}: {} directions; {} in all", file, lights.size(),
-        irradiance_words("the horizontal", whole, context.bands)));
+        format_irradiance("the horizontal", whole, context.bands)));
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ void read_material_files(TableReader& top, RunFileContext& context, SceneBuilder
         if (bands && !table.failed()) {
             for (MaterialSpec& material : caribu_materials(*bands)) {
                 context.materials.insert(material.name);
-                builder.add_material(std::move(material), table.place());
+                builder.add_material(std::move(material), table.where());
             }
         }
     }

@@ -41,11 +41,11 @@ std::optional<NotedSource> read_directional(
         return std::nullopt;
     }
     if (travel->z > 0) {
-        table.warn(table.what() + ": it shines upwards, from below the horizon");
+        table.warn(table.what() + ": it is below the horizon");
     }
     const std::string note = fmt::format(
-        "{}: {}; {}", name, angles_words(*travel, context.orientation),
-        irradiance_words("a plane facing it", *values, context.bands));
+        "{}: {}; {}", name, format_angles(*travel, context.orientation),
+        format_irradiance("a plane facing it", *values, context.bands));
     return NotedSource{make_directional_source(name, *travel, *values), note};
 }
 

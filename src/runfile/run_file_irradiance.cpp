@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-std::string irradiance_words(
+std::string format_irradiance(
     std::string_view plane, const std::vector<double>& values, const std::vector<Band>& bands) {
     std::string text;
     for (std::size_t b = 0; b < bands.size(); ++b) {
@@ -20,13 +20,13 @@ std::string irradiance_words(
     return fmt::format("{} on {}", text, plane);
 }
 
-std::string vector_words(const Vec3& v) {
+std::string format_vector(const Vec3& v) {
     return fmt::format(
         "({:.6g}, {:.6g}, {:.6g})", without_rounding(v.x), without_rounding(v.y),
         without_rounding(v.z));
 }
 
-std::string angles_words(const Vec3& travel, const Orientation& orientation) {
+std::string format_angles(const Vec3& travel, const Orientation& orientation) {
     const Vec3 north = normalized(orientation.inward(orientation.north()));
     const Vec3 east{north.y, -north.x, 0};
     const Vec3 to_sun = -travel;

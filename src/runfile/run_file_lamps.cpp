@@ -177,7 +177,7 @@ constexpr std::array kLampKinds{
     LampKind{"line", read_line},           LampKind{"sphere", read_ball},
     LampKind{"ies", read_ies_lamp}};
 
-std::string place_words(const Vec3& p) {
+std::string format_point(const Vec3& p) {
     return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
 }
 
@@ -188,10 +188,10 @@ bool add_flux(
     const FluxKey& key,
     const RunFileContext& context,
     std::vector<double>& flux) {
-    const auto stated = read_per_band(table, key.key, context.bands, TableReader::kLight);
-    for (std::size_t b = 0; stated && b < flux.size(); ++b) {
+    const auto given = read_per_band(table, key.key, context.bands, TableReader::kLight);
+    for (std::size_t b = 0; given && b < flux.size(); ++b) {
         const Band& band = context.bands[b];
-        if (band.unit != key.of_band && (*stated)[b] != 0) {
+        if (band.unit != key.of_band && (*given)[b] != 0) {
             table.fault_at(
                 key.key, fmt::format("{} for band '{}' in {}", key.key, band.name, band.unit),
                 fmt::format("it is in {}, of irradiance in {}", key.unit, key.of_band),
@@ -199,9 +199,9 @@ bool add_flux(
                 "another unit");
             return false;
         }
-        flux[b] += (*stated)[b];
+        flux[b] += (*given)[b];
     }
-    return stated.has_value();
+    return given.has_value();
 }
 
 /// What a lamp emits, per band, in irradiance unit x square scene unit; nothing after a fault.
@@ -232,7 +232,7 @@ std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileCo
 }
 
 /// "emits PAR 400 umol s-1"
-std::string flux_words(const std::vector<double>& flux, const RunFileContext& context) {
+std::string format_flux(const std::vector<double>& flux, const RunFileContext& context) {
     std::string text = "emits";
     for (std::size_t b = 0; b < flux.size(); ++b) {
         const FluxUnit unit = named_flux_unit(context.bands[b].unit, context.length_unit);
@@ -250,20 +250,20 @@ std::optional<Vec3> read_direction(
     std::string_view key,
     const std::optional<Vec3>& usual,
     const RunFileContext& context) {
-    std::optional<Vec3> stated = table.vector(key);
+    std::optional<Vec3> given = table.vector(key);
     if (usual && table.any(key) == nullptr) {
         return usual;
     }
-    stated = table.required(key, stated);
-    if (!stated) {
+    given = table.required(key, given);
+    if (!given) {
         return std::nullopt;
     }
-    const double size = std::max({std::abs(stated->x), std::abs(stated->y), std::abs(stated->z)});
+    const double size = std::max({std::abs(given->x), std::abs(given->y), std::abs(given->z)});
     if (size == 0) {
         table.fault_at(key, fmt::format("{} is [0, 0, 0]", key), "it points nowhere");
         return std::nullopt;
     }
-    return normalized(context.orientation.inward(*stated / size));
+    return normalized(context.orientation.inward(*given / size));
 }
 
 std::optional<NotedSource> read_lamp(
@@ -284,8 +284,8 @@ std::optional<NotedSource> read_lamp(
     const Orientation& axes = context.orientation;
     const std::string note = fmt::format(
         "{}: {} at {}, aimed along {}; {}", name, find_source(type)->words,
-        place_words(axes.outward(lamp.position)), vector_words(axes.outward(lamp.axes.n)),
-        flux_words(*flux, context));
+        format_point(axes.outward(lamp.position)), format_vector(axes.outward(lamp.axes.n)),
+        format_flux(*flux, context));
     return NotedSource{make_lamp(std::move(lamp)), note};
 }
 

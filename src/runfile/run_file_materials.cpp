@@ -164,8 +164,7 @@ void check_parameters(TableReader& table, const LobeKeys& keys, std::string_view
 void check_stated(TableReader& table, const SideKeys& keys) {
     if (!keys.reflection.amount && !keys.transmission.amount) {
         table.fault(
-            "neither reflectance nor transmittance is given",
-            "a forgotten number would make it black", "write reflectance = 0 if it is black");
+            "reflectance is missing", "", "write reflectance = 0 for a black surface");
     }
 }
 
@@ -183,9 +182,8 @@ std::vector<SideOptics> make_side(
         if (r.amount + t.amount > 1) {
             table.fault(
                 fmt::format(
-                    "{}band {}: reflectance {} + transmittance {} is more than 1", words,
-                    bands[b].name, r.amount, t.amount),
-                "it would make light");
+                    "{}band {}: reflectance {} + transmittance {} exceeds 1", words,
+                    bands[b].name, r.amount, t.amount));
         }
     }
     return side;
@@ -268,7 +266,7 @@ void read_material(const Node& node, RunFileContext& context, SceneBuilder& buil
         return;
     }
     context.materials.insert(*name);
-    builder.add_material(std::move(spec), table.place());
+    builder.add_material(std::move(spec), table.where());
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ std::array<Vec3, 3> read_rotation(const Node& node, TableReader& parent) {
 void read_organ(const Node& node, RunFileContext& context, SceneBuilder& builder) {
     TableReader table(node, "organ", *context.reporter);
     OrganSpec organ;
-    organ.place = table.place();
+    organ.where = table.where();
     organ.id = table.integer("id", kAnyId);
     organ.name = table.text("name").value_or("");
     if (!organ.name.empty() || organ.id) {
@@ -193,7 +193,7 @@ void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builde
     }
     TableReader table(*node, "ground", *context.reporter);
     GroundSpec ground;
-    ground.place = table.place();
+    ground.where = table.where();
     ground.name = table.text("name").value_or(ground.name);
     ground.material = table.required("material", table.text("material")).value_or("");
     if (table.any("file") != nullptr) {

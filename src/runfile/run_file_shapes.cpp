@@ -64,10 +64,10 @@ Triangles read_rhombus(TableReader& table) {
 
 Triangles read_polygon(TableReader& table) {
     const auto corners = table.required("corners", table.vectors("corners"));
-    if (corners && (corners->size() < 3 || corners->size() > kMostCorners)) {
+    if (corners && (corners->size() < 3 || corners->size() > kMaxCorners)) {
         table.fault_at(
             "corners", fmt::format("{} corners", corners->size()),
-            fmt::format("a polygon has 3 to {}", kMostCorners));
+            fmt::format("a polygon has 3 to {}", kMaxCorners));
     }
     return table.failed() ? Triangles() : make_polygon(*corners);
 }
@@ -139,10 +139,10 @@ Triangles read_sphere(TableReader& table) {
 std::optional<std::vector<Vec3>> read_face(
     TableReader& table, const Node& node, std::size_t index, const std::vector<Vec3>& vertices) {
     const auto* list = node.as<Node::List>();
-    if (list == nullptr || list->size() < 3 || list->size() > kMostCorners) {
+    if (list == nullptr || list->size() < 3 || list->size() > kMaxCorners) {
         table.fault_at(
-            node, fmt::format(
-                      "faces[{}] is no list of 3 to {} numbers of vertices", index, kMostCorners));
+            node,
+            fmt::format("faces[{}] is no list of 3 to {} numbers of vertices", index, kMaxCorners));
         return std::nullopt;
     }
     std::vector<Vec3> corners;
@@ -215,7 +215,7 @@ std::vector<Triangle> read_shape(TableReader& organ) {
         return entry->read(organ);
     } catch (const InputError& error) {
         const Fault& first = error.faults().front();
-        organ.fault(first.place + ": " + first.problem, first.why, first.suggestion);
+        organ.fault(first.where + ": " + first.problem, first.why, first.suggestion);
         return {};
     }
 }

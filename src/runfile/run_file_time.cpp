@@ -13,7 +13,7 @@ namespace quasimc {
 namespace {
 
 constexpr std::array<std::string_view, 3> kModels{"erbs", "reindl", "spitters"};
-constexpr std::array<std::string_view, 3> kCollapse{"none", "days", "period"};
+constexpr std::array<std::string_view, 3> kCumulativeSky{"none", "day", "period"};
 
 SeriesRules read_rules(TimeContext& context) {
     TableReader& table = *context.table;
@@ -26,10 +26,10 @@ SeriesRules read_rules(TimeContext& context) {
                                         : DiffuseModel::erbs;
     rules.air.linke_turbidity =
         table.real("linke_turbidity", {1, 10}).value_or(rules.air.linke_turbidity);
-    const std::string collapse = table.choice("collapse", kCollapse).value_or("none");
-    rules.collapse = collapse == "days"     ? Collapse::days
-                     : collapse == "period" ? Collapse::period
-                                            : Collapse::none;
+    const std::string cumulative = table.choice("cumulative_sky", kCumulativeSky).value_or("none");
+    rules.cumulative_sky = cumulative == "day"      ? CumulativeSky::day
+                           : cumulative == "period" ? CumulativeSky::period
+                                                    : CumulativeSky::none;
     rules.sun_step = 60 * table.real("sun_step_minutes", {0, 1440}).value_or(rules.sun_step / 60);
     constexpr double kShortestStep = 1;
     if (rules.sun_step > 0 && rules.sun_step < kShortestStep) {
@@ -41,15 +41,15 @@ SeriesRules read_rules(TimeContext& context) {
 }
 
 /// Instants have no length by which they could be summed.
-void check_collapse(
+void check_cumulative_sky(
     const SeriesRules& rules, const std::vector<Interval>& intervals, TableReader& table) {
     const bool has_instant = std::any_of(
         intervals.begin(), intervals.end(), [](const auto& each) { return each.seconds == 0; });
-    if (rules.collapse != Collapse::none && has_instant) {
+    if (rules.cumulative_sky != CumulativeSky::none && has_instant) {
         table.fault_at(
-            "collapse", "instants are to be collapsed",
+            "cumulative_sky", "instants have no cumulative sky",
             "the sum over times depends on how long each of them is",
-            "give duration_minutes, or leave collapse out");
+            "give duration_minutes, or leave cumulative_sky out");
     }
 }
 
@@ -70,12 +70,12 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
     if (!offset && !intervals.empty() && intervals.front().start.utc_offset_hours != 0) {
         offset = intervals.front().start.utc_offset_hours;
     }
-    if (!offset || !context.place) {
+    if (!offset || !context.site) {
         return;
     }
     constexpr double kFarHours = 4;
-    const double latitude = context.place->latitude_deg;
-    const double longitude = context.place->longitude_deg;
+    const double latitude = context.site->latitude_deg;
+    const double longitude = context.site->longitude_deg;
     const double ahead = ahead_of_sun(*offset, longitude);
     // A clock of UTC is used everywhere.
     const bool is_exchanged = *offset != 0 && std::abs(longitude) <= 90 && !is_usual_clock(ahead) &&
@@ -90,20 +90,20 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
 }
 
 std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
-    const Place& place = rules.place;
+    const Site& site = rules.site;
     std::vector<std::string> words{fmt::format(
         "site: latitude {} deg, longitude {} deg (east positive), elevation {} m",
-        shortest(place.latitude_deg), shortest(place.longitude_deg), shortest(place.elevation_m))};
+        shortest(site.latitude_deg), shortest(site.longitude_deg), shortest(site.elevation_m))};
     words.push_back(
         is_measured ? "daylight: measured; split into direct and diffuse by the readings or the "
                       "model of diffuse_fraction"
                     : fmt::format(
                           "daylight: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
                           shortest(rules.air.linke_turbidity)));
-    if (rules.collapse != Collapse::none) {
+    if (rules.cumulative_sky != CumulativeSky::none) {
         words.push_back(fmt::format(
             "sky: one cumulative sky of cells and all sun positions for {}; its light is the mean",
-            rules.collapse == Collapse::days ? "each day" : "the whole period"));
+            rules.cumulative_sky == CumulativeSky::day ? "each day" : "the whole period"));
     }
     words.push_back(fmt::format(
         "sky: {}; without direct light {}; a sun position every {} min", rules.how.sky,
@@ -131,27 +131,27 @@ std::optional<TimeSeries> read_time(
         return std::nullopt;
     }
     TableReader table(*node, "[time]", top.reporter());
-    TimeContext context{&table, &run, run.place, table.real("utc_offset_hours", {-14, 14})};
+    TimeContext context{&table, &run, run.site, table.real("utc_offset_hours", {-14, 14})};
     const bool has_weather = table.any("weather") != nullptr;
     const std::vector<Interval> intervals =
         has_weather ? read_weather(context) : read_intervals(context);
     SeriesRules rules = read_rules(context);
-    check_collapse(rules, intervals, table);
+    check_cumulative_sky(rules, intervals, table);
     table.finish();
-    // Weather that can't be read would have told the place, or where to look for it.
+    // Weather that can't be read would have told the site, or where to look for it.
     const bool is_weather_broken = has_weather && intervals.empty();
-    if (!context.place && top.any("place") == nullptr && !is_weather_broken) {
+    if (!context.site && top.any("site") == nullptr && !is_weather_broken) {
         top.fault(
-            "the place is missing", "the sun's path depends on it",
-            "add [place] with latitude_deg and longitude_deg");
+            "[site] is missing", "the sun's path depends on it",
+            "add [site] with latitude_deg and longitude_deg");
     }
-    if (table.failed() || !context.place) {
+    if (table.failed() || !context.site) {
         return std::nullopt;
     }
     check_clock(intervals, context);
-    rules.place = *context.place;
-    rules.air.elevation_m = rules.place.elevation_m;
-    rules.air.pressure_hpa = rules.place.pressure_hpa;
+    rules.site = *context.site;
+    rules.air.elevation_m = rules.site.elevation_m;
+    rules.air.pressure_hpa = rules.site.pressure_hpa;
     SeriesBuilder builder(rules, lamps, top.reporter());
     bool is_measured = false;
     for (const Interval& interval : intervals) {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "optics/usual_optics.h"
+#include "optics/default_optics.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/run_file_time.h"
 
@@ -65,7 +65,7 @@ std::optional<SpectralOptics> read_usual_optics(TableReader& table, const RunFil
     if (*name == kSoil) {
         return read_soil(table, context);
     }
-    const UsualOptics* usual = find_usual_optics(*name);
+    const DefaultOptics* usual = find_usual_optics(*name);
     if (usual == nullptr) {
         std::vector<std::string_view> names = names_in(usual_optics());
         names.insert(names.begin(), kSoil);

@@ -50,7 +50,7 @@ WeatherColumns read_columns(TimeContext& context) {
 }
 
 /// Takes over what the file knows of its place.
-void settle_place(const WeatherFile& file, TimeContext& context) {
+void settle_site(const WeatherFile& file, TimeContext& context) {
     TableReader& table = *context.table;
     if (file.utc_offset_hours && context.utc_offset_hours &&
         *file.utc_offset_hours != *context.utc_offset_hours) {
@@ -67,20 +67,20 @@ void settle_place(const WeatherFile& file, TimeContext& context) {
     } else if (!context.utc_offset_hours) {
         context.utc_offset_hours = file.records.front().start.utc_offset_hours;
     }
-    if (file.place && context.place) {
+    if (file.site && context.site) {
         constexpr double kNear = 0.5;
         const bool is_far =
-            std::abs(file.place->latitude_deg - context.place->latitude_deg) > kNear ||
-            std::abs(file.place->longitude_deg - context.place->longitude_deg) > kNear;
+            std::abs(file.site->latitude_deg - context.site->latitude_deg) > kNear ||
+            std::abs(file.site->longitude_deg - context.site->longitude_deg) > kNear;
         if (is_far) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
-                    "the weather is of latitude {}, longitude {}, which is not [place]",
-                    shortest(file.place->latitude_deg), shortest(file.place->longitude_deg)));
+                    "the weather is of latitude {}, longitude {}, which is not [site]",
+                    shortest(file.site->latitude_deg), shortest(file.site->longitude_deg)));
         }
-    } else if (file.place) {
-        context.place = file.place;
+    } else if (file.site) {
+        context.site = file.site;
     }
 }
 
@@ -93,7 +93,7 @@ std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) 
                                                     std::pair(span.first.month, span.first.day);
         record.start.year = span.first.year + (next_year ? 1 : 0);
     }
-    std::size_t left_out = 0;
+    std::size_t skipped = 0;
     std::erase_if(records, [&](const WeatherRecord& record) {
         if (record.start.day <= days_in_month(record.start.year, record.start.month)) {
             return false;
@@ -104,13 +104,13 @@ std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) 
         march.hour = march.minute = 0;
         march.second = 0;
         const double begin = julian_day(march);
-        left_out += begin > julian_day(span.first) && begin < julian_day(span.last) ? 1 : 0;
+        skipped += begin > julian_day(span.first) && begin < julian_day(span.last) ? 1 : 0;
         return true;
     });
     std::stable_sort(records.begin(), records.end(), [](const auto& a, const auto& b) {
         return julian_day(a.start) < julian_day(b.start);
     });
-    return left_out;
+    return skipped;
 }
 
 /// Whether a span of a typical year is of 365 days at most; it holds no others.
@@ -123,8 +123,8 @@ bool fits_a_year(TableReader& table, const TimeSpan& span) {
 }
 
 void warn_of_clock(const WeatherFile& file, TimeContext& context) {
-    if (context.place) {
-        if (const auto warning = warning_of_clock(file.records, *context.place)) {
+    if (context.site) {
+        if (const auto warning = warning_of_clock(file.records, *context.site)) {
             context.table->warn_at(*context.table->any("weather"), *warning);
         }
     }
@@ -184,9 +184,9 @@ class Selection {
 
     /// Tells of steps that are asked for between the record before and `next`.
     void note_hole(const CivilTime& next, const WeatherRecord& record) {
-        constexpr double kMostSteps = 1e6;
+        constexpr double kMaxSteps = 1e6;
         const double length = end_ ? kSecondsADay * (julian_day(next) - julian_day(*end_)) : 0;
-        if (length > kMostSteps * record.seconds) {
+        if (length > kMaxSteps * record.seconds) {
             note_gap(record.line, "more than a million rows are missing");
             return;
         }
@@ -206,13 +206,13 @@ class Selection {
     }
 
     void note_gap(std::uint32_t line, const std::string& text) {
-        const std::string place = fmt::format("{}:{}", file_, line);
+        const std::string where = fmt::format("{}:{}", file_, line);
         if (!skips_) {
             context_.table->reporter().faults.add(
-                {place, text, "a sum over a day needs all of it",
+                {where, text, "a sum over a day needs all of it",
                  "gaps = \"skip\" leaves such times out"});
         } else if (gaps_++ == 0) {
-            first_gap_ = place + ": " + text;
+            first_gap_ = where + ": " + text;
         }
     }
 
@@ -275,19 +275,19 @@ std::vector<Interval> read_weather(TimeContext& context) {
         static_cast<void>(read_span(context));
         return {};
     }
-    settle_place(*file, context);
+    settle_site(*file, context);
     const auto span = read_span(context);
     if (table.failed() || (span && file->is_typical_year && !fits_a_year(table, *span))) {
         return {};
     }
     if (span && file->is_typical_year) {
-        const std::size_t left_out = set_year(file->records, *span);
-        if (left_out > 0) {
+        const std::size_t skipped = set_year(file->records, *span);
+        if (skipped > 0) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
                     "{} records of a 29 February are left out: the year asked for has none",
-                    left_out));
+                    skipped));
         }
     }
     warn_of_clock(*file, context);

@@ -17,16 +17,16 @@ namespace {
 /// A question after the unit of light that is so many times too bright.
 std::string_view unit_probably_meant(LightUnit unit, double ratio) {
     // On a clear day: PPFD in umol m-2 s-1 is twice the irradiance in W m-2, lux a hundred times.
-    constexpr double kMostPpfd = 4, kMostLux = 200, kMostHourly = 5000;
+    constexpr double kMaxPpfd = 4, kMaxLux = 200, kMaxHourly = 5000;
     const bool is_watts = unit == LightUnit::full_spectrum || unit == LightUnit::par;
-    if (is_watts && ratio < kMostPpfd) {
+    if (is_watts && ratio < kMaxPpfd) {
         return "is it in umol m-2 s-1 (unit = \"PPFD\") or kJ m-2 an hour (divide by 3.6), or are "
                "the clock or the stamp wrong?";
     }
-    if (ratio < kMostLux) {
+    if (ratio < kMaxLux) {
         return "is it in lux (unit = \"lux\")?";
     }
-    if (ratio < kMostHourly) {
+    if (ratio < kMaxHourly) {
         return "is it in J m-2 an hour (divide by 3600)?";
     }
     return "is it in J m-2 a day (divide by 86400)?";
@@ -76,7 +76,7 @@ SeriesBuilder::SeriesBuilder(const SeriesRules& rules, const SourceList& lamps, 
     : rules_(rules), lamps_(lamps), reporter_(reporter), gathered_(rules.how.bands.size()) {}
 
 void SeriesBuilder::add(const Interval& interval) {
-    const SunPath path = sun_path(rules_.place, interval.start, interval.seconds, rules_.sun_step);
+    const SunPath path = sun_path(rules_.site, interval.start, interval.seconds, rules_.sun_step);
     const HourLight light = interval.reading ? measured_light(
                                                    path, *interval.reading, rules_.unit,
                                                    rules_.model, rules_.how.spectra, rules_.air)
@@ -93,8 +93,8 @@ void SeriesBuilder::add(const Interval& interval) {
         note_darkness(light, path, interval);
     }
     HourParts parts = make_hour_parts(path, light, rules_.how);
-    if (rules_.collapse == Collapse::none) {
-        add_moment(interval, path, light.daylight, std::move(parts));
+    if (rules_.cumulative_sky == CumulativeSky::none) {
+        add_time_step(interval, path, light.daylight, std::move(parts));
     } else {
         gather(interval, light.daylight, parts);
     }
@@ -103,7 +103,7 @@ void SeriesBuilder::add(const Interval& interval) {
 TimeSeries SeriesBuilder::finish() {
     close_gathered();
     add_faults();
-    series_.collapse = rules_.collapse;
+    series_.cumulative_sky = rules_.cumulative_sky;
     warn_of_brightness();
     warn_of_darkness();
     for (const auto& [note, text] : kNotes) {
@@ -123,7 +123,7 @@ Sources SeriesBuilder::dimmed_lamps(const Share& share) const {
     return sources;
 }
 
-void SeriesBuilder::add_moment(
+void SeriesBuilder::add_time_step(
     const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts) {
     const std::size_t suns = parts.suns.size();
     HourSources hour = make_hour_sources(std::move(parts));
@@ -143,11 +143,11 @@ void SeriesBuilder::add_moment(
     series_.time_steps.push_back(std::move(time_step));
 }
 
-/// Adds to the moment that times are collapsed into, which a new day may end.
+/// Adds to the moment that times share, which a new day may end.
 void SeriesBuilder::gather(
     const Interval& interval, const Daylight& daylight, const HourParts& parts) {
     const std::string date = date_text(interval.start);
-    if (rules_.collapse == Collapse::days && date != last_date_) {
+    if (rules_.cumulative_sky == CumulativeSky::day && date != last_date_) {
         close_gathered();
     }
     first_date_ = gathered_.empty() ? date : first_date_;
@@ -171,12 +171,12 @@ void SeriesBuilder::close_gathered() {
         }
         return lit / all;
     });
-    CollapsedMoment::Made made = gathered_.make(lamps, series_.days.size());
+    CumulativeStep::Made made = gathered_.make(lamps, series_.days.size());
     series_.days.push_back(
         first_date_ == last_date_ ? first_date_ : first_date_ + "/" + last_date_);
     series_.time_steps.push_back(std::move(made.time_step));
     series_.notes.push_back(std::move(made.notes));
-    gathered_ = CollapsedMoment(rules_.how.bands.size());
+    gathered_ = CumulativeStep(rules_.how.bands.size());
     gathered_times_.clear();
 }
 
@@ -266,12 +266,12 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
     switch (fault) {
         case ReadingFault::incomplete:
             first = {
-                interval.place, fmt::format("the light at {} is not known", time), "",
+                interval.where, fmt::format("the light at {} is not known", time), "",
                 "give global, or diffuse with direct_horizontal or beam_normal"};
             break;
         case ReadingFault::negative:
             first = {
-                interval.place, fmt::format("the light at {} is below zero", time),
+                interval.where, fmt::format("the light at {} is below zero", time),
                 "by more than the 20 W m-2 that instruments may be off at night, which count as 0",
                 fmt::format(
                     "if it stands for missing values, state it: missing_values = [\"{}\"]",
@@ -279,18 +279,18 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
             break;
         case ReadingFault::part_exceeds_global:
             first = {
-                interval.place,
+                interval.where,
                 fmt::format("at {} there is more direct or diffuse light than global", time),
                 "direct and diffuse light on the horizontal are parts of the global", ""};
             break;
         default:
             first = {
-                interval.place,
+                interval.where,
                 fmt::format(
                     "light at {} with the sun {:.1f} degrees below the horizon", time,
                     -path.highest_deg()),
                 "time zone, place or stamp are wrong",
-                "check utc_offset_hours, [place] (are latitude and longitude exchanged?) and "
+                "check utc_offset_hours, [site] (are latitude and longitude exchanged?) and "
                 "stamp"};
     }
 }

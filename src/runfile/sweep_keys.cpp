@@ -34,7 +34,7 @@ std::string_view example_of(std::string_view section) {
         {{"run", "paths"},
          {"source", "source.sun.elevation_deg"},
          {"material", "material.leaf.reflectance"},
-         {"place", "place.latitude_deg"},
+         {"site", "site.latitude_deg"},
          {"time", "time.day"},
          {"organ", "organ.leaf.material"},
          {"geometry", "geometry.plant.file"},

@@ -32,7 +32,7 @@ struct WrittenColumns {
 [[nodiscard]] bool is_written(const RunFile& run, std::size_t time_step, const Result& result);
 
 /// "paths = 1024, material.leaf.reflectance = 0.1".
-[[nodiscard]] std::string point_words(const SweepPoint& point);
+[[nodiscard]] std::string describe_point(const SweepPoint& point);
 
 /// Adds a fault for each quantity or band of that choice that there is not; their places are
 /// "quantities" and "bands".

@@ -36,11 +36,11 @@ void check_fields_of_view(
     std::span<const std::pair<MaterialSpec, std::string>> materials,
     OrganFaults& faults) {
     std::unordered_map<std::string_view, bool> is_sensor;
-    for (const auto& [material, place] : materials) {
+    for (const auto& [material, where] : materials) {
         is_sensor[material.name] = passes_everything(material);
     }
     for (std::size_t i = 0; i < draft.organs.size(); ++i) {
-        const double angle = draft.stated[i].field_of_view_deg;
+        const double angle = draft.given[i].field_of_view_deg;
         if (angle == kHemisphere) {
             continue;
         }

@@ -89,23 +89,23 @@ Warning folded(const std::vector<Warning>& all) {
     for (const Warning& warning : all) {
         count += without_count(warning.text).second;
     }
-    std::vector<std::string> places;
+    std::vector<std::string> locations;
     for (const Warning& warning : all) {
-        if (std::find(places.begin(), places.end(), warning.where) == places.end() &&
-            places.size() <= kShown) {
-            places.push_back(warning.where);
+        if (std::find(locations.begin(), locations.end(), warning.where) == locations.end() &&
+            locations.size() <= kShown) {
+            locations.push_back(warning.where);
         }
     }
-    const std::size_t shown = std::min(places.size(), kShown);
-    std::string place;
+    const std::size_t shown = std::min(locations.size(), kShown);
+    std::string where;
     for (std::size_t i = 0; i < shown; ++i) {
-        place += (i == 0 ? "" : ", ") + places[i];
+        where += (i == 0 ? "" : ", ") + locations[i];
     }
-    if (places.size() > shown) {
-        place += " and others";
+    if (locations.size() > shown) {
+        where += " and others";
     }
     return {
-        place, fmt::format("{} ({}{}", without_count(all.front().text).first, count, kEndOfFolded)};
+        where, fmt::format("{} ({}{}", without_count(all.front().text).first, count, kEndOfFolded)};
 }
 
 }  // namespace

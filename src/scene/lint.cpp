@@ -109,15 +109,15 @@ double part_of_scene(const Survey& survey, std::size_t organ) {
     return 2 * survey.organ_bounds[organ].radius() / length(size);
 }
 
-void WarningKind::add(std::string place, std::string text) {
-    if (++count_ <= kMostNamed) {
-        named_.push_back({std::move(place), std::move(text)});
+void WarningKind::add(std::string where, std::string text) {
+    if (++count_ <= kMaxNamed) {
+        named_.push_back({std::move(where), std::move(text)});
     }
 }
 
 std::vector<Warning> WarningKind::finish() && {
-    if (count_ > kMostNamed) {
-        named_.push_back({"scene", fmt::format("{} more {}", count_ - kMostNamed, rest_)});
+    if (count_ > kMaxNamed) {
+        named_.push_back({"scene", fmt::format("{} more {}", count_ - kMaxNamed, rest_)});
     }
     return std::move(named_);
 }
@@ -223,7 +223,7 @@ std::vector<Warning> lint_areas(const Survey& survey) {
 std::vector<LintFinding> lint_by_check(const Scene& scene) {
     struct Check {
         std::string_view name;
-        std::vector<Warning> (*look)(const Survey& survey);
+        std::vector<Warning> (*run)(const Survey& survey);
     };
     constexpr std::array<Check, 8> kChecks{
         {{"unit", lint_unit},
@@ -237,7 +237,7 @@ std::vector<LintFinding> lint_by_check(const Scene& scene) {
     const Survey survey = survey_of(scene);
     std::vector<LintFinding> findings;
     for (const Check& check : kChecks) {
-        std::vector<Warning> found = check.look(survey);
+        std::vector<Warning> found = check.run(survey);
         if (!found.empty()) {
             findings.push_back({check.name, std::move(found)});
         }
@@ -247,10 +247,10 @@ std::vector<LintFinding> lint_by_check(const Scene& scene) {
 
 namespace {
 
-std::vector<Warning> lint_without(const Scene& scene, std::string_view left_out) {
+std::vector<Warning> lint_without(const Scene& scene, std::string_view omitted) {
     std::vector<Warning> all;
     for (LintFinding& finding : lint_by_check(scene)) {
-        if (finding.check != left_out) {
+        if (finding.check != omitted) {
             std::move(finding.warnings.begin(), finding.warnings.end(), std::back_inserter(all));
         }
     }

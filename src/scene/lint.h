@@ -51,11 +51,11 @@ class WarningKind {
   public:
     /// @param rest  what is said of those not named: "organs are below the ground"
     explicit WarningKind(std::string_view rest) : rest_(rest) {}
-    void add(std::string place, std::string text);
+    void add(std::string where, std::string text);
     [[nodiscard]] std::vector<Warning> finish() &&;
 
   private:
-    static constexpr std::size_t kMostNamed = 3;
+    static constexpr std::size_t kMaxNamed = 3;
 
     std::string_view rest_;
     std::vector<Warning> named_;

@@ -64,9 +64,9 @@ std::vector<Warning> lint_thin(const Survey& survey) {
     WarningKind thin("organs are too thin beside the scene");
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         const Organ& organ = scene.organs()[i];
-        constexpr double kMostBlur = 0.05;
+        constexpr double kMaxBlur = 0.05;
         const double part = blur_of(scene, organ, bounds, scale).part();
-        if (part > kMostBlur && part_of_scene(survey, i) >= kSmallestPart) {
+        if (part > kMaxBlur && part_of_scene(survey, i) >= kSmallestPart) {
             thin.add(
                 words_for(organ),
                 fmt::format(

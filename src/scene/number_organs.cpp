@@ -15,7 +15,7 @@ class IdCounter {
   public:
     /// The id of the next organ: the one that was stated, or the first that is free.
     std::int64_t next(const SceneDraft& draft, std::size_t organ) {
-        const std::int64_t id = draft.stated[organ].has_id ? draft.organs[organ].id : free();
+        const std::int64_t id = draft.given[organ].has_id ? draft.organs[organ].id : free();
         largest_ = std::clamp(id, largest_, kLastId - 1);
         return id;
     }
@@ -41,7 +41,7 @@ void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
         }
         faults.add(
             draft, i,
-            {"", fmt::format("id {} is taken", organs[i].id), "by " + place_of(draft, first),
+            {"", fmt::format("id {} is taken", organs[i].id), "by " + location_of(draft, first),
              "ids are unique in a scene"});
     }
 }

@@ -11,15 +11,15 @@
 namespace quasimc {
 namespace {
 
-using StatedMaterials = std::span<const std::pair<MaterialSpec, std::string>>;
+using GivenMaterials = std::span<const std::pair<MaterialSpec, std::string>>;
 using MaterialNumbers = std::unordered_map<std::string_view, std::uint32_t>;
 
 /// The number of each material; adds the faults of materials and names.
-MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, Faults& faults) {
+MaterialNumbers number_materials(GivenMaterials materials, std::size_t bands, Faults& faults) {
     MaterialNumbers numbers;
     for (std::uint32_t i = 0; i < materials.size(); ++i) {
-        const auto& [spec, place] = materials[i];
-        const std::string where = place_of(spec, place);
+        const auto& [spec, origin] = materials[i];
+        const std::string where = location_of(spec, origin);
         check_material(spec, bands, where, faults);
         const auto [other, is_new] = numbers.try_emplace(spec.name, i);
         if (spec.name.empty()) {
@@ -39,7 +39,7 @@ MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, F
 class Missing {
   public:
     void add(std::size_t organ, std::string_view material) {
-        const auto [at, is_new] = place_of_.try_emplace(material, rows_.size());
+        const auto [at, is_new] = row_of_.try_emplace(material, rows_.size());
         if (is_new) {
             rows_.push_back({organ, material});
         }
@@ -50,7 +50,7 @@ class Missing {
         const SceneDraft& draft, std::span<const std::string_view> known, Faults& faults) const {
         for (const Row& row : rows_) {
             faults.add(
-                {place_of(draft, row.first),
+                {location_of(draft, row.first),
                  row.material.empty() ? "no material is named"
                                       : fmt::format("material '{}' is not defined", row.material),
                  row.parts == 1 ? "organs name their materials"
@@ -67,7 +67,7 @@ class Missing {
         std::size_t parts = 0;
     };
     std::vector<Row> rows_;
-    std::unordered_map<std::string_view, std::size_t> place_of_;
+    std::unordered_map<std::string_view, std::size_t> row_of_;
 };
 
 }  // namespace
@@ -94,7 +94,7 @@ std::vector<MaterialId> resolve_materials(
         }
     }
     std::vector<std::string_view> known;
-    for (const auto& [spec, place] : materials) {
+    for (const auto& [spec, origin] : materials) {
         known.push_back(spec.name);
     }
     missing.report(draft, known, faults);

@@ -14,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostOrganFaults = 1000;
+constexpr std::size_t kMaxOrganFaults = 1000;
 
 std::string text_of(const Vec3& p) {
     return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
@@ -63,22 +63,22 @@ std::optional<Fault> corner_fault(
 }
 
 void check_axis_of_cell(char axis, double low, double size, double extent, Faults& faults) {
-    const std::string place = fmt::format("cell along {}", axis);
+    const std::string where = fmt::format("cell along {}", axis);
     if (!std::isfinite(low) || std::abs(low) > kLargestCoordinate) {
         faults.add(
-            {place, fmt::format("the low border is {}", shortest(low)),
+            {where, fmt::format("the low border is {}", shortest(low)),
              "borders are finite numbers", ""});
     }
     if (!(size > 0) || !(size <= kLargestCoordinate)) {
         faults.add(
-            {place, fmt::format("the size is {}", shortest(size)), "periods are positive numbers",
+            {where, fmt::format("the size is {}", shortest(size)), "periods are positive numbers",
              "leave the axis open if nothing is repeated along it"});
         return;
     }
     constexpr double kSmallestPart = 1e-6;
     if (size < kSmallestPart * extent) {
         faults.add(
-            {place,
+            {where,
              fmt::format(
                  "the size {} is less than a millionth of the scene, {}", shortest(size),
                  shortest(extent)),
@@ -138,7 +138,7 @@ double flat_layers_in(const Cell& cell, const SceneDraft& draft, double scene_si
     for (const Instance& copy : draft.copies) {
         triangles += copy.mesh->size();
     }
-    if (triangles > kMostToCompare) {
+    if (triangles > kMaxToCompare) {
         return 0;
     }
     FlatSurfaces flat(scene_size);
@@ -191,28 +191,28 @@ void add_faces(const SceneDraft& draft, const DraftPart& part, Bounds& bounds) {
 
 }  // namespace
 
-std::string place_of(const SceneDraft& draft, std::size_t organ) {
+std::string location_of(const SceneDraft& draft, std::size_t organ) {
     const Organ& which = draft.organs[organ];
-    const std::string_view place = draft.place_of(organ);
-    return place.empty() ? fmt::format("organ '{}' (id {})", which.name, which.id)
-                         : fmt::format("{}: organ '{}'", place, which.name);
+    const std::string_view where = draft.location_of(organ);
+    return where.empty() ? fmt::format("organ '{}' (id {})", which.name, which.id)
+                         : fmt::format("{}: organ '{}'", where, which.name);
 }
 
-std::string place_of(const MaterialSpec& material, const std::string& place) {
+std::string location_of(const MaterialSpec& material, const std::string& where) {
     const std::string which = fmt::format("material '{}'", material.name);
-    return place.empty() ? which : place + ": " + which;
+    return where.empty() ? which : where + ": " + which;
 }
 
 void OrganFaults::add(const SceneDraft& draft, std::size_t organ, Fault fault) {
-    if (++count_ <= kMostOrganFaults) {
-        fault.place = place_of(draft, organ);
+    if (++count_ <= kMaxOrganFaults) {
+        fault.where = location_of(draft, organ);
         faults_.add(std::move(fault));
     }
 }
 
 void OrganFaults::finish() {
-    if (count_ > kMostOrganFaults) {
-        faults_.add({"organs", fmt::format("{} more faults", count_ - kMostOrganFaults), "", ""});
+    if (count_ > kMaxOrganFaults) {
+        faults_.add({"organs", fmt::format("{} more faults", count_ - kMaxOrganFaults), "", ""});
     }
 }
 
@@ -261,20 +261,20 @@ void check_cell(const Cell& cell, const Bounds& organs, Faults& faults) {
 }
 
 void check_images(const Cell& cell, const SceneDraft& draft, const Bounds& organs, Faults& faults) {
-    constexpr double kMostImages = 1e8, kMostLayers = 1000;
+    constexpr double kMaxImages = 1e8, kMaxLayers = 1000;
     constexpr const char* kSameUnit = "state cell and organs in the same unit of length";
     if (!cell.periodic()) {
         return;
     }
     const double images = images_in(cell, draft);
-    if (images > kMostImages) {
+    if (images > kMaxImages) {
         faults.add(
             {"cell", fmt::format("the triangles reach over {:.0f} cells in all", images),
              "their images in each are traced", kSameUnit});
         return;
     }
     const double layers = flat_layers_in(cell, draft, size_of(organs));
-    if (layers > kMostLayers) {
+    if (layers > kMaxLayers) {
         faults.add(
             {"cell",
              fmt::format(

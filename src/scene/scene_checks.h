@@ -10,7 +10,7 @@
 #include "quasimc/error.h"
 #include "quasimc/mesh.h"
 #include "quasimc/scene.h"
-#include "scene/scene.h"
+#include "scene/scene_draft.h"
 
 namespace quasimc {
 
@@ -34,10 +34,10 @@ class OrganFaults {
 };
 
 /// Where an organ was stated, and which it is: "leaves.toml:12: organ 'leaf 7'".
-[[nodiscard]] std::string place_of(const SceneDraft& draft, std::size_t organ);
+[[nodiscard]] std::string location_of(const SceneDraft& draft, std::size_t organ);
 
 /// Where a material was stated, and which it is: "leaves.toml:3: material 'leaf'".
-[[nodiscard]] std::string place_of(const MaterialSpec& material, const std::string& place);
+[[nodiscard]] std::string location_of(const MaterialSpec& material, const std::string& where);
 
 /// Adds the faults of wavebands: none, no name, names that are not unique.
 void check_bands(const std::vector<Band>& bands, Faults& faults);

@@ -20,7 +20,7 @@ void check_share(const RunSpec& spec, Faults& faults) {
     refuse(spec.max_seconds > 0, "max_seconds", "all parts must trace the same paths");
     refuse(spec.max_paths > 0, "max_paths", "a part is of one round of paths");
     refuse(
-        spec.series == SeriesMode::together, "series",
+        spec.time_method == TimeMethod::daylight_coefficients, "time_method",
         "what all times have in common is computed in one go");
     refuse(spec.audit > 0, "audit", "it compares the results of all parts together");
 }

@@ -30,25 +30,25 @@ double mean_of(std::span<const double> values) {
     return sum / static_cast<double>(values.size());
 }
 
-Estimate estimate_seen_or_bound(std::span<const double> values, double per_find) {
+Estimate estimate_seen_or_bound(std::span<const double> values, double value_per_contribution) {
     const auto is_zero = [](double x) { return x == 0; };
-    if (per_find > 0 && std::all_of(values.begin(), values.end(), is_zero)) {
-        return estimate_unseen(static_cast<double>(values.size()), per_find);
+    if (value_per_contribution > 0 && std::all_of(values.begin(), values.end(), is_zero)) {
+        return estimate_unseen(static_cast<double>(values.size()), value_per_contribution);
     }
     return not_negative(estimate_mean(values));
 }
 
-SingleFind larger(const SingleFind& a, const SingleFind& b) {
+ContributionSize larger(const ContributionSize& a, const ContributionSize& b) {
     return {std::max(a.more, b.more), std::max(a.less, b.less)};
 }
 
-Estimate estimate_finds(std::span<const double> values, const SingleFind& find) {
+Estimate estimate_contributions(std::span<const double> values, const ContributionSize& find) {
     const Estimate e =
         estimate_seen_or_bound(values, find.more * static_cast<double>(values.size()));
     return widened(e, find);
 }
 
-Estimate widened(const Estimate& e, const SingleFind& find) {
+Estimate widened(const Estimate& e, const ContributionSize& find) {
     if (!std::isfinite(e.standard_error) || (find.more == 0 && find.less == 0)) {
         return e;
     }

@@ -74,11 +74,11 @@ class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
 
   private:
     bool add(Node node) {
-        place(std::move(node));
+        put(std::move(node));
         return true;
     }
 
-    Node& place(Node node) {
+    Node& put(Node node) {
         if (open_.empty()) {
             result = std::move(node);
             return result;
@@ -92,7 +92,7 @@ class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
 
     bool open(Node node) {
         check_depth(open_.size(), file_);
-        open_.push_back(&place(std::move(node)));
+        open_.push_back(&put(std::move(node)));
         return true;
     }
 

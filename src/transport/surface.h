@@ -25,7 +25,7 @@ inline Surface surface_at(const PreparedScene& prepared, const Hit& hit, const V
 }
 
 /// Where it is: the barycentric point of the triangle, which lies on it to the last digit.
-inline Vec3 place_of(const PreparedScene& prepared, const Hit& hit) {
+inline Vec3 point_of(const PreparedScene& prepared, const Hit& hit) {
     return prepared.caster().mesh().point(hit.triangle, hit.u, hit.v);
 }
 

@@ -90,9 +90,9 @@ bool read_offset(Cursor& cursor, std::optional<double>& offset) {
     std::optional<double> hours = cursor.number();
     double minutes = 0;
     if (hours && cursor.skip(":")) {
-        const auto stated = cursor.number();
-        hours = stated ? hours : std::nullopt;
-        minutes = stated.value_or(0);
+        const auto given = cursor.number();
+        hours = given ? hours : std::nullopt;
+        minutes = given.value_or(0);
     } else if (hours && *hours >= 100) {
         minutes = std::fmod(*hours, 100);
         hours = std::floor(*hours / 100);

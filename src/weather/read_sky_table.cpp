@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::int64_t kMostCells = 1 << 20;
+constexpr std::int64_t kMaxCells = 1 << 20;
 
 /// Reads the numbers of a sky line by line.
 class SkyFile {
@@ -40,7 +40,7 @@ class SkyFile {
              std::move(why), std::move(suggestion)});
     }
 
-    static constexpr std::size_t kMostFaults = 100;
+    static constexpr std::size_t kMaxFaults = 100;
 
     /// The next line that holds anything; "#" begins a comment.
     bool next_line() {
@@ -62,14 +62,14 @@ class SkyFile {
         const auto azimuths = parse_integer(take_word(line_));
         const auto elevations = parse_integer(take_word(line_));
         const bool is_good = azimuths && elevations && *azimuths >= 1 && *elevations >= 1 &&
-                             *azimuths <= kMostCells && *elevations <= kMostCells &&
-                             *azimuths * *elevations <= kMostCells;
+                             *azimuths <= kMaxCells && *elevations <= kMaxCells &&
+                             *azimuths * *elevations <= kMaxCells;
         if (!is_good || !take_word(line_).empty()) {
             fault(
                 "does not tell the size of the table",
                 fmt::format(
                     "the first line is the numbers of azimuths and of elevations, at most {} cells",
-                    kMostCells));
+                    kMaxCells));
             return false;
         }
         table.azimuths = static_cast<std::size_t>(*azimuths);
@@ -91,7 +91,7 @@ class SkyFile {
 
     /// Goes on to the line of `what`; false after a fault.
     bool advance(std::string_view what, std::size_t index, std::size_t count) {
-        if (faults_.size() >= kMostFaults) {
+        if (faults_.size() >= kMaxFaults) {
             return false;
         }
         if (!next_line()) {
@@ -108,7 +108,7 @@ class SkyFile {
             if (!advance("rings", e, table.elevations)) {
                 return;
             }
-            for (std::size_t a = 0; a < table.azimuths && faults_.size() < kMostFaults; ++a) {
+            for (std::size_t a = 0; a < table.azimuths && faults_.size() < kMaxFaults; ++a) {
                 table.radiance[e * table.azimuths + a] = value(take_word(line_));
             }
             if (!take_word(line_).empty()) {

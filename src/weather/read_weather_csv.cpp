@@ -77,11 +77,11 @@ class TableOfWeather {
 
     /// The time of a row; nothing after a fault.
     std::optional<CivilTime> time_of(const std::vector<std::string>& fields) {
-        const std::string place = reporter_.place(scanner_.number());
+        const std::string where = reporter_.where(scanner_.number());
         if (header_.time) {
             const std::string& text = fields[*header_.time];
             are_dates_ = are_dates_ && text.find(':') == std::string::npos;
-            return parse_civil_time(text, columns_.utc_offset_hours, place, reporter_.faults);
+            return parse_civil_time(text, columns_.utc_offset_hours, where, reporter_.faults);
         }
         are_dates_ = false;
         constexpr double kLastDay = 366, kLastHour = 24;
@@ -158,10 +158,10 @@ class TableOfWeather {
                         : "write numbers with a point, not with a comma");
                 return;
             }
-            std::optional<double>* const stated =
+            std::optional<double>* const given =
                 part == kDiffuseFraction ? &fraction : part_of(record.reading, part);
-            ENSURE(stated != nullptr);
-            *stated = *value;
+            ENSURE(given != nullptr);
+            *given = *value;
         }
         // A fraction of nothing says nothing.
         if (fraction && record.reading.global.value_or(0) > 0) {

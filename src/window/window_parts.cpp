@@ -12,8 +12,8 @@
 
 #include "base/vec3.h"
 #include "quasimc/version.h"
+#include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "window/window_shape.h"
 
@@ -76,12 +76,12 @@ std::map<std::string, LabelKey> label_keys(const std::vector<Organ>& organs) {
         for (const auto& [name, value] : organs[i].labels) {
             LabelKey& key = keys[name];
             key.of.resize(organs.size(), -1);
-            const auto [place, is_new] =
+            const auto [found, is_new] =
                 key.numbers.try_emplace(value, static_cast<int>(key.values.size()));
             if (is_new) {
                 key.values.push_back(value);
             }
-            key.of[i] = place->second;
+            key.of[i] = found->second;
         }
     }
     return keys;
@@ -151,7 +151,12 @@ std::vector<WindowColumn> window_columns(
         for (const Band& band : bands) {
             const std::string unit = unit_of(entry, band, length_unit);
             columns.push_back(
-                {{name, band.name}, name, in_words(name), band.name, unit, summed_unit(unit).name});
+                {{name, band.name},
+                 name,
+                 describe_quantity(name),
+                 band.name,
+                 unit,
+                 summed_unit(unit).name});
         }
     }
     // What reads first is what is asked for most: light absorbed per area.

@@ -85,11 +85,12 @@ TEST_F(ConvertCommand, WritesNetcdfOrNamesTheLibraryThatItLacks) {
     }
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(folder_.read("out.nc").substr(1, 3), "HDF");
-    const Outcome chosen = run({"convert", "out.json", "out.nc", "--point", "1"});
+    const Outcome chosen = run({"convert", "out.json", "out.nc", "--sweep-point", "1"});
     EXPECT_EQ(chosen.status, 1);
     expect_in(
         chosen.err,
-        "--point: a NetCDF file has all points of a sweep (each has its place along an axis); "
+        "--sweep-point: a NetCDF file has all points of a sweep (each has its place along an "
+        "axis); "
         "leave it out");
 }
 

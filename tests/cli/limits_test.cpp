@@ -87,11 +87,11 @@ TEST_F(LimitsTest, ASeriesSharesItsTime) {
     folder_.write(
         "days.toml",
         good_run_file() +
-            "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+            "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
             "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-21\"\nutc_offset_hours = 1\n"
             "hours = [11, 13]\nsky = \"uniform\"\nsun_step_minutes = 20\n");
     const Outcome outcome = run_within(
-        3, {"run", "days.toml", "--paths", kHuge, "--days", "d.csv", "--progress"},
+        3, {"run", "days.toml", "--paths", kHuge, "--daily-csv", "d.csv", "--progress"},
         ": 4 of 4 time steps completed; 4 of 4 computed with fewer paths");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     EXPECT_TRUE(contains(outcome.out, "\nstopped   by max_seconds = ")) << outcome.out;

@@ -38,7 +38,7 @@ class Master {
     [[nodiscard]] virtual bool has_signed() const { return false; }
     /// Writes a text without telling that it is there (pipes and sockets: there is no difference).
     virtual void write(std::string_view text) = 0;
-    virtual void tell() = 0;
+    virtual void send() = 0;
     /// The next reply, up to and with its Control line.
     virtual std::string read() = 0;
     /// The byte with which the program says good-bye, where there is one.
@@ -52,7 +52,7 @@ class Master {
 
     void send(std::string_view text) {
         write(text);
-        tell();
+        send();
     }
     /// A reply in one text: chunks are asked for until the last, Control lines between them left
     /// in.

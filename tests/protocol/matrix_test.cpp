@@ -49,7 +49,7 @@ TEST_F(Matrix, NormalEnd) {
                  }
                  c.say_goodbye();
                  c.expect_end(0);
-                 require(c.told().empty(), c.told());
+                 require(c.reported().empty(), c.reported());
              })) {
             cases.push_back(one);
         }
@@ -111,7 +111,7 @@ TEST_F(Matrix, EndOfASimulatorThatDoesNotWait) {
         c.master().clean_up();
         c.master().process().send(SIGCONT);
         c.expect_end(0);
-        require(c.told().empty(), c.told());
+        require(c.reported().empty(), c.reported());
     }));
 }
 

@@ -113,7 +113,7 @@ def test_a_run_without_light_is_an_error():
 
 def test_a_run_that_has_no_time_for_a_result_stops():
     # The first paths have a quarter of a second, and take some fifteen on one thread.
-    slow = {"method": "light_tracing", "engine": "brute_force", "threads": 1}
+    slow = {"method": "light_tracing", "accelerator": "brute_force", "threads": 1}
     with pytest.raises(quasimc.Stopped) as caught:
         canopy(100_000).run(max_seconds=1e-9, **slow)
     assert caught.value.why == "time_limit"

@@ -271,7 +271,7 @@ DAY = """
 bands = ["PAR"]
 [run]
 paths = 64
-[place]
+[site]
 latitude_deg = 52
 longitude_deg = 5.67
 [[material]]

@@ -17,7 +17,7 @@ length_unit = "cm"
 [run]
 paths = 256
 ratios = ["PAR:NIR"]
-[place]
+[site]
 latitude_deg = 50
 longitude_deg = 8
 """
@@ -108,7 +108,7 @@ def compare(variables, where, organs, bands, suffixed, extra=""):
 class Case:
     def __init__(self, program, folder, text):
         (folder / "run.toml").write_text(text)
-        run_in(folder, program, "run", "run.toml", "--quiet", "--nc", "out.nc", "--json", "out.json")
+        run_in(folder, program, "run", "run.toml", "--quiet", "--netcdf", "out.nc", "--json", "out.json")
         self.json = json.loads((folder / "out.json").read_text())
         self.data = xarray.load_dataset(folder / "out.nc")
         self.dump = run_in(folder, "ncdump", "-h", "out.nc")
@@ -240,7 +240,7 @@ def check_product(program, folder):
 def check_together(program, folder):
     sweep = """
 [sweep]
-together = true
+combine = "zip"
 "run.seed" = [3, 4]
 "run.method" = ["light_tracing", "from_organs"]
 """
@@ -270,7 +270,7 @@ def check_refused(program, folder):
     text = HEAD.format(bands=ONE_UNIT) + sweep + TIME + SCENE.format()
     (folder / "run.toml").write_text(text)
     told = run_in(
-        folder, program, "run", "run.toml", "--quiet", "--nc", "no.nc", "--json", "out.json", status=1
+        folder, program, "run", "run.toml", "--quiet", "--netcdf", "no.nc", "--json", "out.json", status=1
     )
     assert "NetCDF: the points of the sweep have times of their own" in told, told
     assert not (folder / "no.nc").exists()
@@ -279,9 +279,9 @@ def check_refused(program, folder):
     assert "NetCDF: the points of the sweep have times of their own" in told, told
     assert not (folder / "no.nc").exists()
     told = run_in(
-        folder, program, "convert", "out.json", "no.nc", "--point", "2", "--time", "x", status=1
+        folder, program, "convert", "out.json", "no.nc", "--sweep-point", "2", "--time", "x", status=2
     )
-    assert "--point: a NetCDF file has all points of a sweep" in told and "--time: " in told, told
+    assert "--sweep-point: a NetCDF file has all points of a sweep" in told and "--time: " in told, told
 
 
 def main():

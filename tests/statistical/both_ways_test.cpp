@@ -166,7 +166,7 @@ struct StandSpec {
 Scene make_stand(const StandSpec& spec) {
     SceneBuilder builder = make_builder(kBands);
     builder.add_material(spec.leaf);
-    builder.add_material(matt("soil", .3, 0, kBands));
+    builder.add_material(diffuse("soil", .3, 0, kBands));
     builder.add_material(sensor("sensor", kBands));
     const std::vector<Triangle> leaves = random_leaves(30, .35, 1, 7);
     for (std::size_t i = 0; i < leaves.size(); ++i) {

@@ -18,9 +18,9 @@ constexpr double kTakes = 1 - kReflectance - kTransmittance;
 
 SceneBuilder make_matt_builder() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", kReflectance, kTransmittance));
-    builder.add_material(matt("soil", .2, 0));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("leaf", kReflectance, kTransmittance));
+    builder.add_material(diffuse("soil", .2, 0));
+    builder.add_material(diffuse("black", 0, 0));
     return builder;
 }
 
@@ -175,7 +175,7 @@ TEST(CoincidentEngines, BruteForceSaysWhatEmbreeSays) {
         const Scene scene = make_leaves(true);
         const Sources sources{sun(30, {1}), sky({.7})};
         const Result embree = run(scene, sources, spec);
-        spec.engine = Engine::brute_force;
+        spec.accelerator = Accelerator::brute_force;
         const Result brute = run(scene, sources, spec);
         for (std::size_t i = 0; i < embree.organs(); ++i) {
             EXPECT_NEAR(absorbed(embree, i), absorbed(brute, i), 1e-3 * absorbed(embree, 0));

@@ -83,9 +83,9 @@ double find_of_total(const Estimate& total) {
 
 /// The value that nine in ten of `values` stay below.
 double nine_in_ten(std::vector<double> values) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), rank, values.end());
+    return *rank;
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ double nine_in_ten(std::vector<double> values) {
     for (std::size_t band = 0; band < a.bands; ++band) {
         for (const auto part : {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground}) {
             Pair pair{a.budget[band].*part, b.budget[band].*part};
-            if (unseen_ == Unseen::few_finds) {
+            if (unseen_ == Unseen::few_contributions) {
                 pair.missed = finds * (find_of_total(pair.a) + find_of_total(pair.b));
                 pair = {seen(pair.a), seen(pair.b), pair.missed};
             }
@@ -124,7 +124,7 @@ double nine_in_ten(std::vector<double> values) {
         // The rule of three, at this level.
         const double finds = -std::log(sidak_level(kLevel, family));
         for (Pair& pair : pairs) {
-            pair.missed = unseen_ == Unseen::few_finds ? finds * pair.missed : 0;
+            pair.missed = unseen_ == Unseen::few_contributions ? finds * pair.missed : 0;
         }
         const double mean = mean_of(pairs);
         for (const Pair& pair : pairs) {

@@ -87,7 +87,7 @@ std::vector<MethodResult> run_all(const Scene& scene, const CropLight& light, co
 TEST_P(Crops, GetTheSameLightByEveryMethod) {
     const CropCase& one = GetParam();
     const Scene scene = bench::make_crop(one.crop, one.triangles);
-    Comparison comparison(pairs_of_all_crops(), Unseen::few_finds);
+    Comparison comparison(pairs_of_all_crops(), Unseen::few_contributions);
     Comparison wide = comparison;
     for (const CropLight& light : bench::lights_of(one.crop)) {
         const std::vector<MethodResult> results = run_all(scene, light, one);

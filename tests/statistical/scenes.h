@@ -20,7 +20,7 @@ namespace quasimc::test {
 inline constexpr std::uint32_t kReplicates = 32;
 
 /// The same on both sides and in all bands.
-[[nodiscard]] MaterialSpec matt(std::string name, double rho, double tau, std::size_t bands = 1);
+[[nodiscard]] MaterialSpec diffuse(std::string name, double rho, double tau, std::size_t bands = 1);
 /// Light passes straight on, less what it loses.
 [[nodiscard]] MaterialSpec net(std::string name, const std::vector<double>& tau);
 /// Light passes as if nothing were there, and is counted.

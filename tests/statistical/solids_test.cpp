@@ -15,7 +15,7 @@ class Solids : public BothWays {};
 
 TEST_P(Solids, ASphereInABeamReceivesAQuarterOfItOnAverage) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("sphere", "black", make_sphere({0, 0, 0}, 1, 5)));
     const Scene scene = std::move(builder).build();
     const Result result = trace(scene, {sun(30, {1})}, 1 << 15);
@@ -48,7 +48,7 @@ TEST_P(Solids, AConvexOrganReceivesHalfOfTheSkyOnAverage) {
     const auto family = static_cast<unsigned>(shapes.size());
     for (const Shape& shape : shapes) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("black", 0, 0));
+        builder.add_material(diffuse("black", 0, 0));
         builder.add_organ(organ("organ", "black", shape.triangles));
         const Scene scene = std::move(builder).build();
         const Result result = trace(scene, {sky({1})}, from_sources() ? 1 << 15 : 1 << 13);

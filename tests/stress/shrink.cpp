@@ -94,10 +94,10 @@ class Shrinker {
     using Path = std::vector<std::pair<std::string, std::size_t>>;
     static Node* at(Node& document, const Path& path) {
         Node* node = &document;
-        for (const auto& [key, place] : path) {
+        for (const auto& [key, index] : path) {
             node = find(*node, key);
             if (node != nullptr && node->as<Node::List>() != nullptr) {
-                node = place < items(*node).size() ? &items(*node)[place] : nullptr;
+                node = index < items(*node).size() ? &items(*node)[index] : nullptr;
             }
             if (node == nullptr || node->as<Node::Table>() == nullptr) {
                 return nullptr;

@@ -27,7 +27,7 @@ title = '''Leaves ${kTrick}'''
 name = "PAR"
 [[band]]
 name = "NIR"
-[place]
+[site]
 latitude_deg = 51.97
 longitude_deg = 5.67
 [time]

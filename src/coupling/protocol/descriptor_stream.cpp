@@ -40,9 +40,9 @@ void DescriptorStream::announce() {
     write_all({&kSign, 1});
 }
 
-AfterRefusal DescriptorStream::refuse() {
+RejectAction DescriptorStream::refuse() {
     write_all({&kNoSign, 1});
-    return AfterRefusal::it_goes_on;
+    return RejectAction::it_goes_on;
 }
 
 std::string_view DescriptorStream::receive() {

@@ -214,10 +214,10 @@ class MessageParser::Reader {
             const std::string_view word = trimmed(list.substr(0, comma));
             first_text_set_ = count == 0 ? !word.empty() : first_text_set_;
             pass_.parameters.push_back(parameter(word));
-            if (++count > kMostParameters) {
+            if (++count > kMaxParameters) {
                 fail(
                     lines_.number(), "a module has too many parameters",
-                    fmt::format("{} are read", kMostParameters));
+                    fmt::format("{} are read", kMaxParameters));
             }
             if (comma == list.size()) {
                 return count;
@@ -339,11 +339,11 @@ class MessageParser::Reader {
     void note_graphics(std::string_view word) {
         constexpr std::array<std::string_view, 5> kSilent{
             "material", "pushmatrix", "popmatrix", "translate", "rotate"};
-        constexpr std::size_t kMostNoted = 16;
+        constexpr std::size_t kMaxNoted = 16;
         const bool is_word = word.find_first_not_of("0123456789+-.eE") != std::string_view::npos;
         auto& others = pass_.other_graphics;
         if (is_word && std::find(kSilent.begin(), kSilent.end(), word) == kSilent.end() &&
-            others.size() < kMostNoted &&
+            others.size() < kMaxNoted &&
             std::find(others.begin(), others.end(), word) == others.end()) {
             others.emplace_back(word);
         }

@@ -38,9 +38,9 @@ class SemaphoreStream final : public ByteStream {
     }
     /// lpfg takes silence for an answer that is there, and waits for the next one for ever; cpfg
     /// takes it for a refusal, but then leaves its semaphores and memory behind.
-    [[nodiscard]] AfterRefusal refuse() override {
+    [[nodiscard]] RejectAction refuse() override {
         announce();
-        return AfterRefusal::it_asks;
+        return RejectAction::it_asks;
     }
     [[nodiscard]] std::string_view receive() override {
         semaphores_.wait_for_master();

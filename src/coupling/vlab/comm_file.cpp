@@ -15,7 +15,7 @@ namespace {
 
 /// A line "name: value" of the file.
 struct CommLine {
-    std::string place;
+    std::string where;
     std::string_view name, value;
 };
 
@@ -53,7 +53,7 @@ void read_transport(const CommLine& line, Reading& reading) {
             reading.notices.once(fmt::format(
                 "{}: {} is no communication type and skipped, as by the plant simulator, so that "
                 "pipes are used; {}",
-                line.place, shown(name), did_you_mean(name, kNames)));
+                line.where, shown(name), did_you_mean(name, kNames)));
         }
         return;
     }
@@ -66,7 +66,7 @@ void read_transport(const CommLine& line, Reading& reading) {
     if (!count || *count < 1) {
         reading.notices.once(fmt::format(
             "{}: {} queries in a chunk: the usual number is used, as the plant simulator does",
-            line.place, shown(chunk)));
+            line.where, shown(chunk)));
         return;
     }
     reading.file.chunk = static_cast<std::size_t>(*count);
@@ -81,7 +81,7 @@ void read_following(const CommLine& line, Reading& reading) {
 void read_binary(const CommLine& line, Reading& reading) {
     if (trimmed(line.value) == "on") {
         reading.faults.add(
-            {line.place, "binary data is on", "messages are read as text",
+            {line.where, "binary data is on", "messages are read as text",
              "write 'binary data: off'"});
     }
 }
@@ -136,7 +136,7 @@ void read_line(const CommLine& line, Reading& reading) {
         return e.name;
     });
     reading.notices.once(fmt::format(
-        "{}: {} is not known and skipped; {}", line.place, shown(line.name),
+        "{}: {} is not known and skipped; {}", line.where, shown(line.name),
         did_you_mean(line.name, names)));
 }
 
@@ -150,13 +150,13 @@ CommFile read_comm_text(std::string_view text, const std::string& name, Notices&
         if (trimmed(lines.line()).empty()) {
             continue;
         }
-        const std::string place = fmt::format("{}:{}", name, lines.number());
+        const std::string where = fmt::format("{}:{}", name, lines.number());
         if (end == std::string_view::npos) {
             notices.once(fmt::format(
-                "{}: {} is skipped: a line reads 'name: value'", place, shown(lines.line())));
+                "{}: {} is skipped: a line reads 'name: value'", where, shown(lines.line())));
             continue;
         }
-        read_line({place, lines.line().substr(0, end), lines.line().substr(end + 1)}, reading);
+        read_line({where, lines.line().substr(0, end), lines.line().substr(end + 1)}, reading);
     }
     reading.faults.throw_if_any();
     return reading.file;

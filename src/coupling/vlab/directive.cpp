@@ -39,7 +39,7 @@ std::string range_text(Range range) {
 }  // namespace
 
 std::vector<DirectiveLine> split_directives(
-    std::string_view text, const std::string& place, Notices& notices) {
+    std::string_view text, const std::string& where, Notices& notices) {
     std::vector<DirectiveLine> directives;
     LineScanner lines(text);
     while (lines.next()) {
@@ -56,7 +56,7 @@ std::vector<DirectiveLine> split_directives(
             notices.once(fmt::format(
                 "{}:{}: {} is no directive and skipped; a line reads 'name: values', and "
                 "': values' where it continues the one before",
-                place, lines.number(), shown(line)));
+                where, lines.number(), shown(line)));
         } else {
             directives.push_back(
                 {lines.number(), lower_case(trimmed(line.substr(0, end))), value, {}});
@@ -66,8 +66,8 @@ std::vector<DirectiveLine> split_directives(
 }
 
 Values::Values(
-    std::string place, std::string what, std::string_view text, Faults& faults, Notices& notices)
-    : place_(std::move(place)),
+    std::string where, std::string what, std::string_view text, Faults& faults, Notices& notices)
+    : where_(std::move(where)),
       what_(std::move(what)),
       text_(text),
       faults_(&faults),
@@ -147,13 +147,13 @@ std::string Values::rest() {
 void Values::fault(std::string problem, std::string why, std::string suggestion) {
     if (!failed_) {
         faults_->add(
-            {place_, fmt::format("{}: {}", what_, problem), std::move(why), std::move(suggestion)});
+            {where_, fmt::format("{}: {}", what_, problem), std::move(why), std::move(suggestion)});
     }
     failed_ = true;
 }
 
 void Values::notice(const std::string& text) {
-    notices_->once(fmt::format("{}: {}: {}", place_, what_, text));
+    notices_->once(fmt::format("{}: {}: {}", where_, what_, text));
 }
 
 void Values::finish() {

@@ -11,10 +11,10 @@
 namespace quasimc {
 namespace {
 
-constexpr double kMostBands = 20;
+constexpr double kMaxBands = 20;
 
 void read_samples(Values& values, DirectiveContext& context) {
-    const auto count = values.integer("the number of bands", {1, kMostBands});
+    const auto count = values.integer("the number of bands", {1, kMaxBands});
     if (!count) {
         return;
     }
@@ -125,8 +125,8 @@ void read_material(Values& values, DirectiveContext& context) {
 }
 
 void read_parameter(Values& values, DirectiveContext& context) {
-    if (const auto place = values.integer("the number of the parameter", {1, 60})) {
-        context.spec.material_parameter = static_cast<std::size_t>(*place);
+    if (const auto index = values.integer("the number of the parameter", {1, 60})) {
+        context.spec.material_parameter = static_cast<std::size_t>(*index);
     }
 }
 

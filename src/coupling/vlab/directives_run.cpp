@@ -62,7 +62,7 @@ void read_runs(Values& values, DirectiveContext& context) {
 }
 
 void read_rays(Values& values, DirectiveContext& context) {
-    if (const auto rays = values.integer("the number of rays", {1, kMostPaths})) {
+    if (const auto rays = values.integer("the number of rays", {1, kMaxPaths})) {
         context.spec.run.paths = static_cast<std::uint64_t>(*rays);
     }
 }
@@ -73,7 +73,7 @@ void read_one_ray(Values& values, DirectiveContext& context) {
 
 void read_ignore_direct(Values& values, DirectiveContext& context) {
     const bool ignores = values.yes_no().value_or(false);
-    context.spec.run.direct_light = ignores ? DirectLight::ignored : DirectLight::counted;
+    context.spec.run.direct_light = ignores ? DirectLight::excluded : DirectLight::included;
 }
 
 void read_roulette(Values& values, DirectiveContext& context) {
@@ -83,7 +83,7 @@ void read_roulette(Values& values, DirectiveContext& context) {
         return;
     }
     // A path that is lighter than this lives on with the chance of its weight.
-    context.spec.run.roulette_weight = std::min(*threshold, 1.0);
+    context.spec.run.roulette_threshold = std::min(*threshold, 1.0);
 }
 
 void read_sampler(Values& values, DirectiveContext& context) {

@@ -21,7 +21,7 @@ struct OrganFrame {
     Vec3 heading;  ///< unit
     Vec3 up;       ///< unit, at right angles to the heading
 
-    [[nodiscard]] Vec3 place(const Vec3& p) const {
+    [[nodiscard]] Vec3 point(const Vec3& p) const {
         return base + p.x * across + p.y * heading + p.z * up;
     }
 };
@@ -113,7 +113,7 @@ class OrganShapes::Maker {
             return {};
         }
         if (parameters_.size() < entry->least_parameters) {
-            tell(
+            report(
                 "parameters", fmt::format(
                                   "has {}; {} are needed", counted(parameters_.size(), "parameter"),
                                   entry->least_parameters));
@@ -121,7 +121,7 @@ class OrganShapes::Maker {
         }
         const auto frame = frame_of(query_.turtle);
         if (!frame) {
-            tell("frame", "stands nowhere: position, heading or up are no usable vectors");
+            report("frame", "stands nowhere: position, heading or up are no usable vectors");
             return {};
         }
         frame_ = *frame;
@@ -151,7 +151,7 @@ class OrganShapes::Maker {
                                           shown(query_.organ), graphics));
     }
 
-    void tell(const std::string& key, const std::string& text) {
+    void report(const std::string& key, const std::string& text) {
         notices_.once(
             fmt::format("{} {}", query_.organ, key),
             query_.organ.empty()
@@ -167,7 +167,7 @@ class OrganShapes::Maker {
             return value;
         }
         if (value != 0) {
-            tell(
+            report(
                 "size",
                 fmt::format(
                     "has {} {}, which is no size: nothing falls on it", name, shortest(value)));
@@ -198,8 +198,8 @@ class OrganShapes::Maker {
             return {};
         }
         return make_triangle(
-            frame_.place({-*half_base, 0, 0}), frame_.place({*half_base, 0, 0}),
-            frame_.place({0, *height, 0}));
+            frame_.point({-*half_base, 0, 0}), frame_.point({*half_base, 0, 0}),
+            frame_.point({0, *height, 0}));
     }
 
     Triangles any_triangle() {
@@ -208,7 +208,7 @@ class OrganShapes::Maker {
         const bool is_triangle = left >= 0 && right >= 0 && left + right > 0 &&
                                  std::isfinite(left + right) && std::abs(degrees) <= 90;
         if (!is_triangle) {
-            tell("base", "has no base: two lengths and an angle of -90 to 90 degrees make one");
+            report("base", "has no base: two lengths and an angle of -90 to 90 degrees make one");
         }
         if (!height || !is_triangle) {
             return {};
@@ -216,8 +216,8 @@ class OrganShapes::Maker {
         const double angle = degrees * std::numbers::pi / 180;
         const Vec3 along{std::sin(angle), std::cos(angle), 0};
         Triangles triangle = make_triangle(
-            frame_.place(-left * along), frame_.place(right * along),
-            frame_.place({0, *height, 0}));
+            frame_.point(-left * along), frame_.point(right * along),
+            frame_.point({0, *height, 0}));
         if (angle < 0) {
             turn_over(triangle);
         }
@@ -242,18 +242,18 @@ class OrganShapes::Maker {
 
     /// How many parameters of S are scales: those before the material's.
     [[nodiscard]] std::size_t scale_count() const {
-        constexpr std::size_t kFirstScale = 1, kMostScales = 3;
+        constexpr std::size_t kFirstScale = 1, kMaxScales = 3;
         std::size_t end = parameters_.size();
         if (spec_.material_parameter && *spec_.material_parameter > kFirstScale + 1) {
             end = std::min(end, *spec_.material_parameter - 1);
         }
-        return std::min(end - kFirstScale, kMostScales);
+        return std::min(end - kFirstScale, kMaxScales);
     }
 
     Triangles surface() {
         const double id = parameters_[0];
         if (!(id >= 0 && id < static_cast<double>(spec_.surfaces.size())) || id != std::floor(id)) {
-            tell(
+            report(
                 "surface", fmt::format(
                                "names surface {}; the specification file has {}, counted from 0",
                                shortest(id), spec_.surfaces.size()));
@@ -272,7 +272,7 @@ class OrganShapes::Maker {
         Triangles triangles = spec_.surfaces[static_cast<std::size_t>(id)].triangles;
         for (Triangle& t : triangles) {
             for (Vec3& p : t) {
-                p = frame_.place({scale.x * p.x, scale.y * p.y, scale.z * p.z});
+                p = frame_.point({scale.x * p.x, scale.y * p.y, scale.z * p.z});
             }
         }
         return triangles;
@@ -281,7 +281,7 @@ class OrganShapes::Maker {
     SideMaterials surface_materials() {
         constexpr std::size_t kFirstFree = 3;  // the first two are id and scale
         if (spec_.material_parameter && *spec_.material_parameter < kFirstFree) {
-            tell(
+            report(
                 "material parameter",
                 fmt::format(
                     "takes the leaf's material: 'material parameter: {}' is its id or its scale",
@@ -304,7 +304,7 @@ class OrganShapes::Maker {
         // A length that came with polygons may be no material at all.
         const bool is_surely_material = query_.polygons.count == 0 || spec_.material_parameter;
         if (is_surely_material && parameters_[index] != std::floor(parameters_[index])) {
-            tell(
+            report(
                 "fraction", fmt::format(
                                 "names material {}: what stands behind the point does not count",
                                 shortest(parameters_[index])));
@@ -314,7 +314,7 @@ class OrganShapes::Maker {
         if (number >= 0 && number < static_cast<double>(spec_.materials.size())) {
             return static_cast<std::size_t>(number);
         }
-        tell(
+        report(
             "material",
             fmt::format(
                 "names material {}, but there are {} to {}: it gets the leaf's",
@@ -342,22 +342,22 @@ class OrganShapes::Maker {
     }
 
     /// Of the polygon at hand.
-    void tell_polygon(const std::string& key, const std::string& text) {
-        tell(key, fmt::format("has a polygon (line {} of its message) {}", line_, text));
+    void report_polygon(const std::string& key, const std::string& text) {
+        report(key, fmt::format("has a polygon (line {} of its message) {}", line_, text));
     }
 
     void add_polygon(std::span<const Vec3> corners, Triangles& triangles) {
         if (corners.size() < 3) {
-            tell_polygon("polygon", "of " + counted(corners.size(), "corner"));
+            report_polygon("polygon", "of " + counted(corners.size(), "corner"));
             return;
         }
         if (!std::all_of(corners.begin(), corners.end(), is_finite)) {
-            tell_polygon("polygon", "with a corner that is nowhere");
+            report_polygon("polygon", "with a corner that is nowhere");
             return;
         }
         Triangles polygon = cut(corners);
         if (std::all_of(polygon.begin(), polygon.end(), is_degenerate)) {
-            tell_polygon("area", "without area: nothing falls on it");
+            report_polygon("area", "without area: nothing falls on it");
         }
         Vec3 normal;
         for (const Triangle& t : polygon) {
@@ -376,7 +376,7 @@ class OrganShapes::Maker {
             return make_polygon(corners);
         } catch (const InputError& error) {
             const std::optional<Triangles> fan = make_fan(corners);
-            tell_polygon(
+            report_polygon(
                 "polygon",
                 fmt::format(
                     "that is {}: {}", fan ? "cut into a fan from its first corner" : "left out",

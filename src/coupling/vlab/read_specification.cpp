@@ -49,7 +49,7 @@ SpecificationKind recognized_kind(const std::vector<DirectiveLine>& lines) {
 
 /// Tells of a directive that nobody knows; it is skipped, as the original does.
 void unknown_directive(
-    const DirectiveLine& line, const std::string& place, const Tables& tables, Notices& notices) {
+    const DirectiveLine& line, const std::string& where, const Tables& tables, Notices& notices) {
     std::vector<std::string_view> names;
     names.reserve(tables.size());
     for (const DirectiveEntry& entry : tables) {
@@ -57,7 +57,7 @@ void unknown_directive(
     }
     const std::string_view nearest = nearest_word(line.name, names);
     notices.once(fmt::format(
-        "{}: {} is no directive and skipped; {}", place, shown(line.name),
+        "{}: {} is no directive and skipped; {}", where, shown(line.name),
         nearest.empty() ? "docs/formats/specification.md lists them"
                         : fmt::format("did you mean '{}'?", nearest)));
 }
@@ -90,13 +90,13 @@ class SpecificationReader {
 
   private:
     void read_line(const DirectiveLine& line, const Tables& tables, Faults& faults) {
-        const std::string place = fmt::format("{}:{}", context_.file, line.number);
+        const std::string where = fmt::format("{}:{}", context_.file, line.number);
         const DirectiveEntry* entry = find_directive(tables, line.name);
         if (entry == nullptr) {
-            unknown_directive(line, place, tables, context_.notices);
+            unknown_directive(line, where, tables, context_.notices);
             return;
         }
-        Values values(place, line.name, line.value, faults, context_.notices);
+        Values values(where, line.name, line.value, faults, context_.notices);
         context_.line = &line;
         entry->read(values, context_);
         values.finish();
@@ -131,7 +131,7 @@ class SpecificationReader {
         }
         if (spec_.ground && spec_.ground->material >= spec_.materials.size()) {
             faults.add(
-                {context_.ground_place,
+                {context_.ground_where,
                  fmt::format(
                      "the ground is of material {}",
                      spec_.first_material() + spec_.ground->material),

@@ -12,14 +12,14 @@ struct LampBody {
     Opening opening;
 
     /// A place of the opening, uniform over its length or area, and the axes its pattern is about.
-    struct Place {
+    struct SurfacePoint {
         Vec3 position;
         Frame axes;
     };
-    [[nodiscard]] Place place(double u0, double u1) const;
+    [[nodiscard]] SurfacePoint draw_point(double u0, double u1) const;
 
     /// A place of the opening that is drawn from a point.
-    struct Sight {
+    struct LampSample {
         Vec3 to_light;  ///< unit
         double distance = 0;
         Frame axes;         ///< of the pattern there
@@ -29,9 +29,9 @@ struct LampBody {
     /// Draws a place as seen from `point`: rectangles and spheres uniformly in solid angle, lines
     /// uniformly in the angle at the point (their irradiance is bounded as near as one likes),
     /// disks by area.
-    [[nodiscard]] Sight seen_from(const Vec3& point, double u0, double u1) const;
+    [[nodiscard]] LampSample seen_from(const Vec3& point, double u0, double u1) const;
     /// The same by area, for rectangles.
-    [[nodiscard]] Sight seen_by_area(const Vec3& point, double u0, double u1) const;
+    [[nodiscard]] LampSample seen_by_area(const Vec3& point, double u0, double u1) const;
 
     /// Of the sphere about the center that holds the opening.
     [[nodiscard]] double radius() const;

@@ -78,10 +78,10 @@ class SkySampler final : public SourceSampler {
         const Vec3 direction = -from.direction;
         const double entering = radiance_(from.direction) * box_.projected_area(direction);
         return {
-            entry_place(box_, direction, u[0], u[1]), direction,
+            entry_point(box_, direction, u[0], u[1]), direction,
             entering / (from.pdf * unscaled_flux_)};
     }
-    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+    [[nodiscard]] DirectionSample draw_direction(double u0, double u1) const override {
         const HemisphereSampler::Sample from = sampler_.sample(u0, u1);
         return {-from.direction, from.pdf};
     }

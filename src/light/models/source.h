@@ -23,14 +23,14 @@ struct Emission {
 };
 
 /// A direction and the density with which it was drawn.
-struct DrawnDirection {
+struct DirectionSample {
     Vec3 direction;      ///< unit, in which the light travels
     double density = 0;  ///< per steradian
 };
 
 /// Where a lamp is, local coordinates.
-struct LampPlace {
-    Ball body;  ///< about its centre, holds its opening
+struct LampExtent {
+    BoundingSphere body;  ///< about its centre, holds its opening
     /// Whether illuminate() draws so that what it brings to a place is bounded however near that
     /// is.
     bool has_bounded_irradiance = false;
@@ -61,7 +61,7 @@ class SourceSampler {
     /// which it has light.
     /// Of a beam, which has one, and of a lamp, whose directions depend on the place, the density
     /// is 0.
-    [[nodiscard]] virtual DrawnDirection draw_direction(double u0, double u1) const;
+    [[nodiscard]] virtual DirectionSample draw_direction(double u0, double u1) const;
     /// The density per steradian with which draw_direction() draws `direction` (unit, in which the
     /// light travels) from evenly spread points; its integral over the sphere is 1.
     [[nodiscard]] virtual double density(const Vec3& direction) const;
@@ -74,7 +74,7 @@ class SourceSampler {
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const;
 
     /// Of a lamp: where it is.
-    [[nodiscard]] virtual std::optional<LampPlace> lamp_place() const;
+    [[nodiscard]] virtual std::optional<LampExtent> lamp_extent() const;
 
   private:
     double flux_;
@@ -92,7 +92,7 @@ struct Illumination {
 /// A source as the engine knows it.
 class SourceModel : public Source {
   public:
-    /// @param spectrum  see spectrum(); a value below kLeastIrradiance is no light and becomes 0
+    /// @param spectrum  see spectrum(); a value below kMinIrradiance is no light and becomes 0
     /// @param horizontal_irradiance  see horizontal_irradiance()
     SourceModel(
         std::string name,

@@ -22,7 +22,7 @@ std::string words_for(const Scene& scene, const Coincidence& pair) {
                                   : "triangles of " + words_for(scene.organs()[pair.first.value]);
     const std::string number =
         pair.triangles == 1 ? "a triangle" : fmt::format("{} triangles", pair.triangles);
-    const char* light = pair.light == LightGoesTo::both
+    const char* light = pair.light == OverlapOwner::both
                             ? "the sensor is taken to stand just above, on its upper side"
                         : is_own ? "light falls on one of them, where they lie on each other"
                                  : "where they lie on each other, light falls on that organ only";
@@ -37,20 +37,20 @@ std::string words_for(const Scene& scene, const Coincidence& pair) {
 std::vector<Warning> lint_overlap(const Survey& survey) {
     const Scene& scene = survey.scene;
     const Coincidences& found = *data_of(scene).coincidences;
-    if (found.is_left_out) {
+    if (found.is_skipped) {
         return {
             {"scene",
              fmt::format(
-                 "has more than {} triangles: overlaps were not looked for", kMostToCompare)}};
+                 "has more than {} triangles: overlaps were not looked for", kMaxToCompare)}};
     }
     WarningKind same("pairs of organs have triangles in common");
-    WarningKind upon("pairs of organs have triangles that overlap in one plane");
+    WarningKind onto("pairs of organs have triangles that overlap in one plane");
     for (const Coincidence& pair : found.pairs) {
-        (pair.is_same ? same : upon)
+        (pair.is_same ? same : onto)
             .add(words_for(scene.organs()[pair.second.value]), words_for(scene, pair));
     }
     std::vector<Warning> warnings = std::move(same).finish();
-    std::vector<Warning> more = std::move(upon).finish();
+    std::vector<Warning> more = std::move(onto).finish();
     std::move(more.begin(), more.end(), std::back_inserter(warnings));
     if (found.gave_up) {
         warnings.push_back(

@@ -10,7 +10,7 @@
 namespace quasimc {
 
 /// What falls on all regions, per band: the sum, and the sum of its variances.
-struct LightSpread {
+struct SumWithVariance {
     std::vector<double> light, variance;
 };
 
@@ -43,10 +43,10 @@ class LightSum {
     /// @param parts  by place of a bin
     void raise(std::span<const double> parts);
 
-    /// [replicate][BinPlaces]
+    /// [replicate][BinIndex]
     [[nodiscard]] const std::vector<std::vector<double>>& bins() const { return bins_; }
     /// @param errors  relative, by place of a bin, on top of what replicates say; empty: none
-    [[nodiscard]] LightSpread spread(std::span<const double> errors) const;
+    [[nodiscard]] SumWithVariance spread(std::span<const double> errors) const;
     [[nodiscard]] bool is_dark() const;
 
     /// What evaluate() reads.

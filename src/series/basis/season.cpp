@@ -26,7 +26,7 @@ namespace {
 /// Of the progress of a series, the part that what its times have in common takes.
 constexpr double kShareOfBasis = 0.5;
 /// Times that are put together at once take about so much memory, and are at most so many.
-constexpr double kWindowBytes = 256e6, kMostInWindow = 16;
+constexpr double kWindowBytes = 256e6, kMaxInWindow = 16;
 
 /// Groups as SeriesSum has them.
 GroupResults without_fractions(GroupResults groups) {
@@ -113,8 +113,8 @@ class Season final : public SeriesSteps {
 
     void choose_pixels() {
         std::vector<SunsOfTime> times;
-        std::vector<LightSpread> others;
-        for (const std::size_t i : basis_->left_out()) {
+        std::vector<SumWithVariance> others;
+        for (const std::size_t i : basis_->reference_steps()) {
             times.push_back(suns_of(i));
             times.back().trace = in_.time_steps.size() + times.size();
             const SeasonBasis::Amounts amounts =
@@ -128,7 +128,7 @@ class Season final : public SeriesSteps {
     [[nodiscard]] std::size_t window_size() const {
         const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
                             static_cast<double>(in_.spec.replicates);
-        return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMostInWindow));
+        return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMaxInWindow));
     }
 
     void fill_window(std::size_t first) {
@@ -221,7 +221,7 @@ class Season final : public SeriesSteps {
     [[nodiscard]] Result result_of(
         LightSum& light, const LightOfSuns& suns, const Sources& sources) const {
         if (light.is_dark() && suns.is_dark()) {
-            Result dark = dark_result(in_.scene, in_.spec);
+            Result dark = zero_result(in_.scene, in_.spec);
             dark.stop = sources.empty() ? StopReason::finished : StopReason::no_light;
             return dark;
         }
@@ -282,9 +282,9 @@ SeriesSummary run_season(const SeriesInput& input) {
     const auto refuse = [&](bool is_so, std::string_view what) {
         if (is_so) {
             faults.add(
-                {"series", fmt::format("it is \"together\", with {}", what),
+                {"time_method", fmt::format("it is \"daylight_coefficients\", with {}", what),
                  "what all times have in common is computed by one process, in one go",
-                 "use series = \"one_by_one\""});
+                 "use time_method = \"independent\""});
         }
     };
     const SumsOrigin& origin = input.control.origin;

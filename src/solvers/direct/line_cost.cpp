@@ -27,7 +27,7 @@ LineCost::LineCost(const ProjectedScene& scene) : scene_(scene) {
         return;
     }
     for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); ++i) {
-        if (scene.role(i) != VisibilityRole::left_out) {
+        if (scene.role(i) != VisibilityRole::omitted) {
             extents_ += extent_of(*scene.mesh, i);
             areas_ += 0.5 * absolute(scene.mesh->across(i));
         }

@@ -71,17 +71,17 @@ class SystematicPlacement {
     /// Places vertices on a stretch of `count` such pieces.
     /// @param beam  PathVertex::beam
     /// @param place  (f) of a number in [0, 1) that grows along the stretch: where it is, u and v
-    template <typename Place>
-    void place(
+    template <typename PointAt>
+    void add_vertices(
         const ScatteringPiece& piece,
         double count,
         std::uint32_t beam,
-        const Place& place,
+        const PointAt& point_at,
         std::vector<PathVertex>& vertices) {
         const double scattered = piece.scattered * count;
         double at = residual_;
         while (at < scattered) {
-            const Barycentric where = place(at / scattered);
+            const Barycentric where = point_at(at / scattered);
             vertices.push_back({piece.triangle, beam, where.u, where.v, piece.weight});
             at += 1;
         }
@@ -158,7 +158,7 @@ struct VertexOrder {
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t> keys, key_counts, next;  // scratch
 };
-void order_by_place(
+void order_by_position(
     std::span<const PathVertex> vertices, std::uint32_t triangles, VertexOrder& order);
 
 }  // namespace quasimc

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "raster/item_buffer.h"
-#include "solvers/direct/seen_scene.h"
+#include "solvers/direct/projection_input.h"
 #include "solvers/solver.h"
 
 namespace quasimc {
@@ -54,7 +54,7 @@ class SunPixels {
     const Sampler& sampler_;
     const RunSpec& spec_;
     std::stop_token stop_;
-    SeenScene seen_;
+    ProjectionInput seen_;
     double pixels_;
 };
 

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "samplers/sampler.h"
 #include "solvers/from_organs/lamp_near_field.h"
-#include "transport/light_shares.h"
+#include "transport/light_sampler.h"
 #include "transport/prepared_scene.h"
 #include "transport/surface.h"
 
@@ -48,7 +48,7 @@ class NextEvent {
     /// @param scale  irradiance counts in units of the flux of all lights over this area (square
     /// scene units)
     /// @param near  which light is not looked for
-    /// @param sharp_from  peak_brightness() of lobes through which suns and lamps are not looked
+    /// @param narrow_from  peak_brightness() of lobes through which suns and lamps are not looked
     /// for
     /// @param points  a power of two: where lights are picked alike from everywhere, so many points
     /// of a set that is spread evenly pick each exactly as often as expected
@@ -57,7 +57,7 @@ class NextEvent {
         const Sampler& sampler,
         const LampNearField& near,
         double scale,
-        double sharp_from,
+        double narrow_from,
         std::uint64_t points);
 
     /// Numbers that sample_light() draws: none if all light comes from one direction.
@@ -70,7 +70,7 @@ class NextEvent {
         const Stream& stream,
         std::uint64_t point,
         std::uint32_t dimension,
-        const Vec3& place,
+        const Vec3& p,
         const FieldOfView& view = {}) const;
 
     /// Whether what is seen of a lamp lies in the plane of a surface, as near as can be told: it
@@ -82,7 +82,7 @@ class NextEvent {
     std::uint64_t add_light(
         const LightSample& sample,
         const Surface& surface,
-        const Vec3& place,
+        const Vec3& p,
         const Vec3& out,
         GatherScratch& path) const;
 
@@ -96,8 +96,8 @@ class NextEvent {
         double u = 0;  ///< what is left of the number
         double probability = 1;
     };
-    [[nodiscard]] Pick pick(double u, const Vec3& place) const;
-    [[nodiscard]] double importance(std::size_t light, const Vec3& place) const;
+    [[nodiscard]] Pick pick(double u, const Vec3& p) const;
+    [[nodiscard]] double importance(std::size_t light, const Vec3& p) const;
 
     /// Irradiance of spectrum 1 in our unit, over the probability of the light.
     [[nodiscard]] double scale_of(const BoundSource& light) const {
@@ -107,10 +107,10 @@ class NextEvent {
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const LampNearField& near_;
-    double scale_, sharp_from_;
+    double scale_, narrow_from_;
     std::uint32_t dimensions_;
-    std::vector<LampPlace> lamps_;  // one for each light if they are picked by place, else empty
-    LightShares shares_;            // if lights are picked alike from everywhere
+    std::vector<LampExtent> lamps_;  // one for each light if they are picked by place, else empty
+    LightSampler shares_;            // if lights are picked alike from everywhere
 };
 
 }  // namespace quasimc

@@ -297,7 +297,7 @@ class DirectDeposit {
                     amount);
                 return rays;
             }
-            at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
+            at = caster.cast(point_of(prepared_, at.hit), start.direction, surface.triangle);
         }
         if (at.end == RayEnd::escaped) {
             tally_.add(blocks.escaped_direct() + source.spectrum, to_fixed(start.weight));

@@ -15,7 +15,7 @@ double area_of(const PreparedScene& prepared, std::uint32_t triangle) {
 }
 
 bool is_image(std::span<const VisibilityRole> roles, std::uint32_t triangle) {
-    return !roles.empty() && roles[triangle] == VisibilityRole::left_out;
+    return !roles.empty() && roles[triangle] == VisibilityRole::omitted;
 }
 
 bool is_sensor(std::span<const VisibilityRole> roles, std::uint32_t triangle) {

@@ -56,8 +56,8 @@ TEST(CInterface, GivesTheBitsOfTheLibraryFromArraysAndFromARunFile) {
     const RunFile file = read_run_file(path);
     const Result expected = quasimc::run(file.scene, file.sources, file.spec);
 
-    const SceneHandle stated = small_canopy(12);
-    const ResultHandle from_arrays = run(*stated);
+    const SceneHandle given = small_canopy(12);
+    const ResultHandle from_arrays = run(*given);
     ASSERT_TRUE(from_arrays) << quasimc_last_error();
     expect_same_bits(*from_arrays, expected);
 

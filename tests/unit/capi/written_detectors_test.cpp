@@ -90,7 +90,7 @@ TEST_P(WrittenDetectors, AreInNetcdf) {
     if (!has_netcdf()) {
         GTEST_SKIP() << "built without NetCDF";
     }
-    const std::string bytes = written(make_nc);
+    const std::string bytes = written(make_netcdf);
     EXPECT_NE(bytes.find("it_standard_error"), std::string::npos);
     for (const std::string& bin : seen().bins) {
         EXPECT_NE(bytes.find(bin), std::string::npos) << bin;

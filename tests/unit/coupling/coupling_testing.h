@@ -9,7 +9,7 @@
 namespace quasimc::test {
 
 /// Notices that are kept.
-struct KeptNotices {
+struct RecordedNotices {
     std::vector<std::string> texts;
     Notices notices{[this](const std::string& text) { texts.push_back(text); }};
 
@@ -23,7 +23,7 @@ struct KeptNotices {
 /// A specification from its text; `files` are those it may name.
 [[nodiscard]] Specification specification(
     const std::string& text,
-    KeptNotices& kept,
+    RecordedNotices& kept,
     const std::map<std::string, std::string>& files = {},
     SpecificationKind kind = SpecificationKind::automatic);
 

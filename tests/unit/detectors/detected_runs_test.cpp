@@ -15,7 +15,7 @@ namespace {
 /// alone is measured.
 Scene plate(std::vector<DetectorSpec> detectors) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .5, .2, 2));
+    builder.add_material(diffuse("leaf", .5, .2, 2));
     OrganSpec all = organ("plate", "leaf", floor_of(0, 1, 0, 1, 0));
     all.measured = false;
     builder.add_organ(std::move(all));
@@ -55,7 +55,7 @@ TEST(DetectedRuns, AddUpToTheEscapedLightOfTheBudget) {
 
 TEST(DetectedRuns, GiveABoundWhereNothingWasSeen) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .5, 0));
+    builder.add_material(diffuse("leaf", .5, 0));
     builder.add_organ(organ("plate", "leaf", floor_of(0, 1, 0, 1, 0)));
     builder.add_detector(kNineRings);
     const Result result =

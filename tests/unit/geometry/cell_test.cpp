@@ -77,7 +77,7 @@ TEST(WrapIntoCell, AnAbsurdlyLargeTriangleIsRefusedByName) {
         FAIL() << "not refused";
     } catch (const InputError& error) {
         ASSERT_EQ(error.faults().size(), 1U);
-        EXPECT_EQ(error.faults()[0].place, "triangle 2");
+        EXPECT_EQ(error.faults()[0].where, "triangle 2");
     }
 }
 
@@ -120,7 +120,7 @@ std::map<std::size_t, int> cover_of_copies(
     return cover;
 }
 
-RC_GTEST_PROP(WrapIntoCell, CoversEveryPlaceAsTheInfiniteSceneDoes, ()) {
+RC_GTEST_PROP(WrapIntoCell, CoversEveryPointAsTheInfiniteSceneDoes, ()) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Cell cell{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(),
                     random.between(-3, 3),       random.between(-3, 3),

@@ -22,8 +22,8 @@ namespace {
 /// A scene as its ray caster and its beams see it.
 struct Repeated {
     Repeated(const std::vector<Triangle>& triangles, const Cell& cell)
-        : caster(triangles, cell, Engine::brute_force),
-          projection(caster.mesh(), cell, CrossSectionShape::silhouette) {
+        : caster(triangles, cell, Accelerator::brute_force),
+          projection(caster.mesh(), cell, StartArea::silhouette) {
         for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
             const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
             roles.push_back(image ? VisibilityRole::left_out : VisibilityRole::opaque);
@@ -139,8 +139,8 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
     int free = 0;
     const auto look = [&](std::uint32_t triangle, double u, double v, const Vec3& direction) {
         ++looks;
-        const Vec3 place = mesh.point(triangle, u, v);
-        free += repeated.caster.occluded(place, -direction, triangle) ? 0 : 1;
+        const Vec3 point = mesh.point(triangle, u, v);
+        free += repeated.caster.occluded(point, -direction, triangle) ? 0 : 1;
     };
     for (const Vec3& direction : kDirections) {
         std::map<std::uint32_t, double> by_lines;

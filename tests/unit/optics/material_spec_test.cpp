@@ -17,9 +17,9 @@ MaterialSpec grey_leaf(std::size_t bands) {
 }
 
 /// All faults, one a line.
-std::string faults_of(const MaterialSpec& spec, std::size_t bands, const std::string& place = "") {
+std::string faults_of(const MaterialSpec& spec, std::size_t bands, const std::string& where = "") {
     Faults faults;
-    check_material(spec, bands, place, faults);
+    check_material(spec, bands, where, faults);
     try {
         faults.throw_if_any();
     } catch (const InputError& error) {

@@ -85,10 +85,10 @@ TEST(ReadRows, FindsTimesDaysAndTheirSum) {
     EXPECT_EQ(means_of(kTimes, {.columns = kPar, .part = "total"}), (Means{7, 8}));
     const auto all = read_rows(kTimes, "", {.columns = kPar});
     ASSERT_EQ(all.size(), 4U);
-    EXPECT_EQ(all[1].place.index, 1U);
-    EXPECT_EQ(all[1].place.label, "2024-06-21T13:00");
-    EXPECT_EQ(all[2].place.part, "days");
-    EXPECT_EQ(all[2].place.label, "2024-06-21");
+    EXPECT_EQ(all[1].position.index, 1U);
+    EXPECT_EQ(all[1].position.label, "2024-06-21T13:00");
+    EXPECT_EQ(all[2].position.part, "days");
+    EXPECT_EQ(all[2].position.label, "2024-06-21");
 }
 
 TEST(ReadRows, FindsThePointOfASweep) {
@@ -96,7 +96,7 @@ TEST(ReadRows, FindsThePointOfASweep) {
     EXPECT_EQ(
         means_of(kPoints, {.columns = kPar, .part = "time_steps", .point = 1}), (Means{9, 10}));
     EXPECT_EQ(means_of(kPoints, {.columns = kPar, .point = 2}), Means{});
-    EXPECT_EQ(read_rows(kPoints, "", {.columns = kPar}).back().place.point, 1U);
+    EXPECT_EQ(read_rows(kPoints, "", {.columns = kPar}).back().position.point, 1U);
 }
 
 TEST(ReadRows, LeavesWhatIsNotKnown) {

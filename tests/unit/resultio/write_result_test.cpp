@@ -8,7 +8,7 @@
 
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
-#include "resultio/result_words.h"
+#include "resultio/describe_result.h"
 #include "results/units.h"
 #include "text/line_scanner.h"
 #include "unit/runfile/io_testing.h"

@@ -25,7 +25,7 @@ class AuditRate : public ::testing::TestWithParam<Stand> {};
 TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
     const Stand& stand = GetParam();
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .4));
+    builder.add_material(diffuse("leaf", .4, .4));
     add_leaves(builder, random_leaves(stand.leaves, stand.edge, 1, 9));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(30, {1}), sky({.3})};

@@ -19,8 +19,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Fifty leaves of two bands above a ground; the first `measured` are.
 Scene make_audited_stand(double reflectance = .2, std::size_t measured = 50) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", reflectance, .2, 2));
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("leaf", reflectance, .2, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     std::size_t count = 0;
     for (const Triangle& triangle : random_leaves(50, .3, 1, 3)) {
         OrganSpec leaf = organ("", "leaf", {triangle});
@@ -67,7 +67,7 @@ Estimate known(double mean, double error) {
 
 Scene two_leaves() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     for (const double z : {0.0, 1.0}) {
         builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, z)));
     }

@@ -22,8 +22,8 @@ class EvaluateBothWays : public BothWays {
 /// A grey leaf inside a black box under the sun, where no light comes.
 Scene make_dark_room() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .1, 2));
-    builder.add_material(matt("black", 0, 0, 2));
+    builder.add_material(diffuse("leaf", .3, .1, 2));
+    builder.add_material(diffuse("black", 0, 0, 2));
     builder.add_organ(organ("leaf", "leaf", floor_of(.4, .6, .4, .6, .5)));
     std::vector<Triangle> walls = floor_of(0, 1, 0, 1, 0);
     const auto add = [&](const std::vector<Triangle>& wall) {
@@ -63,8 +63,8 @@ TEST_P(EvaluateBothWays, AnOrganThatNoPathHitHasAnUpperBoundAndNoError) {
 /// is as unknown as what falls on it.
 TEST_P(EvaluateBothWays, WhatNoPathFoundHasAnUpperBoundInTheBudgetToo) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("soil", .3, 0, 2));
-    builder.add_material(matt("black", 0, 0, 2));
+    builder.add_material(diffuse("soil", .3, 0, 2));
+    builder.add_material(diffuse("black", 0, 0, 2));
     builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 1)));
     GroundSpec soil = ground("soil");
     soil.height = .5;
@@ -101,7 +101,7 @@ Scene make_odd_plant() {
     leaf.upper = {{.reflectance = .1, .transmittance = .2}, {.reflectance = .5}};
     leaf.lower = {{.reflectance = .3}, {.reflectance = .4, .transmittance = .4}};
     builder.add_material(leaf);
-    builder.add_material(matt("stem", .2, 0, 2));
+    builder.add_material(diffuse("stem", .2, 0, 2));
     builder.add_material(sensor("sensor", 2));
     builder.add_organ(organ("leaf", "leaf", make_triangle({0, 0, 0}, {1, 0, .3}, {0, 1, .5})));
     builder.add_organ(organ("sensor", "sensor", floor_of(0, 1, 0, 1, 1)));
@@ -178,7 +178,7 @@ TEST_P(EvaluateBothWays, AnOrganOfNoAreaReceivesNothingForSure) {
 /// Bands that ride on the same paths have errors in common, which a ratio does not have.
 TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("black", 0, 0, 2));
+    builder.add_material(diffuse("black", 0, 0, 2));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(
         organ("shade", "black", make_triangle({.2, .2, 1}, {.9, .1, 1}, {.4, .9, 1})));
@@ -197,7 +197,7 @@ TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
 /// alone had a ratio without any error.
 TEST_P(EvaluateBothWays, ARatioOfFewFindsHoldsTheTruth) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .2, .2, 2));
+    builder.add_material(diffuse("leaf", .2, .2, 2));
     add_leaves(builder, random_leaves(60, .2, 1, 5));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(70, {1, .5}), sky({.3, .6})};
@@ -234,7 +234,7 @@ TEST_P(EvaluateBothWays, ASingleReplicateHasAMeanAndNoError) {
 /// What can't absorb any light is known without tracing.
 TEST_P(EvaluateBothWays, OrgansThatAbsorbNothingForSureAreAtAnyTarget) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_material(sensor("sensor"));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("sensor", "sensor", floor_of(0, 1, 0, 1, 1)));

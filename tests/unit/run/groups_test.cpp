@@ -25,8 +25,8 @@ OrganSpec labelled(OrganSpec organ, Labels labels) {
 /// nobody asks for.
 Scene make_two_plants() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     builder.add_material(sensor("sensor", 2));
     const auto leaves = random_leaves(6, .6, 1, 3);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(Groups, TakeAKeyThatHasAPlusInItForOneKey) {
 /// Horizontal squares of 1 and of .25, and an upright one from 0 to 1, in a cell of 2.
 Scene make_stories() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("leaf", .3, .2));
     for (const double z : {0.0, 1.0, 2.0, 3.0}) {
         builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, z < 3 ? 1 : .25, z)));
     }
@@ -153,7 +153,7 @@ TEST(Layers, OverAGroundBeginThere) {
 
 TEST(Layers, WithoutAreaBelowHaveNoPlantAreaIndex) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("leaf", .3, .2));
     builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, .2)));
     const auto layers = make_groups(std::move(builder).build(), {.layer_heights = {0, 1}});
     EXPECT_TRUE(std::isnan(layers[1].plant_area_index));
@@ -200,7 +200,7 @@ TEST(GroupFaults, TellHeightsThatDoNotAscend) {
 
 TEST(GroupFaults, TellLayersOfAFlatScene) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
     builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, .2)));
     RunSpec spec = spec_of(Method::light_tracing, 64);
     spec.layers = 2;
@@ -264,8 +264,8 @@ TEST_P(GroupsOfRuns, AreTheSameBitsOnAnyNumberOfThreads) {
 
 TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
     SceneBuilder builder = make_builder(1);
-    builder.add_material(matt("leaf", .3, .1));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("leaf", .3, .1));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(
         labelled(organ("a", "leaf", floor_of(.4, .6, .4, .6, -1)), {{"place", "below"}}));
     builder.add_organ(
@@ -304,7 +304,7 @@ QUASIMC_BOTH_WAYS(GroupsOfRuns);
 /// A leaf in the shade of another: what the one takes the other lacks.
 Scene make_shading_pair() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .05));
+    builder.add_material(diffuse("leaf", .1, .05));
     builder.add_organ(labelled(organ("", "leaf", floor_of(0, 1, 0, 1, 0)), {{"pair", "1"}}));
     builder.add_organ(labelled(organ("", "leaf", floor_of(.2, .7, .1, .9, .5)), {{"pair", "1"}}));
     return std::move(builder).build();

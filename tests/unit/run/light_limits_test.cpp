@@ -14,7 +14,7 @@ namespace {
 /// A leaf of .1 x .1 and a slope, in the shade of a roof, in a scene of 4 x 4 x 4.
 Scene make_shaded_slope(double slope, const std::string& material = "leaf") {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .1));
+    builder.add_material(diffuse("leaf", .3, .1));
     builder.add_material(sensor("sensor"));
     std::vector<Triangle> leaf = floor_of(0, .1, 0, .1, 1);
     for (Triangle& triangle : leaf) {
@@ -28,7 +28,7 @@ Scene make_shaded_slope(double slope, const std::string& material = "leaf") {
     return std::move(builder).build();
 }
 
-class LightLimits : public BothWays {
+class PhysicalBounds : public BothWays {
   protected:
     [[nodiscard]] Result few(const Scene& scene, const Sources& sources) const {
         RunSpec spec = spec_of(GetParam(), 16);
@@ -40,7 +40,7 @@ class LightLimits : public BothWays {
     }
 };
 
-TEST_P(LightLimits, DirectLightOfASunIsAtMostWhatFallsOnTheSlope) {
+TEST_P(PhysicalBounds, DirectLightOfASunIsAtMostWhatFallsOnTheSlope) {
     for (const double slope : {0.0, .5, 1000.0, 1e6}) {
         const Scene scene = make_shaded_slope(slope);
         const double cosine = 1 / std::hypot(slope, 1);
@@ -50,13 +50,13 @@ TEST_P(LightLimits, DirectLightOfASunIsAtMostWhatFallsOnTheSlope) {
     }
 }
 
-TEST_P(LightLimits, DirectLightOfASkyIsAtMostThatOfTheOpenField) {
+TEST_P(PhysicalBounds, DirectLightOfASkyIsAtMostThatOfTheOpenField) {
     const Scene scene = make_shaded_slope(0);
     EXPECT_LE(direct_high(few(scene, {sky({2})})), 2 * (1 + 1e-12));
     EXPECT_LE(direct_high(few(scene, {sky({2}), sun(0, {3})})), 5 * (1 + 1e-12));
 }
 
-TEST_P(LightLimits, AnOrganIsSunlitToAtMostAllOfIt) {
+TEST_P(PhysicalBounds, AnOrganIsSunlitToAtMostAllOfIt) {
     for (const double slope : {0.0, .5, 1000.0, 1e6}) {
         const Result result = few(make_shaded_slope(slope), {sun(0, {3})});
         for (std::size_t i = 0; i < result.organs(); ++i) {
@@ -68,7 +68,7 @@ TEST_P(LightLimits, AnOrganIsSunlitToAtMostAllOfIt) {
     }
 }
 
-TEST_P(LightLimits, NoPartOfTheLightIsMoreThanAll) {
+TEST_P(PhysicalBounds, NoPartOfTheLightIsMoreThanAll) {
     const Result result = few(make_shaded_slope(.5), {sun(30, {3}), sky({1})});
     const double emitted = result.budget[0].emitted.mean * (1 + 1e-3);
     for (std::size_t i = 0; i < result.organs(); ++i) {
@@ -78,9 +78,9 @@ TEST_P(LightLimits, NoPartOfTheLightIsMoreThanAll) {
     EXPECT_LE(result.groups.at(0, Quantity::absorbed_flux, 0).ci95_high, emitted);
 }
 
-TEST_P(LightLimits, NoOrganAbsorbsMoreThanFallsOnIt) {
+TEST_P(PhysicalBounds, NoOrganAbsorbsMoreThanFallsOnIt) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("plate", "black", floor_of(0, 2, 0, 2, 0)));
     const Scene scene = std::move(builder).build();
     const Result result = few(scene, {sun(0, {1000})});
@@ -93,9 +93,9 @@ TEST_P(LightLimits, NoOrganAbsorbsMoreThanFallsOnIt) {
 }
 
 /// The truth is inside: of a leaf in the open that all methods see as lit.
-TEST_P(LightLimits, WhatIsReachedIsNotCutOff) {
+TEST_P(PhysicalBounds, WhatIsReachedIsNotCutOff) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .1));
+    builder.add_material(diffuse("leaf", .3, .1));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     const Result result = few(scene, {sun(40, {3}), sky({2})});
@@ -107,10 +107,10 @@ TEST_P(LightLimits, WhatIsReachedIsNotCutOff) {
 
 /// A sun exactly along a surface lights neither of its sides, whatever cosines of 1e-17 rounding
 /// leaves.
-TEST_P(LightLimits, ASunAlongASurfaceLightsNoneOfIt) {
+TEST_P(PhysicalBounds, ASunAlongASurfaceLightsNoneOfIt) {
     for (const double turned : {0.0, .3, 1.0, 2.5}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .3, .1));
+        builder.add_material(diffuse("leaf", .3, .1));
         const Vec3 along{std::cos(turned), std::sin(turned), 0};
         builder.add_organ(
             organ("wall", "leaf", make_triangle({0, 0, 0}, along, along + Vec3{0, 0, 1})));
@@ -122,12 +122,12 @@ TEST_P(LightLimits, ASunAlongASurfaceLightsNoneOfIt) {
     }
 }
 
-QUASIMC_BOTH_WAYS(LightLimits);
+QUASIMC_BOTH_WAYS(PhysicalBounds);
 
 /// A leaf in the open, seen as steeply as `slope` says, above a floor.
 Scene make_open_slope(double slope) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .1));
+    builder.add_material(diffuse("leaf", .3, .1));
     std::vector<Triangle> leaf = floor_of(-.05, .05, -.05, .05, 1);
     for (Triangle& triangle : leaf) {
         for (Vec3& corner : triangle) {

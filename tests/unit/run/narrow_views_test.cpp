@@ -22,7 +22,7 @@ constexpr double kHalfView = 25;
 
 Scene make_sensor_over_leaves() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", 0, 0));
+    builder.add_material(diffuse("leaf", 0, 0));
     builder.add_material(sensor("sensor"));
     OrganSpec eye = organ("eye", "sensor", floor_of(.2, .8, .2, .8, 1.1));
     eye.field_of_view_deg = kHalfView;
@@ -83,7 +83,7 @@ TEST_P(NarrowViews, OfALeafInATubeAreCoveredAsPromised) {
 /// A sensor over a leaf, on a slope.
 Scene make_sensor(double half_view_deg, double slope = 0, double side = 1) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, 0));
+    builder.add_material(diffuse("leaf", .1, 0));
     builder.add_material(sensor("sensor"));
     std::vector<Triangle> plate = floor_of(0, side, 0, side, 1);
     for (Triangle& triangle : plate) {

@@ -178,8 +178,8 @@ TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
     EXPECT_EQ(counts.front(), 1U << 14U);
     EXPECT_EQ(counts.back(), spec.paths);
     EXPECT_EQ(counts[counts.size() - 2], spec.paths / 64);
-    const auto trials = std::accumulate(counts.begin(), counts.end() - 1, std::uint64_t{0});
-    EXPECT_LT(static_cast<double>(trials), .022 * static_cast<double>(spec.paths));
+    const auto pilots = std::accumulate(counts.begin(), counts.end() - 1, std::uint64_t{0});
+    EXPECT_LT(static_cast<double>(pilots), .022 * static_cast<double>(spec.paths));
     EXPECT_EQ(rounds.stop(), StopReason::finished);
 }
 
@@ -296,7 +296,7 @@ TEST(Rounds, KnowTheirShareOfTheWork) {
 
 TEST(RatioBands, AreFoundByName) {
     SceneBuilder builder({{"R"}, {"FR"}, {"PAR"}});
-    builder.add_material(matt("leaf", .1, .1, 3));
+    builder.add_material(diffuse("leaf", .1, .1, 3));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     RunSpec spec;

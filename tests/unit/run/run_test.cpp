@@ -29,7 +29,7 @@ class TiredSky final : public SourceModel {
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
         constexpr unsigned kBetween = 512;
-        if (++looks_ % kBetween == 0) {
+        if (++samples_ % kBetween == 0) {
             std::this_thread::sleep_for(std::chrono::milliseconds(3));
         }
         return model_of(*sky_).illuminate(point, u0, u1);
@@ -40,7 +40,7 @@ class TiredSky final : public SourceModel {
 
   private:
     std::shared_ptr<const Source> sky_;
-    mutable std::atomic<unsigned> looks_{0};
+    mutable std::atomic<unsigned> samples_{0};
 };
 
 /// A run of half a second or more on two threads.
@@ -233,7 +233,7 @@ TEST(Run, ReportsWhatADepthOfOneCutsOff) {
 
 TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
+    builder.add_material(diffuse("leaf", .4, .2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
     const Scene scene = std::move(builder).build();
     const auto below = make_directional_source("below", {0, .6, .8}, {1});
@@ -249,7 +249,7 @@ TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
 /// A band for which there is no light is dark, and nothing is divided by zero.
 TEST_P(RunBothWays, ABandWithoutLightIsDark) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .4, .2, 2));
+    builder.add_material(diffuse("leaf", .4, .2, 2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
     const Result result = trace(std::move(builder).build(), {sun(0, {0, 1}), sky({0, 2})}, 1024);
     for (const QuantityEntry& entry : quantity_table()) {
@@ -268,7 +268,7 @@ QUASIMC_BOTH_WAYS(RunBothWays);
 TEST(Targets, AreReachedWhereOrgansCanHaveNoLight) {
     for (const Method method : {Method::light_tracing, Method::first_hits, Method::from_organs}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", 0, 0));
+        builder.add_material(diffuse("leaf", 0, 0));
         builder.add_organ(organ("roof", "leaf", floor_of(0, 1, 0, 1, 1)));
         builder.add_organ(organ("on roof", "leaf", floor_of(0, 1, 0, 1, 1)));
         builder.add_organ(organ("below", "leaf", floor_of(.4, .6, .4, .6, 0)));

@@ -18,7 +18,7 @@ namespace {
 /// A leaf over a floor, both grey.
 Scene leaf_and_floor() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
     OrganSpec leaf = organ("leaf", "leaf", floor_of(0, .5, 0, .5, .4));
     leaf.labels = {{"plant", "1"}};
     builder.add_organ(leaf);
@@ -40,7 +40,7 @@ std::vector<TimeStep> two_short_days() {
 RunSpec together() {
     RunSpec spec;
     spec.method = Method::ray_bundles;
-    spec.series = SeriesMode::together;
+    spec.time_method = TimeMethod::daylight_coefficients;
     spec.paths = 1 << 9;
     spec.replicates = 4;
     spec.threads = 1;
@@ -239,9 +239,10 @@ TEST(Season, RefusesByNameWhatItCantDo) {
     spec.method = Method::first_hits;
     spec.target_error = .01;
     spec.audit = .1;
-    spec.effort = Effort::day;
+    spec.path_allocation = PathAllocation::proportional;
     const std::string faults = season_faults(scene, two_short_days(), spec);
-    for (const char* text : {"method is not ray_bundles", "target_error", "audit", "effort"}) {
+    for (const char* text :
+         {"method is not ray_bundles", "target_error", "audit", "path_allocation"}) {
         EXPECT_NE(faults.find(text), std::string::npos) << faults;
     }
     const auto lamp =

@@ -15,7 +15,7 @@ namespace {
 
 Scene few_leaves(double rho = .3) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", rho, .2, 2));
+    builder.add_material(diffuse("leaf", rho, .2, 2));
     add_leaves(builder, random_leaves(12, .4, 1, 5));
     return std::move(builder).build();
 }
@@ -56,7 +56,7 @@ TEST_P(RunSums, SayWhatTheRunSays) {
 TEST(GivenSums, GiveTheSameResultAsKeptOnes) {
     constexpr std::size_t kLeaves = 33'000;
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
     add_leaves(builder, random_leaves(kLeaves, .01, 1, 5));
     const Scene scene = std::move(builder).build();
     const EvaluationSpec asked{

@@ -14,7 +14,7 @@ namespace {
 /// A leaf in the plane of y and z: light along y or z, or down, finds only its edge.
 Scene upright_leaf() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
+    builder.add_material(diffuse("leaf", .4, .2));
     const Vec3 low{}, right{0, 1, 0}, far{0, 1, 1}, high{0, 0, 1};
     builder.add_organ(organ("leaf", "leaf", {Triangle{low, right, far}, Triangle{low, far, high}}));
     return std::move(builder).build();
@@ -137,16 +137,16 @@ TEST_P(Unlit, SensorSeesNothing) {
 
 TEST(UnlitSeries, OfNightsAloneIsOneOfZeros) {
     const std::vector<TimeStep> times{{"night", {}, "", 3600, 0}, {"night", {}, "", 3600, 1}};
-    std::size_t told = 0;
+    std::size_t reported = 0;
     Listening events;
     events.time_step = [&](std::size_t, const Result& result, std::size_t) {
-        ++told;
+        ++reported;
         expect_zero(result.at(0, Quantity::absorbed_flux, 0), "absorbed");
         EXPECT_EQ(result.budget[0].closure_error, 0);
     };
     const SeriesSummary summary =
         run_series(upright_leaf(), times, spec_of(Method::automatic, 64), {.listeners = {&events}});
-    EXPECT_EQ(told, 2U);
+    EXPECT_EQ(reported, 2U);
     EXPECT_EQ(summary.computed, 0U);
     expect_zero(summary.total.at(0, Quantity::absorbed_flux, 0), "total");
 }

@@ -18,8 +18,8 @@ namespace quasimc::test {
 namespace {
 
 RunFile run_of_weather(
-    const std::string& keys, const FakeFiles& files, const std::string& place = "") {
-    return read_text(with_time(keys, place), files);
+    const std::string& keys, const FakeFiles& files, const std::string& site = "") {
+    return read_text(with_time(keys, site), files);
 }
 
 /// An EPW file of hours of a band, one light in each, with dates of its own.
@@ -86,9 +86,10 @@ TEST(RunFileWeather, LeavesOutADayThatTheYearDoesNotHave) {
         << all_warnings(plain);
     EXPECT_EQ(read(2024, "").series->days.size(), 5U);
     EXPECT_EQ(all_warnings(read(2024, "")).find("29 February"), std::string::npos);
-    EXPECT_EQ(read(2023, "collapse = 'days'\n").series->time_steps.size(), 4U);
+    EXPECT_EQ(read(2023, "cumulative_sky = 'day'\n").series->time_steps.size(), 4U);
     EXPECT_EQ(
-        read(2023, "collapse = 'period'\n").series->time_steps.at(0).seconds, 4 * kSecondsADay);
+        read(2023, "cumulative_sky = 'period'\n").series->time_steps.at(0).seconds,
+        4 * kSecondsADay);
     const RunFile march = run_of_weather(
         "weather = 'w.epw'\nday = '2023-03-01'\nhours = [11, 12]\n", {{"w.epw", dark}});
     EXPECT_EQ(march.series->days, std::vector<std::string>{"2023-03-01"});
@@ -175,7 +176,7 @@ std::string clock_warnings(const std::vector<Reading>& readings, double zone, bo
     RunFile run = run_of_weather(
         fmt::format(
             "weather = '{}'\n{}", name, is_epw ? "" : fmt::format("utc_offset_hours = {}\n", zone)),
-        {{name, text}}, is_epw ? "" : "[place]\nlatitude_deg = 38\nlongitude_deg = -1.1\n");
+        {{name, text}}, is_epw ? "" : "[site]\nlatitude_deg = 38\nlongitude_deg = -1.1\n");
     const std::string all = all_warnings(run);
     const std::size_t begin = all.find("the days' light comes");
     return begin == std::string::npos ? "" : all.substr(begin, all.find('\n', begin) - begin);
@@ -208,11 +209,11 @@ TEST(RunFileWeather, SuspectsNoClockOfCloudyMornings) {
 }
 
 TEST(RunFileTime, AsksWhetherLatitudeAndLongitudeAreExchanged) {
-    const auto warns = [](const std::string& place, const std::string& clock) {
+    const auto warns = [](const std::string& site, const std::string& clock) {
         return all_warnings(
                    read_text(with_time(
                        "day = '2024-06-21'\nhours = [11, 12]\nutc_offset_hours = " + clock + "\n",
-                       "[place]\n" + place)))
+                       "[site]\n" + site)))
                    .find("are latitude and longitude exchanged?") != std::string::npos;
     };
     EXPECT_TRUE(warns("latitude_deg = 5.67\nlongitude_deg = 52\n", "1"));
@@ -231,7 +232,7 @@ std::string low_light_warnings(double divisor, const std::string& more = "") {
         table += fmt::format("2024-06-21T{:02d}:00+01:00,{:.6f}\n", hour, light / divisor);
     }
     const std::string all =
-        all_warnings(run_of_weather("weather = 'w.csv'\n" + more, {{"w.csv", table}}, kPlace));
+        all_warnings(run_of_weather("weather = 'w.csv'\n" + more, {{"w.csv", table}}, kSite));
     const std::size_t begin = all.find("times by day have at most");
     return begin == std::string::npos ? "" : all.substr(begin);
 }
@@ -252,7 +253,7 @@ TEST(RunFileWeather, TakesADateForItsDayAndAsksForMegajoulesOfDays) {
             {{"w.csv", fmt::format(
                            "time,global\n2024-06-12,{}\n2024-06-13,{}\n2024-06-14,{}\n", light,
                            1.1 * light, light)}},
-            kPlace);
+            kSite);
     };
     const RunFile watts = read(200);
     ASSERT_EQ(watts.series->time_steps.size(), 1U);

@@ -91,10 +91,9 @@ TEST(MaterialKeys, RefuseWhatIsWrong) {
         {"reflectance = { R = 0.1, FR = 0.1, B = 0.1 }\n", "unknown key 'B'"},
         {"reflectance = { R = 0.1, FR = true }\n", "reflectance is true or false"},
         {"reflectance = 0.5\ntransmittance = 0.6\n",
-         "material 'leaf': band R: reflectance 0.5 + transmittance 0.6 is more than 1 (it would "
-         "make light)"},
+         "material 'leaf': band R: reflectance 0.5 + transmittance 0.6 exceeds 1"},
         {"reflectence = 0.5\n", "did you mean 'reflectance'?"},
-        {"", "neither reflectance nor transmittance is given"},
+        {"", "reflectance is missing"},
         {"reflectance = 0.5\nreflection_model = 'pong'\nreflection_exponent = 3\n",
          "did you mean 'phong'?"},
         {"reflectance = 0.5\nreflection_model = 3\n", "reflection_model is an integer"},
@@ -193,7 +192,7 @@ TEST(SourceKeys, WarnOfASunBelowTheHorizon) {
 TEST(SourceKeys, RefuseWhatIsWrong) {
     const std::vector<BadMaterial> table{
         {"", "type is missing"},
-        {"type = 'lamp'\n", "type is 'lamp'"},
+        {"type = 'lamp'\n", "type: 'lamp' is not one of"},
         {"type = 'directional'\nirradiance_facing = 1\n", "where it shines from is missing"},
         {"type = 'directional'\nirradiance_facing = 1\ndirection = [0, 0, -1]\nazimuth_deg = 3\n",
          "direction and angles"},
@@ -218,7 +217,7 @@ TEST(SourceKeys, RefuseWhatIsWrong) {
         {"type = 'uniform_sky'\n", "irradiance_horizontal is missing"},
         {"type = 'uniform_sky'\nirradiance_horizontal = 1\ndirection = [0, 0, -1]\n",
          "unknown key 'direction'"},
-        {"type = 'uniform_sky'\nirradiance_horizontal = 0\n", "all irradiances are 0"},
+        {"type = 'uniform_sky'\nirradiance_horizontal = 0\n", "no source gives light"},
     };
     for (const BadMaterial& bad : table) {
         const auto faults = faults_of(with_source(bad.keys).text());

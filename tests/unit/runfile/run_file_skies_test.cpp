@@ -38,7 +38,7 @@ void expect_near(const Vec3& v, const Vec3& expected) {
     EXPECT_LT(length(v - expected), 1e-6) << v.x << " " << v.y << " " << v.z;
 }
 
-TEST(RunFileSun, StandsWhereTimeAndPlaceSay) {
+TEST(RunFileSun, IsWhereTimeAndSiteSay) {
     const RunFile run = read_text(with_sources(kSun));
     const SunPosition sun =
         sun_position({50.1, 8.7, 0, standard_pressure_hpa(0)}, {2024, 6, 21, 12, 0, 0, 2});
@@ -92,7 +92,7 @@ TEST(RunFileSun, BelowTheHorizonGivesNoLightAndSaysSo) {
         "the sun is below the horizon (azimuth "));
 }
 
-TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
+TEST(RunFileSun, NeedsATimeZoneASiteAndADateThatIs) {
     const auto faults_with_time = [](const std::string& time) {
         std::string source = kSun;
         const std::size_t at = source.find("2024");
@@ -111,7 +111,7 @@ TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
     EXPECT_TRUE(faults_with_time("'2016-12-31T23:59:60Z'").empty());
     RunText text;
     text.sources = kSun;
-    EXPECT_TRUE(mentions(faults_of(text.text()), "time without [place]"));
+    EXPECT_TRUE(mentions(faults_of(text.text()), "time without [site]"));
     EXPECT_TRUE(
         mentions(faults_of(with_sources(kSun + "azimuth_deg = 3\n")), "time and angles are given"));
     EXPECT_TRUE(mentions(
@@ -120,7 +120,7 @@ TEST(RunFileSun, NeedsATimeZoneAPlaceAndADateThatIs) {
     EXPECT_TRUE(mentions(faults_of(with_sources(kSun + "disc = true\n")), "did you mean 'disk'?"));
 }
 
-TEST(RunFilePlace, IsOnTheEarth) {
+TEST(RunFileSite, IsOnTheEarth) {
     RunText text;
     text.top = "bands = ['PAR']\nplace = { latitude_deg = 91, longitud_deg = 8 }\n";
     const std::vector<std::string> faults = faults_of(text.text());

@@ -61,7 +61,7 @@ TEST(RunFileTime, OfTimesMayHaveAmountsInAnyUnit) {
     RunText text;
     text.top = "[[band]]\nname = 'PAR'\nunit = 'umol m-2 s-1'\n";
     text.sources = "";
-    text.rest = std::string(kPlace) + "[time]\n" + times + "global = [1500, 200]\nunit = 'PPFD'\n";
+    text.rest = std::string(kSite) + "[time]\n" + times + "global = [1500, 200]\nunit = 'PPFD'\n";
     const RunFile run = read_text(text.text());
     // In the order of the times as stated.
     EXPECT_NEAR(on_the_horizontal(run.series->time_steps[1]), 1500, 1e-6 * 1500);
@@ -74,7 +74,7 @@ TEST(RunFileTime, SplitsLightIntoBandsByTheirWavelengths) {
         "[[band]]\nname = 'mine'\nfrom_nm = 655\nto_nm = 665\n[[band]]\nname = 'red'\n"
         "[[band]]\nname = 'R'\nunit = 'umol m-2 s-1'\n";
     text.sources = "";
-    text.rest = std::string(kPlace) + "[time]\ntimes = ['2024-06-21T13:40+02:00']\n";
+    text.rest = std::string(kSite) + "[time]\ntimes = ['2024-06-21T13:40+02:00']\n";
     const RunFile run = read_text(text.text());
     const auto spectrum = run.series->time_steps[0].sources[0]->spectrum();
     EXPECT_DOUBLE_EQ(spectrum[0], spectrum[1]);
@@ -92,7 +92,7 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
     RunText text;
     text.top = "[[band]]\nname = 'low'\nfrom_nm = 300\nto_nm = 500\n";
     text.sources = "";
-    text.rest = std::string(kPlace) +
+    text.rest = std::string(kSite) +
                 "[time]\ntimes = ['2024-06-21T13:40+02:00']\nspectrum = 's.csv'\n"
                 "direct_horizontal = 400\ndiffuse = 100\n";
     const RunFile run = read_text(text.text(), files);
@@ -133,7 +133,7 @@ NoonLight noon_of(const std::string& spectrum) {
     RunText text;
     text.top = "bands = ['PAR', 'NIR']\n";
     text.sources = "";
-    text.rest = std::string(kPlace) + "[time]\ntimes = ['2024-06-21T12:00Z']\nspectrum = 's.csv'\n";
+    text.rest = std::string(kSite) + "[time]\ntimes = ['2024-06-21T12:00Z']\nspectrum = 's.csv'\n";
     const RunFile run = read_text(text.text(), {{"s.csv", spectrum}});
     NoonLight light;
     for (const auto& source : run.series->time_steps[0].sources) {
@@ -174,7 +174,7 @@ TEST(RunFileTime, LampsShineAtAllTimes) {
     RunText text;
     text.sources = "[[source]]\ntype = 'point'\nposition = [0, 0, 3]\npower = 9\n";
     text.rest =
-        std::string(kPlace) + "[time]\nday = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n";
+        std::string(kSite) + "[time]\nday = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n";
     const RunFile run = read_text(text.text());
     EXPECT_EQ(run.sources.size(), 1U);
     EXPECT_EQ(run.series->time_steps[0].sources.size(), 1U);
@@ -210,7 +210,7 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
     EXPECT_TRUE(mentions(
         faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the place is missing"));
     EXPECT_TRUE(mentions(
-        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[place]\nlatitude_deg = 91\n")),
+        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[site]\nlatitude_deg = 91\n")),
         "latitude_deg"));
 }
 
@@ -224,7 +224,7 @@ TEST(RunFileTime, TellsNightAndPolarNight) {
     };
     EXPECT_TRUE(tells_night(with_time("times = ['2024-06-21T00:00+01:00']\n")));
     EXPECT_FALSE(tells_night(with_time("times = ['2024-06-21T12:00+01:00']\n")));
-    const std::string svalbard = "[place]\nlatitude_deg = 78.2\nlongitude_deg = 15.6\n";
+    const std::string svalbard = "[site]\nlatitude_deg = 78.2\nlongitude_deg = 15.6\n";
     const std::string day = "day = '2024-12-21'\nutc_offset_hours = 1\n";
     EXPECT_TRUE(tells_night(with_time(day, svalbard)));
     const RunFile summer = read_text(
@@ -258,7 +258,7 @@ TEST(RunFileTime, WarnsOfTimesThatOverlap) {
 TEST(RunFileTime, WarnsOfAClockFromElsewhere) {
     const RunFile run = read_text(with_time(
         "times = ['2024-06-21T12:00-07:00']\nutc_offset_hours = -7\n",
-        "[place]\nlatitude_deg = 80\nlongitude_deg = 105.2\n"));
+        "[site]\nlatitude_deg = 80\nlongitude_deg = 105.2\n"));
     ASSERT_FALSE(run.warnings.empty());
     EXPECT_NE(run.warnings[0].text.find("sign of the longitude"), std::string::npos);
 }
@@ -281,7 +281,7 @@ TEST(RunFileWeather, GivesTheLightOfATable) {
         series_of("weather = 'w.csv'\nstamp = 'start'\n", {{"w.csv", day_table()}});
     ASSERT_EQ(series.time_steps.size(), 48U);
     EXPECT_EQ(series.time_steps[0].seconds, 1800);
-    const MomentNotes& noon = series.notes[24];
+    const TimeStepNotes& noon = series.notes[24];
     EXPECT_EQ(noon.time, "2024-06-21T12:00+01:00");
     EXPECT_NEAR(noon.daylight.diffuse / noon.daylight.global(), .3, 1e-4);
     const TimeSeries some = series_of(
@@ -407,7 +407,7 @@ std::string epw_text(double zone = 1) {
     return text;
 }
 
-TEST(RunFileWeather, GivesThePlaceAndLightOfAnEpwFile) {
+TEST(RunFileWeather, GivesTheSiteAndLightOfAnEpwFile) {
     RunText text;
     text.sources = "";
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";
@@ -444,21 +444,24 @@ TEST(RunFileWeather, OvercastHoursShareATrace) {
 TEST(RunFileTime, EffortOfADayNeedsTimesWithLengths) {
     RunText text;
     text.run = "[run]\neffort = 'day'\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "effort: it is \"day\" (the run has no [time])"));
-    text.top += "[place]\nlatitude_deg = 52\nlongitude_deg = 5\n";
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()), "path_allocation: it is \"proportional\" (the run has no [time])"));
+    text.top += "[site]\nlatitude_deg = 52\nlongitude_deg = 5\n";
     text.sources = "";
     text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "effort: it is \"day\" (instants have no part"));
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()), "path_allocation: it is \"proportional\" (instants have no part"));
     text.rest += "duration_minutes = 60\n";
     EXPECT_TRUE(faults_of(text.text()).empty());
 }
 
 TEST(RunFileTime, HoursTogetherAreOfASeriesByRayBundles) {
     RunText text;
-    text.run = "[run]\nseries = 'together'\n";
-    EXPECT_TRUE(
-        mentions(faults_of(text.text()), "series: it is \"together\" (the run has no [time])"));
-    text.top += "[place]\nlatitude_deg = 52\nlongitude_deg = 5\n";
+    text.run = "[run]\ntime_method = 'daylight_coefficients'\n";
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()),
+        "time_method: it is \"daylight_coefficients\" (the run has no [time])"));
+    text.top += "[site]\nlatitude_deg = 52\nlongitude_deg = 5\n";
     text.sources = "";
     text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\nduration_minutes = 60\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "method is not ray_bundles"));

@@ -163,7 +163,7 @@ TEST(Ground, OfTrianglesHasNeitherHeightNorExtent) {
 }
 
 TEST(Ground, NamesItsMaterialLikeAnOrgan) {
-    const Texts faults = faults_of(leaf_above({.material = "sol", .place = "scene.toml:9"}));
+    const Texts faults = faults_of(leaf_above({.material = "sol", .where = "scene.toml:9"}));
     EXPECT_EQ(
         faults, (Texts{"scene.toml:9: organ 'ground': material 'sol' is not defined (organs name "
                        "their materials); did you mean 'soil'?"}));

@@ -80,7 +80,7 @@ TEST(LintOverlap, FindsSliversWhosePlaneRoundingTurns) {
     }
 }
 
-TEST(LintOverlap, FindsTheSameAtAnySizeAndPlace) {
+TEST(LintOverlap, FindsTheSameAtAnySizeAndPosition) {
     for (const double scale : {1e-12, 1e-3, 1e12}) {
         const Vec3 shift{1e4 * scale, -2e4 * scale, scale};
         EXPECT_EQ(warnings_about(kTilted, kTilted, scale, shift).size(), 1U) << scale;

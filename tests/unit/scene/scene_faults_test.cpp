@@ -37,7 +37,7 @@ TEST(SceneFaults, AreAllReportedAtOnce) {
     builder.add_material(lambertian("leaf", 0.7, 0.7), "materials.toml:3");
     OrganSpec unknown = one_triangle("leaf 7", flat_triangle({}));
     unknown.parts[0].material = "lef";
-    unknown.place = "leaves.toml:12";
+    unknown.where = "leaves.toml:12";
     builder.add_organ(unknown);
     OrganSpec empty;
     empty.name = "stalk";
@@ -67,7 +67,7 @@ TEST(SceneFaults, SuggestTheMaterialThatWasMeant) {
     SceneBuilder builder = one_band_builder();
     OrganSpec organ = one_triangle("leaf 7", flat_triangle({}));
     organ.parts[0].material = "lef";
-    organ.place = "leaves.toml:12";
+    organ.where = "leaves.toml:12";
     builder.add_organ(std::move(organ));
     EXPECT_EQ(
         faults_of(std::move(builder)),
@@ -86,7 +86,7 @@ TEST(SceneFaults, NameAMissingMaterialOnce) {
                "it); define a material of that name"}));
 }
 
-TEST(SceneFaults, NameBothPlacesOfAnIdThatIsTaken) {
+TEST(SceneFaults, NameBothLocationsOfAnIdThatIsTaken) {
     SceneBuilder builder = one_band_builder();
     builder.add_organ(with_id(4, "a.tri:1"));
     builder.add_organ(with_id(2, "a.tri:2"));
@@ -117,7 +117,7 @@ TEST(SceneFaults, RefuseTheLastIdSoThatOneIsFree) {
     EXPECT_NE(faults[0].find("id 9223372036854775807 is too large"), std::string::npos);
 }
 
-TEST(SceneFaults, NameBothPlacesOfAMaterialDefinedTwice) {
+TEST(SceneFaults, NameBothLocationsOfAMaterialDefinedTwice) {
     SceneBuilder builder({{"PAR"}});
     builder.add_material(lambertian("leaf"), "a.toml:1");
     builder.add_material(lambertian("leaf"), "b.toml:1");

@@ -29,10 +29,10 @@ OrganSpec one_triangle(std::string name, const Triangle& triangle) {
     return organ;
 }
 
-OrganSpec with_id(std::int64_t id, std::string place) {
+OrganSpec with_id(std::int64_t id, std::string where) {
     OrganSpec organ = one_triangle("", flat_triangle({0, 0, static_cast<double>(id)}));
     organ.id = id;
-    organ.place = std::move(place);
+    organ.where = std::move(where);
     return organ;
 }
 

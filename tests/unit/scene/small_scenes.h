@@ -22,7 +22,7 @@ namespace quasimc::test {
 [[nodiscard]] OrganSpec one_triangle(std::string name, const Triangle& triangle);
 
 /// An organ with an id, one flat triangle and a place.
-[[nodiscard]] OrganSpec with_id(std::int64_t id, std::string place);
+[[nodiscard]] OrganSpec with_id(std::int64_t id, std::string where);
 
 /// The faults of building, each as it is printed; none if the scene is sound.
 [[nodiscard]] std::vector<std::string> faults_of(SceneBuilder builder);

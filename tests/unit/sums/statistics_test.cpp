@@ -47,7 +47,7 @@ TEST(EstimateMean, SeesSmallDifferencesOfLargeNumbers) {
 }
 
 TEST(EstimateFinds, KeepsTheMeanAndAddsOneFindToTheVariance) {
-    const Estimate e = estimate_finds(Values{11, 12, 13, 14}, {.more = .25, .less = .5});
+    const Estimate e = estimate_contributions(Values{11, 12, 13, 14}, {.more = .25, .less = .5});
     EXPECT_EQ(e.mean, 12.5);
     EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12 + .25));
     const double half = 3.182446305284263 * std::sqrt(5.0 / 12);  // t, 3 degrees of freedom
@@ -103,18 +103,18 @@ TEST(NotNegative, LeavesOutWhatCantBe) {
     EXPECT_EQ(missed.ci95_low, 0);
     EXPECT_EQ(missed.ci95_high, 2) << "as wide above 0 as it was above the mean";
     EXPECT_TRUE(std::isnan(not_negative(estimate_mean(Values{3})).ci95_low));
-    EXPECT_EQ(estimate_finds(Values{0, 0, 0, 8}, {.more = .1, .less = .1}).ci95_low, 0);
+    EXPECT_EQ(estimate_contributions(Values{0, 0, 0, 8}, {.more = .1, .less = .1}).ci95_low, 0);
     EXPECT_EQ(estimate_seen_or_bound(Values{0, 0, 0, 8}, 1).ci95_low, 0);
     EXPECT_LT(estimate_mean(Values{0, 0, 0, 8}).ci95_low, 0) << "a control";
 }
 
 TEST(EstimateFinds, BoundsWhatWasNeverAndWhatWasAlwaysFound) {
-    const Estimate none = estimate_finds(Values(8, 0.0), {.more = .125, .less = 0});
+    const Estimate none = estimate_contributions(Values(8, 0.0), {.more = .125, .less = 0});
     EXPECT_EQ(none.mean, 0);
     EXPECT_TRUE(std::isnan(none.standard_error));
     EXPECT_EQ(none.ci95_low, 0);
     EXPECT_EQ(none.ci95_high, .375);
-    const Estimate all = estimate_finds(Values(8, 1.0), {.more = 0, .less = .125});
+    const Estimate all = estimate_contributions(Values(8, 1.0), {.more = 0, .less = .125});
     EXPECT_EQ(all.mean, 1);
     EXPECT_EQ(all.standard_error, .125);
     EXPECT_EQ(all.ci95_low, .625);
@@ -138,7 +138,7 @@ TEST(EstimateFinds, HoldsTheTruthOfFewFindsThatOften) {
                 x = finds(random);
             }
             const double mean = expected / 8;
-            const Estimate e = estimate_finds(values, {.more = .125, .less = .125});
+            const Estimate e = estimate_contributions(values, {.more = .125, .less = .125});
             const Estimate student = estimate_seen_or_bound(values, 1);
             right += e.ci95_low <= mean && mean <= e.ci95_high ? 1 : 0;
             right_of_student += student.ci95_low <= mean && mean <= student.ci95_high ? 1 : 0;
@@ -332,17 +332,16 @@ TEST(EstimateRatio, StatesTheErrorThatReplicatesShow) {
     const std::vector<Estimate> ratios = simulated_ratios(tries);
     double sum = 0;
     double squares = 0;
-    double stated = 0;
+    double given = 0;
     for (const Estimate& e : ratios) {
         sum += e.mean - 1.5;
         squares += (e.mean - 1.5) * (e.mean - 1.5);
-        stated += e.standard_error * e.standard_error;
+        given += e.standard_error * e.standard_error;
     }
     EXPECT_NEAR(sum / tries, 0, 1e-3);
     // Of a variance from n normal numbers the relative error is sqrt(2 / n).
     const double relative = std::sqrt(2.0 / tries);
-    EXPECT_TRUE(
-        agrees(Measured{squares / stated, relative, static_cast<unsigned>(tries)}, 1, 0.06));
+    EXPECT_TRUE(agrees(Measured{squares / given, relative, static_cast<unsigned>(tries)}, 1, 0.06));
 }
 
 TEST(EstimateRatio, HoldsTheTrueRatioInNineteenOfTwentyIntervals) {

@@ -61,7 +61,7 @@ std::string record(
         beam, diffuse);
 }
 
-TEST(Epw, GivesPlaceClockAndTheHourBeforeEachRecord) {
+TEST(Epw, GivesSiteClockAndTheHourBeforeEachRecord) {
     const ReadWeather read =
         epw(std::string(kHead) + record(1999, 6, 21, 12, "500", "120") +
             record(1999, 6, 21, 24, "0", "0"));
