@@ -14,10 +14,9 @@ std::optional<Vec3> read_travel(TableReader& table, const RunFileContext& contex
     const bool has_angles = has_azimuth || has_elevation;
     if (has_direction == has_angles) {
         table.fault(
-            has_direction ? "direction and angles are given" : "where it shines from is missing",
-            "",
-            "give either direction = [x, y, z], in which the light travels, or azimuth_deg and "
-            "elevation_deg of where it comes from");
+            has_direction ? "both direction and angles are given" : "its direction is missing", "",
+            "give direction = [x, y, z] in which the light travels, or azimuth_deg and "
+            "elevation_deg towards the source");
         return std::nullopt;
     }
     if (has_angles) {

@@ -61,10 +61,8 @@ std::optional<std::vector<double>> facing_irradiance(
     constexpr double kHorizon = 1e-6;
     if (sine < kHorizon) {
         table.fault_at(
-            "irradiance_horizontal",
-            "irradiance_horizontal of a source that is not above the horizon",
-            "light from there does not fall on the upper side of the horizontal",
-            "give irradiance_facing");
+            "irradiance_horizontal", "irradiance_horizontal of a source below the horizon",
+            "its light does not reach the horizontal from above", "give irradiance_facing");
         return std::nullopt;
     }
     for (double& value : irradiance.values) {

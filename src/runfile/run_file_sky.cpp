@@ -58,7 +58,7 @@ std::optional<SunSpec> read_sun_of_sky(TableReader& table, const RunFileContext&
     }
     if (!context.sun) {
         table.fault(
-            "where the sun stands is missing", "the sky of this model is brighter around it",
+            "the position of the sun is missing", "this sky model is brighter around the sun",
             "add a [[source]] of type = \"sun\", or give time (with [site]) or azimuth_deg and "
             "elevation_deg");
     }
@@ -116,7 +116,7 @@ std::optional<SkyShapeSpec> read_model(
                 fmt::format(
                     "the sun is below the horizon ({})",
                     format_angles(-sun->to_sun, context.orientation)),
-                fmt::format("{} is a model of skies by day", entry.name),
+                fmt::format("{} describes daytime skies", entry.name),
                 "use model = \"cie_overcast\" or \"uniform\"");
         }
         good = good && sun && sun->to_sun.z > 0;

@@ -52,7 +52,8 @@ std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext&
         table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
     if (has_time && has_angles) {
         table.fault(
-            "time and angles are given", "both tell where the sun stands", "leave one of them out");
+            "both time and angles are given", "each of them gives the position of the sun",
+            "remove one of them");
         return std::nullopt;
     }
     if (has_time) {
@@ -60,7 +61,7 @@ std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext&
     }
     if (!has_angles) {
         table.fault(
-            "where the sun stands is missing", "",
+            "the position of the sun is missing", "",
             "give time (with [site]), or azimuth_deg and elevation_deg");
         return std::nullopt;
     }

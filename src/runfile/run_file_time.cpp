@@ -35,7 +35,7 @@ SeriesRules read_rules(TimeContext& context) {
     if (rules.sun_step > 0 && rules.sun_step < kShortestStep) {
         table.fault_at(
             "sun_step_minutes", "sun_step_minutes is less than a second",
-            "each step is a sun to trace", "give 0 for a single sun");
+            "each step is one sun position", "give 0 for a single sun position");
     }
     return rules;
 }
@@ -84,7 +84,7 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
         context.table->warn(fmt::format(
             "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: {}",
             shortest(*offset), shortest(longitude), longitude / 15,
-            is_exchanged ? "are latitude and longitude exchanged?"
+            is_exchanged ? "are latitude and longitude swapped?"
                          : "is the sign of the longitude right (east is positive)?"));
     }
 }
@@ -118,7 +118,7 @@ void check_light(const TimeSeries& series, TableReader& table) {
         std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor == 0; });
     if (is_dark && !series.time_steps.empty()) {
         table.warn(
-            "it is dark at all these times: the sun stays below the horizon, and no lamp shines");
+            "it is night at all time steps: the sun is below the horizon, and no lamp is on");
     }
 }
 

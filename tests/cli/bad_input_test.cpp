@@ -89,7 +89,7 @@ TEST_F(ProgramTest, TwoWaysToSayOneThingAreOneFault) {
     const std::vector<std::array<std::string, 2>> table{
         {"direction = [0, 0, -1]", "direction = [0, 0, -1]\nazimuth_deg = 10\nelevation_deg = 20"},
         {"[run]", site + "day = \"2024-06-21\"\nfrom = \"2024-06-01\"\nto = \"2024-06-02\"\n"
-                          "hours = [8, 9]\nutc_offset_hours = 1\n[run]"}};
+                         "hours = [8, 9]\nutc_offset_hours = 1\n[run]"}};
     for (const auto& [find, replacement] : table) {
         folder_.write("run.toml", replaced(good_run_file(), find, replacement));
         const Outcome outcome = run({"run", "run.toml"});
@@ -106,8 +106,7 @@ TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {
         shell("truncate -s 60G leaves.tri; ulimit -v 8000000; \"$quasimc\" run run.toml");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(
-        outcome.err.find(
-            "leaves.tri' can't be read (there is no memory for its 64424509440 bytes)"),
+        outcome.err.find("leaves.tri' can't be read (not enough memory for its 64424509440 bytes)"),
         std::string::npos)
         << outcome.err;
 }

@@ -53,9 +53,8 @@ TEST_F(SweepCommand, HasZerosWhereNoSourceShines) {
     const Outcome outcome = run({"run", "sweep.toml"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(
-        outcome.err.find(
-            "[sweep]: at 1 of 2 points no source has any light, and all numbers are 0: "
-            "first at point 2 (source.1.irradiance_facing = 0)"),
+        outcome.err.find("[sweep]: no source gives light at 1 of 2 points, and all results are 0; "
+                         "the first is point 2 (source.1.irradiance_facing = 0)"),
         std::string::npos)
         << outcome.err;
     EXPECT_EQ(count(folder_.read("out.csv"), "\n0,1,third,"), 1U) << folder_.read("out.csv");

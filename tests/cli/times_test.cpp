@@ -226,7 +226,7 @@ TEST_F(TimesTest, OfNightsAloneAreZeros) {
         {"run", "night.toml", "--include-night", "--csv", "t.csv", "--daily-csv", "d.csv", "--json",
          "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("dark at all these times"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("it is night at all time steps"), std::string::npos) << outcome.err;
     EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
     EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
     EXPECT_EQ(run({"run", "--repeat", "r.json"}).status, 0);

@@ -250,7 +250,7 @@ TEST(WriteGroups, HasARowForEachGroup) {
 
 TEST(WriteGroups, NamesItsColumns) {
     const std::vector<std::string> lines = lines_of(groups_text(small_run()));
-    EXPECT_TRUE(mentions(lines, "# column area [cm2]: of one side of all of them"));
+    EXPECT_TRUE(mentions(lines, "# column area [cm2]: their one-sided area"));
     EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [1e-4 W]: "));
     EXPECT_TRUE(mentions(lines, "# column reflectance_BAND [1]: "));
 }

@@ -130,7 +130,7 @@ TEST(BandKeys, RefuseWhatIsWrong) {
     EXPECT_TRUE(mentions(faults("bands = 'PAR'\n"), "bands is a text"));
     EXPECT_TRUE(mentions(faults("bands = ['PAR', 'PAR']\n"), "PAR"));
     EXPECT_TRUE(mentions(faults("bands = ['']\n"), "band"));
-    EXPECT_TRUE(mentions(faults("bands = ['a:b']\n"), "a name holds no ':'"));
+    EXPECT_TRUE(mentions(faults("bands = ['a:b']\n"), "a name must not contain ':'"));
     EXPECT_TRUE(
         mentions(faults("bands = ['A']\n[[band]]\nname = 'B'\n"), "both bands and [[band]]"));
     EXPECT_TRUE(mentions(faults("[[band]]\nunit = 'W'\n"), "name is missing"));
@@ -193,7 +193,7 @@ TEST(SourceKeys, RefuseWhatIsWrong) {
     const std::vector<BadMaterial> table{
         {"", "type is missing"},
         {"type = 'lamp'\n", "type: 'lamp' is not one of"},
-        {"type = 'directional'\nirradiance_facing = 1\n", "where it shines from is missing"},
+        {"type = 'directional'\nirradiance_facing = 1\n", "its direction is missing"},
         {"type = 'directional'\nirradiance_facing = 1\ndirection = [0, 0, -1]\nazimuth_deg = 3\n",
          "direction and angles"},
         {"type = 'directional'\nirradiance_facing = 1\nazimuth_deg = 3\n",
@@ -209,7 +209,7 @@ TEST(SourceKeys, RefuseWhatIsWrong) {
          "1\nirradiance_horizontal = 1\n",
          "two irradiances"},
         {"type = 'directional'\ndirection = [1, 0, 0]\nirradiance_horizontal = 1\n",
-         "not above the horizon"},
+         "of a source below the horizon"},
         {"type = 'directional'\ndirection = [0, 0, -1]\nirradiance_facing = -1\n",
          "irradiance_facing is -1"},
         {"type = 'directional'\ndirection = [0, 0, -1]\nirradiance_facing = 1\nsize = 3\n",

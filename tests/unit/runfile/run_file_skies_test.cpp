@@ -112,11 +112,11 @@ TEST(RunFileSun, NeedsATimeZoneASiteAndADateThatIs) {
     RunText text;
     text.sources = kSun;
     EXPECT_TRUE(mentions(faults_of(text.text()), "time without [site]"));
-    EXPECT_TRUE(
-        mentions(faults_of(with_sources(kSun + "azimuth_deg = 3\n")), "time and angles are given"));
+    EXPECT_TRUE(mentions(
+        faults_of(with_sources(kSun + "azimuth_deg = 3\n")), "both time and angles are given"));
     EXPECT_TRUE(mentions(
         faults_of(with_sources("[[source]]\ntype = 'sun'\nirradiance_facing = 1\n")),
-        "where the sun stands is missing"));
+        "the position of the sun is missing"));
     EXPECT_TRUE(mentions(faults_of(with_sources(kSun + "disc = true\n")), "did you mean 'disk'?"));
 }
 
@@ -155,7 +155,7 @@ TEST(RunFileSky, MayHaveASunOfItsOwn) {
 
 TEST(RunFileSky, TellsAllThatIsWrong) {
     EXPECT_TRUE(
-        mentions(faults_of(with_sources(sky("cie_clear"))), "where the sun stands is missing"));
+        mentions(faults_of(with_sources(sky("cie_clear"))), "the position of the sun is missing"));
     EXPECT_TRUE(mentions(faults_of(with_sources(sky("cie_cler"))), "did you mean 'cie_clear'?"));
     EXPECT_TRUE(
         mentions(faults_of(with_sources(kSun + sky("cie_general"))), "cie_type is missing"));
@@ -195,20 +195,20 @@ TEST(RunFileSky, TablesHaveTheirFaultsToldByLine) {
         return faults_of(with_sources(kTable + more), {{"sky.txt", text}});
     };
     EXPECT_TRUE(mentions(faults_with(""), "sky.txt: is empty"));
-    EXPECT_TRUE(mentions(faults_with("4\n"), "sky.txt:1: does not tell the size"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n1 -1\n"), "sky.txt:2: '-1' is no value of a sky"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n1 nan\n"), "sky.txt:2: 'nan' is no value of a sky"));
+    EXPECT_TRUE(mentions(faults_with("4\n"), "sky.txt:1: does not give the size"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n1 -1\n"), "sky.txt:2: '-1' is not a value of a sky"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n1 nan\n"), "sky.txt:2: 'nan' is not a value of a sky"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1\n"), "sky.txt:2: a value is missing"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2 3\n"), "sky.txt:2: has too many values"));
     EXPECT_TRUE(mentions(faults_with("2 2\n1 2\n"), "ends after 1 of 2 rings"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n3 4\n"), "sky.txt:3: is one line too many"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n0 0\n"), "a sky must have some light somewhere"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n0 0\n"), "a sky must have light somewhere"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "format = 'radiance'\n"), "format is"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "values = 'light'\n"), "values is"));
     EXPECT_TRUE(mentions(faults_of(with_sources(kTable)), "sky.txt"));
     const std::string vlab = "format = 'vlab'\n";
     EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 1\n", vlab), "sky.txt:3: a value is missing"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 up 1\n", vlab), "sky.txt:3: is no cell"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 up 1\n", vlab), "sky.txt:3: is not a cell"));
 }
 
 /// Azimuth by azimuth, over west, from the horizon up, whatever angles are written.
