@@ -151,7 +151,7 @@ class NetcdfLight final : public NetcdfWriter {
             count *= size;
         }
         constexpr std::array kParts{
-            &Estimate::mean, &Estimate::standard_error, &Estimate::ci95_low, &Estimate::high};
+            &Estimate::mean, &Estimate::standard_error, &Estimate::ci95_low, &Estimate::ci95_high};
         std::vector<double> numbers(count);
         for (std::size_t part = 0; part < kParts.size(); ++part) {
             for (std::size_t i = 0; i < count; ++i) {
