@@ -182,7 +182,7 @@ int quasimc_growth_add_mesh(
     const int64_t* organ_of_face,
     const char* materials,
     const int32_t* material_of_face);
-/** Puts organs in the place of those of the same ids, all or none. An id that was not added to the
+/** Replaces the organs of the same ids, all or none. An id that was not added to the
  *  growth is an input error. */
 int quasimc_growth_change_mesh(
     quasimc_growth* growth,

@@ -51,7 +51,7 @@ struct OrganGroup {
 
     std::string by;     ///< kAllOrgans, kLayer, or the key of labels as it was asked for
     std::string value;  ///< of the label ("1+leaf" of two); the number of the layer, from 1 below
-    std::vector<std::uint32_t> organs = {};  ///< places in the scene's list, ascending
+    std::vector<std::uint32_t> organs = {};  ///< indices in the scene's list, ascending
     double area = 0;                         ///< one-sided, of all its organs
     /// Of a layer: its lower and upper height. An organ belongs to the layer that holds the
     /// centroid of its area (the last layer, its upper height too).

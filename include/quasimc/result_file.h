@@ -25,7 +25,7 @@ struct StoredSweep {
     bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };
 /// Reads a JSON result, and the files that its run was made from: those beside the result, or else
-/// those at the places where they were.
+/// those at their paths at the time of the run.
 /// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});

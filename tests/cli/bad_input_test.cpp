@@ -1,5 +1,5 @@
-// The bad inputs: each ends with exit status 1, a message that names the place, nothing on standard
-// output and no file written. Never a crash.
+// The bad inputs: each ends with exit status 1, a message that names the location, nothing on
+// standard output and no file written. Never a crash.
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,7 @@ TEST_F(ProgramTest, TwoWaysToSayOneThingAreOneFault) {
     const std::vector<std::array<std::string, 2>> table{
         {"direction = [0, 0, -1]", "direction = [0, 0, -1]\nazimuth_deg = 10\nelevation_deg = 20"},
         {"[run]", site + "day = \"2024-06-21\"\nfrom = \"2024-06-01\"\nto = \"2024-06-02\"\n"
-                          "hours = [8, 9]\nutc_offset_hours = 1\n[run]"}};
+                         "hours = [8, 9]\nutc_offset_hours = 1\n[run]"}};
     for (const auto& [find, replacement] : table) {
         folder_.write("run.toml", replaced(good_run_file(), find, replacement));
         const Outcome outcome = run({"run", "run.toml"});

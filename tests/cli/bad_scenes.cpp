@@ -3,7 +3,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Places in the good run file.
+/// Parts of the good run file.
 const std::string kReflectance = "reflectance = 0.1";
 const std::string kTransmittance = "transmittance = 0.2";
 const std::string kDirection = "direction = [0, 0, -1]";
@@ -19,8 +19,7 @@ const std::vector<BadInput> kBadScenes{
      "no source of light is given"},
     {"SourceNoList", "[[source]]", "[source]", "write [[source]] above it"},
     {"SourceWithoutType", "type = \"directional\"", "", "run.toml:9: source: type is missing"},
-    {"UnknownSource", "type = \"directional\"", "type = \"lamp\"",
-     "run.toml:10: source: type"},
+    {"UnknownSource", "type = \"directional\"", "type = \"lamp\"", "run.toml:10: source: type"},
     {"DirectionZero", kDirection, "direction = [0, 0, 0]",
      "run.toml:11: source 'directional': direction is [0, 0, 0]"},
     {"DirectionNan", kDirection, "direction = [0, 0, nan]",
@@ -72,8 +71,7 @@ const std::vector<BadInput> kBadScenes{
     {"ReflectanceNan", kReflectance, "reflectance = nan", "reflectance is nan"},
     {"ReflectanceText", kReflectance, "reflectance = \"0.1\"", "reflectance is a text"},
     {"ReflectanceTrue", kReflectance, "reflectance = true", "reflectance is true or false"},
-    {"ReflectanceForgotten", kReflectance + "\n" + kTransmittance, "",
-     "reflectance is missing"},
+    {"ReflectanceForgotten", kReflectance + "\n" + kTransmittance, "", "reflectance is missing"},
     {"ReflectanceOfUnknownBand", kReflectance, "reflectance = { NIR = 0.1 }", "PAR is missing"},
     {"UnknownModel", kReflectance, kReflectance + "\nreflection_model = \"glossy\"",
      "reflection_model is 'glossy' (no such model)"},

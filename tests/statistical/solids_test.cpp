@@ -59,7 +59,7 @@ TEST_P(Solids, AConvexOrganReceivesHalfOfTheSkyOnAverage) {
     }
 }
 
-/// A sphere that lets light in from outside at every place and reflects it inside: whatever the
+/// A sphere that lets light in from outside at every point and reflects it inside: whatever the
 /// first bounce, all later ones together bring 1/(1 - rho) times as much.
 Scene make_integrating_sphere(double rho) {
     SceneBuilder builder = make_builder();

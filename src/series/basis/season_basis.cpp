@@ -158,7 +158,7 @@ class SeasonBasis::Solving {
         return std::clamp<std::size_t>(fit, 1, kMaxInBatch);
     }
 
-    /// @param place  in a batch of `count`
+    /// @param batch_index  in a batch of `count`
     [[nodiscard]] std::shared_ptr<const Source> source(
         const Light& light, std::size_t batch_index, std::size_t count) const {
         const std::size_t bands = scene_.bands().size();

@@ -40,7 +40,7 @@ class SunPixels {
         double of_pixel = 0;  ///< of a pixel; at first of an area of 1, local units squared
     };
 
-    /// The point that places a beam, and that of its sun's first one.
+    /// The point that shifts a beam, and that of the first beam of its sun.
     struct Placing {
         const Stream& stream;
         std::uint64_t first, point;

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// A place on a triangle, uniform.
+/// A point on a triangle, uniform.
 std::array<double, 2> random_point(test::Random& random) {
     const double u = random.uniform();
     const double v = random.uniform();
@@ -67,7 +67,7 @@ TEST(Patches, AreNumberedFromTriangleToTriangle) {
     EXPECT_EQ(patches.first(3), 5U);
 }
 
-// Rounding may lay a place on the border beside it.
+// Rounding may move a point on the border off it.
 TEST(Patches, HoldPointsOnTheBorder) {
     for (const auto& [u, v] :
          {std::array{1., 0.}, {0., 1.}, {0., 0.}, {.5, .5}, {1 + 1e-9, -1e-9}}) {

@@ -130,8 +130,8 @@ TEST_P(PeriodicBeams, AreFoundWhereTheSunIsLow) {
     EXPECT_LT(most_triangles, 30U * 200U);
 }
 
-/// Every place that is lit sees the sky between the images of the leaves, and both ways of looking
-/// find as much of it.
+/// Every lit point sees the sky between the images of the leaves, and both methods find the same
+/// area of it.
 TEST_P(PeriodicBeams, AgreeWithRays) {
     const Repeated repeated(test::random_leaves(60, .4, 1, 5), GetParam());
     const LocalMesh& mesh = repeated.caster.mesh();

@@ -84,7 +84,7 @@ TEST(ReadOps, TakesPlantsAsCentimetresAndPlacesAsMetresAndSaysSo) {
         Texts{"file: plants are taken to be in centimetres and their places in metres, as in "
               "AMAP's programs: the largest plant measures 1 m; give plant_unit in [[geometry]] "
               "(\"cm\", \"m\", ...) if that is not so, or to say that it is"});
-    // A mesh without a unit of its own is in metres, as its place is.
+    // A mesh without a unit of its own is in metres, as its position is.
     const ReadMesh other =
         read_mesh_text("ops", "1 1 a.tri 5 0 0 1 0 0 0\n", {{"a.tri", "0 0 0 1 0 0 0 1 0\n"}});
     EXPECT_EQ(other.warnings, Texts{});
