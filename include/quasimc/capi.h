@@ -1,7 +1,7 @@
 #pragma once
 
-/* QuasiMC in plain C, for programs in C and in all languages that call C: docs/guide/c.md shows
- * how.
+/* QuasiMC in plain C, for programs in C and in all languages that call C:
+ * docs/guide/libraries.md shows how.
  *
  * Everything is made of numbers, texts, arrays and three kinds of handles. Nothing is thrown across
  * this interface. Functions that can fail return a quasimc_status, and quasimc_last_error() then
