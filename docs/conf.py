@@ -8,7 +8,9 @@ from pathlib import Path
 
 DOCS = Path(__file__).resolve().parent
 ROOT = DOCS.parent
-sys.path.insert(0, str(ROOT / "python"))
+sys.path[:0] = [str(DOCS), str(ROOT / "python")]
+
+from header_tables import with_tables  # noqa: E402  (the path is set above)
 
 project = "QuasiMC"
 copyright = "the QuasiMC developers"  # noqa: A001  (the name that Sphinx reads)
@@ -47,8 +49,8 @@ if MATHJAX.is_dir():
 LINK = re.compile(r"(?<!!)\[([^\]]*)\]\(([^()\s:#]+)(#[^()\s]*)?\)")
 
 
-def name_files_outside(app, docname, source):
-    """Replaces links to files outside docs/, which are not on the site, by their paths."""
+def prepare_page(app, docname, source):
+    """Adds tables of headers; replaces links to files outside docs/, which are not on the site."""
 
     def named(link):
         target = os.path.normpath((DOCS / docname).parent / link[2])
@@ -57,7 +59,7 @@ def name_files_outside(app, docname, source):
             return link[0]
         return link[1] if link[1].strip("`") == path else f"{link[1]} (`{path}`)"
 
-    source[0] = LINK.sub(named, source[0])
+    source[0] = LINK.sub(named, with_tables(source[0]))
 
 
 def copy_mathjax(app, exception):
@@ -75,5 +77,5 @@ def copy_mathjax(app, exception):
 
 def setup(app):
     """Connects the functions above."""
-    app.connect("source-read", name_files_outside)
+    app.connect("source-read", prepare_page)
     app.connect("build-finished", copy_mathjax)
