@@ -16,7 +16,10 @@ ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference"
 PART = re.compile(r"(<!-- quasimc (?P<words>[^>]*) -->\n).*?(<!-- end -->)", re.S)
 FLAG = re.compile(r"^  (?P<flag>-\S.*?|[A-Z]+\b.*?)(?:  +(?P<text>\S.*))?$")
-RANGE = re.compile(r":?\b(?:TEXT|UINT|INT|FLOAT|NUMBER|REQUIRED|Excludes: \S+|Needs: \S+)\b(?::?\{[^}]*\})?(?: \.\.\.)?")
+RANGE = re.compile(
+    r":?\b(?:TEXT|UINT|INT|FLOAT|NUMBER|REQUIRED|Excludes: \S+|Needs: \S+)\b"
+    r"(?::?\{[^}]*\})?(?: \.\.\.)?"
+)
 
 
 def printed(program, words):
