@@ -7,6 +7,7 @@ without the options of a run.  With --check nothing is written, and outdated pag
 """
 
 import argparse
+import os
 import re
 import subprocess
 import sys
@@ -15,43 +16,33 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference"
 PART = re.compile(r"(<!-- quasimc (?P<words>[^>]*) -->\n).*?(<!-- end -->)", re.S)
-FLAG = re.compile(r"^  (?P<flag>-\S.*?|[A-Z]+\b.*?)(?:  +(?P<text>\S.*))?$")
-RANGE = re.compile(
-    r":?\b(?:TEXT|UINT|INT|FLOAT|NUMBER|REQUIRED|Excludes: \S+|Needs: \S+)\b"
-    r"(?::?\{[^}]*\})?(?: \.\.\.)?"
-)
+FLAG = re.compile(r"^  (?P<flag>\S.*?)(?:  +(?P<text>\S.*))?$")
 
 
 def printed(program, words):
     """What the program prints for these arguments."""
-    done = subprocess.run([program, *words.split()], stdout=subprocess.PIPE, text=True, check=True)
-    return done.stdout
-
-
-def described_flags(text):
-    """The flags in a text of --help, as pairs of the flag and its description."""
-    flags = []
-    for line in text.split("\n"):
-        match = FLAG.match(line)
-        if match:
-            flags.append([match["flag"], match["text"] or ""])
-        elif flags and line.startswith("        "):
-            flags[-1][1] = f"{flags[-1][1]} {line.strip()}".strip()
-        elif line and not line.startswith(" ") and flags and not line.endswith(":"):
-            break
-    return flags
+    unfolded = dict(os.environ, COLUMNS="100000")
+    command = [program, *words.split()]
+    return subprocess.run(
+        command, env=unfolded, stdout=subprocess.PIPE, text=True, check=True
+    ).stdout
 
 
 def flag_table(text, options):
     """A Markdown table of the flags in a text of --help that are not options of a run."""
     rows = []
-    for flag, description in described_flags(text):
-        name = re.search(r"--[\w-]+", flag)
-        if "--help" in flag or (name and name[0] in options):
-            continue
-        plain = " ".join(RANGE.sub("", flag).replace(",", ", ").split())
-        rows.append(f"| `{plain}` | {description} |".replace("|`", "\\|`"))
-    return "\n".join(["| Flag | Meaning |", "|---|---|", *rows]) + "\n"
+    for line in text[text.index("\nUsage:") :].splitlines():
+        match = FLAG.match(line)
+        if match:
+            rows.append([match["flag"], match["text"] or ""])
+        elif line.startswith("   ") and rows:
+            rows[-1][1] = line.strip()
+    lines = ["| Flag | Meaning |", "|---|---|"]
+    for flag, meaning in rows:
+        name = flag.split()[0].split(",")[-1]
+        if name != "--help" and name not in options:
+            lines.append(f"| `{flag.replace(',', ', ')}` | {meaning} |")
+    return "\n".join(lines) + "\n"
 
 
 def rewritten(page, program):

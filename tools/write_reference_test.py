@@ -8,17 +8,20 @@ from unittest import mock
 import write_reference
 
 HELP = """draw a picture
+
 Usage: quasimc show [OPTIONS] FILE
 
-Positionals:
-  FILE TEXT REQUIRED          JSON result
+Arguments:
+  FILE                    JSON result
 
 Options:
-  -h,--help                   Print this help message and exit
-  -o,--output FILE REQUIRED   picture to write
-  --clip TEXT Excludes: --day
-                              show one half only
-  --paths=65536               an option of the run
+  -o,--output FILE        picture to write
+  --checkpoint-interval X
+                          seconds between saves (default 60)
+  --paths N               an option of the run
+
+Help:
+  -h,--help               print this help
 
 Exit status: 0 done
 """
@@ -36,7 +39,7 @@ class WriteReference(unittest.TestCase):
             [
                 "| `FILE` | JSON result |",
                 "| `-o, --output FILE` | picture to write |",
-                "| `--clip` | show one half only |",
+                "| `--checkpoint-interval X` | seconds between saves (default 60) |",
             ],
         )
 
