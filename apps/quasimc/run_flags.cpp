@@ -60,7 +60,7 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
     std::vector<Flag> flags{
         {.name = "FILE",
          .target = &arguments.file,
-         .summary = "run file (docs/formats/run-file.md); - is standard input",
+         .summary = "run file (docs/reference/run-file.md); - is standard input",
          .excludes = "--from"},
         {.name = "--from",
          .target = &arguments.from,

@@ -62,7 +62,8 @@ struct SamplerModel {
 /// All samplers, in the order of the manual.
 [[nodiscard]] std::vector<SamplerModel> sampler_models();
 
-/// How a run is done: everything but scene and sources. Ranges and units: docs/guide/options.md.
+/// How a run is done: everything but scene and sources. Ranges and units:
+/// docs/reference/options.md.
 struct RunSpec {
     std::string sampler = "sobol";  ///< a name of sampler_models()
     Method method = Method::automatic;

@@ -54,6 +54,12 @@ def test_the_example_of_the_package_gives_what_it_says():
     assert doctest.testmod(quasimc).failed == 0
 
 
+def test_the_block_of_the_reference_runs(capsys):
+    (block,) = blocks_of(SOURCE / "docs" / "reference" / "python-api.md")
+    exec(compile(block, "python-api.md", "exec"), {})
+    assert round(float(capsys.readouterr().out), 1) == 43.0
+
+
 def test_everything_public_is_documented():
     for name in quasimc.__all__:
         thing = getattr(quasimc, name)

@@ -87,9 +87,9 @@ TEST(Catalogues, EveryMemberIsDescribedOnAPage) {
         EXPECT_TRUE(has_page("theory", model.name)) << model.name;
     }
     for (const FormatEntry& format : format_table()) {
-        EXPECT_TRUE(has_page("formats", format.name)) << format.name;
+        EXPECT_TRUE(has_page("reference", format.name)) << format.name;
     }
-    const std::string manual = repository_file("docs/formats/run-file.md");
+    const std::string manual = repository_file("docs/reference/run-file.md");
     for (const SourceEntry& kind : source_catalogue()) {
         const bool is_in_manual = manual.find(fmt::format("\"{}\"", kind.name)) != manual.npos;
         EXPECT_TRUE(is_in_manual || has_page("theory", kind.name)) << kind.name;
