@@ -10,7 +10,7 @@
 #include "quasimc/error.h"
 #include "quasimc/mesh.h"
 #include "quasimc/scene.h"
-#include "scene/scene.h"
+#include "scene/scene_draft.h"
 
 namespace quasimc {
 
