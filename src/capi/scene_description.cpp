@@ -180,7 +180,8 @@ void SceneDescription::set_option(const std::string& key, const std::string& tex
     const Option* option = find_option(key);
     if (option == nullptr) {
         throw InputError(
-            {{"option '" + key + "'", "no such option", "", "docs/guide/options.md lists them"}});
+            {{"option '" + key + "'", "no such option", "",
+              "docs/reference/options.md lists them"}});
     }
     add(fmt::format("[run]\n{} = {}\n", key, option_toml(parse_option(*option, text))));
 }

@@ -42,7 +42,7 @@ struct SamplingDensity {
 
 /// How densely direct light is sampled for how many paths. Direct light and scattered light each
 /// have their error; these numbers make the figure of merit of both together the largest in our
-/// measurements (docs/theory/first-hits.md).
+/// measurements (docs/develop/notebook/first-hits.md).
 class SamplingBudget {
   public:
     /// @param seen  the scene as beams see it

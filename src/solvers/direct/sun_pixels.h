@@ -20,7 +20,7 @@ struct SunLight {
 
 /// Direct light of suns alone, each viewed pixel by pixel. For several views of organs that need
 /// not be seen to a percent each this is faster than scan lines, of which the first few cost as
-/// much as all pixels (docs/theory/time-series.md).
+/// much as all pixels (docs/develop/notebook/time-series.md).
 class SunPixels {
   public:
     /// @param input  all lights of which are suns

@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
     SurplusLines,
     ::testing::Values(
         Surplus{"number of ray: 5", "did you mean 'number of rays'?"},
-        Surplus{"something else: 5\n: 6", "docs/formats/specification.md"},
+        Surplus{"something else: 5\n: 6", "docs/reference/specification.md"},
         Surplus{"not a directive", "a line reads"},
         Surplus{": 1 2", "a line reads"},
         Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is no directive"},
