@@ -58,7 +58,7 @@ void unknown_directive(
     const std::string_view nearest = nearest_word(line.name, names);
     notices.once(fmt::format(
         "{}: {} is no directive and skipped; {}", where, shown(line.name),
-        nearest.empty() ? "docs/formats/specification.md lists them"
+        nearest.empty() ? "docs/reference/specification.md lists them"
                         : fmt::format("did you mean '{}'?", nearest)));
 }
 
