@@ -1,4 +1,4 @@
-// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md). By the name
+// QuasiMC, the environment process of cpfg and lpfg (docs/reference/environment.md). By the name
 // MonteCarlo, a link to it, it reads the files of that program.
 
 #include <algorithm>

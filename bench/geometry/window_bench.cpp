@@ -1,4 +1,4 @@
-// What a place in a window costs, and the making of a window.
+// The cost of a point in a window, and of making a window.
 
 #include <benchmark/benchmark.h>
 

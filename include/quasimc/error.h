@@ -14,7 +14,7 @@
 
 namespace quasimc {
 
-/// One fault in what a person gave us. Printed as "place: problem (why); suggestion".
+/// One error in the input. Printed as "where: problem (why); suggestion".
 struct Fault {
     std::string where;       ///< file:line, key or organ; where to look
     std::string problem;     ///< what is wrong

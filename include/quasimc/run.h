@@ -298,9 +298,8 @@ class GrowthSession {
     ///          with all faults at once
     std::vector<std::int64_t> add(std::vector<OrganSpec> organs);
     std::int64_t add(OrganSpec organ);
-    /// Puts organs in the places of those of the same ids, all or none. @throws InputError  if the
-    /// session has not all of them, one is stated twice, or SceneBuilder::check_organs() refuses
-    /// one
+    /// Replaces the organs of the same ids, all or none. @throws InputError  if the session has not
+    /// all of them, one is given twice, or SceneBuilder::check_organs() refuses one
     void change(std::vector<OrganSpec> organs);
     void change(OrganSpec organ);
     /// Removes organs, all or none. @throws InputError  if the session has not all of them, or one

@@ -50,7 +50,7 @@ struct Id {
 };
 
 using MaterialId = Id<struct MaterialTag>;
-using OrganIndex = Id<struct OrganTag>;  ///< place in the scene's list; an organ's id is the user's
+using OrganIndex = Id<struct OrganTag>;  ///< index in the scene's list; an organ's id is the user's
 using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of one material
 
 struct SceneData;    // src/scene/scene.h
@@ -247,7 +247,7 @@ class SceneBuilder {
     ~SceneBuilder();
 
     void set_length_unit(std::string unit);
-    /// Several materials of one name are a fault. @param place  for messages; default: the name
+    /// Several materials of one name are a fault. @param where  for messages; default: the name
     void add_material(MaterialSpec material, std::string where = {});
     void add_organ(OrganSpec organ);
     void set_ground(GroundSpec ground);

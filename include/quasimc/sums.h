@@ -19,7 +19,7 @@ struct Estimate {
     double ci95_high = 0;
 };
 
-/// Of a number of which nothing is known: NaN in all places.
+/// The estimate of a number of which nothing is known: all NaN.
 inline constexpr Estimate kUnknownEstimate{
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};

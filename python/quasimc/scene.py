@@ -53,7 +53,7 @@ def _band_keys(bands):
 class Scene:
     """What light falls on: organs and their materials, perhaps a ground and a cell that repeats.
 
-    Everything is stated by the names of the run file (docs/formats/run-file.md). What is added is
+    Everything is stated by the names of the run file (docs/reference/run-file.md). What is added is
     copied: later writes to an array change nothing. A faulty material or mesh is refused at the
     call, and the scene stays as it was; all else is checked when the scene is built, which the
     first run does.

@@ -1,7 +1,7 @@
 """Where light comes from.
 
 Each function states a source, by the keys of ``[[source]]`` in a run file
-(docs/formats/run-file.md). An irradiance or a flux is one number for all bands, a list with one for
+(docs/reference/run-file.md). An irradiance or a flux is one number for all bands, a list with one for
 each, or a dict by the names of bands.
 """
 

@@ -29,7 +29,7 @@ class SceneDescription {
     void add(const std::string& toml);
     /// Adds a table to a list of tables ([[source]]).
     void add_table(const std::string& key, Node::Table table);
-    /// The same in the place of the table that has that name, if there is one ([[material]]).
+    /// The same; replaces the table that has that name, if there is one ([[material]]).
     void put_table(const std::string& key, const std::string& name, Node::Table table);
     /// Replaces a table ([ground]).
     void set_table(const std::string& key, Node::Table table);

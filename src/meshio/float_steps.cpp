@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// A large file is looked at in about so many places.
+/// About the number of values of a large file that are checked.
 constexpr std::size_t kLooks = 10000;
 
 /// The distance from a number to the next one of single precision.

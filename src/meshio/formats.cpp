@@ -14,7 +14,7 @@
 namespace quasimc {
 
 // To add a format of geometry, tools/new.py format NAME makes read_name.cpp, its test and
-// docs/formats/name.md, and enters the format here, the only place where one is entered: the
+// docs/reference/name.md, and enters the format in this table, the only list of formats: the
 // `format` key of the run file, the choice by extension, `quasimc list formats`, `quasimc convert`
 // (of a format that has a writer), the messages and the fuzz target all follow from the row
 // (tests/fuzz/CMakeLists.txt reads the names). Files that once broke a reader go to

@@ -105,7 +105,7 @@ struct FormatContext {
     [[nodiscard]] double units_per_metre();
 };
 
-/// One row of the table of geometry formats, the only place where a format is entered.
+/// One row of the table of geometry formats, the only list of them.
 struct FormatEntry {
     std::string_view name;               ///< as in `format = "..."`
     std::string_view extensions;         ///< ".tri", lower case, separated by blanks

@@ -14,7 +14,7 @@
 namespace quasimc {
 
 /// Reads the values of a glTF file. What is wrong with one is reported, and it is then absent. A
-/// `place` says whose it is: "node 3".
+/// `where` says whose it is: "node 3".
 class GltfValues {
   public:
     explicit GltfValues(Reporter& reporter) : reporter_(reporter) {}

@@ -11,7 +11,7 @@
 
 namespace quasimc {
 
-/// The numbers of a line that places a plant.
+/// The numbers of a plant's line.
 struct OpsNumbers {
     Vec3 position;  ///< metres
     double scale = 1;
@@ -20,7 +20,7 @@ struct OpsNumbers {
 
 /// Where a line puts its plant: turned by its twist, scaled, inclined towards the azimuth and
 /// shifted, as PlantGeom.jl does it.
-/// @param unit  of the scene, in one of the places; @param size  in one of the plant
+/// @param unit  of the scene, in one of the positions; @param size  in one of the plant
 [[nodiscard]] Affine ops_transform(const OpsNumbers& numbers, double unit, double size);
 
 /// The fields of a line, between tabs if there are any: names of files may hold blanks.

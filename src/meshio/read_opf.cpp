@@ -179,7 +179,7 @@ class OpfReader : pugi::xml_tree_walker {
         file_.groups.push_back(std::move(group));
     }
 
-    /// Adds the shape that a <geometry> places.
+    /// Adds the shape of a <geometry>.
     void add_part(pugi::xml_node geometry, std::uint32_t line, MeshGroup& group) {
         const auto number = whole(geometry.child("shapeIndex"));
         const auto transform = transform_of(geometry);

@@ -15,7 +15,7 @@
 namespace quasimc {
 namespace {
 
-/// A line that places a plant.
+/// The line of a plant.
 struct OpsRow {
     std::string plant, file, kind;  ///< its id; path; the group that it belongs to
     OpsNumbers numbers;

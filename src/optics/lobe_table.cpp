@@ -135,7 +135,7 @@ LobeTable::Choice LobeTable::choose_among(double u0, double total, const Power& 
         end += power;
     }
     const double rest = target - start;
-    const bool is_certain = total <= end && share > 0;  // whatever the rounding of `place`
+    const bool is_certain = total <= end && share > 0;  // whatever the rounding of `target`
     if (!(rest < share || is_certain)) {
         return {};
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 // A part of a run's sums as a file, which other parts are put together with. Binary, of one byte
-// order: docs/guide/many-machines.md.
+// order: docs/guide/long-runs.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ namespace quasimc {
 struct PartNumber {
     std::uint64_t part = 1, parts = 1;
 };
-/// @param place  of the text, for messages
+/// @param where  location of the text, for messages
 /// @throws InputError
 [[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& where);
 

@@ -9,8 +9,8 @@ namespace quasimc {
 
 /// Where a scene is looked at from: always towards the middle of what is shown.
 struct ViewSpec {
-    double azimuth_deg = 200;   ///< of the place of the eye, from north over east
-    double elevation_deg = 20;  ///< of that place, -90 to 90
+    double azimuth_deg = 200;   ///< of the camera, from north over east
+    double elevation_deg = 20;  ///< of the camera, -90 to 90
     double opening_deg = 0;     ///< angle that the longer side of the picture spans; 0: parallel
                                 ///< lines of sight, at most 150
 };
@@ -23,7 +23,7 @@ struct NamedView {
 [[nodiscard]] const std::array<NamedView, 6>& view_table();
 [[nodiscard]] const NamedView* find_view(std::string_view name);
 
-/// A place in a picture, pixels from its top left corner.
+/// A point in a picture, pixels from its top left corner.
 struct PixelPoint {
     double x = 0, y = 0;
 };

@@ -28,7 +28,7 @@ class CameraRayCaster {
     /// All outlive the object.
     CameraRayCaster(const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts);
 
-    /// @param place  in the picture. @returns nothing where nothing is seen
+    /// @param pixel  in the picture. @returns nothing where nothing is seen
     [[nodiscard]] std::optional<PrimaryHit> trace(const PixelPoint& pixel) const;
     [[nodiscard]] const RayCaster& caster() const { return caster_; }
 

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// Whether a place is inside a polygon, by the even-odd rule.
+/// Whether a point is inside a polygon, by the even-odd rule.
 bool is_inside(std::span<const PixelPoint> corners, double x, double y) {
     bool inside = false;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
@@ -37,7 +37,7 @@ std::pair<std::size_t, std::size_t> range(
         static_cast<std::size_t>(std::clamp(std::ceil(high), 0.0, most))};
 }
 
-/// The covered part of a pixel, by 16 places in it.
+/// The covered fraction of a pixel, by 16 points in it.
 double coverage(std::span<const PixelPoint> corners, std::size_t x, std::size_t y) {
     int count = 0;
     for (int j = 0; j < 4; ++j) {

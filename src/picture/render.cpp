@@ -81,7 +81,7 @@ class Renderer {
         return mixed(spec_.colors[seen.organ], Rgb{}, spec_.shading * (1 - double{seen.facing}));
     }
 
-    /// The mean of the middle of a pixel and four places about it, a rotated grid.
+    /// The mean over the middle of a pixel and four points about it, a rotated grid.
     Rgb smooth_color(std::size_t x, std::size_t y) {
         constexpr std::array<PixelPoint, 4> kAbout{
             {{-0.375, -0.125}, {0.125, -0.375}, {0.375, 0.125}, {-0.125, 0.375}}};

@@ -57,7 +57,7 @@ void draw_arrow(
     }
 }
 
-/// A place for a letter as near as possible to `at` that leaves the marks of suns free.
+/// The position for a letter, as near as possible to `at`, that leaves the marks of suns free.
 PixelPoint beside_suns(PixelPoint at, const std::vector<PixelPoint>& suns, double room) {
     for (const PixelPoint& sun : suns) {
         const double dx = at.x - sun.x, dy = at.y - sun.y, far = std::hypot(dx, dy);

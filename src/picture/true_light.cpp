@@ -106,7 +106,7 @@ class TrueLight {
     }
 
   private:
-    /// The mean of four places of a pixel, a rotated grid.
+    /// The mean over four points of a pixel, a rotated grid.
     void look_at(std::size_t x, std::size_t y) {
         constexpr std::array<PixelPoint, 4> kOffsets{
             {{.375, .125}, {.875, .375}, {.625, .875}, {.125, .625}}};

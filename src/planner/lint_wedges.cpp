@@ -23,7 +23,7 @@ Vec3 closest_on_edge(const Vec3& from, const Vec3& to, const Vec3& point) {
     return from + std::clamp(t, 0.0, 1.0) * along;
 }
 
-/// The place on a triangle that is closest to `place`.
+/// The point on a triangle that is closest to `point`.
 Vec3 closest_point(const Triangle& t, const Vec3& point) {
     const Vec3 across = area_vector(t);
     const Vec3 foot = point - dot(point - t[0], across) / dot(across, across) * across;
@@ -42,7 +42,7 @@ Vec3 closest_point(const Triangle& t, const Vec3& point) {
     return is_inside ? foot : closest;
 }
 
-/// Whether a triangle that touches another next to `place` runs along it from there.
+/// Whether a triangle that touches another next to `point` runs along it from there.
 bool runs_along(const Triangle& a, const Triangle& b, const Vec3& point, double reach) {
     const auto is_next_to_b = [&](const Vec3& p) {
         return length(closest_point(b, p) - p) <= kNarrow * reach;
@@ -53,7 +53,7 @@ bool runs_along(const Triangle& a, const Triangle& b, const Vec3& point, double 
            is_next_to_b(touching + reach / length(inwards) * inwards);
 }
 
-/// Whether two triangles, not in one plane, make a narrow wedge next to `place`.
+/// Whether two triangles, not in one plane, make a narrow wedge next to `point`.
 bool has_wedge(const Scene& scene, const Vec3& point, double size) {
     const double reach = kNextTo * size;
     std::vector<Triangle> near;

@@ -1,5 +1,5 @@
 // Which way of tracing has the smallest errors for its time: rules of thumb, each from a
-// measurement (docs/theory/choosing.md; `./dev bench planner` repeats them).
+// measurement (docs/develop/notebook/choosing.md; `./dev bench planner` repeats them).
 
 #include "planner/planner.h"
 

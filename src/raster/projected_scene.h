@@ -21,12 +21,12 @@ enum class VisibilityRole : std::uint8_t {
     omitted,  ///< another image of the same triangle stands for it (RayCaster::source)
 };
 
-/// A place v0 + u (v1 - v0) + v (v2 - v0) on a triangle.
+/// The point v0 + u (v1 - v0) + v (v2 - v0) of a triangle.
 struct Barycentric {
     float u = 0, v = 0;
 };
 
-/// A triangle on the plane of a beam: places x and y and depth z of its corners.
+/// A triangle on the plane of a beam: coordinates x and y and depth z of its corners.
 struct ProjectedTriangle {
     double x[3], y[3], z[3];
 
@@ -47,7 +47,7 @@ struct ProjectedTriangle {
         order(low, middle);
         return {low, middle, high};
     }
-    /// What of it is seen at a place. Its picture must have an area.
+    /// The point of the triangle that projects to (x, y). Its projection must have an area.
     [[nodiscard]] Barycentric barycentric(double at_x, double at_y) const;
 };
 
@@ -91,7 +91,7 @@ struct ProjectedScene {
 /// what stands in line with the cell.
 enum class AlongPeriods { straight, slanted };
 
-/// The plane on which a beam sees a scene: points of one ray have the same place (s, t), and their
+/// The plane on which a beam sees a scene: points of one ray have the same (s, t), and their
 /// depth grows along the beam. In an open scene s and t are perpendicular to the beam and turned by
 /// a chosen angle. In a periodic one they are such that the scene repeats itself along s, t or
 /// both, so that one period holds an image of every ray.

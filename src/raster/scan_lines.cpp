@@ -98,7 +98,7 @@ void ScanLines::add_images_along(Image image) {
     }
 }
 
-/// Adds an image that is seen from place to place across the lines.
+/// Adds an image that reaches from `from` to `to` across the lines.
 void ScanLines::add_image(Image image, double from, double to) {
     if (!may_be_cut(from, to)) {
         return;
@@ -118,7 +118,7 @@ double ScanLines::line_at(double number) const {
     return plane_.low_t + (number + spec_.shift) * pitch_;
 }
 
-/// Whether a line runs between two places; in doubt it may.
+/// Whether a line may run between two coordinates across the lines.
 bool ScanLines::may_be_cut(double from, double to) const {
     const double below = std::floor((from - plane_.low_t) / pitch_ - spec_.shift);
     return line_at(below) > from || line_at(below + 1) <= to;

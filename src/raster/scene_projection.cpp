@@ -13,8 +13,8 @@ namespace quasimc {
 
 namespace {
 
-/// By how much windows and boxes are larger than the scene, local units: places are rounded to
-/// single precision when they are traced.
+/// The margin of windows and boxes about the scene, local units: points are rounded to single
+/// precision when they are traced.
 constexpr double kMargin = 0x1p-20;
 /// A beam nearer than this to a periodic axis, or to the layer's plane, never meets the scene.
 constexpr double kGrazing = 0x1p-30;
@@ -65,7 +65,7 @@ BoundingSphere small_ball(const std::vector<Vec3>& points) {
     return best;
 }
 
-/// A window that makes several places at once by its own place(), called directly.
+/// A window that makes several points at once by its own point(), called directly.
 template <typename Derived>
 class CrossSectionOf : public BeamCrossSection {
   public:

@@ -20,10 +20,10 @@ class BeamCrossSection {
     virtual ~BeamCrossSection() = default;
     /// Area perpendicular to the beam, local units squared.
     [[nodiscard]] virtual double area() const = 0;
-    /// A place in the window, outside the scene on the beam's side: an area-preserving, continuous
+    /// A point in the window, outside the scene on the beam's side: an area-preserving, continuous
     /// map of the unit square. Local coordinates.
     [[nodiscard]] virtual Vec3 point(double u0, double u1) const = 0;
-    /// place() of several points, faster.
+    /// point() of several points of the unit square, faster.
     virtual void points(
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> points) const = 0;
 };

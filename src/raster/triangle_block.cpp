@@ -286,7 +286,7 @@ hn::Vec<Words> to_words(Vector whole) {
     return hn::BitCast(Words(), hn::DemoteTo(Wholes(), whole));
 }
 
-/// Spans of some lanes, and what is computed of a column of each.
+/// The hits of one line on each of some lanes.
 struct SpanHits {
     alignas(64) std::uint32_t lines[kBlockLanes], depths[kBlockLanes], passed[kBlockLanes];
 
@@ -302,7 +302,7 @@ struct SpanHits {
     }
 };
 
-/// Writes the places on rows of a block, one after the other.
+/// Writes the hits on the rows of a block.
 class RowHits {
   public:
     RowHits(
@@ -342,8 +342,7 @@ class RowHits {
                 ordered_bits(hn::Min(hn::Max(depth.at(x), low), high)), Words(),
                 hits.depths + lane);
             hn::Store(
-                hn::Add(first_passed, to_words(hn::Add(part, part))), Words(),
-                hits.passed + lane);
+                hn::Add(first_passed, to_words(hn::Add(part, part))), Words(), hits.passed + lane);
             size_ = hits.append(lanes << lane, size_, to_);
             column = hn::Add(column, hn::Set(kNumbers, 1.0));
             std::uint8_t bits[8] = {};

@@ -7,7 +7,7 @@
 namespace quasimc {
 namespace {
 
-/// Where a part lies in its triangle.
+/// The position of a part in its triangle.
 struct PartPosition {
     std::uint32_t column = 0, row = 0;
     bool is_turned = false;
@@ -23,7 +23,7 @@ PartPosition position_of(int level, std::uint32_t part) {
     return {part / 2, row, part % 2 != 0};
 }
 
-/// A place in the middle of a part.
+/// A point in the middle of a part.
 std::pair<double, double> center_of(int level, std::uint32_t part) {
     const double n = 1 << level;
     const PartPosition position = position_of(level, part);

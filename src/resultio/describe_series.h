@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// The comments of a table on place, models, and each moment with its sun and light.
+/// The comments of a table on site, models, and each time step with its sun and light.
 [[nodiscard]] std::string series_comments(const RunFile& run);
 
 /// "absorbed flux" for "absorbed_flux".

@@ -59,7 +59,7 @@ class RowsBuilder : public JsonNodeBuilder {
   private:
     enum class Entry { build, skip, take };
 
-    /// What becomes of a table or a list that begins. Sets the place of the rows.
+    /// Decides how a table or a list that begins is read. Sets the position of the rows.
     Entry entry() {
         using Rest = RowsQuery::Rest;
         std::vector<std::string_view> steps = steps_to_next();

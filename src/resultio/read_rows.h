@@ -12,7 +12,7 @@
 
 namespace quasimc {
 
-/// Where a list of organs or groups stands in a JSON result.
+/// The position of a list of organs or groups in a JSON result.
 struct RowsPosition {
     std::size_t point = 0;   ///< of a sweep
     std::string part = {};   ///< "time_steps", "days" or "total"; empty without [time]

@@ -1,4 +1,4 @@
-// The table of detectors: docs/formats/detectors.md.
+// The table of detectors: docs/reference/detectors.md.
 
 #include <string>
 #include <utility>

@@ -191,7 +191,7 @@ void check_hours(const Sections& sections, Faults& faults) {
     }
 }
 
-/// Nights need no source; all else is checked with one in its place.
+/// Nights need no source; everything else is checked with a substitute.
 void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const std::vector<double> one(scene.bands().size(), 1.0);
     check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
@@ -255,7 +255,7 @@ SceneBuilder read_builder(
     return builder;
 }
 
-/// The line of a place "file:line"; after all lines for other places.
+/// The line of a location "file:line"; other locations come after all lines.
 std::uint64_t line_of(const std::string& where, const std::string& file) {
     constexpr std::uint64_t kNowhere = std::numeric_limits<std::uint64_t>::max();
     if (!where.starts_with(file + ":")) {
@@ -290,7 +290,7 @@ std::vector<Warning> lint_of(const Sections& sections) {
     return found;
 }
 
-/// Parses a run file. Another file, of geometry perhaps, given in its place is told as such.
+/// Parses a run file. A file of another kind, geometry perhaps, is reported as such.
 Node read_file_of_run(const std::string& text, const std::string& name) {
     const std::string extension = std::filesystem::path(name).extension().string();
     try {

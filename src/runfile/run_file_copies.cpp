@@ -48,7 +48,7 @@ Affine copy_at(const std::array<double, kMost>& numbers, const Orientation& orie
     if (orientation.up() == UpAxis::z) {
         affine.rows = {Vec3{c, s, 0}, Vec3{-s, c, 0}, Vec3{0, 0, scale}};
     } else {
-        // y up: z and x take the places of x and y.
+        // y up: z and x become x and y.
         affine.rows = {Vec3{c, 0, -s}, Vec3{0, scale, 0}, Vec3{s, 0, c}};
     }
     affine.shift = {x, y, z};

@@ -213,7 +213,7 @@ struct Geometry {
     GeometryFile file;
 };
 
-/// Warns of a scale that was right as long as plants of a scene were taken in the unit of places.
+/// Warns of a scale that is right only if plants are in the unit of their positions.
 void warn_of_second_scale(const Affine& transform, const NamedMesh& named, TableReader& table) {
     constexpr double kRounding = 1e-6;
     const bool is_scaled = std::abs(std::abs(determinant(transform)) - 1) > kRounding;

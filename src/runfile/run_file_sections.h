@@ -33,7 +33,7 @@ inline constexpr Triangle kStandIn{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
 struct SunSpec {
     Vec3 to_sun;  ///< unit, world with z up
     double distance_au = 1;
-    std::string words;  ///< its time and place; "" if stated by angles
+    std::string words;  ///< its time and site; "" if stated by angles
 };
 
 /// What the sections know of each other.
@@ -66,7 +66,7 @@ void apply_overrides(
     const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter);
 /// Reports options that stand at the top by mistake.
 void refuse_options_at_the_top(TableReader& top);
-/// Adds the faults of check_run, which names keys only, with the places of the options.
+/// Adds the faults of check_run, which names keys only, with the locations of the options.
 void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter);
 /// The run file with every option of the run in it.
 [[nodiscard]] Node completed(Node document, const RunSpec& spec);

@@ -190,7 +190,7 @@ struct ShapeEntry {
 };
 
 // To add a shape to the run file: a function as above that reads its keys, a row here, a row in
-// docs/formats/run-file.md.
+// docs/reference/run-file.md.
 constexpr std::array kShapes{
     ShapeEntry{"triangle", read_triangle}, ShapeEntry{"parallelogram", read_parallelogram},
     ShapeEntry{"rhombus", read_rhombus},   ShapeEntry{"polygon", read_polygon},

@@ -64,7 +64,7 @@ bool is_usual_clock(double ahead_hours) {
     return ahead_hours > -1.25 && ahead_hours < 2.75;
 }
 
-/// A clock that is far from the sun's is probably that of another place.
+/// Warns of a clock that is far from the sun's: it is probably that of another site.
 void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
     std::optional<double> offset = context.utc_offset_hours;
     if (!offset && !intervals.empty() && intervals.front().start.utc_offset_hours != 0) {

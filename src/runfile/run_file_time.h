@@ -50,7 +50,7 @@ struct TimeContext {
 [[nodiscard]] std::vector<Interval> read_intervals(TimeContext& context);
 
 // run_file_weather.cpp
-/// The intervals of a weather file; sets place and time zone if they are still open.
+/// The intervals of a weather file; sets site and time zone if they are still open.
 [[nodiscard]] std::vector<Interval> read_weather(TimeContext& context);
 [[nodiscard]] LightUnit read_light_unit(TableReader& table);
 

@@ -50,7 +50,7 @@ WeatherColumns read_columns(TimeContext& context) {
     return columns;
 }
 
-/// Takes over what the file knows of its place.
+/// Takes site and time zone of the file where the run file has none.
 void settle_site(const WeatherFile& file, TimeContext& context) {
     TableReader& table = *context.table;
     if (file.utc_offset_hours && context.utc_offset_hours &&

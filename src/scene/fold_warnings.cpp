@@ -16,7 +16,7 @@ bool is_alnum(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Where a name that begins with a quotation mark ends; the same place if none begins there.
+/// The end of a name that begins with a quotation mark at `at`; `at` if none begins there.
 std::size_t end_of_quoted(const std::string& text, std::size_t at) {
     if (text[at] != '\'' || (at > 0 && is_alnum(text[at - 1]))) {
         return at;  // an apostrophe, or no mark

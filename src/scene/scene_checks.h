@@ -23,7 +23,7 @@ inline constexpr double kLargestCoordinate = 1e30;
 class OrganFaults {
   public:
     explicit OrganFaults(Faults& faults) : faults_(faults) {}
-    /// Adds a fault at the place of an organ of the draft.
+    /// Adds a fault at the location of an organ of the draft.
     void add(const SceneDraft& draft, std::size_t organ, Fault fault);
     /// Adds one fault that counts those left out, if any.
     void finish();

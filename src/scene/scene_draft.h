@@ -22,14 +22,14 @@ struct OrganSpec;
 struct DraftPart {
     static constexpr std::uint32_t kNoCopy = std::numeric_limits<std::uint32_t>::max();
 
-    std::uint32_t material = 0;  ///< place among the names of the draft
+    std::uint32_t material = 0;  ///< index among the names of the draft
     std::uint32_t first_face = 0, face_count = 0;
     std::uint32_t copy = kNoCopy;
 };
 
 /// What was stated of an organ beside what the scene keeps.
 struct DraftOrgan {
-    std::size_t location_end = 0;  ///< of its place, in SceneDraft::places
+    std::size_t location_end = 0;  ///< end of its location in SceneDraft::locations
     double field_of_view_deg = 90;
     std::uint32_t first_part = 0, part_count = 0;
     bool has_id = false;

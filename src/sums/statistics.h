@@ -18,15 +18,15 @@ namespace quasimc {
 /// NaN where the denominator is 0.
 [[nodiscard]] Estimate estimate_ratio(std::span<const double> a, std::span<const double> b);
 
-/// The estimate of an amount that can't be negative: of its interval what is not below 0, which
-/// holds the truth as often as all of it. An interval that lies below 0 throughout has missed: in
-/// its place one from 0 on, as wide as the upper half. The mean stays what it is.
+/// The estimate of an amount that can't be negative. Its interval is cut at 0, which does not
+/// change how often it contains the truth. An interval wholly below 0 is replaced by one that
+/// begins at 0 and is as wide as its upper half. The mean does not change.
 [[nodiscard]] Estimate not_negative(const Estimate& e);
 
-/// The estimate of an amount that can't be above `most`: of its interval what is not, which holds
-/// the truth as often as all of it. One that lies above throughout has missed: in its place one
-/// that ends at the limit and begins by the lower half of its width below. The mean stays what it
-/// is, and may lie above by chance, or it would be biased. Where nothing can be, 0 is certain.
+/// The estimate of an amount that can't be above `most`. Its interval is cut there, which does not
+/// change how often it contains the truth. An interval wholly above is replaced by one that ends at
+/// the limit and is as wide as its lower half. The mean does not change: it may lie above the limit
+/// by chance, or it would be biased. If `most` is 0, the estimate is exactly 0.
 [[nodiscard]] Estimate not_above(const Estimate& e, double most);
 
 /// An amount of which nothing was seen in `events` independent tries, each of which could have

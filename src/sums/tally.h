@@ -37,7 +37,7 @@ class Tally {
         }
     }
 
-    /// Adds to two bins of a region, given by their places in its row.
+    /// Adds to two bins of a region, given by their indices in its row.
     void add_two(
         std::size_t region,
         std::size_t index_a,

@@ -5,7 +5,7 @@
 
 namespace quasimc {
 
-/// The place where a ray met the scene. Local coordinates.
+/// The surface at the point where a ray hit the scene. Local coordinates.
 struct Surface {
     std::uint32_t triangle = kNoTriangle;  ///< of the mesh
     std::uint32_t region = 0;

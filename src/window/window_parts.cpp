@@ -95,8 +95,8 @@ Json labels_of(const std::vector<Organ>& organs) {
     return labels;
 }
 
-/// Ids and names stand there only if they tell more than the place in the list does; "organ 7" is
-/// what the page calls organ 7 that has no name.
+/// Ids and names are written only if they differ from the index in the list; the page calls organ 7
+/// without a name "organ 7".
 Json organs_of(const std::vector<Organ>& organs) {
     const auto is_counted = [&organs](const Organ& o) { return o.id == &o - organs.data() + 1; };
     const auto is_named = [](const Organ& o) {

@@ -13,7 +13,8 @@ namespace {
 
 using Vertex = std::array<float, 3>;
 
-/// How many of the last places of an organ are looked through for a corner that is there already.
+/// The number of the last vertices of an organ that are searched for a corner that is known
+/// already.
 constexpr std::size_t kLookBack = 16;
 
 class ShapeWriter {
@@ -79,7 +80,7 @@ class ShapeWriter {
     const Scene& scene_;
     Vec3 middle_;
     std::vector<Vertex> vertices_;
-    std::size_t first_ = 0;  // place of the organ
+    std::size_t first_ = 0;  // first vertex of the organ
     std::string corners_;
 };
 

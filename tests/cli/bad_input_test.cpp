@@ -1,5 +1,5 @@
-// The bad inputs: each ends with exit status 1, a message that names the place, nothing on standard
-// output and no file written. Never a crash.
+// The bad inputs: each ends with exit status 1, a message that names the location, nothing on
+// standard output and no file written. Never a crash.
 
 #include <algorithm>
 #include <array>

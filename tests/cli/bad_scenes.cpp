@@ -3,7 +3,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Places in the good run file.
+/// Parts of the good run file.
 const std::string kReflectance = "reflectance = 0.1";
 const std::string kTransmittance = "transmittance = 0.2";
 const std::string kDirection = "direction = [0, 0, -1]";

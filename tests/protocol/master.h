@@ -31,8 +31,8 @@ class Master {
     virtual void start(const std::vector<std::string>& words) = 0;
     /// Waits for the sign that it is there.
     virtual void await_sign() = 0;
-    /// Waits for the sign, or what the program says in its place: that there will be no light.
-    /// Whether it was the sign.
+    /// Waits for the sign, or for the program's answer that there will be no light. Returns whether
+    /// it was the sign.
     virtual bool is_welcomed() = 0;
     /// Whether the sign was given; for semaphores, which keep it.
     [[nodiscard]] virtual bool has_signed() const { return false; }

@@ -250,7 +250,7 @@ TEST_P(Canopies, AWhiteCanopyAboveAWhiteSoilReflectsAllAndAbsorbsNothing) {
             budget.escaped.standard_error / budget.emitted.mean, kReplicates}));
 }
 
-/// Where nothing is absorbed, a uniform sky fills every place with its own radiance.
+/// Where nothing is absorbed, a uniform sky fills all of space with its own radiance.
 TEST_P(Canopies, AWhiteCanopyUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
     const Result result = trace(make_canopy(white_canopy(), 1), {sky({1})}, 1 << 11);
     EXPECT_TRUE(holds(

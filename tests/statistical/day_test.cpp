@@ -1,4 +1,4 @@
-// A clear day, hour by hour, from the place and the date to its sums.
+// A clear day, hour by hour, from site and date to its sums.
 
 #include <utility>
 #include <vector>

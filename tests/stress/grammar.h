@@ -11,7 +11,7 @@
 
 namespace quasimc::stress {
 
-/// A place on an organ, for what is put next to it.
+/// A point on an organ, for what is put next to it.
 struct Anchor {
     Vec3 position, normal;
 };

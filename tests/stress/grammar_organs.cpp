@@ -8,7 +8,7 @@
 namespace quasimc::stress {
 namespace {
 
-/// Where an organ is put: a place, two directions across each other, a size.
+/// The pose of an organ: a position, two perpendicular directions, a size.
 struct Pose {
     Vec3 position, along, across, normal;
     double size = 1;

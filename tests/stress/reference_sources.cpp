@@ -84,7 +84,7 @@ std::optional<Emitter> lamp_emitter(const Node& source, const Scene& scene) {
     return lamp;
 }
 
-/// A place from where a beam along `direction` enters: in the disk around the scene, or in the
+/// A point from where a beam along `direction` enters: in the disk around the scene, or in the
 /// cell, above or below it; and the area across the beam.
 std::pair<Vec3, double> beam_entry(const PlainScene& scene, const Vec3& direction, Random& random) {
     const double u = random.unit();
@@ -102,7 +102,7 @@ std::pair<Vec3, double> beam_entry(const PlainScene& scene, const Vec3& directio
     const Frame frame = frame_around(direction);
     const double r = radius * std::sqrt(u);
     const Vec3 origin = scene.bounds.center() + r * std::cos(2 * kPi * v) * frame.s +
-                       r * std::sin(2 * kPi * v) * frame.t - 1.5 * radius * direction;
+                        r * std::sin(2 * kPi * v) * frame.t - 1.5 * radius * direction;
     return {origin, kPi * radius * radius};
 }
 

@@ -90,7 +90,7 @@ class Shrinker {
         return has_changed;
     }
 
-    /// Every table of the document by its path: key, and place in a list.
+    /// Every table of the document by its path: key, and index in a list.
     using Path = std::vector<std::pair<std::string, std::size_t>>;
     static Node* at(Node& document, const Path& path) {
         Node* node = &document;

@@ -35,7 +35,7 @@ class ByteStream {
     ByteStream(const ByteStream&) = delete;
     ByteStream& operator=(const ByteStream&) = delete;
 
-    /// Tells the simulator that we are there; or, in its place, that there will be no light.
+    /// Sends the first sign to the simulator, or that there will be no light.
     virtual void announce() = 0;
     [[nodiscard]] virtual RejectAction refuse() = 0;
     /// The next message, whole; valid until the next call. Waits as long as it takes.

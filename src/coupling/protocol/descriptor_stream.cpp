@@ -18,7 +18,7 @@ namespace {
 
 /// The byte by which we say that we are there, and that we go.
 constexpr char kSign = '\x01';
-/// In place of the first sign: there will be no light.
+/// Sent instead of the first sign: there will be no light.
 constexpr char kNoSign = '\0';
 
 [[noreturn]] void gone(const char* what) {

@@ -98,7 +98,7 @@ class MessageEndFinder {
     /// Where the first message in `bytes` ends: after its "Control" line; npos if that is not there
     /// yet. @param bytes  those of the call before, and what came since
     [[nodiscard]] std::size_t find(std::string_view bytes);
-    /// Where the next call begins to look.
+    /// The offset where the next call begins to search.
     [[nodiscard]] std::size_t offset() const { return offset_; }
 
   private:

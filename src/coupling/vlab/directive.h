@@ -22,7 +22,7 @@ struct DirectiveLine {
 };
 
 /// The directives of a text in their order. Lines that are none are skipped, with a notice.
-/// @param place  of the text, for messages
+/// @param where  location of the text, for messages
 [[nodiscard]] std::vector<DirectiveLine> split_directives(
     std::string_view text, const std::string& where, Notices& notices);
 
@@ -50,7 +50,7 @@ class Values {
     std::optional<std::int64_t> integer(std::string_view name, Range range);
     /// A number, or `otherwise` at the end.
     std::optional<double> number_or(double otherwise, std::string_view name, Range range);
-    /// The next word as one of `names`, without regard to case: its place among them.
+    /// The next word as one of `names`, without regard to case: its index among them.
     std::optional<std::size_t> choice(std::span<const std::string_view> names);
     std::optional<bool> yes_no();
     /// All that is left, as it stands: a file's name.

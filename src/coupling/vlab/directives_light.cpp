@@ -53,7 +53,7 @@ void read_light(Values& values, DirectiveContext& context) {
     }
 }
 
-/// The way that light travels from a place of the sky: angles in radians.
+/// The direction of travel of light from a point of the sky: angles in radians.
 Vec3 travel_from(double zenith, double azimuth) {
     return {
         std::sin(azimuth) * std::sin(zenith), -std::cos(zenith),

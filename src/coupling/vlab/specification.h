@@ -51,7 +51,7 @@ inline constexpr Range kTurbidities{1, 64};
 /// under a clear sky; skies that are stated to be clearer are as this one.
 inline constexpr double kClearestSky = 1.4;
 
-/// The light of the sky, and of the sun, at a place over a part of a day.
+/// The light of the sky, and of the sun, at a site over a part of a day.
 struct SkyOfDay {
     double latitude_deg = 0;
     double longitude_deg = 0;  ///< east positive

@@ -67,7 +67,7 @@ class RayCaster {
     /// the cell.
     [[nodiscard]] CastHit cast(const Vec3& origin, const Vec3& direction, std::uint32_t self) const;
 
-    /// Whether anything lies between `origin` (on triangle `self`) and a place at `distance` (local
+    /// Whether anything lies between `origin` (on triangle `self`) and a point at `distance` (local
     /// units). Rays lost count as free. In a periodic scene `distance` must be infinite.
     [[nodiscard]] bool occluded(
         const Vec3& origin,

@@ -13,7 +13,7 @@ namespace quasimc {
 
 namespace {
 
-/// The place of a triangle's border that is nearest to `offset` from the first corner, as u and v.
+/// The point of a triangle's border that is nearest to `offset` from the first corner, as u and v.
 Point2 nearest_on_border(const CornerAndEdges& triangle, const Vec3& offset) {
     constexpr std::array<Point2, 3> kCorners{{{0, 0}, {1, 0}, {0, 1}}};
     const std::array<Vec3, 3> corners{{{0, 0, 0}, triangle.edge1, triangle.edge2}};

@@ -21,8 +21,8 @@ struct FlatCorner : Point2 {
 /// What counts as in the way of an ear.
 enum class Blocking { inside_or_on_border, inside };
 
-/// Whether corner `p` is in the way of the ear a, b, c, which turns left. Corners at the place of
-/// one of its own are not.
+/// Whether corner `p` is in the way of the ear a, b, c, which turns left. Corners at the same point
+/// as one of its own are not.
 [[nodiscard]] inline bool blocks_ear(
     const FlatCorner& a,
     const FlatCorner& b,

@@ -1,8 +1,8 @@
-// Lamps: light from a place.
+// Lamps: sources at a finite distance.
 //
-// The flux that leaves an opening is drawn as a place on it and a direction. Paths of light tracing
+// The flux that leaves an opening is drawn as a point on it and a direction. Paths of light tracing
 // start either by the lamp's pattern, or, when the lamp stands outside the sphere about an open
-// scene, uniformly in the cone that the sphere fills as seen from the place. A fixed lattice of
+// scene, uniformly in the cone that the sphere fills as seen from the point. A fixed lattice of
 // trial starts tells which of the two has the smaller second moment; it also gives flux(), which
 // only scales the weights, so that its error cancels. Outside the scene's box, a path is moved on
 // to where it enters it: the ray engine works in single precision about the scene.

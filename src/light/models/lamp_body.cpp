@@ -9,7 +9,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// The sight of a place, `weight` over the square of its distance.
+/// The direction to a point of the opening; its weight is `weight` over the squared distance.
 LampBody::LampSample sight_of(
     const Vec3& point, const LampBody::SurfacePoint& start, double weight = 1) {
     const Vec3 towards = start.position - point;
@@ -81,7 +81,7 @@ class SphericalRectangle {
     }
 
     [[nodiscard]] double solid_angle() const { return solid_angle_; }
-    /// The place in the rectangle, x and y.
+    /// The point in the rectangle, x and y.
     [[nodiscard]] std::pair<double, double> draw_point(double u0, double u1) const {
         const double a = u0 * solid_angle_ + k_;
         const double f = (std::cos(a) * b0_ - b1_) / std::sin(a);

@@ -3,7 +3,7 @@
 //
 // Light enters a scene through its box: along direction d through the area A(d) that the box shows
 // there. A path draws its direction cell by cell of the hemisphere, in proportion to the integral
-// of A times the radiance in the middle of the cell, uniformly inside the cell, then a place of the
+// of A times the radiance in the middle of the cell, uniformly inside the cell, then a point of the
 // box as seen along it. Its weight is L A / (density x flux): the cells steer where paths start,
 // never how much light they bring, so that their shares may be rough. The flux is exact: A is a sum
 // of |d.x|, |d.y| and d.z, and so the flux one of the three integrals that give the scale.

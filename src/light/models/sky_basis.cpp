@@ -17,7 +17,7 @@ constexpr double kQuarterTurn = kFullTurn / 4;
 /// Steps of the fit to a sky: the first gives the mean radiance under each hat, the others sharpen
 /// what that has blurred.
 constexpr int kFits = 5;
-/// Places at which skies are looked at, in equal steps of elevation and azimuth.
+/// The grid on which skies are sampled, in equal steps of elevation and azimuth.
 constexpr std::uint32_t kLookRows = 60, kLookColumns = 96;
 
 double elevation_of(const Vec3& direction) {

@@ -33,7 +33,7 @@ class SkyBasis {
 
     /// A sky in hats, fitted to its radiance (expectation maximization, Richardson 1972 and Lucy
     /// 1974: nothing is negative), scaled together to the sky's irradiance on the horizontal; no
-    /// light if all of it lies between the places that are looked at. @returns by node: its hat's
+    /// light if all of it lies between the sampled directions. @returns by node: its hat's
     /// irradiance on the horizontal, for a spectrum of
     /// 1
     [[nodiscard]] std::vector<double> light_of_sky(const Source& sky) const;

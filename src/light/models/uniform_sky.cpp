@@ -2,7 +2,7 @@
 //
 // Light enters an open scene through the top and the four sides of its box. A path picks a face in
 // proportion to the flux through it (E times the area of the top, E/2 times that of a side, which
-// sees half of the sky), a place on the face, and a direction of the cosine law about the face's
+// sees half of the sky), a point on the face, and a direction of the cosine law about the face's
 // normal: every path carries the same light. Of a periodic scene only the faces across open axes
 // count.
 

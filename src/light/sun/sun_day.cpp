@@ -1,5 +1,5 @@
 // Rise, transit and set. Where the report interpolates the sun between three days, the sun is
-// computed anew at every step: the day asked for is that of the place's clock, not that of
+// computed anew at every step: the day asked for is that of the site's clock, not that of
 // Greenwich, and may lie up to a day and a half from it.
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 /// True elevation of the sun's centre at rise and set: refraction 34', radius 16'.
 constexpr double kRiseElevation = -0.8333;
 
-/// The sun over a place in the course of time.
+/// The sun at a site in the course of time.
 class SunTrack {
   public:
     SunTrack(const Site& site, double delta_t_s) : site_(site), delta_t_s_(delta_t_s) {}

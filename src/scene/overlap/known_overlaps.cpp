@@ -101,7 +101,7 @@ KnownOverlaps::Matching KnownOverlaps::match(
         }
         matching.changed_count += is_same ? 0 : run.count;
         if (is_same) {
-            known.erase(before);  // an organ that stands in two places is matched once
+            known.erase(before);  // an organ that is there twice is matched once
         }
     }
     return matching;

@@ -218,7 +218,7 @@ class OverlapSearch {
 
 double coplanar_tolerance(double triangle_size, double scene_size) {
     constexpr double kOfTriangle = 1e-6;
-    constexpr double kSinglePrecision = 0x1p-22;  // of a ray from a place: kNear
+    constexpr double kSinglePrecision = 0x1p-22;  // of a ray's origin: kNear
     return kOfTriangle * triangle_size + kSinglePrecision * scene_size;
 }
 

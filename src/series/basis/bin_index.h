@@ -36,7 +36,7 @@ struct BinPart {
 /// Of the bins of a region, then of those of the run.
 [[nodiscard]] std::vector<BinPart> bin_parts(const BasisLayout& layout);
 
-/// Where bins stand in a response: part by part, the first bin of all regions, the second of all
+/// The index of a bin in a response: part by part, the first bin of all regions, the second of all
 /// regions, ..., then those of the run.
 class BinIndex {
   public:
@@ -46,7 +46,7 @@ class BinIndex {
     [[nodiscard]] std::size_t of(std::size_t bin) const {
         return bin < tail_ ? bin % stride_ * regions_ + bin / stride_ : bin;
     }
-    /// Where a part begins, as bin_parts() counts them, and how many places it has.
+    /// The first index of a part, as bin_parts() counts them, and the number of its bins below.
     [[nodiscard]] std::size_t first(std::size_t part) const {
         return part < stride_ ? part * regions_ : tail_ + part - stride_;
     }

@@ -18,7 +18,7 @@ class InterpolationErrors {
     /// Adds a time.
     void add(const LightSum& together, const LightSum& as_it_is);
 
-    /// By place of a bin: the relative error, with one standard error of itself on top.
+    /// The relative error by BinIndex, with one standard error of itself on top.
     [[nodiscard]] std::vector<double> relative() const;
 
   private:
@@ -26,8 +26,8 @@ class InterpolationErrors {
     [[nodiscard]] double relative(const std::vector<std::size_t>& bins) const;
 
     BasisLayout layout_;
-    std::vector<double> light_;                // by place: squares, in parts of those of a time
-    std::vector<std::vector<float>> squares_;  // [time][place]: of differences, less noise
+    std::vector<double> light_;                // by BinIndex: squares, in parts of those of a time
+    std::vector<std::vector<float>> squares_;  // [time][BinIndex]: of differences, less noise
 };
 
 }  // namespace quasimc

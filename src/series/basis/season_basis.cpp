@@ -1,4 +1,4 @@
-// The light of a season as a sum over directions: see docs/develop/decisions/season-by-bundles.md.
+// Daylight coefficients: see docs/develop/decisions/daylight-coefficients.md.
 
 #include "series/basis/season_basis.h"
 
@@ -158,7 +158,7 @@ class SeasonBasis::Solving {
         return std::clamp<std::size_t>(fit, 1, kMaxInBatch);
     }
 
-    /// @param place  in a batch of `count`
+    /// @param batch_index  in a batch of `count`
     [[nodiscard]] std::shared_ptr<const Source> source(
         const Light& light, std::size_t batch_index, std::size_t count) const {
         const std::size_t bands = scene_.bands().size();

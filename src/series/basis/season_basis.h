@@ -25,7 +25,7 @@ struct SunBeam {
 
 /// What the times of a series have in common: the responses of a scene to light from a set of
 /// directions, of which skies, and the scattered light of suns, are put together
-/// (docs/develop/decisions/season-by-bundles.md).
+/// (docs/develop/decisions/daylight-coefficients.md).
 class SeasonBasis {
   public:
     /// Solves for all directions that some time needs, and for a few times as they are, which tell
@@ -52,7 +52,7 @@ class SeasonBasis {
     /// That of several times at once.
     /// @param light  gets it, the first time first; it is longer where it was
     void find_light(std::span<const Amounts> amounts, std::vector<LightSum>& light) const;
-    /// The relative error of it, by place of a bin as in LightResponse.
+    /// Its relative error by BinIndex, as in LightResponse.
     [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
 
     /// The times that were solved for as they are.

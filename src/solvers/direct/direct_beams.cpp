@@ -96,7 +96,7 @@ Stream DirectBeams::stream_of(const Work& work, std::uint64_t i) const {
     return {spec_.seed, 1 + work.number + tasks * i, work.replicate, work.round.first * 4, most};
 }
 
-/// What places the directions of a task: three dimensions of its first point.
+/// The random shift of the directions of a task: three dimensions of its first point.
 std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t dimension) const {
     const auto coordinate = [&](std::uint32_t i) {
         return sampler_.coordinate(first, first.first, dimension + i);

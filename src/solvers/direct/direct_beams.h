@@ -83,7 +83,7 @@ class DirectBeams {
         std::uint32_t replicate,
         std::uint64_t block);
 
-    /// The point set number `i` of a task's blocks; number 0 places its beams. Light tracing
+    /// The point set number `i` of a task's blocks; number 0 shifts its beams. Light tracing
     /// has sequence 0.
     [[nodiscard]] Stream stream_of(const Work& work, std::uint64_t i) const;
 

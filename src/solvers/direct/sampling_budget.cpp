@@ -72,7 +72,7 @@ std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
 
 /// Triangles that are projected for each path of a sun. Where they would be more, or where lines
 /// would cut so much that too few of them are left, the sun is traced from itself, which then
-/// leaves the smaller errors for its time (docs/theory/choosing.md).
+/// leaves the smaller errors for its time (docs/develop/notebook/choosing.md).
 constexpr double kMaxTrianglesPerPath = 20;
 /// Of few organs each has many paths, and lines bring less: for each organ at most so many.
 constexpr double kMaxTrianglesPerPathOfOrgan = 2;

@@ -138,7 +138,7 @@ class FirstHits final : public Solver {
             rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
     }
 
-    /// Scores what a beam, the last of scratch.beams, brings to pixels, and places vertices there.
+    /// Scores the light of a beam, the last of scratch.beams, on pixels, and adds vertices there.
     void light_pixels(
         const DirectBeams::SkyView& view,
         const Beam& beam,

@@ -77,8 +77,8 @@ Bounds local_bounds(const PreparedScene& prepared, const Organ& organ) {
     return box;
 }
 
-/// Organs to which so little of the light comes that leaves places near lamps are connected with
-/// those places. Others are met by enough paths.
+/// Organs that receive less than this fraction of the light that leaves the near field of lamps are
+/// connected with points there. Others are hit by enough paths.
 constexpr double kFewOfPaths = 0.05;
 
 double part_by_vertices(

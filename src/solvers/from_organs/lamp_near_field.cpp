@@ -108,8 +108,8 @@ double LampNearField::irradiance_at(const BoundSource& light, const CastHit& at)
 
 /// A fiftieth of the scene, or a quarter of the distance within which the lamp lights nine tenths
 /// of what it lights; 0 where nothing it lights is so near. A large lamp of bounded radiance has
-/// no place next to it that is brighter than others, unless most of its light falls on a small one:
-/// less than a twentieth of a face of the scene's box, over which `usual` is its irradiance.
+/// no point next to it that is brighter than others, unless most of its light falls on a small
+/// area: less than a twentieth of a face of the scene's box, over which `usual` is its irradiance.
 double LampNearField::radius_about(
     const std::vector<PilotSample>& samples, const LampExtent& extent, double usual) const {
     constexpr double kPartOfScene = 0.02;

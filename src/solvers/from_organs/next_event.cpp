@@ -37,8 +37,8 @@ NextEvent::NextEvent(
     }
 }
 
-/// About the irradiance that a light would bring to a place, mean over the bands; of a lamp as if
-/// it shone alike in all directions.
+/// The approximate irradiance of a light at a point without occlusion, mean over the bands; lamps
+/// count as isotropic.
 double NextEvent::importance(std::size_t index, const Vec3& p) const {
     const BoundSource& light = prepared_.lights()[index];
     const double spectrum = light.probability / light.source_sampler->flux();

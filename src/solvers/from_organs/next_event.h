@@ -12,8 +12,8 @@
 
 namespace quasimc {
 
-/// A light and a direction to it, as seen from a place. `factor` times start weights and cosine is
-/// the irradiance it brings there, unless something stands in its way.
+/// A light and a direction to it from a point. `factor` times start weights and cosine is its
+/// irradiance there if it is not occluded.
 struct LightSample {
     const BoundSource* light = nullptr;
     Vec3 to_light;
@@ -22,7 +22,8 @@ struct LightSample {
     double probability = 1;  ///< with which the light was picked
 };
 
-/// What a place sees: all about it, or directions near the normal of a surface on either side.
+/// The directions a point receives light from: all, or those near the normal of a surface on either
+/// side.
 struct FieldOfView {
     Vec3 normal;
     double least_cosine = 0;  ///< of the angle from the normal; 0: all
@@ -42,7 +43,7 @@ struct GatherScratch {
     std::vector<double> irradiance;  // per band: of a connection
 };
 
-/// Next-event estimation: looks for light from the places of a path that runs backwards.
+/// Next-event estimation: samples lights from the vertices of a path that runs backwards.
 class NextEvent {
   public:
     /// @param scale  irradiance counts in units of the flux of all lights over this area (square
@@ -62,10 +63,10 @@ class NextEvent {
 
     /// Numbers that sample_light() draws: none if all light comes from one direction.
     [[nodiscard]] std::uint32_t dimensions() const { return dimensions_; }
-    /// Picks a light, and a direction to it. Where there are lamps, each light mostly by what it
-    /// would bring to the place.
-    /// @param place  local coordinates
-    /// @param view  skies are looked for within it
+    /// Picks a light and a direction to it. If there are lamps, lights are picked mostly by their
+    /// irradiance at the point.
+    /// @param p  local coordinates
+    /// @param view  skies are sampled within it
     [[nodiscard]] LightSample sample_light(
         const Stream& stream,
         std::uint64_t point,
@@ -109,8 +110,8 @@ class NextEvent {
     const LampNearField& near_;
     double scale_, narrow_from_;
     std::uint32_t dimensions_;
-    std::vector<LampExtent> lamps_;  // one for each light if they are picked by place, else empty
-    LightSampler shares_;            // if lights are picked alike from everywhere
+    std::vector<LampExtent> lamps_;  // one for each light if picked by position, else empty
+    LightSampler shares_;            // if lights are picked alike at all points
 };
 
 }  // namespace quasimc

@@ -16,7 +16,7 @@ struct OrganPoint {
     std::uint32_t region = 0;
 };
 
-/// Places points on organs, uniformly over what other organs leave of their area.
+/// Samples points on organs, uniformly over the area that other organs do not cover.
 class OrganPoints {
   public:
     explicit OrganPoints(const PreparedScene& prepared);

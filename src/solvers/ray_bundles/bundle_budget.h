@@ -17,7 +17,7 @@ namespace quasimc {
 /// How many directions and lines each step of the exchange gets. A path is worth some segments of
 /// lines, from a patch to the next. Most go to the last step, in which all light is sent once more;
 /// those of single orders share the rest by the light that is on its way, so that a step that
-/// brings little costs little. See docs/theory/ray-bundles.md.
+/// brings little costs little. See docs/develop/notebook/ray-bundles.md.
 class BundleBudget {
   public:
     /// @param paths  of the round

@@ -24,7 +24,7 @@ struct DepositedRows {
 /// noise of which hardly counts beside that of bundles, and depositing takes longer than viewing.
 class DepositedSamples {
   public:
-    /// @param stream  that places them
+    /// @param stream  of the samples
     /// @param count  for each light
     /// @param most  of which one is deposited, where they are very many
     DepositedSamples(const Stream& stream, std::uint32_t count, std::uint32_t most)

@@ -10,7 +10,8 @@ namespace quasimc {
 namespace {
 
 /// Longest edge over height. Stems of rings of triangles with a ratio of 10 have the error that is
-/// told, with one of 25 twice that, with one of 100 ten times (docs/theory/ray-bundles.md).
+/// told, with one of 25 twice that, with one of 100 ten times
+/// (docs/develop/notebook/ray-bundles.md).
 constexpr double kLongTriangle = 12;
 /// A patch is long beside its organ's width if it is longer than this part of it.
 constexpr double kOfWidth = 0.75;

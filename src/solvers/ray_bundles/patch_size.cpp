@@ -12,7 +12,7 @@ namespace {
 
 /// What casts shadows is as large as so many of the patches that tell them apart. With patches four
 /// times as large both levels are too coarse, and their difference is a third of the error
-/// (docs/theory/ray-bundles.md).
+/// (docs/develop/notebook/ray-bundles.md).
 constexpr double kPatchesPerOrgan = 8;
 /// An organ of one triangle is cut into four, which do for organs like itself.
 constexpr double kMinPerOrgan = 4;

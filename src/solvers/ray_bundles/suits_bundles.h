@@ -12,7 +12,7 @@ namespace quasimc {
 
 /// Whether ray bundles find the light of suns and skies with smaller errors for their time than
 /// other ways do, where all organs are asked for: rules of thumb, each from a measurement
-/// (docs/theory/choosing.md).
+/// (docs/develop/notebook/choosing.md).
 /// @param gain  of equal shares of paths for each organ
 /// @param has_sun  whether a sun shines
 [[nodiscard]] bool suits_bundles(

@@ -31,7 +31,7 @@ struct RecordedNotices {
 [[nodiscard]] std::string faults_of(
     const std::string& text, const std::map<std::string, std::string>& files = {});
 
-/// A query for a module at a place, lying flat with its upper side up and its heading to -z, as
+/// A query for a module at a position, lying flat with its upper side up and its heading to -z, as
 /// cpfg writes it.
 [[nodiscard]] std::string flat(
     int id, const std::string& module, double height, const std::string& question = "E(1)");

@@ -219,10 +219,10 @@ INSTANTIATE_TEST_SUITE_P(
     SurplusLines,
     ::testing::Values(
         Surplus{"number of ray: 5", "did you mean 'number of rays'?"},
-        Surplus{"something else: 5\n: 6", "docs/formats/specification.md"},
+        Surplus{"something else: 5\n: 6", "docs/reference/specification.md"},
         Surplus{"not a directive", "is not a directive"},
         Surplus{": 1 2", "is not a directive"},
-        Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is no directive"},
+        Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is not a directive"},
         Surplus{"source spectrum: 660 1.0 730 0.5", "'730 0.5' is not read"},
         Surplus{"return type: D F", "2 letters for the 1 band"},
         Surplus{"sampling method: latin", "Monte Carlo is used"},

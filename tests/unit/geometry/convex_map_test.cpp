@@ -153,7 +153,7 @@ TEST(ConvexMap, NeighboursStayNeighbours) {
     }
 }
 
-/// The largest difference between the fraction of places on one side of a line and the fraction of
+/// The largest difference between the fraction of points on one side of a line and the fraction of
 /// the polygon on that side, over lines through the middle. u0 is raised to `skew`: 1 for the map
 /// as it is.
 double worst_side(const std::vector<Point2>& polygon, double skew) {

@@ -14,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-/// A place on a triangle, uniform.
+/// A point on a triangle, uniform.
 Point2 random_point(test::Random& random) {
     const double u = random.uniform();
     const double v = random.uniform();
@@ -47,7 +47,7 @@ bool is_inside(const std::vector<SurfaceCrossing>& sides, const Point2& p) {
     return true;
 }
 
-/// Patches share the triangle: places fall into each as often as it is large.
+/// Patches share the triangle: points fall into each in proportion to its area.
 void expect_areas(const CutTriangle& cut, int level) {
     test::Random random(1);
     constexpr int kPoints = 200000;

@@ -27,7 +27,7 @@ const std::vector<Vec3> beams{
     normalized(Vec3{-1, 0.1, -0.2}),
     normalized(Vec3{0.1, 1, 0.05})};
 
-/// Places of a window on a lattice of n points.
+/// The points of a window for a lattice of n points.
 std::vector<Vec3> lattice_points(const BeamCrossSection& window, int n) {
     std::vector<Vec3> points;
     for (int i = 0; i < n; ++i) {
@@ -92,7 +92,7 @@ TEST_P(OpenWindow, ShowsAPlateAsItsProjection) {
     }
 }
 
-/// Places along the border of a window.
+/// Points along the border of a window.
 std::vector<Vec3> border_points(const BeamCrossSection& window) {
     std::vector<Vec3> points;
     constexpr int kSteps = 4000;
@@ -181,7 +181,7 @@ TEST(SphereWindow, IsTheDiscAcrossTheBoundingSphere) {
     const LocalMesh plate = make_local_mesh(make_parallelogram({0, 0, 0}, {2, 0, 0}, {0, 2, 0}));
     const auto window = SceneProjection(plate, Cell{}, StartArea::bounding_sphere).window(beams[4]);
     EXPECT_NEAR(window->area(), 2 * std::numbers::pi, 1e-4);
-    // Rings of equal area hold equal numbers of places.
+    // Rings of equal area hold equal numbers of points.
     std::array<int, 4> ring{};
     const Vec3 center = window->point(0.5, 0.5);
     for (const Vec3& p : lattice_points(*window, 40000)) {

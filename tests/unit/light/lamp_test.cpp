@@ -37,7 +37,7 @@ LampSpec tube() {
     return spec;
 }
 
-/// Irradiance at a place on a plane with normal n, averaged over an even grid of draws.
+/// Irradiance at a point on a plane with normal n, averaged over an even grid of draws.
 double irradiance(const Source& lamp, const Vec3& point, const Vec3& n) {
     constexpr int kSide = 300;
     double sum = 0;
@@ -89,7 +89,7 @@ TEST(Lamp, ADiskLightsThePointBelowItsCenterByTheClosedForm) {
     EXPECT_EQ(irradiance(*lamp, {0, 0, .5}, {0, 0, -1}), 0) << "behind it";
 }
 
-/// View factor of a rectangle from a place below its corner (Howell, C-11; here four of them).
+/// View factor of a rectangle from a point below its corner (Howell, C-11; here four of them).
 TEST(Lamp, ARectangleLightsThePointBelowItsCenterByTheClosedForm) {
     const auto lamp = make_lamp(rectangle());
     for (const double h : {.01, .4, 2.0, 500.0}) {
@@ -105,7 +105,7 @@ TEST(Lamp, ARectangleLightsThePointBelowItsCenterByTheClosedForm) {
     }
 }
 
-/// Every place a lamp near it sees is lit with a bounded weight.
+/// Every point near a lamp is lit with a bounded weight.
 TEST(Lamp, ARectangleHasNoBrightSpecksNearIt) {
     const auto lamp = make_lamp(rectangle());
     std::mt19937_64 bits(5);
@@ -139,7 +139,7 @@ TEST(Lamp, ATubeLightsThePointBelowItsMiddleByTheClosedForm) {
     EXPECT_EQ(irradiance(*lamp, {9, 0, 0}, {-1, 0, 0}), 0) << "seen along its axis";
 }
 
-/// What reaches a scene by light tracing against what its places see: flux through the floor.
+/// Flux through the floor by light tracing, against the irradiance sampled at points of the floor.
 void expect_same_flux_on_the_floor(const LampSpec& spec) {
     const auto lamp = make_lamp(spec);
     const auto triangles = make_parallelogram({-1, -.5, -1}, {2, 0, 0}, {0, 1.5, 0});

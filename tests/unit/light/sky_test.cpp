@@ -72,7 +72,7 @@ TEST_P(EverySky, IlluminatesWithTheRadianceThatIsSeen) {
         sidak_level(kLevel, kFamily)));
 }
 
-/// Cells are so small, too, that weights hardly differ: a path's noise is that of its place.
+/// Cells are so small, too, that weights hardly differ: a path's noise is that of its position.
 TEST_P(EverySky, SendsItsRadianceThroughTheBoxAroundTheScene) {
     const LitBox lit;
     const EntryBox& box = lit.projection.entry_box();

@@ -9,7 +9,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Golden, Colorado: the place of the report's example.
+/// Golden, Colorado: the site of the report's example.
 constexpr Site kGolden{39.742476, -105.1786, 1830.14, 820, 11};
 constexpr CivilTime kExample{2003, 10, 17, 12, 30, 30, -7};
 

@@ -70,7 +70,7 @@ TEST(UniformSky, EntersAPeriodicSceneThroughItsOpenFacesOnly) {
 
 /// Where paths start on one face, and in which directions: coordinates in which both are uniform.
 struct Face {
-    std::vector<double> across, along;        // place
+    std::vector<double> across, along;        // position
     std::vector<double> square_sine, around;  // direction about the face's normal
 };
 

@@ -266,7 +266,7 @@ TEST(IsUtf8, TellsTextFromBytes) {
     }
 }
 
-/// Leaves of 0.1 m, 2 triangles each, at a place of a map; each number rounded by `store`.
+/// Leaves of 0.1 m, 2 triangles each, at a position of a map; each number rounded by `store`.
 template <typename Store>
 std::string leaves_on_a_map(double x, double y, const Store& store) {
     std::string text;

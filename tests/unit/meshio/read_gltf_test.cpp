@@ -241,7 +241,7 @@ TEST(ReadGltf, LeavesLinesAndPointsOutAndSaysSo) {
     EXPECT_TRUE(mentions(read.warnings, "1 primitive of lines or points left out"));
 }
 
-/// A file with one place changed, and what is said of it.
+/// A file with one change, and the fault it must give.
 void expect_gltf_fault(
     const std::string& find, const std::string& replacement, const Texts& faults) {
     std::string text = GltfText().text();

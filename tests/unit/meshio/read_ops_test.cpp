@@ -84,7 +84,7 @@ TEST(ReadOps, TakesPlantsAsCentimetresAndPlacesAsMetresAndSaysSo) {
         Texts{"file: plants are read in centimetres and their positions in metres, as in AMAP's "
               "programs; the largest plant is 1 m large; set plant_unit in [[geometry]] (\"cm\", "
               "\"m\", ...) to confirm or change it"});
-    // A mesh without a unit of its own is in metres, as its place is.
+    // A mesh without a unit of its own is in metres, as its position is.
     const ReadMesh other =
         read_mesh_text("ops", "1 1 a.tri 5 0 0 1 0 0 0\n", {{"a.tri", "0 0 0 1 0 0 0 1 0\n"}});
     EXPECT_EQ(other.warnings, Texts{});

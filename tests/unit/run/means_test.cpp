@@ -1,4 +1,4 @@
-// The means alone of sums are those that evaluate() tells, in every place that is read.
+// The means alone of sums equal those of evaluate(), in every entry that is read.
 
 #include "results/means.h"
 

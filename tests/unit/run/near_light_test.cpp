@@ -1,6 +1,6 @@
 // Sensors near lamps and shiny leaves, traced from the sensors: means against light tracing, which
-// knows no such places, how often the intervals hold the truth, and how wide they are. What
-// scatters light next to a lamp is taken from there by points far from it; see
+// treats these points like all others, how often the intervals contain the truth, and how wide they
+// are. Light scattered next to a lamp is sampled there from points far from it; see
 // docs/theory/light-tracing.md.
 
 #include <array>

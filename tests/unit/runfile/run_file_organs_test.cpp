@@ -496,7 +496,7 @@ TEST(GeometryKeys, PlantUnitIsThatOfThePlantsOfAScene) {
     EXPECT_FALSE(mentions(
         texts_of(read("transform = { rotate = { axis = [1, 0, 1], angle_deg = 30 } }\n")),
         " again: "));
-    // A scene in centimetres: plants as they are, places times 100.
+    // A scene in centimetres: plants as they are, positions times 100.
     const RunFile in_cm = read("", "length_unit = 'cm'\n");
     EXPECT_NEAR(in_cm.scene.organs()[1].area, 0.5, 1e-12);
     EXPECT_NEAR(in_cm.scene.bounds().high.x, 301, 1e-9);

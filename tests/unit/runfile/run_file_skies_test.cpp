@@ -1,4 +1,4 @@
-// Suns, skies and places of run files.
+// Suns, skies and sites of run files.
 
 #include <cmath>
 #include <numbers>
@@ -13,7 +13,7 @@
 namespace quasimc::test {
 namespace {
 
-/// A run file with a place and these sources.
+/// A run file with a site and these sources.
 std::string with_sources(const std::string& sources) {
     RunText text;
     text.top = "bands = ['PAR']\nplace = { latitude_deg = 50.1, longitude_deg = 8.7 }\n";

@@ -234,7 +234,7 @@ TEST(RunFile, DefaultOneHasNoFaultAndEveryOption) {
 }
 
 TEST(RunFile, OfTheManualHasNoFault) {
-    const std::string page = repository_file("docs/formats/run-file.md");
+    const std::string page = repository_file("docs/reference/run-file.md");
     const std::string fence = "```toml run\n";
     const std::size_t begin = page.find(fence);
     ASSERT_NE(begin, std::string::npos);

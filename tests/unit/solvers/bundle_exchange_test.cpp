@@ -14,7 +14,7 @@
 namespace quasimc::test {
 namespace {
 
-/// The horizontal has its exact area in every group, whatever places it.
+/// The horizontal has its exact area in every group, for any key.
 TEST(BundleDirections, AreHalfAsHighAsTheZenithOnAverage) {
     for (const std::uint32_t directions : {2U, 8U, 64U, 1000U}) {
         for (std::uint64_t key = 0; key < 20; ++key) {

@@ -144,7 +144,7 @@ TEST(LintBundles, TellsOfLampsNextToSurfaces) {
     EXPECT_TRUE(lint_bundles(scene, lamp_at(30), spec).empty());
 }
 
-/// The middle of a flat scene is as near to the lamp above it as any place.
+/// The middle of a flat scene is as near to the lamp above it as any point.
 TEST(LintBundles, TellsOfALampCloseAboveTheMiddleOfAFlatScene) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .3));

@@ -66,8 +66,8 @@ TEST(Epw, GivesSiteClockAndTheHourBeforeEachRecord) {
         epw(std::string(kHead) + record(1999, 6, 21, 12, "500", "120") +
             record(1999, 6, 21, 24, "0", "0"));
     EXPECT_TRUE(read.faults.empty());
-    EXPECT_EQ(read.file.place->latitude_deg, 51.97);
-    EXPECT_EQ(read.file.place->longitude_deg, 5.67);
+    EXPECT_EQ(read.file.site->latitude_deg, 51.97);
+    EXPECT_EQ(read.file.site->longitude_deg, 5.67);
     EXPECT_EQ(read.file.utc_offset_hours, 1);
     ASSERT_EQ(read.file.records.size(), 2U);
     const WeatherRecord& noon = read.file.records[0];
