@@ -245,7 +245,7 @@ TEST_F(TimesTest, AndScenesWithoutLightHaveNoFault) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         EXPECT_NE(outcome.err.find("warning: no light reaches the scene"), std::string::npos);
         EXPECT_NE(
-            outcome.out.find("no light reaches the scene, nothing was traced"), std::string::npos)
+            outcome.out.find("no light reaches the scene; nothing was computed"), std::string::npos)
             << outcome.out;
         EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
         EXPECT_NE(folder_.read("out.json").find("\"no_light\""), std::string::npos);

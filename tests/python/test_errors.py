@@ -131,7 +131,7 @@ def test_what_is_probably_not_meant_is_a_warning():
 
 @pytest.mark.parametrize("sources", ["sky", ["sky"], [3], ("sun", 4)])
 def test_what_is_no_source_is_refused(sources):
-    with pytest.raises(quasimc.InputError, match="is no source"):
+    with pytest.raises(quasimc.InputError, match="is not a source"):
         canopy().run(sources)
 
 
