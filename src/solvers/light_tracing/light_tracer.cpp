@@ -45,7 +45,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
       sampler_(input.sampler),
       spec_(input.spec),
       traced_(std::move(traced)),
-      shares_(input.prepared, input.spec.paths),
+      light_sampler_(input.prepared, input.spec.paths),
       stop_(input.stop),
       roulette_threshold_(roulette_threshold(input)) {
     for (const BoundSource& source : prepared_.lights()) {
@@ -103,7 +103,7 @@ std::vector<std::vector<double>> LightTracer::brightest_paths() const {
     std::vector<double> most(prepared_.lights().spectra().size(), 0);
     for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
         double& own = most[prepared_.lights()[i].spectrum];
-        own = std::max(own, shares_.weight(i));
+        own = std::max(own, light_sampler_.weight(i));
     }
     std::vector<std::vector<double>> weights = prepared_.lights().spectra();
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -143,7 +143,7 @@ void LightTracer::prepare(const Block& block, Scratch& scratch) const {
     sampler_.coordinates(stream, block.first, block.rules.scatter_dimension, scratch.u2);
     // The first coordinate also picks the light.
     for (std::size_t i = 0; i < scratch.sources.size(); ++i) {
-        const LightPick picked = shares_.pick(scratch.starts.u0[i]);
+        const LightPick picked = light_sampler_.pick(scratch.starts.u0[i]);
         scratch.sources[i] = static_cast<std::uint32_t>(picked.index);
         scratch.starts.u0[i] = picked.u;
     }
@@ -168,7 +168,7 @@ std::uint64_t LightTracer::trace_single(
     const Block& block, const Group& group, Scratch& scratch, Tally& tally) const {
     const BoundSource& light = prepared_.lights()[group.source];
     const Stream& stream = block.rules.stream;
-    const double weight = shares_.weight(group.source);
+    const double weight = light_sampler_.weight(group.source);
     std::uint64_t rays = 0;
     for (const std::uint32_t i : group.points) {
         const std::uint64_t point = block.first + i;
@@ -212,7 +212,7 @@ std::uint64_t LightTracer::trace_packet(
     prepared_.caster().cast(packet, n, ends);
     tally.add(
         tally.blocks().emitted() + light.spectrum,
-        static_cast<std::int64_t>(n) * to_fixed(shares_.weight(group.source)));
+        static_cast<std::int64_t>(n) * to_fixed(light_sampler_.weight(group.source)));
     return n + shade(block, group, packet, ends, scratch, tally);
 }
 
@@ -230,7 +230,7 @@ std::uint64_t LightTracer::shade(
     const double* survival =
         &survival_[2 * light.spectrum * data_of(prepared_.scene()).materials.size()];
     const Facing facing = facing_of(packet);
-    Particle path{&light, 0, *beams_[group.source], shares_.weight(group.source)};
+    Particle path{&light, 0, *beams_[group.source], light_sampler_.weight(group.source)};
     std::uint64_t rays = 0;
     for (std::size_t lane = 0; lane < group.points.size(); ++lane) {
         CastHit at{ends[lane], {}};

@@ -79,7 +79,7 @@ class LightTracer {
     const Sampler& sampler_;
     const RunSpec& spec_;
     TracedLights traced_;
-    LightSampler shares_;
+    LightSampler light_sampler_;
     std::stop_token stop_;
     double roulette_threshold_;
     std::vector<std::optional<Vec3>> beams_;  // by source: its direction if it is a beam
