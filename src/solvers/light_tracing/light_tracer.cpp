@@ -1,9 +1,9 @@
 // Light tracing: paths start at the sources, and every organ they meet receives their light.
 //
 // A block of consecutive points is put in the order of a curve through the cross-section of the
-// beam. Parallel light is then cast in packets of 16; whatever survives its first hit goes on one
-// ray at a time. Which rays share a packet follows from the block alone, never from load, so a run
-// gives the same bits on any number of threads.
+// beam. Parallel light is then cast in packets of 16; paths that survive their first hit continue
+// one ray at a time. Which rays share a packet follows from the block alone, never from load, so a
+// run gives the same bits on any number of threads.
 
 #include "solvers/light_tracing/light_tracer.h"
 
@@ -20,7 +20,7 @@
 namespace quasimc {
 namespace {
 
-/// How the triangles hit lie towards the rays: normal times direction (not normalized), and
+/// Orientation of the triangles that rays hit: normal times direction (not normalized), and
 /// 1/|cosine|.
 struct Facing {
     std::array<float, kPacket> along, inverse_cosine;
@@ -98,7 +98,7 @@ void LightTracer::trace(
     tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
 }
 
-/// By spectrum, the start weights of a path that counts most.
+/// By spectrum, the largest start weights of a path.
 std::vector<std::vector<double>> LightTracer::brightest_paths() const {
     std::vector<double> most(prepared_.lights().spectra().size(), 0);
     for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
@@ -114,8 +114,8 @@ std::vector<std::vector<double>> LightTracer::brightest_paths() const {
     return weights;
 }
 
-/// An upper bound of the chance that light of a spectrum goes on after its first hit; above 1
-/// if more than the chance has to be looked at.
+/// An upper bound of the probability that light of a spectrum survives its first hit; above 1 if
+/// more than this probability decides.
 double LightTracer::survival(
     const std::vector<double>& spectrum, const Material& material, SurfaceSide side) const {
     double sum = 0;
@@ -176,7 +176,7 @@ std::uint64_t LightTracer::trace_single(
             {scratch.starts.u0[i], scratch.starts.u1[i], sampler_.coordinate(stream, point, 2),
              sampler_.coordinate(stream, point, 3)});
         if (emission.weight == 0) {
-            continue;  // to where the lamp doesn't shine
+            continue;  // a direction without light of the lamp
         }
         emission.weight *= weight;
         tally.add(tally.blocks().emitted() + light.spectrum, to_fixed(emission.weight));
