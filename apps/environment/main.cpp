@@ -108,7 +108,8 @@ int main(int argc, char** argv) {
         return kInputError;
     } catch (const std::exception& error) {
         send(fmt::format(
-            "internal error: {}\nThis is a fault of the program; please report it.", error.what()));
+            "internal error: {}\nThis is an error in the program; please report it.",
+            error.what()));
         return kInternalError;
     }
 }

@@ -116,7 +116,8 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
     });
     return found;
 } catch (const StopRequested&) {
-    throw Stopped(StopReason::interrupted, "stopped before the light of the suns was found");
+    throw Stopped(
+        StopReason::interrupted, "stopped before the light of the sun positions was complete");
 }
 
 }  // namespace quasimc

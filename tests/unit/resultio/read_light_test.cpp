@@ -133,7 +133,7 @@ TEST(ReadLight, RefusesAResultWithoutAny) {
         ASSERT_EQ(error.faults().size(), 1U);
         EXPECT_EQ(
             error.faults()[0].text(),
-            "a.json: holds no light of organs (the run did not get so far)");
+            "a.json: contains no light of organs (the run ended before the first result)");
     }
 }
 
