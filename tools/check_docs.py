@@ -34,7 +34,7 @@ FOLDERS = "apps|bench|cmake|data|docs|examples|include|python|src|tests|tools"
 CODE = re.compile(r"`([^`\s]+)`")
 PATH = re.compile(rf"(?:{FOLDERS})/[^\s:]*$")
 FILE = re.compile(r"[\w/-]+\.(?:h|cpp|py|cmake|txt)$")
-PLACEHOLDER = re.compile(r"\w*(?:NAME|FAMILY)|<")  # stands for any part of a path: NAME.cpp
+PLACEHOLDER = re.compile(r"\w*(?:NAME|FAMILY)|<|.*\*")  # any part of a path: NAME.cpp, *.cpp
 LINK = re.compile(r"\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*?) *$", re.M)
 PAGE_IN_SOURCE = re.compile(r"\bdocs/[\w/.-]+\.md\b")
@@ -133,7 +133,7 @@ def wrong_numbers(page, table):
             value, _, end = cell.partition(" (below ")
             right = rounds_to(row[column], value)
             if end:
-                right = right and rounds_to(row[column + "_high"], end.rstrip(")"))
+                right = right and rounds_to(row[column + "_ci95_high"], end.rstrip(")"))
             if not right:
                 yield cells[1], column
 

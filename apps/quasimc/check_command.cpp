@@ -22,32 +22,37 @@ struct CheckArguments {
 };
 
 std::string times_of(const quasimc::TimeSeries& series) {
-    if (series.collapse == quasimc::Collapse::none) {
+    if (series.cumulative_sky == quasimc::CumulativeSky::none) {
         const auto lit = std::count_if(
             series.notes.begin(), series.notes.end(),
             [](const auto& notes) { return notes.daylight.global() > 0; });
         return fmt::format(
-            "{} of {}, {} of them with daylight\n", counted(series.time_steps.size(), "time"),
+            "{}, {}, {} of them with daylight\n", counted(series.time_steps.size(), "time step"),
             counted(series.days.size(), "day"), lit);
     }
     std::size_t times = 0;
     std::size_t suns = 0;
-    for (const quasimc::MomentNotes& notes : series.notes) {
-        times += notes.collapsed->times;
+    for (const quasimc::TimeStepNotes& notes : series.notes) {
+        times += notes.cumulated->times;
         suns += notes.suns;
     }
     return fmt::format(
-        "{} collapsed into {} of {} in all\n", counted(times, "time"),
-        counted(series.time_steps.size(), "trace"), counted(suns, "sun"));
+        "{} in {} with {}\n", counted(times, "time step"),
+        series.time_steps.size() == 1
+            ? "1 cumulative sky"
+            : fmt::format("{} cumulative skies", series.time_steps.size()),
+        counted(suns, "sun position"));
 }
 
-/// Sun and sky of a series are not among the sources that the file states.
+/// Sun and sky of time steps are not among the sources of the file.
 std::string light_of(const quasimc::RunFile& run) {
-    const std::size_t stated = run.sources.size();
+    const std::size_t given = run.sources.size();
     if (!run.series) {
-        return counted(stated, "source");
+        return counted(given, "source");
     }
-    return stated > 0 ? "sun, sky and " + counted(stated, "source") : "sun and sky";
+    return fmt::format(
+        "sun and sky for {}{}", counted(run.series->time_steps.size(), "time step"),
+        given > 0 ? ", " + counted(given, "source") : "");
 }
 
 Exit check(const CheckArguments& arguments) {
@@ -59,7 +64,8 @@ Exit check(const CheckArguments& arguments) {
     print_warnings(sweep.warnings());
     const quasimc::RunFile run = sweep.take(0);
     std::string text = fmt::format(
-        "{}: no fault, {}; {}, {}, {}, {}, {}\n", run.path, counted(warnings, "warning"),
+        "{}: no errors, {}; {}, {}, {}, {}, {}\n", run.path,
+        warnings == 0 ? "no warnings" : counted(warnings, "warning"),
         counted(run.scene.organs().size(), "organ"),
         counted(run.scene.triangle_count(), "triangle"),
         counted(run.scene.material_names().size(), "material"),
@@ -78,8 +84,8 @@ Command check_command() {
     const auto arguments = std::make_shared<CheckArguments>();
     Command command{
         "check",
-        "read a run file and all it names, say what is wrong, run nothing",
-        {{"FILE", &arguments->file, "run file; - is standard input", true}},
+        "read a run file and all that it names, and report errors and warnings",
+        {{"FILE", &arguments->file, "run file, - for standard input", true}},
         [arguments] { return check(*arguments); }};
     arguments->flags.add_to(command.flags);
     return command;

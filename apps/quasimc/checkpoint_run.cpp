@@ -3,6 +3,10 @@
 #include <cstdio>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "terminal.h"
+
 CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first) {
     if (arguments.checkpoint.empty()) {
         return;
@@ -18,11 +22,11 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
 }
 
 std::optional<quasimc::RunState> CheckpointRun::state_of(std::size_t time_step) {
-    return file_->state_of(moments_before_ + time_step);
+    return file_->state_of(time_steps_before_ + time_step);
 }
 
 bool CheckpointRun::has_state(std::size_t time_step) const {
-    return file_ && file_->has_state(moments_before_ + time_step);
+    return file_ && file_->has_state(time_steps_before_ + time_step);
 }
 
 bool CheckpointRun::wants_pause() {
@@ -30,7 +34,7 @@ bool CheckpointRun::wants_pause() {
 }
 
 void CheckpointRun::on_pause(const quasimc::RunSoFar& run) {
-    attempt([&] { file_->save(moments_before_ + run.time_step(), run.snapshot()); });
+    attempt([&] { file_->save(time_steps_before_ + run.time_step(), run.snapshot()); });
 }
 
 void CheckpointRun::on_round(const quasimc::RunSoFar& run) {
@@ -40,7 +44,7 @@ void CheckpointRun::on_round(const quasimc::RunSoFar& run) {
 }
 
 void CheckpointRun::on_last_round(const quasimc::RunSoFar& run) {
-    attempt([&] { file_->finish(moments_before_ + run.time_step(), run.snapshot()); });
+    attempt([&] { file_->finish(time_steps_before_ + run.time_step(), run.snapshot()); });
 }
 
 template <typename Save>
@@ -52,7 +56,7 @@ void CheckpointRun::attempt(const Save& save) {
         save();
     } catch (const quasimc::InputError& error) {
         faults_.add(error);
-        std::fprintf(stderr, "warning: %s\nThe run goes on without a checkpoint.\n", error.what());
+        print_warning(fmt::format("{}; the run goes on without a checkpoint", error.what()));
     }
 }
 

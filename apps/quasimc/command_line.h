@@ -5,6 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,13 +38,22 @@ struct Flag {
     FlagTarget target;
     std::string summary;
     bool required = false;
-    std::optional<std::string> type_name = {};  ///< in the help; by default that of the target
-    std::string excludes = {};                  ///< the name of a flag that can't stand beside it
-    std::vector<std::string> choices = {};      ///< if there are any, it must be one of them
+    std::string type_name = {};             ///< in the help: FILE; by default NAME, X, N or TEXT
+    std::string excludes = {};              ///< the name of a flag that excludes it
+    std::vector<std::string> choices = {};  ///< if there are any, it must be one of them
     std::optional<std::pair<double, double>> range = {};  ///< of a number, ends included
-    std::optional<std::string> group = {};                ///< heading in the help; "": not shown
+    std::string group = "Options";                        ///< heading in the help
     std::string default_text = {};                        ///< shown in the help
+    std::string takes = {};  ///< shown in the help; by default from choices, range and target
 };
+
+/// The names of a flag: "-q,--quiet" has two.
+[[nodiscard]] std::vector<std::string_view> names_of(const Flag& flag);
+
+/// Whether it is an argument, not a flag.
+[[nodiscard]] inline bool is_argument(const Flag& flag) {
+    return !flag.name.starts_with('-');
+}
 
 /// Thrown by Command::check: the command line asks for what can't be.
 class UsageError : public std::runtime_error {
@@ -63,7 +73,7 @@ struct Command {
 struct Program {
     std::string name, version, summary, footer;
     std::vector<Flag> flags;
-    std::vector<Command> commands;
+    std::vector<Command> commands;  ///< of them `help` needs no run: it is the flag --help
 };
 
 /// What a command line asks for.

@@ -32,7 +32,7 @@ std::vector<std::string> geometry_names() {
 [[noreturn]] void refuse_output(
     const std::string& path, const std::string& what, const std::vector<std::string>& names) {
     throw quasimc::InputError(
-        {{path, fmt::format("is no format that {} can be written in", what),
+        {{path, fmt::format("is not a format that {} can be written in", what),
           "the format follows from the end of its name",
           fmt::format("use {}", fmt::join(names, ", "))}});
 }
@@ -86,7 +86,7 @@ const quasimc::InputFile& opf_of(const quasimc::RunFile& run, const std::string&
 /// Writes the OPF file of a run anew, with the numbers of its organs.
 void write_result_opf(const ConvertArguments& arguments, const ShownRun& shown) {
     const quasimc::InputFile& file = opf_of(shown.run, arguments.output);
-    const std::string bytes = quasimc::read_file(file.resolved);
+    const std::string bytes = quasimc::read_file(file.absolute_path);
     const quasimc::FieldScene fields = field_scene(
         shown.run.scene, read_all_shown_values(shown, arguments.input, arguments.choice), nullptr);
     quasimc::OpfMatches matches;
@@ -131,16 +131,7 @@ void convert_result(const ConvertArguments& arguments, const ShownRun& shown) {
 }
 
 Exit convert(const ConvertArguments& arguments) {
-    const quasimc::FormatEntry* from = arguments.from.empty()
-                                           ? quasimc::format_of_path(arguments.input)
-                                           : quasimc::find_format(arguments.from);
-    const quasimc::ForeignFormat* foreign = quasimc::foreign_format_of_path(arguments.input);
-    if (from == nullptr && foreign != nullptr) {
-        throw quasimc::InputError(
-            {{arguments.input, fmt::format("is {}, which is not read", foreign->name), "",
-              std::string(foreign->advice)}});
-    }
-    if (from != nullptr) {
+    if (const quasimc::FormatEntry* from = geometry_of(arguments.input, arguments.from)) {
         write_triangles(arguments, quasimc::read_geometry_scene(arguments.input, *from));
         return Exit::done;
     }
@@ -164,27 +155,26 @@ Command convert_command() {
     ValueChoice& choice = arguments->choice;
     return {
         "convert",
-        "write a geometry file in another format, the scene of a run file as geometry, or a result "
-        "for "
-        "programs that show it",
+        "write a geometry file in another format, the scene of a run file as geometry, or a "
+        "result for other programs",
         {{"INPUT", &arguments->input, "geometry file, run file or JSON result", true},
-         {"OUTPUT", &arguments->output, "file to write; - is standard output", true},
+         {"OUTPUT", &arguments->output, "file to write, - for standard output", true},
          {.name = "--from",
           .target = &arguments->from,
-          .summary = "format of INPUT, if its name does not tell",
+          .summary = "format of INPUT, if its name does not say it",
           .choices = geometry_names()},
          {.name = "--to",
           .target = &arguments->to,
-          .summary = "format of OUTPUT, if its name does not tell; of geometry",
+          .summary = "geometry format of OUTPUT, if its name does not say it",
           .choices = quasimc::writable_formats()},
          {"--time", &choice.time,
-          "of a result with [time]: the time that begins so; by default the sum"},
+          "of a result with [time]: the time step that begins so, 2024-06-21T12; default the sum"},
          {.name = "--day",
           .target = &choice.day,
-          .summary = "of a result with [time]: the sum of this day, 2024-06-21",
+          .summary = "of a result with [time]: the sum of this day, 2024-06-21, instead of --time",
           .excludes = "--time"},
          point_flag(choice.point),
-         {"--quantity", &choice.quantity, "of a result in GLB: what colours show"},
-         {"--band", &choice.band, "of a result in GLB: its band; by default the first"}},
+         {"--quantity", &choice.quantity, "of a result as GLB: quantity that colours show"},
+         {"--band", &choice.band, "of a result as GLB: its band; default the first"}},
         [arguments] { return convert(*arguments); }};
 }

@@ -16,12 +16,12 @@ void refuse_choices(const ValueChoice& choice) {
         if (is_stated) {
             faults.add(
                 {flag, std::string("a NetCDF file has all ") + axis,
-                 "each has its place along an axis", "leave it out"});
+                 "each has its place along an axis", "remove it"});
         }
     };
     refuse(!choice.time.empty(), "--time", "times");
     refuse(!choice.day.empty(), "--day", "days");
-    refuse(choice.point > 0, "--point", "points of a sweep");
+    refuse(choice.point > 0, "--sweep-point", "points of a sweep");
     faults.throw_if_any();
 }
 

@@ -125,7 +125,7 @@ std::string scene_text(const quasimc::Scene& scene, const std::string& unit) {
 std::string warnings_text(const std::vector<quasimc::Warning>& warnings) {
     std::string text;
     for (const quasimc::Warning& warning : warnings) {
-        text += line("warning", fmt::format("{}: {}", warning.place, warning.text));
+        text += line("warning", fmt::format("{}: {}", warning.where, warning.text));
     }
     return text.empty() ? line("warning", "none") : text;
 }
@@ -169,11 +169,11 @@ Command info_command() {
     }
     return {
         "info",
-        "tell what a geometry or run file holds, and what smells wrong",
+        "describe a geometry or run file, and report possible problems",
         {{"FILE", &arguments->file, "geometry file or run file", true},
          {.name = "--format",
           .target = &arguments->format,
-          .summary = "of a geometry file whose name does not tell",
+          .summary = "format of a geometry file whose name does not say it",
           .choices = formats}},
         [arguments] { return print_info(*arguments); }};
 }

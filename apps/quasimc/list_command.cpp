@@ -8,7 +8,7 @@
 #include "meshio/formats.h"
 #include "netcdf/netcdf_writer.h"
 #include "optics/catalogue.h"
-#include "optics/usual_optics.h"
+#include "optics/default_optics.h"
 #include "options/options.h"
 #include "quasimc/quasimc.h"
 #include "resultio/field_formats.h"
@@ -26,8 +26,8 @@ std::string list_table(const Table& table) {
     std::string text;
     for (const auto& entry : table) {
         std::string summary(entry.summary);
-        if constexpr (requires { quasimc::parameter_words(entry); }) {
-            const std::string parameters = quasimc::parameter_words(entry);
+        if constexpr (requires { quasimc::describe_parameters(entry); }) {
+            const std::string parameters = quasimc::describe_parameters(entry);
             summary += parameters.empty() ? "" : fmt::format(" ({})", parameters);
         }
         text += list_row(entry.name, summary);
@@ -37,7 +37,7 @@ std::string list_table(const Table& table) {
 
 std::string list_optics() {
     std::string text;
-    for (const quasimc::UsualOptics& optics : quasimc::usual_optics()) {
+    for (const quasimc::DefaultOptics& optics : quasimc::usual_optics()) {
         const auto words = [](const quasimc::OpticsByRegion& r) {
             return fmt::format("{} / {}", r.visible, r.near_infrared);
         };
@@ -77,7 +77,7 @@ std::string list_formats() {
     return text +
            row("opf", ".opf", "write", "the file, every quantity and its error",
                "into the OPF file that the run was made from, as attributes of its nodes") +
-           row("nc", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
+           row("netcdf", ".nc", quasimc::has_netcdf() ? "write" : "not built in",
                "names, labels, all times, points, errors",
                "NetCDF after the CF conventions for xarray, R and others");
 }
@@ -146,9 +146,11 @@ Command list_command() {
     }
     return {
         "list",
-        "print what there is: options, samplers, models, optics, detectors, formats, outputs, "
-        "skies, "
-        "quantities",
-        {{.name = "WHAT", .target = name.get(), .summary = "", .required = true, .choices = names}},
+        "list options, samplers, models, optics, detectors, formats, outputs, skies or quantities",
+        {{.name = "WHAT",
+          .target = name.get(),
+          .summary = "what to list",
+          .required = true,
+          .choices = names}},
         [name] { return print_list(*name); }};
 }

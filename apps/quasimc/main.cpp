@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -7,15 +8,27 @@
 
 #include "base/memory_need.h"
 #include "commands.h"
+#include "completion.h"
 #include "files/standard_streams.h"
 #include "progress.h"
 #include "quasimc/quasimc.h"
 #include "rank_team.h"
+#include "terminal.h"
 
 namespace {
 
 int status_of(Exit exit) {
     return static_cast<int>(exit);
+}
+
+/// What only the command line can mend is wrong usage: errors that begin with the name of a
+/// flag or of the argument OUTPUT.
+Exit exit_of(const quasimc::InputError& error) {
+    const auto& faults = error.faults();
+    const bool is_usage = std::all_of(faults.begin(), faults.end(), [](const auto& fault) {
+        return fault.where.starts_with("--") || fault.where == "-o" || fault.where == "OUTPUT";
+    });
+    return is_usage ? Exit::usage : Exit::input_error;
 }
 
 int internal_error(const char* what) {
@@ -25,21 +38,39 @@ int internal_error(const char* what) {
     return status_of(Exit::internal_error);
 }
 
+/// The parser takes it for the flag --help; here it is listed.
+Command help_command() {
+    static std::string name;
+    return {
+        "help",
+        "print the help of the program or of a command",
+        {{"COMMAND", &name, "name of a command"}},
+        [] { return Exit::done; }};
+}
+
+Command version_command() {
+    return {"version", "print the version", {}, [] {
+                std::printf("quasimc %s\n", std::string(quasimc::version()).c_str());
+                return Exit::done;
+            }};
+}
+
 Program make_program(bool& dump_default) {
     return {
         "quasimc",
         "quasimc " + std::string(quasimc::version()),
-        "Light on virtual plants: what every organ absorbs, with standard errors",
-        "Exit status: 0 done, 1 the input has faults, 2 wrong usage, 3 internal error,\n"
-        "4 stopped before the target error or all paths were reached, 130 stopped by Ctrl-C (in "
-        "both\n"
-        "cases the results so far are written, if there are any), 141 the reader of standard "
-        "output\n"
-        "has ended, as head does.",
+        "Computes the light that every organ of virtual plants absorbs, with standard errors.",
+        "Exit status: 0 done; 1 errors in the input, or an output can't be written; 2 wrong usage; "
+        "3 internal error; 4 stopped before the target error or all paths were reached; 130 "
+        "stopped "
+        "by Ctrl-C; 141 standard output was closed by its reader. With 4 and 130 the results so "
+        "far "
+        "are written.",
         {{"--dump-default", &dump_default,
-          "print a run file with every option, its default and a comment"}},
+          "print a run file with every key, its default and a comment"}},
         {run_command(), merge_command(), check_command(), info_command(), convert_command(),
-         list_command(), show_command(), view_command(), report_command(), sky_command()}};
+         list_command(), show_command(), view_command(), report_command(), sky_command(),
+         help_command(), version_command()}};
 }
 
 /// Ranks that MPI's launcher has started share the work of `run`. All else the first does alone.
@@ -52,7 +83,8 @@ Exit run_program(int argc, char** argv) {
         return Exit::done;
     }
     bool dump_default = false;
-    const Program program = make_program(dump_default);
+    Program program = make_program(dump_default);
+    program.commands.push_back(completion_command(program));
     const Parsed parsed = parse_command_line(program, argc, argv);
     if (parsed.exit) {
         return *parsed.exit;
@@ -88,7 +120,7 @@ Exit finish_output(Exit exit) {
     if (quasimc::is_reader_gone()) {
         return exit == Exit::done ? Exit::reader_gone : exit;
     }
-    std::fprintf(stderr, "standard output: can't be written\n");
+    print_error("standard output: can't be written");
     return Exit::input_error;
 }
 
@@ -104,18 +136,18 @@ int main(int argc, char** argv) {
     } catch (const quasimc::ReaderGone&) {
         return status_of(Exit::reader_gone);
     } catch (const quasimc::InputError& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return status_of(Exit::input_error);
+        print_errors(error);
+        return status_of(exit_of(error));
     } catch (const quasimc::Stopped& stopped) {
         std::fprintf(stderr, "%s\nNothing was written.\n", stopped.what());
         return status_of(
             stopped.why() == quasimc::StopReason::interrupted ? Exit::interrupted
                                                               : Exit::target_missed);
     } catch (const quasimc::OutOfMemory& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        print_error(error.what());
         return status_of(Exit::input_error);
     } catch (const std::bad_alloc&) {
-        std::fprintf(stderr, "quasimc: there is not enough memory\n");
+        print_error("there is not enough memory");
         return status_of(Exit::input_error);
     } catch (const std::exception& error) {
         return internal_error(error.what());

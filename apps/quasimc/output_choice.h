@@ -9,7 +9,7 @@
 /// What flags say of what is written.
 struct OutputChoice {
     std::string quantities, bands;  ///< lists, separated by commas
-    bool night = false;
+    bool include_night = false;
 };
 
 /// Adds its flags to a command's table. They point into it.

@@ -38,13 +38,13 @@ void trace_points(
         const std::optional<quasimc::RunFile> later =
             point == 0 ? std::nullopt : std::optional(sweep.take(point));
         const quasimc::RunFile& run = later ? *later : first;
-        const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(run);
+        const std::vector<quasimc::TimeStep> moments = quasimc::time_steps_of(run);
         try {
             quasimc::trace_share(
                 run.scene, moments, run.spec, quasimc::share_of(number.part, number.parts),
-                [&](std::size_t moment, const quasimc::Sums& sums) {
+                [&](std::size_t time_step, const quasimc::Sums& sums) {
                     end_progress_line();
-                    writer.add(before + moment, sums);
+                    writer.add(before + time_step, sums);
                 },
                 {.stop = interrupt.token(),
                  .work = all.part(static_cast<double>(point) * each, each)});
@@ -66,7 +66,7 @@ Exit run_part(const RunArguments& arguments) {
     const quasimc::RunFile first = stored.runs.take(0);
     const std::string name =
         arguments.sums.empty() ? usual_name(arguments.file, number) : arguments.sums;
-    quasimc::OutputFiles output({{name, "--sums"}}, inputs_of(arguments, first));
+    quasimc::OutputFiles output({{name, "--part-file"}}, inputs_of(arguments, first));
     quasimc::PartWriter writer(first, number, output.sink(0));
     try {
         trace_points(arguments, number, first, stored.runs, writer);
@@ -80,7 +80,7 @@ Exit run_part(const RunArguments& arguments) {
     output.throw_if_given_up();
     if (!arguments.quiet) {
         const std::string text = fmt::format(
-            "part {} of {}: {}; put all together with: quasimc merge PART...\n", number.part,
+            "part {} of {}: {}; join all parts with: quasimc merge PART...\n", number.part,
             number.parts, name);
         std::fputs(text.c_str(), output.uses_standard_output() ? stderr : stdout);
     }

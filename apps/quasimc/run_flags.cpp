@@ -1,6 +1,5 @@
 #include "run_flags.h"
 
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -10,91 +9,104 @@
 
 namespace {
 
-/// Adds the flags of what is written and told.
+/// Adds the flags of outputs.
 void add_output_flags(RunArguments& arguments, std::vector<Flag>& flags) {
     for (const quasimc::OutputKey& key : quasimc::output_keys()) {
         flags.push_back(
             {.name = flag_of(key.name),
              .target = &arguments.outputs[std::string(key.name)],
              .summary = std::string(key.summary),
-             .type_name = "FILE"});
+             .type_name = "FILE",
+             .group = "Output"});
     }
-    flags.push_back(
-        {"-q,--quiet", &arguments.quiet, "print errors only: no summary, warnings or progress"});
-    flags.push_back(
-        {"--progress", &arguments.progress, "tell the progress even if stderr is no terminal"});
     add_choice_flags(arguments.choice, flags);
+    flags.push_back(
+        {.name = "-q,--quiet",
+         .target = &arguments.quiet,
+         .summary = "print errors only",
+         .group = "Output"});
+    flags.push_back(
+        {.name = "--progress",
+         .target = &arguments.progress,
+         .summary = "show progress in log files too",
+         .group = "Output"});
 }
 
 }  // namespace
 
 void check_usage(const RunArguments& arguments) {
     if (arguments.file.empty() && arguments.from.empty()) {
-        throw UsageError("FILE or --from RESULT is required");
+        throw UsageError("FILE or --repeat RESULT is required");
     }
     if (arguments.part.empty() && !arguments.sums.empty()) {
-        throw UsageError("--sums: is the file of a --part");
+        throw UsageError("--part-file needs --part");
     }
     if (!arguments.part.empty() && arguments.view) {
-        throw UsageError("--view: a --part has no results to be seen");
+        throw UsageError("--view: a part has no results to show");
     }
     if (arguments.checkpoint.empty() &&
         (arguments.resume || arguments.every != RunArguments::kUsualEvery)) {
-        throw UsageError("--every and --resume: are of a --checkpoint");
+        throw UsageError("--checkpoint-interval and --resume need --checkpoint");
     }
     if (arguments.checkpoint == "-") {
-        throw UsageError("--checkpoint: is a file, not standard output");
-    }
-    if (std::isnan(arguments.every)) {
-        throw UsageError("--every: nan is no time");
+        throw UsageError("--checkpoint: name a file, not standard output");
     }
     for (const auto& [output, path] : arguments.outputs) {
         if (!arguments.part.empty() && !path.empty()) {
             throw UsageError(fmt::format(
-                "{}: a --part has no results; `quasimc merge` writes them", flag_of(output)));
+                "{}: a part has no results; `quasimc merge` writes them", flag_of(output)));
         }
     }
 }
 
 std::vector<Flag> flags_of_run(RunArguments& arguments) {
+    const std::string kWays = "Long runs, many machines";
     std::vector<Flag> flags{
         {.name = "FILE",
          .target = &arguments.file,
-         .summary = "run file (docs/reference/run-file.md); - is standard input",
-         .excludes = "--from"},
-        {.name = "--from",
+         .summary = "run file, - for standard input",
+         .excludes = "--repeat"},
+        {.name = "--repeat",
          .target = &arguments.from,
-         .summary = "repeat the run of this JSON result instead",
-         .type_name = "RESULT"},
-        {.name = "--part",
-         .target = &arguments.part,
-         .summary = "compute this part of the run alone, 3/16 the third of sixteen, for "
-                    "`quasimc merge`",
-         .type_name = "K/N"},
-        {.name = "--sums",
-         .target = &arguments.sums,
-         .summary = "write the part here; by default NAME.KofN.part in the current folder",
-         .type_name = "FILE"},
-        {.name = "--checkpoint",
-         .target = &arguments.checkpoint,
-         .summary = "keep here what was computed, so that --resume can go on from it",
-         .type_name = "FILE",
-         .excludes = "--part"},
-        {.name = "--every",
-         .target = &arguments.every,
-         .summary = "seconds from one checkpoint to the next",
-         .type_name = "SECONDS",
-         .range = std::pair(0.0, 1e6),
-         .default_text = "60"},
-        {"--view", &arguments.view,
-         "serve a page to the browsers of this machine that follows the run; its address is "
-         "printed, and Ctrl-C ends it"},
-        {"--resume", &arguments.resume,
-         "go on from the checkpoint, if it is there; paths, target_error, target_fraction, "
-         "max_paths and "
-         "max_seconds may be others than before"}};
+         .summary = "repeat the run stored in a JSON result, instead of FILE",
+         .type_name = "RESULT",
+         .group = "Options"},
+        {.name = "--view",
+         .target = &arguments.view,
+         .summary = "show the run in a browser of this computer; Ctrl-C ends both"}};
     add_output_flags(arguments, flags);
     arguments.flags.add_to(flags);
+    for (const Flag& flag : std::vector<Flag>{
+             {.name = "--checkpoint",
+              .target = &arguments.checkpoint,
+              .summary = "save progress in this file",
+              .type_name = "FILE",
+              .excludes = "--part",
+              .group = kWays},
+             {.name = "--checkpoint-interval",
+             .target = &arguments.every,
+             .summary = "seconds between saves",
+             .range = std::pair(0.0, 1e6),
+             .group = kWays,
+             .default_text = "60"},
+             {.name = "--resume",
+             .target = &arguments.resume,
+             .summary = "continue from the checkpoint file; paths, target_error, "
+                        "target_fraction, max_paths and max_seconds may change",
+             .group = kWays},
+             {.name = "--part",
+             .target = &arguments.part,
+             .summary = "compute part K of N (3/16) only; join the parts with `quasimc merge`",
+             .type_name = "K/N",
+             .group = kWays},
+             {.name = "--part-file",
+             .target = &arguments.sums,
+             .summary = "file for the part",
+             .type_name = "FILE",
+             .group = kWays,
+             .default_text = "NAME.KofN.part"}}) {
+        flags.push_back(flag);
+    }
     return flags;
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -10,6 +11,7 @@
 #include "base/text.h"
 #include "commands.h"
 #include "files/output_files.h"
+#include "option_flags.h"
 #include "picture/scene_picture.h"
 #include "quasimc/quasimc.h"
 #include "show_colors.h"
@@ -27,7 +29,7 @@ struct ShowArguments {
     std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts;
     double opening = 0;
     std::size_t threads = 0;
-    bool plain = false, bare = false, as_seen = false;
+    bool plain = false, bare = false, realistic = false;
 };
 
 /// Two numbers with a mark between them: "200,20".
@@ -56,7 +58,7 @@ quasimc::ViewSpec view_of(const ShowArguments& arguments, Faults& faults) {
             names += fmt::format("{}, ", entry.name);
         }
         faults.add(
-            {"--view", fmt::format("'{}' is no view", arguments.view), "",
+            {"--camera", fmt::format("'{}' is not a view", arguments.view), "",
              fmt::format("give {}or azimuth and elevation of the eye in degrees: 200,20", names)});
         return view;
     }
@@ -97,8 +99,8 @@ void set_cuts(
             picture.render.cuts.push_back(*cut);
         } else {
             faults.add(
-                {"--cut", fmt::format("'{}' is no half of space", text), "",
-                 "state what is shown, in the axes of the file: --cut 'x<0.5'"});
+                {"--clip", fmt::format("'{}' is not a half of space", text), "",
+                 "write the part to show, in the axes of the file: --clip 'x<0.5'"});
         }
     }
 }
@@ -111,7 +113,7 @@ void set_size(const ShowArguments& arguments, quasimc::ScenePicture& picture, Fa
     };
     if (!size || !fits(size->first) || !fits(size->second)) {
         faults.add(
-            {"--size", fmt::format("'{}' is no size", arguments.size), "",
+            {"--size", fmt::format("'{}' is not a size", arguments.size), "",
              "give width and height in pixels, 16 to 16384: 1200x900"});
         return;
     }
@@ -123,7 +125,7 @@ std::pair<double, double> range_of(const ShowArguments& arguments, Faults& fault
     const auto range = two_numbers(arguments.range, ',');
     if (!arguments.range.empty() && (!range || !(range->first < range->second))) {
         faults.add(
-            {"--range", fmt::format("'{}' is no range", arguments.range), "",
+            {"--range", fmt::format("'{}' is not a range", arguments.range), "",
              "give the values of the first and the last colour: 0,500"});
     }
     return range.value_or(std::pair(0.0, 0.0));
@@ -136,7 +138,7 @@ void set_view(
     quasimc::ScenePicture& picture,
     Faults& faults) {
     picture.view = view_of(arguments, faults);
-    picture.with_words = !arguments.bare;
+    picture.has_annotations = !arguments.bare;
     picture.render.threads = static_cast<unsigned>(arguments.threads);
     set_cuts(arguments, scene, picture, faults);
 }
@@ -150,7 +152,7 @@ void set_colors(
     const quasimc::RunFile& run = shown.run;
     picture.title = title_of(run);
     std::optional<ShownValues> values;
-    if (arguments.as_seen) {
+    if (arguments.realistic) {
         picture.true_light = true_light_of(shown, arguments.file, arguments.choice);
         picture.subtitle = "in the light of its sources" +
                            (arguments.choice.time.empty() ? "" : ", " + arguments.choice.time);
@@ -166,21 +168,35 @@ void set_colors(
     picture.to_suns = suns_of(run, values ? &*values : nullptr);
 }
 
+/// "canopy.png" in the current folder for fields/canopy.json.
+std::string default_picture(const std::string& file) {
+    return (file == "-" ? "scene" : std::filesystem::path(file).stem().string()) + ".png";
+}
+
 Exit show(const ShowArguments& arguments) {
+    const std::string path =
+        arguments.output.empty() ? default_picture(arguments.file) : arguments.output;
     require_pictures("show");
-    check_picture_name("-o", arguments.output);
-    const ShownRun shown = read_shown_run(arguments.file, arguments.choice.point);
+    check_picture_name("-o", path);
+    const quasimc::FormatEntry* geometry = geometry_of(arguments.file);
+    const ShownRun shown = geometry != nullptr
+                               ? read_shown_geometry(arguments.file, *geometry)
+                               : read_shown_run(arguments.file, arguments.choice.point);
+    print_warnings(geometry != nullptr ? shown.run.warnings : std::vector<quasimc::Warning>());
     Faults faults;
     quasimc::ScenePicture picture;
     set_size(arguments, picture, faults);
     set_view(arguments, shown.run.scene, picture, faults);
     const auto range = range_of(arguments, faults);
     faults.throw_if_any();
-    quasimc::OutputFiles output({{arguments.output, "-o"}}, shown.inputs);
+    quasimc::OutputFiles output({{path, "-o"}}, shown.inputs);
     set_colors(arguments, shown, range, picture);
     output.sink(0)(draw_scene(shown.run.scene, picture));
     output.commit();
     output.throw_if_given_up();
+    if (arguments.output.empty()) {
+        fmt::print("written {}\n", path);
+    }
     return Exit::done;
 }
 
@@ -190,60 +206,105 @@ std::vector<Flag> view_flags(ShowArguments& arguments) {
     for (const quasimc::ColorMap& map : quasimc::color_map_table()) {
         maps.emplace_back(map.name);
     }
+    const std::string kView = "View";
     return {
-        {.name = "--view",
+        {.name = "--camera",
          .target = &arguments.view,
-         .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye, "
+         .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye in "
                     "degrees",
+         .type_name = "VIEW",
+         .group = kView,
          .default_text = arguments.view},
-        {.name = "--opening",
+        {.name = "--fov",
          .target = &arguments.opening,
-         .summary = "angle of view in degrees; 0: parallel lines of sight",
+         .summary = "field of view in degrees; 0: parallel projection",
          .range = std::pair(0.0, 150.0),
+         .group = kView,
          .default_text = "0"},
-        {"--cut", &arguments.cuts,
-         "show this half only, in the axes of the file: 'x<0.5', 'x<0.5,z>1'"},
+        {.name = "--clip",
+         .target = &arguments.cuts,
+         .summary = "show this part only, in the axes of the file: 'x<0.5', 'x<0.5,z>1'",
+         .type_name = "HALVES",
+         .group = kView},
         {.name = "--size",
          .target = &arguments.size,
-         .summary = "pixels",
+         .summary = "width and height in pixels",
+         .type_name = "WxH",
+         .group = kView,
          .default_text = arguments.size},
-        {.name = "--colors",
+        {.name = "--no-annotations",
+         .target = &arguments.bare,
+         .summary = "without title, legend, scale bar and directions",
+         .group = kView},
+        {.name = "--threads",
+         .target = &arguments.threads,
+         .summary = "threads; 0: all cores",
+         .group = kView,
+         .default_text = "0"},
+        {.name = "--colormap",
          .target = &arguments.colors,
-         .summary = "of the scale",
+         .summary = "colours of the scale",
          .choices = maps,
+         .group = "Colours",
          .default_text = arguments.colors},
-        {"--range", &arguments.range, "values of the first and the last colour: 0,500"},
-        {"--bare", &arguments.bare, "without title, legend, scale bar and directions"},
-        {"--threads", &arguments.threads, "0: as many as there are"}};
+        {.name = "--range",
+         .target = &arguments.range,
+         .summary = "values of the first and the last colour: 0,500; default those of the picture",
+         .type_name = "LOW,HIGH",
+         .group = "Colours"}};
 }
 
 /// What is shown, and how.
 std::vector<Flag> flags_of(ShowArguments& arguments) {
     ValueChoice& choice = arguments.choice;
+    const std::string kColors = "Colours";
     std::vector<Flag> flags{
-        {"FILE", &arguments.file, "JSON result, or a run file: its scene is shown plainly", true},
+        {"FILE", &arguments.file,
+         "JSON result; or a run file or geometry file, whose surfaces are drawn", true},
         {.name = "-o,--output",
          .target = &arguments.output,
-         .summary = "PNG picture to write; - is standard output",
-         .required = true,
+         .summary = "PNG picture to write, - for standard output; default NAME.png in the current "
+                    "folder",
          .type_name = "FILE"},
-        {.name = "--quantity",
-         .target = &choice.quantity,
-         .summary = "what colours tell: a quantity, sunlit_fraction or a ratio of the run",
-         .default_text = choice.quantity},
-        {"--band", &choice.band, "by default the first"},
-        {"--error", &choice.error, "show its standard error, per cent of the value"},
-        {"--time", &choice.time,
-         "of a run with [time]: the time that begins so; by default the sum"},
+        point_flag(choice.point),
+        {.name = "--time",
+         .target = &choice.time,
+         .summary = "with [time]: the time step that begins so, 2024-06-21T12; default the sum",
+         .type_name = "TIME"},
         {.name = "--day",
          .target = &choice.day,
-         .summary = "of a run with [time]: the sum of this day, 2024-06-21",
+         .summary = "with [time]: the sum of this day, 2024-06-21, instead of --time",
+         .type_name = "DAY",
          .excludes = "--time"},
-        point_flag(choice.point),
-        {"--label", &arguments.label, "colour organs by this label instead"},
-        {"--as-seen", &arguments.as_seen,
-         "show it as an eye would see it, in the light of its sources"},
-        {"--plain", &arguments.plain, "show the shape alone"}};
+        {.name = "--quantity",
+         .target = &choice.quantity,
+         .summary = "quantity that colours show (`quasimc list quantities`), sunlit_fraction or a "
+                    "ratio of the run",
+         .type_name = "NAME",
+         .group = kColors,
+         .default_text = choice.quantity},
+        {.name = "--band",
+         .target = &choice.band,
+         .summary = "its band; default the first",
+         .type_name = "NAME",
+         .group = kColors},
+        {.name = "--error",
+         .target = &choice.error,
+         .summary = "show its standard error in per cent of the value",
+         .group = kColors},
+        {.name = "--label",
+         .target = &arguments.label,
+         .summary = "colour organs by this label instead",
+         .type_name = "NAME",
+         .group = kColors},
+        {.name = "--realistic",
+         .target = &arguments.realistic,
+         .summary = "as an eye sees it, in the light of its sources",
+         .group = kColors},
+        {.name = "--geometry-only",
+         .target = &arguments.plain,
+         .summary = "show the surfaces without light",
+         .group = kColors}};
     std::vector<Flag> view = view_flags(arguments);
     std::move(view.begin(), view.end(), std::back_inserter(flags));
     return flags;
@@ -253,7 +314,7 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
 
 Command show_command() {
     const auto arguments = std::make_shared<ShowArguments>();
-    return {"show", "draw a picture of a scene and its light", flags_of(*arguments), [arguments] {
-                return show(*arguments);
-            }};
+    return {
+        "show", "draw a picture of a result, of the scene of a run file, or of a geometry file",
+        flags_of(*arguments), [arguments] { return show(*arguments); }};
 }

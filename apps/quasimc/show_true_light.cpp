@@ -14,7 +14,7 @@ const quasimc::Sources& sources_of(
         }
     }
     throw quasimc::InputError(
-        {{"--as-seen", path + ": no time was chosen", "an eye sees one moment",
+        {{"--realistic", path + ": no time was chosen", "an eye sees one moment",
           "give it: --time 2024-06-21T12"}});
 }
 
@@ -24,7 +24,7 @@ quasimc::TrueLightSpec true_light_of(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
     if (shown.result_text.empty()) {
         throw quasimc::InputError(
-            {{path, "is no result", "--as-seen shows light",
+            {{path, "is not a result", "--realistic shows light",
               "give what `quasimc run --json` wrote"}});
     }
     const std::vector<quasimc::Band>& bands = shown.run.scene.bands();

@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/text.h"
 #include "files/input_files.h"
+#include "resultio/describe_series.h"
 #include "resultio/read_result.h"
 #include "resultio/read_rows.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
 
@@ -34,6 +35,13 @@ const quasimc::QuantityEntry* find_quantity(const std::string& name) {
     return found == table.end() ? nullptr : found;
 }
 
+/// "did you mean 'PAR'?", or nothing.
+std::string meant(const std::string& word, const std::vector<std::string>& names) {
+    const std::vector<std::string_view> views(names.begin(), names.end());
+    const std::string_view near = quasimc::nearest_word(word, views);
+    return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+}
+
 const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
     const auto& bands = run.scene.bands();
     const auto found = name.empty()
@@ -48,8 +56,8 @@ const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
             names.push_back(band.name);
         }
         throw quasimc::InputError(
-            {{"--band", fmt::format("'{}' is no band of the run", name), "",
-              fmt::format("it has {}", fmt::join(names, ", "))}});
+            {{"--band", fmt::format("'{}' is not a band (bands: {})", name, fmt::join(names, ", ")),
+              "", meant(name, names)}});
     }
     return *found;
 }
@@ -58,7 +66,7 @@ const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
 quasimc::RowsQuery query_of(const RunFile& run, const ValueChoice& choice, ShownValues& values) {
     quasimc::RowsQuery query;
     query.part = !run.series            ? ""
-                 : !choice.time.empty() ? "moments"
+                 : !choice.time.empty() ? "time_steps"
                  : !choice.day.empty()  ? "days"
                                         : "total";
     query.label = choice.time.empty() ? choice.day : choice.time;
@@ -78,8 +86,10 @@ quasimc::RowsQuery query_of(const RunFile& run, const ValueChoice& choice, Shown
         values.name = choice.quantity;
     } else {
         throw quasimc::InputError(
-            {{"--quantity", fmt::format("'{}' is none that the result has", choice.quantity), "",
-              fmt::format("it may have {}", fmt::join(quantity_names(run), ", "))}});
+            {{"--quantity",
+              fmt::format(
+                  "'{}' is not one of {}", choice.quantity, fmt::join(quantity_names(run), ", ")),
+              "", meant(choice.quantity, quantity_names(run))}});
     }
     if (run.sweep) {
         query.point = run.point;
@@ -92,7 +102,7 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
     for (const auto& [flag, text] :
          {std::pair("--time", &choice.time), std::pair("--day", &choice.day)}) {
         if (!run.series && !text->empty()) {
-            faults.add({flag, "the run has no [time]", "", "leave it out"});
+            faults.add({flag, "the run has no [time]", "", "remove it"});
         }
     }
     faults.throw_if_any();
@@ -122,7 +132,7 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
     }
     throw quasimc::InputError(
         {{path, fmt::format("holds no {}", values.name),
-          "the run did not write it, or there is none", "look at [output] in the run file"}});
+          "the run did not write it, or there is none", "check [output] in the run file"}});
 }
 
 /// The numbers of those choices that the result has, read in one pass.
@@ -148,7 +158,7 @@ std::vector<ShownValues> find_shown_values(
         }
         wanted[i].estimates = std::move(first->columns[i]);
         wanted[i].estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
-        wanted[i].when = query.part == "total" ? "sum of all times" : first->place.label;
+        wanted[i].when = query.part == "total" ? "sum of all times" : first->position.label;
         found.push_back(std::move(wanted[i]));
     }
     return found;
@@ -171,7 +181,7 @@ ShownValues named_values(
     const std::string unit = quasimc::unit_of(entry, band, run.scene.length_unit());
     return {
         .estimates = {},
-        .name = fmt::format("{}, {}", quasimc::in_words(entry.name), band.name),
+        .name = fmt::format("{}, {}", quasimc::describe_quantity(entry.name), band.name),
         .unit = is_sum ? quasimc::summed_unit(unit).name : unit,
         .key = fmt::format("{}_{}", entry.name, band.name),
         .when = ""};
@@ -179,10 +189,40 @@ ShownValues named_values(
 
 Flag point_flag(std::size_t& point) {
     return {
-        .name = "--point",
+        .name = "--sweep-point",
         .target = &point,
-        .summary = "of a sweep: which point, from 1",
+        .summary = "point of a sweep, from 1; default the first",
         .range = std::pair(1.0, 1e9)};
+}
+
+ShownRun read_shown_geometry(const std::string& path, const quasimc::FormatEntry& format) {
+    quasimc::GeometryScene read = quasimc::read_geometry_scene(path, format);
+    RunFile run{
+        .path = path,
+        .title = "",
+        .scene = std::move(read.scene),
+        .sources = {},
+        .spec = {},
+        .series = {},
+        .output = {},
+        .inputs = read.inputs,
+        .folder = "",
+        .source_notes = {},
+        .warnings = std::move(read.warnings),
+        .document = nullptr};
+    return {std::move(run), "", std::move(read.inputs)};
+}
+
+const quasimc::FormatEntry* geometry_of(const std::string& path, const std::string& format) {
+    const quasimc::FormatEntry* found =
+        format.empty() ? quasimc::format_of_path(path) : quasimc::find_format(format);
+    const quasimc::ForeignFormat* foreign = quasimc::foreign_format_of_path(path);
+    if (found == nullptr && foreign != nullptr) {
+        throw quasimc::InputError(
+            {{path, fmt::format("is {}, which is not read", foreign->name), "",
+              std::string(foreign->advice)}});
+    }
+    return found;
 }
 
 ShownRun read_shown_run(const std::string& path, std::size_t point) {
@@ -201,8 +241,8 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
                                        : quasimc::read_run_sweep(path, {}, access);
     if (point > runs.size()) {
         throw quasimc::InputError(
-            {{"--point", fmt::format("there is no point {}", point),
-              fmt::format("there are {}", runs.size()), "points count from 1"}});
+            {{"--sweep-point", fmt::format("{} is out of range", point),
+              fmt::format("1 to {}", runs.size()), ""}});
     }
     ShownRun shown{
         runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string(), {}};

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "meshio/geometry_scene.h"
 #include "quasimc/quasimc.h"
 
 /// What a run is called: its title, or else its file.
@@ -29,6 +30,14 @@ struct ShownRun {
     std::string result_text;                 ///< empty: the file is a run file
     std::vector<quasimc::InputFile> inputs;  ///< the run's, and the file itself
 };
+/// The format of a geometry file, or null for another file.
+/// @param format  its name; empty: by the name of the file
+/// @throws quasimc::InputError  for a format that is known and not read
+[[nodiscard]] const quasimc::FormatEntry* geometry_of(
+    const std::string& path, const std::string& format = "");
+/// A geometry file as a run without sources.
+[[nodiscard]] ShownRun read_shown_geometry(
+    const std::string& path, const quasimc::FormatEntry& format);
 [[nodiscard]] ShownRun read_shown_run(const std::string& path, std::size_t point);
 
 /// Numbers of each organ, with words for headings.

@@ -26,7 +26,7 @@ using quasimc::shortest;
 using quasimc::Vec3;
 
 struct SkyArguments {
-    std::string place, time, sky, png;
+    std::string site, time, sky, png;
     double elevation_m = 0;
     std::optional<double> pressure_hpa, temperature_c, delta_t_s;
     int cie_type = 12;
@@ -36,8 +36,8 @@ struct SkyArguments {
 };
 
 /// "LAT,LON"; nothing after a fault.
-std::optional<quasimc::Place> place_of(const SkyArguments& arguments, quasimc::Faults& faults) {
-    const std::string_view text = arguments.place;
+std::optional<quasimc::Site> site_of(const SkyArguments& arguments, quasimc::Faults& faults) {
+    const std::string_view text = arguments.site;
     const std::size_t comma = text.find(',');
     const auto latitude = quasimc::parse_real(quasimc::trimmed(text.substr(0, comma)));
     const auto longitude = comma == std::string_view::npos
@@ -45,16 +45,16 @@ std::optional<quasimc::Place> place_of(const SkyArguments& arguments, quasimc::F
                                : quasimc::parse_real(quasimc::trimmed(text.substr(comma + 1)));
     if (!latitude || !longitude) {
         faults.add(
-            {"--place", fmt::format("'{}' is no place", text), "",
+            {"--site", fmt::format("'{}' is no site", text), "",
              "give latitude and longitude in degrees, north and east positive: 50.1,8.7"});
         return std::nullopt;
     }
-    quasimc::Place place{*latitude, *longitude, arguments.elevation_m};
-    place.pressure_hpa =
+    quasimc::Site site{*latitude, *longitude, arguments.elevation_m};
+    site.pressure_hpa =
         arguments.pressure_hpa.value_or(quasimc::standard_pressure_hpa(arguments.elevation_m));
-    place.temperature_c = arguments.temperature_c.value_or(place.temperature_c);
-    quasimc::check_place(place, "--place", faults);
-    return place;
+    site.temperature_c = arguments.temperature_c.value_or(site.temperature_c);
+    quasimc::check_site(site, "--site", faults);
+    return site;
 }
 
 std::string sky_row(std::string_view name, const std::string& text) {
@@ -81,15 +81,15 @@ std::string day_text(const quasimc::SunDay& day) {
 }
 
 std::string sun_text(
-    const quasimc::Place& place,
+    const quasimc::Site& site,
     const quasimc::CivilTime& time,
     const quasimc::SunPosition& sun,
     const Vec3& to_sun) {
     return sky_row(
-               "place", fmt::format(
-                            "latitude {}, longitude {}, {} m, {:.1f} hPa, {:.1f} C",
-                            shortest(place.latitude_deg), shortest(place.longitude_deg),
-                            shortest(place.elevation_m), place.pressure_hpa, place.temperature_c)) +
+               "site", fmt::format(
+                           "latitude {}, longitude {}, {} m, {:.1f} hPa, {:.1f} C",
+                           shortest(site.latitude_deg), shortest(site.longitude_deg),
+                           shortest(site.elevation_m), site.pressure_hpa, site.temperature_c)) +
            sky_row(
                "time", fmt::format(
                            "{}, Julian day {:.6f} (UTC)", quasimc::civil_time_text(time),
@@ -113,10 +113,10 @@ std::string sun_text(
 
 /// What the sun and a sky without clouds bring.
 std::string clear_text(
-    const quasimc::Place& place, const quasimc::SunPosition& sun, double linke_turbidity) {
+    const quasimc::Site& site, const quasimc::SunPosition& sun, double linke_turbidity) {
     const double outside = quasimc::kSolarConstant / (sun.distance_au * sun.distance_au);
     const quasimc::Daylight light = quasimc::clear_sky(
-        sun.elevation_deg, outside, {linke_turbidity, place.elevation_m, place.pressure_hpa});
+        sun.elevation_deg, outside, {linke_turbidity, site.elevation_m, site.pressure_hpa});
     if (light.global() <= 0) {
         return sky_row("clear sky", "no light: the sun is below the horizon");
     }
@@ -185,7 +185,7 @@ std::shared_ptr<const quasimc::Source> sky_of(
     if (entry.needs != quasimc::SkyNeeds::nothing && state.to_sun.z <= 0) {
         faults.add(
             {"--sky", "the sun is below the horizon",
-             fmt::format("{} is a model of skies by day", entry.name),
+             fmt::format("{} describes daytime skies", entry.name),
              "use --sky cie_overcast or uniform"});
         return nullptr;
     }
@@ -198,16 +198,16 @@ Exit show_sky(const SkyArguments& arguments) {
         check_picture_name("--png", arguments.png);
     }
     quasimc::Faults faults;
-    const auto place = place_of(arguments, faults);
+    const auto site = site_of(arguments, faults);
     const auto time = quasimc::parse_civil_time(
         arguments.time, std::nullopt, "--time", faults, quasimc::OffsetKey::none);
     faults.throw_if_any();
-    const quasimc::SunPosition sun = quasimc::sun_position(*place, *time, arguments.delta_t_s);
+    const quasimc::SunPosition sun = quasimc::sun_position(*site, *time, arguments.delta_t_s);
     const Vec3 to_sun = quasimc::Orientation().towards(sun.azimuth_deg, sun.elevation_deg);
     std::string text =
-        sun_text(*place, *time, sun, to_sun) +
-        sky_row("day", day_text(quasimc::sun_day(*place, *time, arguments.delta_t_s))) +
-        clear_text(*place, sun, arguments.linke_turbidity);
+        sun_text(*site, *time, sun, to_sun) +
+        sky_row("day", day_text(quasimc::sun_day(*site, *time, arguments.delta_t_s))) +
+        clear_text(*site, sun, arguments.linke_turbidity);
     const bool is_asked = !arguments.sky.empty();
     if (is_asked || to_sun.z > 0) {
         const quasimc::SkyEntry& entry = *quasimc::find_sky(is_asked ? arguments.sky : "cie_clear");
@@ -239,35 +239,50 @@ std::vector<Flag> flags_of(SkyArguments& arguments) {
         skies.emplace_back(entry.name);
     }
     return {
-        {"--place", &arguments.place, "LAT,LON in degrees, north and east positive", true},
-        {"--time", &arguments.time, "with its time zone: 2024-06-21T12:00+02:00", true},
-        {"--elevation-m", &arguments.elevation_m, "above the sea"},
-        {"--pressure-hpa", &arguments.pressure_hpa, "by default from the elevation"},
-        {"--temperature-c", &arguments.temperature_c, "by default 12"},
-        {"--delta-t-s", &arguments.delta_t_s, "terrestrial less universal time"},
+        {.name = "--site",
+         .target = &arguments.site,
+         .summary = "latitude and longitude in degrees, north and east positive",
+         .required = true,
+         .type_name = "LAT,LON"},
+        {.name = "--time",
+         .target = &arguments.time,
+         .summary = "time with its time zone: 2024-06-21T12:00+02:00",
+         .required = true,
+         .type_name = "TIME"},
+        {"--elevation-m", &arguments.elevation_m, "height above the sea, m"},
+        {"--pressure-hpa", &arguments.pressure_hpa, "air pressure; default from the elevation"},
+        {"--temperature-c", &arguments.temperature_c, "air temperature; default 12"},
+        {"--delta-t-s", &arguments.delta_t_s, "terrestrial minus universal time, s"},
         {.name = "--linke-turbidity",
          .target = &arguments.linke_turbidity,
-         .summary = "1 to 10, of the air without clouds",
-         .range = {{1, 10}}},
+         .summary = "Linke turbidity of the clear air",
+         .range = {{1, 10}},
+         .default_text = "3"},
         {.name = "--sky",
          .target = &arguments.sky,
-         .summary = "model of the sky; by default cie_clear by day",
+         .summary = "model of the sky; default cie_clear by day",
          .choices = skies},
         {.name = "--cie-type",
          .target = &arguments.cie_type,
-         .summary = "1 to 15, of cie_general",
-         .range = {{1, 15}}},
+         .summary = "type of cie_general",
+         .range = {{1, 15}},
+         .default_text = "12"},
         {.name = "--turbidity",
          .target = &arguments.turbidity,
-         .summary = "1.7 to 10, of preetham",
-         .range = {{quasimc::kLowestTurbidity, quasimc::kHighestTurbidity}}},
-        {"--direct-normal", &arguments.direct_normal, "W m-2, of perez"},
-        {"--diffuse-horizontal", &arguments.diffuse_horizontal, "W m-2, of perez"},
-        {"--png", &arguments.png, "draw the sky as a fisheye picture; - is stdout"},
+         .summary = "turbidity of preetham",
+         .range = {{quasimc::kLowestTurbidity, quasimc::kHighestTurbidity}},
+         .default_text = "3"},
+        {"--direct-normal", &arguments.direct_normal, "of perez, W m-2"},
+        {"--diffuse-horizontal", &arguments.diffuse_horizontal, "of perez, W m-2"},
+        {.name = "--png",
+         .target = &arguments.png,
+         .summary = "draw the sky as a fisheye picture, - for standard output",
+         .type_name = "FILE"},
         {.name = "--size",
          .target = &arguments.size,
-         .summary = "pixels of a side",
-         .range = {{64, 4096}}}};
+         .summary = "width and height in pixels",
+         .range = {{64, 4096}},
+         .default_text = "512"}};
 }
 
 }  // namespace
@@ -275,6 +290,6 @@ std::vector<Flag> flags_of(SkyArguments& arguments) {
 Command sky_command() {
     const auto arguments = std::make_shared<SkyArguments>();
     return {
-        "sky", "tell where the sun stands, and show the sky around it", flags_of(*arguments),
-        [arguments] { return show_sky(*arguments); }};
+        "sky", "print the position of the sun and the light of the sky, and draw the sky",
+        flags_of(*arguments), [arguments] { return show_sky(*arguments); }};
 }

@@ -32,7 +32,7 @@ WindowRun read_window_run(const WindowArguments& arguments) {
     ShownRun shown = read_shown_run(arguments.file, arguments.point);
     if (shown.result_text.empty()) {
         throw quasimc::InputError(
-            {{arguments.file, "is no result", "",
+            {{arguments.file, "is not a result", "",
               "write one with quasimc run --json; quasimc show draws a scene without light"}});
     }
     quasimc::WindowData data =
@@ -43,8 +43,8 @@ WindowRun read_window_run(const WindowArguments& arguments) {
 Exit report(const WindowArguments& arguments) {
     quasimc::require_page("report");
     const WindowRun run = read_window_run(arguments);
-    constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
-    if (run.data.bytes() > kMostBytes) {
+    constexpr std::size_t kMaxBytes = std::size_t{256} << 20U;
+    if (run.data.bytes() > kMaxBytes) {
         throw quasimc::InputError(
             {{arguments.file,
               fmt::format("makes a report of {} MB", run.data.bytes() * 4 / 3 >> 20U),
@@ -62,13 +62,13 @@ Exit report(const WindowArguments& arguments) {
 Exit view(const WindowArguments& arguments) {
     quasimc::require_page("view");
     const InterruptWatch interrupt([] {});
-    const quasimc::WindowServer server(
-        quasimc::WindowSite(
+    const quasimc::HttpServer server(
+        quasimc::ViewerRoutes(
             quasimc::files_of(read_window_run(arguments).data), quasimc::random_token()),
         static_cast<int>(arguments.port));
     fmt::print("{}\n", server.address());
     std::fflush(stdout);
-    fmt::print(stderr, "Open this address in a browser of this machine; Ctrl-C ends.\n");
+    fmt::print(stderr, "Open this address in a browser of this computer; Ctrl-C ends.\n");
     interrupt.wait_for_first();
     return Exit::done;
 }
@@ -79,11 +79,11 @@ Command report_command() {
     const auto arguments = std::make_shared<WindowArguments>();
     return {
         "report",
-        "write a result as one page for any browser",
+        "write a result as one HTML page for any browser",
         {{"FILE", &arguments->file, "JSON result", true},
          {.name = "-o,--output",
           .target = &arguments->output,
-          .summary = "HTML file to write; - is standard output",
+          .summary = "HTML file to write, - for standard output",
           .required = true,
           .type_name = "FILE"},
          point_flag(arguments->point)},
@@ -94,11 +94,11 @@ Command view_command() {
     const auto arguments = std::make_shared<WindowArguments>();
     return {
         "view",
-        "show a result in a browser of this machine",
+        "show a result in a browser of this computer",
         {{"FILE", &arguments->file, "JSON result", true},
          {.name = "--port",
           .target = &arguments->port,
-          .summary = "of 127.0.0.1 to serve at; 0: any that is free",
+          .summary = "port of 127.0.0.1 (0: any that is free)",
           .range = std::pair(0.0, 65535.0),
           .default_text = "0"},
          point_flag(arguments->point)},

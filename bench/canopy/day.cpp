@@ -23,12 +23,12 @@ struct ClearDay {
 };
 
 ClearDay make_day() {
-    const Place place{.latitude_deg = 51.97, .longitude_deg = 5.67};
+    const Site site{.latitude_deg = 51.97, .longitude_deg = 5.67};
     DaylightSources how;
     how.bands = {{400, 700}};
     ClearDay day;
     for (int i = 0; i < kHours; ++i) {
-        const SunPath path = sun_path(place, {2024, 6, 21, kFirstHour + i, 0, 0, 1}, kHour, 300);
+        const SunPath path = sun_path(site, {2024, 6, 21, kFirstHour + i, 0, 0, 1}, kHour, 300);
         day.parts.push_back(make_hour_parts(path, clear_light(path, {}), how));
         HourSources hour = make_hour_sources(day.parts.back());
         day.hours.push_back({"hour", std::move(hour.sources), std::move(hour.shapes), kHour, 0});

@@ -56,7 +56,7 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
     RayLog log;
     {
         const PreparedScene recording(
-            scene, sources, spec.window,
+            scene, sources, spec.start_area,
             std::make_shared<RayCaster>(
                 data_of(scene).geometry, scene.cell(), [&](const LocalMesh& mesh) {
                     return std::make_unique<Recorder>(make_embree_intersector(mesh), log);
@@ -64,8 +64,8 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
         static_cast<void>(trace_all(recording, *sampler, spec));
     }
     const PreparedScene stage(
-        scene, sources, spec.window,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), spec.engine));
+        scene, sources, spec.start_area,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), spec.accelerator));
     const BareEmbree bare(stage.caster().mesh());
     std::vector<double> ratios;
     std::vector<double> engine;
@@ -117,9 +117,9 @@ void print_scaling(const Effort& effort) {
         std::vector<double> ratios;
         for (int repeat = 0; repeat < effort.repeats; ++repeat) {
             spec.threads = 1;
-            one.push_back(run(scene, make_light(Light::sun, 1), spec).trace_seconds);
+            one.push_back(run(scene, make_light(Light::sun, 1), spec).solve_seconds);
             spec.threads = 2;
-            two.push_back(run(scene, make_light(Light::sun, 1), spec).trace_seconds);
+            two.push_back(run(scene, make_light(Light::sun, 1), spec).solve_seconds);
             ratios.push_back(one.back() / two.back());
         }
         std::printf(

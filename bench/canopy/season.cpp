@@ -18,18 +18,18 @@ namespace quasimc::bench {
 namespace {
 
 constexpr double kTarget = 0.02;
-constexpr double kHoursOfYear = 4400, kMostHours = 40;
+constexpr double kHoursOfYear = 4400, kMaxHours = 40;
 constexpr double kHour = 3600;
 constexpr int kMonths = 12, kDayHours = 24;
 
 std::vector<TimeStep> sample_of_year() {
-    const Place place{.latitude_deg = 51.97, .longitude_deg = 5.67};
+    const Site site{.latitude_deg = 51.97, .longitude_deg = 5.67};
     DaylightSources how;
     how.bands = {{400, 700}, {700, 1100}};
     std::vector<TimeStep> hours;
     for (int month = 1; month <= kMonths; ++month) {
         for (int hour = 0; hour < kDayHours; ++hour) {
-            const SunPath path = sun_path(place, {2024, month, 15, hour, 0, 0, 1}, kHour, 300);
+            const SunPath path = sun_path(site, {2024, month, 15, hour, 0, 0, 1}, kHour, 300);
             HourLight light = clear_light(path, {});
             if (month % 2 == 0) {
                 const Reading overcast{
@@ -138,7 +138,7 @@ void print_season(const Effort& effort) {
     spec.paths = 1 << 12;
     const std::vector<TimeStep> noon{brightest(hours)};
     const auto [paths, one] = cost_at_target(scene, noon, spec);
-    spec.series = SeriesMode::together;
+    spec.time_method = TimeMethod::daylight_coefficients;
     spec.paths = paths;
     const auto [paths_together, all] = cost_at_target(scene, hours, spec);
     const double year = all.before + kHoursOfYear * all.each;
@@ -147,8 +147,8 @@ void print_season(const Effort& effort) {
         "%.1f %% (%lu paths) %.1f s and %.3f s an hour, a year %.0f times the hour (at most %g: "
         "%s)\n",
         leaves, 100 * one.error, one.seconds, paths, 100 * all.error, paths_together, all.before,
-        all.each, year / one.seconds, kMostHours,
-        year <= kMostHours * one.seconds ? "met" : "MISSED");
+        all.each, year / one.seconds, kMaxHours,
+        year <= kMaxHours * one.seconds ? "met" : "MISSED");
 }
 
 }  // namespace quasimc::bench

@@ -20,7 +20,7 @@ struct Setting {
     std::vector<BenchRay> rays;
 
     Setting(const std::vector<Triangle>& triangles, std::vector<BenchRay> world_rays)
-        : caster(triangles, Cell{}, Engine::embree), rays(std::move(world_rays)) {
+        : caster(triangles, Cell{}, Accelerator::embree), rays(std::move(world_rays)) {
         for (BenchRay& ray : rays) {
             ray.origin = caster.mesh().to_local(ray.origin);
         }

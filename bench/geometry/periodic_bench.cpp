@@ -49,7 +49,7 @@ std::vector<std::uint32_t> unmoved_triangles(
 
 void wrapped(benchmark::State& state) {
     const auto triangles = plants(static_cast<std::size_t>(state.range(1)));
-    const RayCaster caster(triangles, Cell{true, true, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(triangles, Cell{true, true, 0, 0, 1, 1}, Accelerator::embree);
     const auto unmoved = unmoved_triangles(caster, triangles);
     auto rays = rays_of(static_cast<Kind>(state.range(0)), triangles);
     for (BenchRay& ray : rays) {
@@ -83,7 +83,7 @@ void copied(benchmark::State& state) {
 /// A beam in packets, its direction by the zenith angle in degrees.
 void wrapped_beam(benchmark::State& state) {
     const auto triangles = plants(static_cast<std::size_t>(state.range(1)));
-    const RayCaster caster(triangles, Cell{true, true, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(triangles, Cell{true, true, 0, 0, 1, 1}, Accelerator::embree);
     auto rays = vertical_rays(kPeriodicRays, kHeight, true);
     const double zenith = static_cast<double>(state.range(0)) * 3.14159265358979323846 / 180;
     for (BenchRay& ray : rays) {

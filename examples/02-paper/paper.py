@@ -31,19 +31,19 @@ PAPER_PATHS = 65536
 
 
 def experiments(paths):
-    """Name, sampler, paths, window and the paper's mean variance x 1e-5 (None: not in the paper)."""
+    """Name, sampler, paths, start area and the paper's mean variance x 1e-5 (None: not in the paper)."""
     rows = [
-        ("Monte Carlo", "monte_carlo", paths, "sphere", 75.46),
-        ("Korobov", "korobov", paths, "sphere", 9.37),
-        ("Korobov", "korobov", paths // 4, "sphere", 67.39),
-        ("Sobol'", "sobol", paths, "sphere", None),
+        ("Monte Carlo", "monte_carlo", paths, "bounding_sphere", 75.46),
+        ("Korobov", "korobov", paths, "bounding_sphere", 9.37),
+        ("Korobov", "korobov", paths // 4, "bounding_sphere", 67.39),
+        ("Sobol'", "sobol", paths, "bounding_sphere", None),
         ("Monte Carlo", "monte_carlo", paths, "silhouette", None),
         ("Korobov", "korobov", paths, "silhouette", None),
         ("Sobol'", "sobol", paths, "silhouette", None),
     ]
-    for name, sampler, count, window, paper in rows:
-        suffix = f"{count:,} paths" if window == "sphere" else "our start of rays"
-        yield f"{name}, {suffix}", sampler, count, window, paper if paths == PAPER_PATHS else None
+    for name, sampler, count, start_area, paper in rows:
+        suffix = f"{count:,} paths" if start_area == "bounding_sphere" else "our start of rays"
+        yield f"{name}, {suffix}", sampler, count, start_area, paper if paths == PAPER_PATHS else None
 
 
 # name, method, sampler: each until the error of a leaf is small enough
@@ -75,12 +75,12 @@ def run_to_error(scene, method, sampler, replicates, target):
     256 on, with an error of at most target. Light paths start in the scene's silhouette; the error of ray bundles holds
     that of their patches."""
     for paths in (256 << i for i in range(22)):
-        result = scene.run(method=method, sampler=sampler, paths=paths, window="silhouette", replicates=replicates,
+        result = scene.run(method=method, sampler=sampler, paths=paths, start_area="silhouette", replicates=replicates,
                            threads=1)
         light = light_of(result)
         error = np.sqrt(np.mean(light.standard_error**2)) / light.mean.mean()
         if error <= target:  # not where it is NaN: some leaf was not found
-            return paths, error, result.trace_cpu_seconds
+            return paths, error, result.solve_cpu_seconds
     sys.exit(f"{method}: the error is not reached")
 
 
@@ -125,8 +125,8 @@ def main():
     results = {}
     print("Variance of the absorbed flux density per leaf x 1e-5, mean over 500 leaves (standard deviation)")
     print(f"  {'':32} {'ours':>18} {'paper':>8}")
-    for name, sampler, paths, window, paper in experiments(arguments.paths):
-        results[name] = scene.run(sampler=sampler, paths=paths, window=window, replicates=replicates)
+    for name, sampler, paths, start_area, paper in experiments(arguments.paths):
+        results[name] = scene.run(sampler=sampler, paths=paths, start_area=start_area, replicates=replicates)
         variances = 1e5 * variances_of(results[name])
         print(f"  {name:32} {variances.mean():9.2f} ({variances.std():6.2f}) {paper if paper else '':>8}")
 

@@ -4,4 +4,4 @@
 # and then: quasimc merge part.* --json canopy.json
 #SBATCH --cpus-per-task=4
 "${QUASIMC:-quasimc}" run "$1" --part "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
-    --sums "part.$SLURM_ARRAY_TASK_ID" --quiet
+    --part-file "part.$SLURM_ARRAY_TASK_ID" --quiet

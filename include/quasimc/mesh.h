@@ -149,7 +149,7 @@ class Orientation {
         return up_ == UpAxis::z ? p : Vec3{p.y, p.z, p.x};
     }
 
-    /// Unit vector towards a place of the sky, z up. Azimuth clockwise from north as seen from
+    /// Unit vector towards a point of the sky, z up. Azimuth clockwise from north as seen from
     /// above.
     [[nodiscard]] Vec3 towards(double azimuth_deg, double elevation_deg) const {
         const double radians = std::numbers::pi / 180;
@@ -286,15 +286,15 @@ struct Cell {
 };
 
 /// What finds the triangles that rays hit.
-enum class Engine {
+enum class Accelerator {
     embree,
     brute_force,  ///< tries every triangle: slow, to check the other
 };
 
 /// The cross-section of a beam in which its rays start.
-enum class CrossSectionShape {
+enum class StartArea {
     silhouette,  ///< the convex hull of the scene seen along the beam: the fewest rays that miss
-    sphere,      ///< the disc across the bounding sphere, as in Cieslak et al. (2008)
+    bounding_sphere,  ///< the disc across the bounding sphere, as in Cieslak et al. (2008)
 };
 
 }  // namespace quasimc

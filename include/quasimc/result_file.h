@@ -25,7 +25,7 @@ struct StoredSweep {
     bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };
 /// Reads a JSON result, and the files that its run was made from: those beside the result, or else
-/// those at the places where they were.
+/// those at their paths at the time of the run.
 /// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});
@@ -131,10 +131,10 @@ class Summary : public OutputWriter {
     std::vector<std::string> point_lines_;  // of the points of a sweep that ended
     std::string result_lines_;              // of a run without [time]
     // Of one with [time]:
-    std::size_t moments_ = 0;
+    std::size_t time_steps_ = 0;
     double seconds_ = 0;
     std::vector<BandBudget> energy_;  // flux x s
-    bool escaped_is_remainder_ = false;
+    bool escaped_by_difference_ = false;
     std::vector<std::pair<double, std::size_t>> medians_;  // errors, and of which moment
     std::size_t badly_known_ = 0;                          // most organs at a time
 };

@@ -25,34 +25,34 @@ namespace quasimc {
 struct Node;  // a value of a run file; private
 
 /// What a moment of a series was made from, for headers.
-struct MomentNotes {
+struct TimeStepNotes {
     std::string time;  ///< its beginning, "2024-06-21T12:00+02:00"
     double seconds = 0;
     SunPosition sun;    ///< in the middle of the time that it is up
     Vec3 to_sun;        ///< unit, the file's axes
     Daylight daylight;  ///< on the horizontal, full spectrum, W m-2: the mean
     std::size_t suns = 0;
-    /// Of times that were collapsed into one moment (sun and to_sun then say nothing):
-    struct Collapsed {
+    /// Of times that share one moment (sun and to_sun then say nothing):
+    struct Cumulated {
         std::string until;           ///< end of the last
         std::size_t times = 0;       ///< how many
         std::size_t with_light = 0;  ///< of them, those with daylight
         std::size_t skies = 0;       ///< that the moment has
     };
-    std::optional<Collapsed> collapsed = {};
+    std::optional<Cumulated> cumulated = {};
 };
 
 /// Which times of a series become one moment: their skies one sky, with all of their suns.
-enum class Collapse { none, days, period };
+enum class CumulativeSky { none, day, period };
 
 /// The times of a run file, with the sources of each.
 struct TimeSeries {
     std::vector<TimeStep> time_steps;
-    std::vector<MomentNotes> notes;  ///< per moment
-    std::vector<std::string> days;   ///< dates, by TimeStep::day; of a collapsed period its first
-                                     ///< and last: "2024-04-01/2024-09-30"
-    std::vector<std::string> words;  ///< place, models and units, for headers
-    Collapse collapse = Collapse::none;
+    std::vector<TimeStepNotes> notes;  ///< per moment
+    std::vector<std::string> days;     ///< dates, by TimeStep::day; of a period with one cumulative
+                                       ///< sky its first and last: "2024-04-01/2024-09-30"
+    std::vector<std::string> words;    ///< site, models and units, for headers
+    CumulativeSky cumulative_sky = CumulativeSky::none;
 };
 
 /// Where results go, and what of them is written.
@@ -65,16 +65,16 @@ struct OutputSpec {
     /// Names of quantity_table(), or "sunlit_fraction"; empty: all.
     std::vector<std::string> quantities = {};
     std::vector<std::string> bands = {};  ///< names; empty: all
-    bool night = false;                   ///< times without light too
+    bool include_night = false;           ///< times without light too
     /// Times that begin from the one to before the other, of the clock, in hours.
-    std::optional<std::array<double, 2>> hours = {};
+    std::optional<std::array<double, 2>> time_of_day = {};
 };
 
 /// An option stated outside the run file.
 struct Override {
     std::string key;    ///< of the table of options
     std::string text;   ///< its value
-    std::string place;  ///< where it was stated, for messages: "--paths"
+    std::string where;  ///< where it was stated, for messages: "--paths"
 };
 
 /// A value of the run file that a sweep sets.
@@ -139,7 +139,7 @@ class RunSweep {
 
 /// The times to compute: those of [time] or else a single one, an instant, with the sources of the
 /// run.
-[[nodiscard]] std::vector<TimeStep> moments_of(const RunFile& run);
+[[nodiscard]] std::vector<TimeStep> time_steps_of(const RunFile& run);
 
 /// Reads a run file ("-": standard input).
 /// @throws InputError  with all its faults at once, those of all points of its sweep

@@ -36,21 +36,21 @@ struct ChosenMethod {
 
 /// What becomes of light that falls on an organ straight from a source.
 enum class DirectLight {
-    counted,
-    ignored,  ///< it is scattered as always, but is no part of any organ's numbers
+    included,
+    excluded,  ///< it is scattered as always, but is no part of any organ's numbers
 };
 
 /// How the paths of a series are shared out among its times.
-enum class Effort {
-    each,  ///< every time has as many
-    day,   ///< by the light that a time brings to the sum of its day
+enum class PathAllocation {
+    equal,         ///< every time has as many
+    proportional,  ///< by the light that a time brings to the sum of its day
 };
 
 /// How the times of a series are computed.
-enum class SeriesMode {
-    one_by_one,  ///< each for itself
-    together,    ///< the sun's direct light for itself, all else from the light of one set of
-                 ///< directions (docs/theory/time-series.md): ray bundles only
+enum class TimeMethod {
+    independent,            ///< each for itself
+    daylight_coefficients,  ///< the sun's direct light for itself, all else from the light of one
+                            ///< set of directions (docs/theory/time-series.md): ray bundles only
 };
 
 /// A point set that paths are made from.
@@ -75,16 +75,16 @@ struct RunSpec {
     /// Weight (a path starts with 1) that Russian roulette plays for, 0 to 1. At 1 a path survives
     /// every hit with the surface's albedo; below, heavier paths go on surely and lose weight:
     /// fewer paths end, each is longer.
-    double roulette_weight = 1;
-    CrossSectionShape window = CrossSectionShape::silhouette;
-    Engine engine = Engine::embree;
-    DirectLight direct_light = DirectLight::counted;
+    double roulette_threshold = 1;
+    StartArea start_area = StartArea::silhouette;
+    Accelerator accelerator = Accelerator::embree;
+    DirectLight direct_light = DirectLight::included;
 
     /// Of a series of times with lengths: whose precision paths and target are for. A single run
     /// takes no notice of it.
-    Effort effort = Effort::each;
+    PathAllocation path_allocation = PathAllocation::equal;
     /// Of a series: whether its times share what they can. A single run takes no notice of it.
-    SeriesMode series = SeriesMode::one_by_one;
+    TimeMethod time_method = TimeMethod::independent;
 
     double target_error = 0;  ///< relative standard error of the absorbed flux to reach; 0: none
     double target_fraction = 0.95;  ///< ... by this fraction of the organs, in every band
@@ -108,9 +108,10 @@ struct RunSpec {
 };
 
 /// How to trace: as the specification says or, if that is `automatic`, by the rules of
-/// docs/theory/choosing.md, which ask for the smallest errors of the measured organs in a given
-/// time. A method that can't be run is never chosen, but for ray_bundles where very many surfaces
-/// cross each other: a run finds that out, and takes another. A pure function of its arguments.
+/// docs/develop/notebook/choosing.md, which ask for the smallest errors of the measured organs in a
+/// given time. A method that can't be run is never chosen, but for ray_bundles where very many
+/// surfaces cross each other: a run finds that out, and takes another. A pure function of its
+/// arguments.
 [[nodiscard]] ChosenMethod plan_method(
     const Scene& scene,
     const std::vector<std::shared_ptr<const Source>>& sources,

@@ -61,26 +61,27 @@ class SumsSource {
 
 /// What is known of a series at its end.
 struct SeriesSummary {
-    SeriesSum total;         ///< over all days, if it was wanted
-    std::size_t traced = 0;  ///< moments that were traced; the others are dark or scaled
+    SeriesSum total;           ///< over all days, if it was wanted
+    std::size_t computed = 0;  ///< moments that were traced; the others are dark or scaled
     /// By which methods, and how many moments by each.
     std::map<Method, std::size_t> methods;
     /// Of those, moments at which no light reaches the scene although some source shines.
     std::size_t unlit = 0;
     std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
-    std::size_t done = 0;  ///< moments that were told of; fewer than there are if it was stopped
-    std::size_t cut_short =
+    std::size_t completed =
+        0;  ///< moments that were told of; fewer than there are if it was stopped
+    std::size_t with_fewer_paths =
         0;  ///< of those traced: with fewer paths than asked for, for want of time
-    /// paths_done; or why not all moments and paths were done: time_is_up or interrupted.
-    StopReason stop = StopReason::paths_done;
+    /// finished; or why not all moments and paths were done: time_limit or interrupted.
+    StopReason stop = StopReason::finished;
     std::size_t audited = 0;  ///< of those, how many were audited
-    /// Of the most unlikely audit, times their number (Audit::chance); at most 1.
-    double audit_chance = 1;
+    /// Of the most unlikely audit, times their number (Audit::p_value); at most 1.
+    double audit_p_value = 1;
     std::uint64_t rays = 0;
-    double seconds = 0;            ///< wall
-    double build_seconds = 0;      ///< of these: scenes and lights were prepared
-    double trace_seconds = 0;      ///< of these: light was traced
-    double trace_cpu_seconds = 0;  ///< all threads
+    double seconds = 0;              ///< wall
+    double preparation_seconds = 0;  ///< of these: scenes and lights were prepared
+    double solve_seconds = 0;        ///< of these: light was traced
+    double solve_cpu_seconds = 0;    ///< all threads
 };
 
 /// Which moment's trace serves a moment, and the factor on its light.
@@ -88,18 +89,19 @@ struct TimeStepPlan {
     std::size_t traced = 0;
     double factor = 1;  ///< 0: dark
     // Of a moment that is traced:
-    double effort = 1;  ///< on RunSpec::paths: a power of two
-    double target = 1;  ///< on RunSpec::target_error
+    double path_factor = 1;  ///< on RunSpec::paths: a power of two
+    double target = 1;       ///< on RunSpec::target_error
 };
 /// Finds the moments whose sources have equal shapes and proportional spectra: of those only the
 /// first is traced.
 [[nodiscard]] std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps);
 
-/// Shares out the effort of a series by days (Effort::day): the paths of a trace are in proportion
-/// to the light that its moments bring to the sum of a day, where they bring most, and as many in
-/// all as if each trace had `paths`, to a factor of sqrt(2). The targets are such that the sum of a
-/// day has the target error. What brings next to nothing has a 64th of the paths.
-void spread_effort(
+/// Shares out the paths of a series by days (PathAllocation::proportional): the paths of a trace
+/// are in proportion to the light that its moments bring to the sum of a day, where they bring
+/// most, and as many in all as if each trace had `paths`, to a factor of sqrt(2). The targets are
+/// such that the sum of a day has the target error. What brings next to nothing has a 64th of the
+/// paths.
+void allocate_paths(
     const Scene& scene, const std::vector<TimeStep>& time_steps, std::vector<TimeStepPlan>& plans);
 
 /// The same light times a factor.
@@ -136,8 +138,8 @@ SeriesSummary run_series(
     const RunControl& control = {});
 
 /// Adds the faults of a specification whose times are to be computed together
-/// (SeriesMode::together): of sources, detectors and options that this can't do. None of other
-/// specifications.
+/// (TimeMethod::daylight_coefficients): of sources, detectors and options that this can't do. None
+/// of other specifications.
 void check_together(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,

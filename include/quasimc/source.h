@@ -19,8 +19,8 @@ namespace quasimc {
 
 inline constexpr double kSecondsADay = 86400;
 
-/// A place on the Earth.
-struct Place {
+/// A site on the Earth.
+struct Site {
     double latitude_deg = 0;        ///< -90 to 90, north positive
     double longitude_deg = 0;       ///< -180 to 180, east positive
     double elevation_m = 0;         ///< above the sea
@@ -45,13 +45,13 @@ struct CivilTime {
 inline constexpr int kFirstYear = 1900;
 inline constexpr int kLastYear = 2100;
 
-/// Reports what is wrong with a place. @param where  for the messages
-void check_place(const Place& place, std::string_view where, Faults& faults);
+/// Reports what is wrong with a site. @param where  for the messages
+void check_site(const Site& site, std::string_view where, Faults& faults);
 /// Reports what is wrong with a time: fields out of range, days that no calendar has, leap seconds
 /// where none can be.
 void check_time(const CivilTime& time, std::string_view where, Faults& faults);
 
-/// Pressure of the standard atmosphere [hPa] at a height above the sea (ISO 2533), for places whose
+/// Pressure of the standard atmosphere [hPa] at a height above the sea (ISO 2533), for sites whose
 /// pressure is not known; -2000 to 11000 m.
 [[nodiscard]] double standard_pressure_hpa(double elevation_m);
 
@@ -84,13 +84,13 @@ struct SunIntermediates {
     double sidereal_time_deg = 0;       ///< apparent, at Greenwich
     double right_ascension_deg = 0;     ///< geocentric
     double declination_deg = 0;         ///< geocentric
-    double hour_angle_deg = 0;          ///< of the place, west positive, 0 to 360
+    double hour_angle_deg = 0;          ///< of the site, west positive, 0 to 360
     double topocentric_right_ascension_deg = 0;
     double topocentric_declination_deg = 0;
     double topocentric_hour_angle_deg = 0;
 };
 
-/// Where the sun stands, seen from a place.
+/// Where the sun stands, seen from a site.
 struct SunPosition {
     double azimuth_deg = 0;           ///< clockwise from north, 0 to 360
     double elevation_deg = 0;         ///< above the horizon, as refracted by the air
@@ -107,10 +107,10 @@ struct SunPosition {
 ///
 /// Reda and Andreas (2004), "Solar position algorithm for solar radiation applications", Solar
 /// Energy 76, 577-589; NREL/TP-560-34302 (revised 2008).
-/// @param place, time  without faults (check_place, check_time)
+/// @param site, time  without faults (check_site, check_time)
 /// @param delta_t_s  terrestrial less universal time [s]; default: delta_t_seconds(time)
 [[nodiscard]] SunPosition sun_position(
-    const Place& place, const CivilTime& time, std::optional<double> delta_t_s = std::nullopt);
+    const Site& site, const CivilTime& time, std::optional<double> delta_t_s = std::nullopt);
 
 /// What the sun does in the course of a day.
 enum class DayKind {
@@ -132,7 +132,7 @@ struct SunDay {
 /// Rise and set: the sun's centre is 0.8333 degrees below the horizon, which stands for its radius
 /// and the refraction there.
 [[nodiscard]] SunDay sun_day(
-    const Place& place, const CivilTime& date, std::optional<double> delta_t_s = std::nullopt);
+    const Site& site, const CivilTime& date, std::optional<double> delta_t_s = std::nullopt);
 
 /// The simple model that plant simulators know from the original program: declination, equation of
 /// time (Iqbal 1983, as in Preetham et al. 1999) and hour angle.
@@ -157,7 +157,7 @@ struct SourceTraits {
     /// radiance() is 0.
     bool delta = false;
     /// Far away: it looks the same from everywhere, and rays that leave the scene may reach it. A
-    /// source that is not, a lamp, stands at a place, which those rays pass by.
+    /// source that is not, a lamp, has a position, which those rays miss.
     bool at_infinity = true;
     /// So wide that rays which leave the scene find it by chance, as they do a sky. What is at
     /// infinity and not as wide is a sun: what it lights straight counts as sunlit, and its
@@ -179,11 +179,11 @@ inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, 
 
 /// Less light than this is none, as the direct sun at the horizon on a foggy day: the squares of
 /// its errors would be lost to rounding.
-inline constexpr double kLeastIrradiance = 1e-60;
+inline constexpr double kMinIrradiance = 1e-60;
 
 /// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
-/// spectrum varies over it is several sources.) Places and directions are in the world with z up;
-/// immutable. It is made by the functions below.
+/// spectrum varies over it is several sources.) Positions and directions are in the world with z
+/// up; immutable. It is made by the functions below.
 class Source {
   public:
     virtual ~Source() = default;
@@ -196,7 +196,7 @@ class Source {
     [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
     [[nodiscard]] const SourceTraits& traits() const { return traits_; }
     /// Irradiance on the horizontal, upper side, for a spectrum of 1; NaN for a lamp, whose
-    /// irradiance varies from place to place.
+    /// irradiance varies in space.
     [[nodiscard]] double horizontal_irradiance() const { return horizontal_irradiance_; }
 
     /// traits().delta
@@ -416,7 +416,7 @@ struct Opening {
         line,       ///< along the lamp's z axis
         rectangle,  ///< across the z axis; `length` along x, `width` along y
         disk,       ///< across the z axis
-        sphere      ///< the pattern is about the normal of each place of its surface
+        sphere      ///< the pattern is about the normal of each point of its surface
     };
     Kind kind = Kind::point;
     double length = 0, width = 0;  ///< of a line (length), or a rectangle
@@ -429,7 +429,7 @@ struct LampSpec {
     Vec3 position;                                  ///< of the opening's center
     Frame axes{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};  ///< x, y, z of the lamp; it aims along z
     Opening opening;
-    Pattern pattern = isotropic_pattern();  ///< every place of the opening shines alike
+    Pattern pattern = isotropic_pattern();  ///< the same at every point of the opening
     std::vector<double> flux;               ///< per band, irradiance unit x square scene unit
 };
 

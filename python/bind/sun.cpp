@@ -11,18 +11,18 @@
 namespace quasimc::python {
 namespace {
 
-Place place_of(
+Site site_of(
     double latitude_deg,
     double longitude_deg,
     double elevation_m,
     std::optional<double> pressure_hpa,
     double temperature_c) {
     const double pressure = pressure_hpa ? *pressure_hpa : standard_pressure_hpa(elevation_m);
-    const Place place{latitude_deg, longitude_deg, elevation_m, pressure, temperature_c};
+    const Site site{latitude_deg, longitude_deg, elevation_m, pressure, temperature_c};
     Faults faults;
-    check_place(place, "place", faults);
+    check_site(site, "site", faults);
     faults.throw_if_any();
-    return place;
+    return site;
 }
 
 CivilTime time_of_text(const std::string& text) {
@@ -39,8 +39,8 @@ py::object text_or_none(const std::optional<CivilTime>& time) {
     return time ? py::object(py::str(civil_time_text(*time))) : py::none();
 }
 
-py::dict day_of(const Place& place, const std::string& text) {
-    const SunDay day = sun_day(place, time_of_text(text));
+py::dict day_of(const Site& site, const std::string& text) {
+    const SunDay day = sun_day(site, time_of_text(text));
     py::dict result;
     result["kind"] = day.kind == DayKind::ordinary    ? "ordinary"
                      : day.kind == DayKind::polar_day ? "polar_day"
@@ -55,9 +55,9 @@ py::dict day_of(const Place& place, const std::string& text) {
 }  // namespace
 
 void bind_sun(py::module_& module) {
-    py::class_<Place>(module, "Place")
+    py::class_<Site>(module, "Site")
         .def(
-            py::init(&place_of), py::arg("latitude_deg"), py::arg("longitude_deg"),
+            py::init(&site_of), py::arg("latitude_deg"), py::arg("longitude_deg"),
             py::arg("elevation_m"), py::arg("pressure_hpa"), py::arg("temperature_c"));
     py::class_<SunPosition>(module, "SunPosition")
         .def_readonly("azimuth_deg", &SunPosition::azimuth_deg)
@@ -69,11 +69,11 @@ void bind_sun(py::module_& module) {
         .def_property_readonly("zenith_deg", &SunPosition::zenith_deg);
     module.def(
         "sun_position",
-        [](const Place& place, const std::string& time, std::optional<double> delta_t_s) {
-            return sun_position(place, time_of_text(time), delta_t_s);
+        [](const Site& site, const std::string& time, std::optional<double> delta_t_s) {
+            return sun_position(site, time_of_text(time), delta_t_s);
         },
-        py::arg("place"), py::arg("time"), py::arg("delta_t_s"));
-    module.def("sun_day", &day_of, py::arg("place"), py::arg("date"));
+        py::arg("site"), py::arg("time"), py::arg("delta_t_s"));
+    module.def("sun_day", &day_of, py::arg("site"), py::arg("date"));
 }
 
 }  // namespace quasimc::python

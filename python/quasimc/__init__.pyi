@@ -123,9 +123,9 @@ class Estimates:
     @property
     def standard_error(self) -> Array: ...
     @property
-    def low(self) -> Array: ...
+    def ci95_low(self) -> Array: ...
     @property
-    def high(self) -> Array: ...
+    def ci95_high(self) -> Array: ...
     @property
     def relative_error(self) -> Array: ...
     def __getitem__(self, band: str) -> Estimates: ...
@@ -141,8 +141,8 @@ class DetectorResult(Estimates):
 class Estimate:
     mean: float
     standard_error: float
-    low: float
-    high: float
+    ci95_low: float
+    ci95_high: float
     unit: str
     def __init__(self, numbers: Sequence[float], unit: str) -> None: ...
 
@@ -207,10 +207,10 @@ class Result(_Light):
     rays: int
     stop: str
     fraction_at_target: float
-    build_seconds: float
-    trace_seconds: float
-    trace_cpu_seconds: float
-    escaped_is_remainder: bool
+    preparation_seconds: float
+    solve_seconds: float
+    solve_cpu_seconds: float
+    escaped_by_difference: bool
     rounds: list[dict[str, float]]
     def __init__(
         self,
@@ -262,10 +262,10 @@ class Series:
     warnings: list[str]
     sources: list[str]
     stop: str
-    traced: int
-    done: int
-    moments: int
-    audit_chance: float
+    computed: int
+    completed: int
+    time_steps: int
+    audit_p_value: float
     rays: int
     seconds: float
     total_seconds: float
@@ -300,7 +300,7 @@ class Scene:
         length_unit: str | None = None,
         up: Literal["z", "y"] | None = None,
         north: Sequence[float] | None = None,
-        place: Mapping[str, float] | None = None,
+        site: Mapping[str, float] | None = None,
         title: str | None = None,
     ) -> None: ...
     def __copy__(self) -> Scene: ...
@@ -370,23 +370,23 @@ class Scene:
         replicates: int = ...,
         seed: int = ...,
         threads: int = ...,
-        max_depth: int = ...,
-        roulette_weight: float = ...,
-        window: str = ...,
-        engine: str = ...,
-        direct_light: str = ...,
-        effort: str = ...,
-        series: str = ...,
         target_error: float = ...,
         target_fraction: float = ...,
         max_seconds: float = ...,
         max_paths: int = ...,
-        audit: float = ...,
-        tally_memory_mb: float = ...,
+        path_allocation: str = ...,
+        time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
+        direct_light: str = ...,
+        audit: float = ...,
+        max_depth: int = ...,
+        roulette_threshold: float = ...,
+        start_area: str = ...,
+        accelerator: str = ...,
+        tally_memory_mb: float = ...,
     ) -> Series: ...
     @overload
     def run(
@@ -402,23 +402,23 @@ class Scene:
         replicates: int = ...,
         seed: int = ...,
         threads: int = ...,
-        max_depth: int = ...,
-        roulette_weight: float = ...,
-        window: str = ...,
-        engine: str = ...,
-        direct_light: str = ...,
-        effort: str = ...,
-        series: str = ...,
         target_error: float = ...,
         target_fraction: float = ...,
         max_seconds: float = ...,
         max_paths: int = ...,
-        audit: float = ...,
-        tally_memory_mb: float = ...,
+        path_allocation: str = ...,
+        time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
+        direct_light: str = ...,
+        audit: float = ...,
+        max_depth: int = ...,
+        roulette_threshold: float = ...,
+        start_area: str = ...,
+        accelerator: str = ...,
+        tally_memory_mb: float = ...,
     ) -> Result: ...
     @overload
     def run(
@@ -434,23 +434,23 @@ class Scene:
         replicates: int = ...,
         seed: int = ...,
         threads: int = ...,
-        max_depth: int = ...,
-        roulette_weight: float = ...,
-        window: str = ...,
-        engine: str = ...,
-        direct_light: str = ...,
-        effort: str = ...,
-        series: str = ...,
         target_error: float = ...,
         target_fraction: float = ...,
         max_seconds: float = ...,
         max_paths: int = ...,
-        audit: float = ...,
-        tally_memory_mb: float = ...,
+        path_allocation: str = ...,
+        time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
+        direct_light: str = ...,
+        audit: float = ...,
+        max_depth: int = ...,
+        roulette_threshold: float = ...,
+        start_area: str = ...,
+        accelerator: str = ...,
+        tally_memory_mb: float = ...,
     ) -> Result: ...
     @overload
     def run(
@@ -465,23 +465,23 @@ class Scene:
         replicates: int = ...,
         seed: int = ...,
         threads: int = ...,
-        max_depth: int = ...,
-        roulette_weight: float = ...,
-        window: str = ...,
-        engine: str = ...,
-        direct_light: str = ...,
-        effort: str = ...,
-        series: str = ...,
         target_error: float = ...,
         target_fraction: float = ...,
         max_seconds: float = ...,
         max_paths: int = ...,
-        audit: float = ...,
-        tally_memory_mb: float = ...,
+        path_allocation: str = ...,
+        time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
+        direct_light: str = ...,
+        audit: float = ...,
+        max_depth: int = ...,
+        roulette_threshold: float = ...,
+        start_area: str = ...,
+        accelerator: str = ...,
+        tally_memory_mb: float = ...,
     ) -> Result | Series: ...
 
 class GrowthSession:
@@ -525,23 +525,23 @@ class GrowthSession:
         replicates: int = ...,
         seed: int = ...,
         threads: int = ...,
-        max_depth: int = ...,
-        roulette_weight: float = ...,
-        window: str = ...,
-        engine: str = ...,
-        direct_light: str = ...,
-        effort: str = ...,
-        series: str = ...,
         target_error: float = ...,
         target_fraction: float = ...,
         max_seconds: float = ...,
         max_paths: int = ...,
-        audit: float = ...,
-        tally_memory_mb: float = ...,
+        path_allocation: str = ...,
+        time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
+        direct_light: str = ...,
+        audit: float = ...,
+        max_depth: int = ...,
+        roulette_threshold: float = ...,
+        start_area: str = ...,
+        accelerator: str = ...,
+        tally_memory_mb: float = ...,
     ) -> Result: ...
     @property
     def scene_builds(self) -> int: ...

@@ -14,7 +14,7 @@ def fault(place, problem, why="", suggestion=""):
     """An InputError of one fault, in the words of the library."""
     text = f"{place}: {problem}" + (f" ({why})" if why else "")
     text += f"; {suggestion}" if suggestion else ""
-    detail = {"place": place, "problem": problem, "why": why, "suggestion": suggestion}
+    detail = {"where": place, "problem": problem, "why": why, "suggestion": suggestion}
     return InputError(text, [detail])
 
 

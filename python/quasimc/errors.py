@@ -12,12 +12,12 @@ class Error(Exception):
 class InputError(Error, ValueError):
     """Something in what was stated is wrong.
 
-    The text tells every fault, one a line: "place: problem (why); suggestion".
+    The text tells every fault, one a line: "where: problem (why); suggestion".
 
     Attributes
     ----------
     faults : list of dict
-        With the keys "place", "problem", "why" and "suggestion".
+        With the keys "where", "problem", "why" and "suggestion".
     """
 
     def __init__(self, text: str, faults: List[Dict[str, str]]) -> None:
@@ -34,7 +34,7 @@ class Stopped(Error, RuntimeError):
     Attributes
     ----------
     why : str
-        "time_is_up" or "interrupted".
+        "time_limit" or "interrupted".
     """
 
     def __init__(self, text: str, why: str) -> None:

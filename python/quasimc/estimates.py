@@ -40,12 +40,12 @@ class Estimates:
         return self._values[..., 1]
 
     @property
-    def low(self):
+    def ci95_low(self):
         """Lower ends of the 95 % confidence intervals."""
         return self._values[..., 2]
 
     @property
-    def high(self):
+    def ci95_high(self):
         """Upper ends of the 95 % confidence intervals."""
         return self._values[..., 3]
 
@@ -96,7 +96,7 @@ class DetectorResult(Estimates):
         coordinates = {
             "bin": ("bin", self.bins, {"long_name": self.quantity}),
             "band": list(self.bands),
-            "statistic": ["mean", "standard_error", "low", "high"],
+            "statistic": ["mean", "standard_error", "ci95_low", "ci95_high"],
         }
         units = self.unit[0] if len(set(self.unit)) == 1 else ", ".join(self.unit)
         return xarray.DataArray(
@@ -105,12 +105,12 @@ class DetectorResult(Estimates):
 
 
 class Estimate:
-    """A number with its error: mean, standard_error, low and high (95 %), unit."""
+    """A number with its error: mean, standard_error, ci95_low and ci95_high, unit."""
 
-    __slots__ = ("mean", "standard_error", "low", "high", "unit")
+    __slots__ = ("mean", "standard_error", "ci95_low", "ci95_high", "unit")
 
     def __init__(self, numbers, unit):
-        self.mean, self.standard_error, self.low, self.high = (float(x) for x in numbers)
+        self.mean, self.standard_error, self.ci95_low, self.ci95_high = (float(x) for x in numbers)
         self.unit = unit
 
     def __repr__(self):

@@ -236,7 +236,7 @@ def _organs_from_the_top(result):
 def _errors(estimates, organs):
     """How far the 95 % interval of each organ reaches below and above its mean."""
     mean = estimates.mean
-    return np.stack([mean - estimates.low, estimates.high - mean])[:, organs].clip(0)
+    return np.stack([mean - estimates.ci95_low, estimates.ci95_high - mean])[:, organs].clip(0)
 
 
 def _draw_fit(ax, x, y, name, points, place):

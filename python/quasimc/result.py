@@ -93,7 +93,7 @@ class Groups(_Light):
     Attributes
     ----------
     groups : list of dict
-        Of each group: by, value, organs (places in the result), area; of a layer low, high,
+        Of each group: by, value, organs (places in the result), area; of a layer height_min, height_max,
         plant_area_index and cumulative_plant_area_index.
     """
 
@@ -114,8 +114,8 @@ class Groups(_Light):
     def to_pandas(self):
         """A pandas.DataFrame with a row for each group, and columns as in the CSV files.
 
-        by, value, organs (how many), area, low, high, plant_area_index,
-        cumulative_plant_area_index, ``<quantity>_<band>`` with ``_se`` and ``_high``,
+        by, value, organs (how many), area, height_min, height_max, plant_area_index,
+        cumulative_plant_area_index, ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``,
         sunlit_fraction and sunlit_area where there are directional sources, and ``ratio_<ratio>``.
         The fractions of the canopy are in `Result.canopy`.
         """
@@ -123,7 +123,9 @@ class Groups(_Light):
 
         columns = {name: [group[name] for group in self.groups] for name in ("by", "value")}
         columns["organs"] = [len(group["organs"]) for group in self.groups]
-        for name in ("area", "low", "high", "plant_area_index", "cumulative_plant_area_index"):
+        for name in (
+            "area", "height_min", "height_max", "plant_area_index", "cumulative_plant_area_index"
+        ):
             columns[name] = [group[name] for group in self.groups]
         columns.update(self._columns())
         if "sunlit_fraction" in self.keys():
@@ -139,7 +141,7 @@ class Result(_Light):
     """The light of every organ.
 
     ``result["absorbed_flux"]["PAR"].mean`` is an array with a number for each organ, in the order
-    of ``result.organs``; ``.standard_error``, ``.low`` and ``.high`` (95 %) go with it. The
+    of ``result.organs``; ``.standard_error``, ``.ci95_low`` and ``.ci95_high`` go with it. The
     quantities are those of `quasimc.quantities()`, and "sunlit_fraction" where there are directional
     sources.
 
@@ -152,11 +154,11 @@ class Result(_Light):
     paths, replicates, rays : int
         Paths of each replicate; replicates; rays of all of them.
     stop : str
-        Why no more was traced: "paths_done", "target_reached", "time_is_up", "path_limit",
+        Why no more was traced: "finished", "target_reached", "time_limit", "path_limit",
         "interrupted" (by Ctrl-C: the numbers are of the paths that were done), "no_light".
     fraction_at_target : float
         Of the organs, where there was a target error.
-    build_seconds, trace_seconds, trace_cpu_seconds : float
+    preparation_seconds, solve_seconds, solve_cpu_seconds : float
     rounds : list of dict
         Of a run with a target error or `max_paths`, what each round has brought: paths (per
         replicate, of all rounds up to it), seconds (since the run began), median_error and
@@ -220,7 +222,7 @@ class Result(_Light):
 
     @property
     def audit(self):
-        """Of the audit, if there was one: dict with chance, agrees, paths, replicates; or None."""
+        """Of the audit, if there was one: dict with p_value, agrees, paths, replicates; or None."""
         return self._core.audit
 
     def _by_band(self, rows, numbers, quantity):
@@ -244,7 +246,7 @@ class Result(_Light):
         """A pandas.DataFrame with a row for each organ.
 
         The index is the organ's id; the columns are those of the CSV files: name, labels, area,
-        ``<quantity>_<band>`` with ``_se`` and ``_high``. A label that another column is named as is
+        ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``. A label that another column is named as is
         ``label_<key>``. Units are in ``frame.attrs["units"]``.
         """
         import pandas
@@ -267,7 +269,7 @@ class Result(_Light):
     def to_xarray(self):
         """An xarray.Dataset with the dimensions organ, band and statistic.
 
-        statistic: mean, standard_error, low, high. Units are attributes of the variables. A
+        statistic: mean, standard_error, ci95_low, ci95_high. Units are attributes of the variables. A
         detector is a variable of its name, with the dimension <name>_bin in place of organ; one that
         something else is named as is ``detector_<name>``.
         """
@@ -283,7 +285,7 @@ class Result(_Light):
         coordinates = {
             "organ": self.organs.ids,
             "band": list(self.bands),
-            "statistic": ["mean", "standard_error", "low", "high"],
+            "statistic": ["mean", "standard_error", "ci95_low", "ci95_high"],
             "name": ("organ", np.asarray(self.organs.names)),
             "area": ("organ", self.organs.areas, {"units": f"{self.organs.length_unit}2"}),
         }
@@ -358,7 +360,7 @@ class Series:
     total : Sums
         Over all times.
     stop : str
-        As of a result: "paths_done", "time_is_up" or "interrupted".
+        As of a result: "finished", "time_limit" or "interrupted".
     """
 
     def __init__(self, core, organs, warnings=(), sources=(), ratio_names=()):
@@ -489,5 +491,5 @@ def _estimate_columns(name, estimates):
     return {
         name: estimates.mean,
         f"{name}_se": estimates.standard_error,
-        f"{name}_high": estimates.high,
+        f"{name}_ci95_high": estimates.ci95_high,
     }

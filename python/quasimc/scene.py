@@ -70,7 +70,7 @@ class Scene:
         "z" or "y": the axis that points up.
     north : sequence of 3 floats
         A horizontal direction; azimuths count from it. Default: y, or x if y is up.
-    place : dict
+    site : dict
         latitude_deg, longitude_deg, elevation_m and others: for suns by time.
     title : str
     """
@@ -83,7 +83,7 @@ class Scene:
         length_unit=None,
         up=None,
         north=None,
-        place=None,
+        site=None,
         title=None,
     ):
         stated = {
@@ -92,7 +92,7 @@ class Scene:
             "length_unit": length_unit,
             "up": up,
             "north": north,
-            "place": place,
+            "site": site,
         }
         self._init(
             plain({**_band_keys(bands), **{k: v for k, v in stated.items() if v is not None}}),

@@ -96,7 +96,7 @@ def sun(
     Parameters
     ----------
     time : str or datetime.datetime
-        With its time zone, "2024-06-21T12:00:00+02:00"; the scene then needs a place. Or
+        With its time zone, "2024-06-21T12:00:00+02:00"; the scene then needs a site. Or
     azimuth_deg, elevation_deg : float
         where it stands, degrees; azimuth clockwise from north.
     disk : bool

@@ -8,7 +8,7 @@ from . import _core
 
 
 class SunPosition:
-    """Where the sun stands, seen from a place.
+    """Where the sun stands, seen from a site.
 
     Attributes
     ----------
@@ -59,8 +59,8 @@ def _time_text(time):
     return time if isinstance(time, str) else time.isoformat()
 
 
-def _place(latitude_deg, longitude_deg, elevation_m, pressure_hpa, temperature_c):
-    return _core.Place(latitude_deg, longitude_deg, elevation_m, pressure_hpa, temperature_c)
+def _site(latitude_deg, longitude_deg, elevation_m, pressure_hpa, temperature_c):
+    return _core.Site(latitude_deg, longitude_deg, elevation_m, pressure_hpa, temperature_c)
 
 
 def sun_position(
@@ -94,8 +94,8 @@ def sun_position(
     -------
     SunPosition
     """
-    place = _place(latitude_deg, longitude_deg, elevation_m, pressure_hpa, temperature_c)
-    return SunPosition(_core.sun_position(place, _time_text(time), delta_t_s))
+    site = _site(latitude_deg, longitude_deg, elevation_m, pressure_hpa, temperature_c)
+    return SunPosition(_core.sun_position(site, _time_text(time), delta_t_s))
 
 
 def sun_day(latitude_deg, longitude_deg, date, *, elevation_m=0.0):
@@ -114,5 +114,5 @@ def sun_day(latitude_deg, longitude_deg, date, *, elevation_m=0.0):
         kind ("ordinary", "polar_day", "polar_night"), transit, sunrise and sunset (texts as ISO
         8601 writes them, or None), transit_elevation_deg.
     """
-    place = _place(latitude_deg, longitude_deg, elevation_m, None, 12.0)
-    return dict(_core.sun_day(place, _time_text(date)))
+    site = _site(latitude_deg, longitude_deg, elevation_m, None, 12.0)
+    return dict(_core.sun_day(site, _time_text(date)))

@@ -69,7 +69,7 @@ class TableRow {
     /// The part of the projected area that light reaches straight from the sources: the first band
     /// that has light tells. Not known where such light is left out of all numbers.
     [[nodiscard]] double sunlit_area() const {
-        if (view_.spec.run.direct_light == DirectLight::ignored) {
+        if (view_.spec.run.direct_light == DirectLight::excluded) {
             return std::numeric_limits<double>::quiet_NaN();
         }
         for (std::size_t b = 0; b < view_.spec.band_count(); ++b) {
@@ -133,12 +133,12 @@ std::string variance_table(const StepView& view) {
 }
 
 void write_variance_file(const StepView& view) {
-    const std::string& stated = view.spec.variance_file->name;
+    const std::string& given = view.spec.variance_file->name;
     // Whoever wants one step looks for the name that was stated.
-    const bool is_exact = !stated.empty() && view.step == 0;
+    const bool is_exact = !given.empty() && view.step == 0;
     AtomicFile file(
-        is_exact ? stated
-                 : numbered_name(stated.empty() ? default_name(view.spec) : stated, view.step));
+        is_exact ? given
+                 : numbered_name(given.empty() ? default_name(view.spec) : given, view.step));
     file.write(variance_table(view));
     file.commit();
 }

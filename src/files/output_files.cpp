@@ -21,16 +21,17 @@ void check_apart(
         const FileIdentity file = identity_of(output.path, STDOUT_FILENO);
         if (const InputFile* input = input_at(file, inputs)) {
             faults.add(
-                {output.place, fmt::format("'{}' is an input of the run", output.path),
-                 fmt::format("'{}' is read from it", input->path), "name another file"});
+                {output.where, fmt::format("'{}' is an input of this run", output.path),
+                 input->path == output.path ? "" : fmt::format("read as '{}'", input->path),
+                 "name another file"});
         }
         const auto same = std::find(files.begin(), files.end(), file);
         if (same != files.end() && !file.is_discard) {
             const OutputPath& other =
                 outputs[static_cast<std::size_t>(std::distance(files.begin(), same))];
             faults.add(
-                {output.place, fmt::format("'{}' is the file of another output", output.path),
-                 fmt::format("{} names it", other.place), "name another file"});
+                {output.where, fmt::format("'{}' is the file of another output", output.path),
+                 fmt::format("{} names it", other.where), "name another file"});
         }
         files.push_back(file);
     }

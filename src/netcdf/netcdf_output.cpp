@@ -3,7 +3,7 @@
 
 namespace quasimc {
 
-std::unique_ptr<OutputWriter> make_nc(const OutputInput& input) {
+std::unique_ptr<OutputWriter> make_netcdf(const OutputInput& input) {
     return make_netcdf_writer(input.run, input.sink);
 }
 

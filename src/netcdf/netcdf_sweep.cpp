@@ -10,7 +10,7 @@ namespace quasimc {
 namespace {
 
 /// Sections that say when there is how much light.
-constexpr std::array<std::string_view, 3> kLightSections{"source", "place", "time"};
+constexpr std::array<std::string_view, 3> kLightSections{"source", "site", "time"};
 
 }  // namespace
 
@@ -47,13 +47,13 @@ void NetcdfSweep::add_keys(const SweepPlan& plan) {
     }
 }
 
-std::vector<std::size_t> NetcdfSweep::place_of(std::size_t point) const {
-    std::vector<std::size_t> place(axes_.size());
+std::vector<std::size_t> NetcdfSweep::indices_of(std::size_t point) const {
+    std::vector<std::size_t> indices(axes_.size());
     for (std::size_t i = axes_.size(); i-- > 0;) {
-        place[i] = point % axes_[i].size;
+        indices[i] = point % axes_[i].size;
         point /= axes_[i].size;
     }
-    return place;
+    return indices;
 }
 
 }  // namespace quasimc

@@ -43,9 +43,9 @@ struct BsdfEntry {
 /// The values of a model's parameters in the order of its row: those stated, or else the usual
 /// ones; NaN for one that has neither. What the model does not take is passed over.
 [[nodiscard]] std::vector<double> parameter_values(
-    const BsdfEntry& model, const BsdfParameters& stated);
+    const BsdfEntry& model, const BsdfParameters& given);
 
 /// "exponent 0 ... 1000000" for the manual; "" for a model without parameters.
-[[nodiscard]] std::string parameter_words(const BsdfEntry& model);
+[[nodiscard]] std::string describe_parameters(const BsdfEntry& model);
 
 }  // namespace quasimc

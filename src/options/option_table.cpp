@@ -88,129 +88,142 @@ Named<Method> names_of_methods() {
 // --dump-default, the table in docs/reference/options.md (copy it from `quasimc list options
 // -markdown`; a test compares), the keyword in Python and the echo in the JSON result follow from
 // the row. python/quasimc/__init__.pyi lists it too, for who types (a test compares).
-std::vector<Option> rows_of_paths() {
+std::vector<Option> rows_of_sampling() {
     constexpr std::int64_t kAnySeed = std::numeric_limits<std::int64_t>::max();
     return {
         plain_option(
-            {"sampler", "", "point set that the paths are made from"}, &RunSpec::sampler,
+            {"sampler", "", "point set for sampling"}, &RunSpec::sampler,
             ChoiceDomain{names_in(sampler_catalogue())}),
         choice_option<Method>(
             {"method", "",
-             "how light is followed: ray_bundles (sun and sky on matt surfaces), first_hits (sun, "
-             "sky), light_tracing (lamps), from_organs (few or small ones measured); auto: the "
-             "best of them, and why"},
+             "transport method: ray_bundles (sun and sky, Lambertian surfaces), first_hits "
+             "(sun and sky), light_tracing (lamps), from_organs (few measured organs); auto "
+             "chooses"},
             &RunSpec::method, names_of_methods()),
         integer_option(
-            {"paths", "", "paths of each replicate; a power of two is best"}, &RunSpec::paths,
-            {1, kMostPaths}),
+            {"paths", "", "sampling effort of one replicate, in paths; best a power of two"},
+            &RunSpec::paths, {1, kMaxPaths}),
         integer_option(
-            {"replicates", "",
-             "independent randomizations; the standard errors come from their scatter"},
-            &RunSpec::replicates, {1, kMostReplicates}),
+            {"replicates", "", "independent repetitions that give the standard errors"},
+            &RunSpec::replicates, {1, kMaxReplicates}),
+        integer_option({"seed", "", "seed of the random numbers"}, &RunSpec::seed, {0, kAnySeed}),
         integer_option(
-            {"seed", "", "another seed gives other random numbers"}, &RunSpec::seed, {0, kAnySeed}),
-        integer_option(
-            {"threads", "", "0: as many as the machine has; never changes a result"},
-            &RunSpec::threads, {0, kMostThreads}),
-        integer_option(
-            {"max_depth", "",
-             "hits after which a path is cut off (the energy is reported); 0: never"},
-            &RunSpec::max_depth, {0, 1000000}),
-        real_option(
-            {"roulette_weight", "",
-             "weight that Russian roulette plays for; 1: at every hit, less: fewer paths end "
-             "early"},
-            &RunSpec::roulette_weight, {1e-6, 1}),
+            {"threads", "", "threads (0: all cores); results do not depend on it"},
+            &RunSpec::threads, {0, kMaxThreads}),
     };
 }
 
-std::vector<Option> rows_of_engine() {
-    return {
-        choice_option<CrossSectionShape>(
-            {"window", "",
-             "where light enters: silhouette of the scene, or the disc across its bounding sphere"},
-            &RunSpec::window,
-            {{"silhouette", CrossSectionShape::silhouette}, {"sphere", CrossSectionShape::sphere}}),
-        choice_option<Engine>(
-            {"engine", "", "ray engine; brute_force is slow and serves to check the other"},
-            &RunSpec::engine, {{"embree", Engine::embree}, {"brute_force", Engine::brute_force}}),
-        choice_option<DirectLight>(
-            {"direct_light", "",
-             "light straight from the sources is counted on organs, or ignored: scattered light "
-             "alone"},
-            &RunSpec::direct_light,
-            {{"counted", DirectLight::counted}, {"ignored", DirectLight::ignored}}),
-        choice_option<Effort>(
-            {"effort", "",
-             "with [time]: each time has these paths and this target_error, or paths go by the "
-             "light of the hours, for the sum of the day"},
-            &RunSpec::effort, {{"each", Effort::each}, {"day", Effort::day}}),
-        choice_option<SeriesMode>(
-            {"series", "",
-             "with [time]: each time is traced for itself, or skies and scattered light of all "
-             "times are put together from those of one set of directions (ray_bundles)"},
-            &RunSpec::series,
-            {{"one_by_one", SeriesMode::one_by_one}, {"together", SeriesMode::together}}),
-    };
-}
-
-std::vector<Option> rows_of_ends() {
+std::vector<Option> rows_of_stopping() {
     return {
         real_option(
             {"target_error", "",
-             "relative standard error of the absorbed flux to reach, 0.01 for 1 %; 0: none"},
+             "continue until the absorbed flux has this relative standard error (0.01: 1 %; "
+             "0: no target)"},
             &RunSpec::target_error, {0, 1}),
         real_option(
-            {"target_fraction", "", "fraction of the organs that must reach it in every band"},
+            {"target_fraction", "",
+             "fraction of organs that must reach target_error in every band"},
             &RunSpec::target_fraction, {0, 1}),
         real_option(
-            {"max_seconds", "s",
-             "the run ends after that time, with fewer paths if need be; 0: no limit"},
-            &RunSpec::max_seconds, {0, kLongestRun}),
+            {"max_seconds", "s", "time limit in seconds (0: none)"}, &RunSpec::max_seconds,
+            {0, kLongestRun}),
         integer_option(
             {"max_paths", "",
-             "most paths of each replicate in all rounds; 0: 2^30 with a target, else just paths"},
-            &RunSpec::max_paths, {0, kMostPaths}),
-        real_option(
-            {"audit", "",
-             "share of the paths (0.1) that plain Monte Carlo tracing gets afterwards, to compare "
-             "with; 0: no audit"},
-            &RunSpec::audit, {0, 1}),
-        real_option(
-            {"tally_memory_mb", "MB",
-             "private tallies of all threads; larger ones are shared (same results)"},
-            &RunSpec::tally_memory_mb, {0, 1e6}),
-        plain_option(
-            {"ratios", "", "ratios of the light of two bands that falls on an organ"},
-            &RunSpec::ratios, WordsDomain{"BAND:BAND"}),
+             "limit on paths per replicate (0: 2^30 with target_error, otherwise paths)"},
+            &RunSpec::max_paths, {0, kMaxPaths}),
     };
 }
 
-std::vector<Option> rows_of_groups() {
-    constexpr std::int64_t kMostLayers = 100000;
+std::vector<Option> rows_of_time() {
+    return {
+        choice_option<PathAllocation>(
+            {"path_allocation", "",
+             "with [time]: paths equal for all time steps, or proportional to their light; "
+             "target_error is then for the daily sum"},
+            &RunSpec::path_allocation,
+            {{"equal", PathAllocation::equal}, {"proportional", PathAllocation::proportional}}),
+        choice_option<TimeMethod>(
+            {"time_method", "",
+             "with [time]: independent time steps, or daylight_coefficients (one set of sky "
+             "solutions for all; ray_bundles only)"},
+            &RunSpec::time_method,
+            {{"independent", TimeMethod::independent},
+             {"daylight_coefficients", TimeMethod::daylight_coefficients}}),
+    };
+}
+
+std::vector<Option> rows_of_results() {
+    constexpr std::int64_t kMaxLayers = 100000;
     return {
         plain_option(
+            {"ratios", "", "ratios of incident light in two bands, \"R:FR\""}, &RunSpec::ratios,
+            ListDomain{"BAND:BAND"}),
+        plain_option(
             {"groups", "",
-             "labels of organs whose light is summed for each value, with errors of the sums; "
-             "\"plant+kind\" for each pair of values"},
-            &RunSpec::groups, WordsDomain{"LABEL"}),
+             "sum results over organs with equal labels, \"plant\" or \"plant+kind\""},
+            &RunSpec::groups, ListDomain{"LABEL"}),
         integer_option(
             {"layers", "",
-             "layers of equal height, from the ground, or the lowest point if lower, to "
-             "the highest of the organs, whose light is summed; 0: none"},
-            &RunSpec::layers, {0, kMostLayers}),
+             "sum results in this many layers of equal height, from the ground to the top "
+             "(0: none)"},
+            &RunSpec::layers, {0, kMaxLayers}),
         plain_option(
             {"layer_heights", "",
-             "instead of layers: the heights between them, ascending, in the unit of length"},
+             "boundaries of the layers, ascending, in the length unit, instead of their number"},
             &RunSpec::layer_heights, RealsDomain{}, as_reals),
     };
 }
 
+std::vector<Option> rows_of_expert() {
+    return {
+        choice_option<DirectLight>(
+            {"direct_light", "",
+             "include or exclude direct light in results (excluded: scattered light only)"},
+            &RunSpec::direct_light,
+            {{"included", DirectLight::included}, {"excluded", DirectLight::excluded}}),
+        real_option(
+            {"audit", "",
+             "check against plain Monte Carlo with this fraction of the paths (0.1; 0: no "
+             "check)"},
+            &RunSpec::audit, {0, 1}),
+        integer_option(
+            {"max_depth", "",
+             "end a path after this many hits (0: no limit); the energy lost is reported"},
+            &RunSpec::max_depth, {0, 1000000}),
+        real_option(
+            {"roulette_threshold", "",
+             "relative weight below which Russian roulette is played (1: at every hit)"},
+            &RunSpec::roulette_threshold, {1e-6, 1}),
+        choice_option<StartArea>(
+            {"start_area", "",
+             "area from which paths start: the scene's silhouette, or the disc of its "
+             "bounding sphere"},
+            &RunSpec::start_area,
+            {{"silhouette", StartArea::silhouette},
+             {"bounding_sphere", StartArea::bounding_sphere}}),
+        choice_option<Accelerator>(
+            {"accelerator", "", "embree, or brute_force (slow, for checks)"}, &RunSpec::accelerator,
+            {{"embree", Accelerator::embree}, {"brute_force", Accelerator::brute_force}}),
+        real_option(
+            {"tally_memory_mb", "MB",
+             "memory for one tally per thread; above it threads share one (same results)"},
+            &RunSpec::tally_memory_mb, {0, 1e6}),
+    };
+}
+
 std::vector<Option> make_table() {
-    std::vector<Option> table = rows_of_paths();
-    for (const auto& more : {rows_of_engine(), rows_of_ends(), rows_of_groups()}) {
-        table.insert(table.end(), more.begin(), more.end());
-    }
+    std::vector<Option> table;
+    const auto add = [&](std::string_view group, std::vector<Option> rows) {
+        for (Option& row : rows) {
+            row.group = group;
+            table.push_back(std::move(row));
+        }
+    };
+    add("Sampling", rows_of_sampling());
+    add("Stopping", rows_of_stopping());
+    add("Time", rows_of_time());
+    add("Results", rows_of_results());
+    add("Expert", rows_of_expert());
     return table;
 }
 

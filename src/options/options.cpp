@@ -1,6 +1,7 @@
 #include "options/options.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -22,12 +23,12 @@ std::string in_quotes(std::string_view text) {
     return result + '"';
 }
 
-std::string value_words(const OptionValue& value) {
+std::string format_value(const OptionValue& value) {
     const auto* text = std::get_if<std::string>(&value);
     return text ? "'" + *text + "'" : option_toml(value);
 }
 
-/// What kind of value a domain asks for.
+/// What a value of a domain is called.
 std::string domain_kind(const OptionDomain& domain) {
     switch (domain.index()) {
         case 0:
@@ -35,12 +36,27 @@ std::string domain_kind(const OptionDomain& domain) {
         case 1:
             return "a number";
         case 2:
-            return "a name";
+            return "a text";
         case 3:
             return "a list of texts";
         default:
-            return "a list of numbers";
+            return "a list of finite numbers";
     }
+}
+
+/// A whole number as people write it: 1000, 2^30, 2^63 - 1.
+std::string whole_text(std::int64_t number) {
+    constexpr std::uint64_t kLarge = std::uint64_t{1} << 20U;
+    const auto n = static_cast<std::uint64_t>(number);
+    if (number >= 0 && n + 1 >= kLarge) {
+        if (std::has_single_bit(n)) {
+            return fmt::format("2^{}", std::countr_zero(n));
+        }
+        if (std::has_single_bit(n + 1)) {
+            return fmt::format("2^{} - 1", std::countr_zero(n + 1));
+        }
+    }
+    return std::to_string(number);
 }
 
 bool has_right_type(const OptionDomain& domain, const OptionValue& value) {
@@ -113,7 +129,7 @@ std::string option_flag(const Option& option) {
 
 std::string domain_text(const Option& option) {
     if (const auto* range = std::get_if<IntegerDomain>(&option.domain)) {
-        return fmt::format("{} to {}", range->low, range->high);
+        return fmt::format("{} to {}", whole_text(range->low), whole_text(range->high));
     }
     if (const auto* range = std::get_if<RealDomain>(&option.domain)) {
         return fmt::format("{} to {}", range->low, range->high);
@@ -124,7 +140,7 @@ std::string domain_text(const Option& option) {
     if (std::holds_alternative<RealsDomain>(option.domain)) {
         return "list of finite numbers";
     }
-    return fmt::format("list of \"{}\"", std::get<WordsDomain>(option.domain).form);
+    return fmt::format("list of \"{}\"", std::get<ListDomain>(option.domain).form);
 }
 
 OptionValue whole_if_integer(const Option& option, OptionValue value) {
@@ -138,22 +154,24 @@ OptionValue whole_if_integer(const Option& option, OptionValue value) {
 }
 
 std::optional<Fault> check_option(const Option& option, const OptionValue& value) {
-    if (!has_right_type(option.domain, value)) {
-        return Fault{
-            "", fmt::format("{} is {}", option.key, value_words(value)),
-            fmt::format("it takes {}: {}", domain_kind(option.domain), domain_text(option)), ""};
-    }
-    if (in_domain(option.domain, value)) {
+    const bool has_type = has_right_type(option.domain, value);
+    if (has_type && in_domain(option.domain, value)) {
         return std::nullopt;
     }
-    Fault fault{
-        "", fmt::format("{} is {}", option.key, value_words(value)),
-        "it takes " + domain_text(option), ""};
     if (const auto* choice = std::get_if<ChoiceDomain>(&option.domain)) {
-        fault.why = "no such choice";
-        fault.suggestion = did_you_mean(std::get<std::string>(value), choice->names);
+        const auto* word = std::get_if<std::string>(&value);
+        const std::string_view near = word ? nearest_word(*word, choice->names) : "";
+        return Fault{
+            "", fmt::format("{} is not {}", format_value(value), domain_text(option)), "",
+            near.empty() ? "" : fmt::format("did you mean '{}'?", near)};
     }
-    return fault;
+    if (has_type && is_number(option.domain)) {
+        return Fault{
+            "", fmt::format("{} is out of range", format_value(value)), domain_text(option), ""};
+    }
+    return Fault{
+        "", fmt::format("{} is not {}", format_value(value), domain_kind(option.domain)),
+        std::holds_alternative<RealsDomain>(option.domain) ? "" : domain_text(option), ""};
 }
 
 std::string method_name(Method from) {
@@ -165,7 +183,7 @@ std::string method_name(Method from) {
 namespace {
 
 /// What stands between commas.
-std::vector<std::string> listed_words(std::string_view text) {
+std::vector<std::string> split_list(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(','), text.size());
@@ -177,7 +195,7 @@ std::vector<std::string> listed_words(std::string_view text) {
 
 /// The numbers between commas, or the words if one of them is none.
 OptionValue listed_numbers(std::string_view text) {
-    const std::vector<std::string> words = listed_words(text);
+    const std::vector<std::string> words = split_list(text);
     std::vector<double> numbers;
     for (const std::string& word : words) {
         if (const auto number = parse_real(word)) {
@@ -200,8 +218,8 @@ OptionValue parse_option(const Option& option, std::string_view text) {
             return whole_if_integer(option, *real);
         }
     }
-    if (std::holds_alternative<WordsDomain>(option.domain)) {
-        return listed_words(text);
+    if (std::holds_alternative<ListDomain>(option.domain)) {
+        return split_list(text);
     }
     if (std::holds_alternative<RealsDomain>(option.domain)) {
         return listed_numbers(text);

@@ -28,18 +28,18 @@ struct RealDomain {
 struct ChoiceDomain {
     std::vector<std::string_view> names;
 };
-struct WordsDomain {
+struct ListDomain {
     std::string_view form;  ///< how a word looks, "BAND:BAND"
 };
 struct RealsDomain {};  ///< a list of finite numbers
-using OptionDomain =
-    std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain, RealsDomain>;
+using OptionDomain = std::variant<IntegerDomain, RealDomain, ChoiceDomain, ListDomain, RealsDomain>;
 
 /// The words of a row.
 struct OptionWords {
-    std::string_view key;      ///< in the run file's [run]; the flag is --key with '-' for '_'
-    std::string_view unit;     ///< may be empty
-    std::string_view summary;  ///< one line for the manual, the usage and the default file
+    std::string_view key;         ///< in the run file's [run]; the flag is --key with '-' for '_'
+    std::string_view unit;        ///< may be empty
+    std::string_view summary;     ///< one line for the manual, the usage and the default file
+    std::string_view group = {};  ///< heading in the help, set by make_table()
 };
 
 /// One row of the table of run options: one field of RunSpec.
@@ -68,7 +68,7 @@ struct Option : OptionWords {
 /// "--max-depth" for max_depth.
 [[nodiscard]] std::string option_flag(const Option& option);
 
-/// What the option takes, in words: "1 to 100", "one of sobol, halton", "list of BAND:BAND".
+/// Range or choices of the option: "1 to 2^30", "one of sobol, halton", "list of BAND:BAND".
 [[nodiscard]] std::string domain_text(const Option& option);
 
 /// A whole number of an integer option, however it is written (1e6), as an integer; other values
@@ -76,7 +76,7 @@ struct Option : OptionWords {
 [[nodiscard]] OptionValue whole_if_integer(const Option& option, OptionValue value);
 
 /// What is wrong with a value for this option; nothing if it may be set. An integer passes for a
-/// real. The fault has no place.
+/// real. The fault has no location.
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
 /// How run files name a method: "first_hits".

@@ -29,11 +29,12 @@ GivenSums trace_here(
 
 bool is_dealt(const RunSpec& spec) {
     return spec.target_error == 0 && spec.max_paths == 0 && spec.max_seconds == 0 &&
-           spec.series == SeriesMode::one_by_one;
+           spec.time_method == TimeMethod::independent;
 }
 
-DealtRuns::DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t moment) : team_(team) {
-    static_cast<void>(team.order({.kind = TeamOrder::kDealt, .point = point, .moment = moment}));
+DealtRuns::DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t time_step) : team_(team) {
+    static_cast<void>(
+        team.order({.kind = TeamOrder::kDealt, .point = point, .time_step = time_step}));
 }
 
 DealtRuns::~DealtRuns() {

@@ -51,13 +51,14 @@ class Scatter {
 
     /// A sum of squares of normal numbers over an estimate of its mean: F, with the degrees of
     /// freedom of a sum of unequal variances.
-    void tell(BandAudit& audit) const {
+    void send(BandAudit& audit) const {
         if (!(variances_ > 0)) {
             return;
         }
         audit.reduced_chi_square = squares_ / variances_;
         audit.freedom = variances_ * variances_ / spread_;
-        audit.chi_chance = f_tail(audit.reduced_chi_square, audit.freedom, error_.degrees());
+        audit.chi_square_p_value =
+            f_tail(audit.reduced_chi_square, audit.freedom, error_.degrees());
     }
 
   private:
@@ -77,7 +78,7 @@ void compare_totals(const Result& a, const Result& b, std::size_t band, BandAudi
         Freedom freedom;
         freedom.add(variance(x), a.replicates);
         freedom.add(variance(y), b.replicates);
-        audit.difference_chance =
+        audit.difference_p_value =
             f_tail(audit.difference * audit.difference / sum, 1, freedom.degrees());
     }
 }
@@ -96,11 +97,11 @@ Audit compare_results(const Scene& scene, const Result& a, const Result& b) {
             }
         }
         BandAudit& own = audit.bands[band];
-        scatter.tell(own);
+        scatter.send(own);
         compare_totals(a, b, band, own);
-        least = std::min({least, own.chi_chance, own.difference_chance});
+        least = std::min({least, own.chi_square_p_value, own.difference_p_value});
     }
-    audit.chance = std::min(1.0, least * 2 * static_cast<double>(a.bands));
+    audit.p_value = std::min(1.0, least * 2 * static_cast<double>(a.bands));
     return audit;
 }
 

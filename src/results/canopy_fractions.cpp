@@ -43,17 +43,19 @@ class FractionMaker {
     FractionMaker(const std::vector<Flows>& flows, std::vector<double> incident)
         : flows_(flows), incident_(std::move(incident)) {}
 
-    /// @param per_find  flux that a single find would have brought; 0: zeros are certain
-    [[nodiscard]] Estimate fraction(double Flows::*part, double per_find = 0) const {
+    /// @param value_per_contribution  flux that a single find would have brought; 0: zeros are
+    /// certain
+    [[nodiscard]] Estimate fraction(double Flows::*part, double value_per_contribution = 0) const {
         std::vector<double> amounts;
         for (const Flows& flows : flows_) {
             amounts.push_back(flows.*part);
         }
         const bool is_unseen =
-            per_find > 0 &&
+            value_per_contribution > 0 &&
             std::all_of(amounts.begin(), amounts.end(), [](double x) { return x == 0; });
         return is_unseen
-                   ? estimate_unseen(static_cast<double>(amounts.size()), per_find / incident())
+                   ? estimate_unseen(
+                         static_cast<double>(amounts.size()), value_per_contribution / incident())
                    : not_negative(estimate_ratio(amounts, incident_));
     }
 
@@ -69,23 +71,24 @@ class FractionMaker {
 std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     const Organ* ground = find_ground(scene);
-    const bool endless = is_endless(scene);
-    const bool is_told = endless || (ground != nullptr && !spec.horizontal_irradiance.empty());
+    const bool infinite = is_endless(scene);
+    const bool is_told = infinite || (ground != nullptr && !spec.horizontal_irradiance.empty());
     std::vector<CanopyFractions> fractions(is_told ? flows.size() : 0);
     for (std::size_t b = 0; b < fractions.size(); ++b) {
         std::vector<double> incident;
         for (const Flows& one : flows[b]) {
             incident.push_back(
-                endless ? one.emitted : spec.horizontal_irradiance[b] * horizontal_area(scene));
+                infinite ? one.emitted : spec.horizontal_irradiance[b] * horizontal_area(scene));
         }
         const FractionMaker maker(flows[b], std::move(incident));
         CanopyFractions& own = fractions[b];
         own = {
-            endless ? sums->emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,
+            infinite ? sums->emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,
             maker.fraction(&Flows::organs), kUnknownEstimate};
         if (ground != nullptr) {
             const GroundFind find = find_on_ground(sums, scene, spec, *ground, b);
-            own.reflectance = maker.fraction(endless ? &Flows::escaped : &Flows::escaped_scattered);
+            own.reflectance =
+                maker.fraction(infinite ? &Flows::escaped : &Flows::escaped_scattered);
             own.transmittance = maker.fraction(&Flows::on_ground, find.on_ground);
             own.ground_absorptance = maker.fraction(&Flows::ground, find.absorbed);
         }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "quasimc/result.h"
-#include "results/bounds/light_limits.h"
+#include "results/bounds/physical_bounds.h"
 #include "scene/scene.h"
 
 namespace quasimc {
@@ -10,6 +10,6 @@ namespace quasimc {
 /// all else that makes them wider. Means stay what they are; reported() puts them into the
 /// interval.
 void cut_intervals(
-    const LightLimits& limits, const Scene& scene, const EvaluationSpec& spec, Result& result);
+    const PhysicalBounds& limits, const Scene& scene, const EvaluationSpec& spec, Result& result);
 
 }  // namespace quasimc

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/checks.h"
-#include "results/bounds/light_limits.h"
-#include "results/bounds/organ_finds.h"
+#include "results/bounds/organ_contributions.h"
 #include "results/bounds/organ_reader.h"
 #include "results/bounds/patch_error.h"
+#include "results/bounds/physical_bounds.h"
 #include "results/cut_intervals.h"
 #include "results/flows.h"
 #include "results/groups.h"
@@ -44,7 +44,7 @@ class OrganEvaluator {
 
     /// Fills in all of an organ.
     /// @param finds  per band: gets those of what it absorbs, where one more or less counts
-    void evaluate(std::size_t index, Result& result, std::span<TotalFind> finds) {
+    void evaluate(std::size_t index, Result& result, std::span<TotalContribution> finds) {
         const Organ& organ = scene_.organs()[index];
         const OrganReader reader(reader_, scene_, spec_, organ);
         const auto& ratios = spec_.ratios;
@@ -53,8 +53,9 @@ class OrganEvaluator {
             return;
         }
         for (std::size_t b = 0; b < result.bands; ++b) {
-            const SingleFind find = evaluate_band(reader, organ, index, b, result);
-            finds[b].include(organ.is_ground ? TotalFind{{}, find} : TotalFind{find, {}});
+            const ContributionSize find = evaluate_band(reader, organ, index, b, result);
+            finds[b].include(
+                organ.is_ground ? TotalContribution{{}, find} : TotalContribution{find, {}});
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
             result.ratio_values[index * ratios.size() + i] =
@@ -77,7 +78,7 @@ class OrganEvaluator {
     }
 
     /// @returns a find of what it absorbs
-    SingleFind evaluate_band(
+    ContributionSize evaluate_band(
         const OrganReader& reader,
         const Organ& organ,
         std::size_t index,
@@ -90,16 +91,17 @@ class OrganEvaluator {
             incident_[band].per_replicate[r] = sample_of(Quantity::incident_direct)[r] +
                                                sample_of(Quantity::incident_scattered)[r];
         }
-        const OrganFinds finds(reader, band);
-        const SingleFind find = finds.incident_find();
+        const OrganContributions finds(reader, band);
+        const ContributionSize find = finds.incident_contribution();
         incident_[band].find = {find.more * per_area, find.less * per_area};
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] =
                 finds.estimate(entry, per_area, samples_[q]);
         }
-        return finds.knows_finds() && !finds.is_settled() ? finds.find(Quantity::absorbed_flux)
-                                                          : SingleFind{};
+        return finds.knows_contributions() && !finds.has_enough_contributions()
+                   ? finds.find(Quantity::absorbed_flux)
+                   : ContributionSize{};
     }
 
     std::vector<double>& sample_of(Quantity q) { return samples_[static_cast<std::size_t>(q)]; }
@@ -110,8 +112,8 @@ class OrganEvaluator {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
         if (!reader.knows_unoccluded() && reader.strategies() > 0) {
-            const SingleFind one = OrganFinds::sunlit_find(reader);
-            return estimate_finds(values_, {one.more * per_area, one.less * per_area});
+            const ContributionSize one = OrganContributions::sunlit_contribution(reader);
+            return estimate_contributions(values_, {one.more * per_area, one.less * per_area});
         }
         const double find =
             reader.largest_sunlit() * per_area / static_cast<double>(values_.size());
@@ -133,7 +135,8 @@ class OrganEvaluator {
 /// @param is_done  (first, last) is called when the sums of these organs are read no more
 /// @param finds  gets what a find changes in the totals
 template <typename IsDone>
-void evaluate_organs(const Given& given, const IsDone& is_done, TotalFinds& finds, Result& result) {
+void evaluate_organs(
+    const Given& given, const IsDone& is_done, TotalContributions& finds, Result& result) {
     constexpr std::size_t kOrgansPerStep = 1 << 15;
     const std::size_t organs = given.scene.organs().size();
     const std::size_t values = kQuantities * result.bands;
@@ -148,7 +151,7 @@ void evaluate_organs(const Given& given, const IsDone& is_done, TotalFinds& find
         result.sunlit_fraction.resize(has_sun ? end : 0);
         for_each_block(begin, end, given.spec.threads, [&](std::size_t first, std::size_t last) {
             OrganEvaluator evaluator(given);
-            std::vector<TotalFind> own(result.bands);
+            std::vector<TotalContribution> own(result.bands);
             for (std::size_t i = first; i < last; ++i) {
                 evaluator.evaluate(i, result, own);
             }
@@ -174,10 +177,10 @@ Result evaluate_sums(
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
     result.rays = sums.rays();
-    TotalFinds finds(result.bands);
+    TotalContributions finds(result.bands);
     evaluate_organs({sums, scene, spec}, is_done, finds, result);
-    tell_errors_of_totals(sums, scene, finds, result);
-    result.escaped_is_remainder = sums->escaped == EscapedLight::remainder;
+    report_errors_of_totals(sums, scene, finds, result);
+    result.escaped_by_difference = sums->escaped == EscapedLight::remainder;
     result.paths = sums.paths();
     result.replicates = static_cast<std::uint32_t>(sums->replicates.size());
     if (has_two_levels(sums)) {
@@ -185,7 +188,7 @@ Result evaluate_sums(
             evaluate_means(coarser_sums(sums), scene, spec, result.groups.groups), scene, spec,
             result);
     }
-    cut_intervals(LightLimits(scene, spec, sums->emitted_flux), scene, spec, result);
+    cut_intervals(PhysicalBounds(scene, spec, sums->emitted_flux), scene, spec, result);
     return result;
 }
 

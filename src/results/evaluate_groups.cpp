@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "results/bounds/organ_finds.h"
+#include "results/bounds/organ_contributions.h"
 #include "results/bounds/organ_reader.h"
 #include "results/groups.h"
 #include "sums/statistics.h"
@@ -20,14 +20,14 @@ struct GroupSums {
 };
 
 /// What one find more would bring to a group, or one less would take.
-struct GroupFind {
+struct GroupContribution {
     double incident = 0, absorbed = 0;  ///< more, to a single replicate
     /// Where it is known what can be found: to the organ to which a sample brings most; of kinds of
     /// light, of which each organ may lack some of its own, to all of them.
-    std::array<SingleFind, kQuantities> known{};
-    SingleFind on_both_sides;  ///< the same of all light that falls
+    std::array<ContributionSize, kQuantities> known{};
+    ContributionSize on_both_sides;  ///< the same of all light that falls
     /// Where nothing was found: along one direction all organs may, a path meets one of them.
-    std::array<double, kQuantities> by_look{}, by_path{};
+    std::array<double, kQuantities> by_sky_sample{}, by_path{};
 };
 
 /// Turns the sums of groups into estimates.
@@ -79,24 +79,24 @@ class GroupEvaluator {
     [[nodiscard]] bool knows_unoccluded() const { return reader_.unoccluded().exists(); }
 
     /// Whether it is known what a find may bring.
-    [[nodiscard]] bool knows_finds() const {
+    [[nodiscard]] bool knows_contributions() const {
         return knows_unoccluded() || !sums_->strategies.empty();
     }
 
     [[nodiscard]] Estimate sunlit_area(
         std::size_t group, const std::vector<double>& per_replicate) const {
         double most = 0;
-        SingleFind known;
+        ContributionSize known;
         for (const std::uint32_t index : results_.groups[group].organs) {
             const OrganReader reader = reader_of(index);
             most = std::max(most, reader.largest_sunlit());
-            if (knows_finds() && !knows_unoccluded()) {
-                known = together(known, OrganFinds::sunlit_find(reader));
+            if (knows_contributions() && !knows_unoccluded()) {
+                known = together(known, OrganContributions::sunlit_contribution(reader));
             }
         }
         if (!knows_unoccluded()) {
-            return knows_finds() ? estimate_finds(per_replicate, known)
-                                 : estimate_seen_or_bound(per_replicate, most);
+            return knows_contributions() ? estimate_contributions(per_replicate, known)
+                                         : estimate_seen_or_bound(per_replicate, most);
         }
         return estimate_sunlit_points(
             per_replicate, results_.groups[group].area,
@@ -108,34 +108,35 @@ class GroupEvaluator {
     }
 
     /// Of what one sample finds, the most that it brings to an organ; else each organ's own.
-    [[nodiscard]] SingleFind together(const SingleFind& a, const SingleFind& b) const {
+    [[nodiscard]] ContributionSize together(
+        const ContributionSize& a, const ContributionSize& b) const {
         if (b.more == 0 && b.less == 0) {
             return a;
         }
         return knows_unoccluded()
-                   ? SingleFind{std::max(a.more, b.more), std::max(a.less, b.less)}
-                   : SingleFind{std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
+                   ? ContributionSize{std::max(a.more, b.more), std::max(a.less, b.less)}
+                   : ContributionSize{std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
     }
 
-    [[nodiscard]] GroupFind find_of(std::size_t group, std::size_t band) const {
-        GroupFind most;
+    [[nodiscard]] GroupContribution find_of(std::size_t group, std::size_t band) const {
+        GroupContribution most;
         for (const std::uint32_t index : results_.groups[group].organs) {
             const OrganReader reader = reader_of(index);
             const double find = reader.largest_direct(band);
             most.incident = std::max(most.incident, find);
             most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
-            const OrganFinds finds(reader, band);
-            if (finds.is_settled()) {
+            const OrganContributions finds(reader, band);
+            if (finds.has_enough_contributions()) {
                 continue;
             }
-            most.on_both_sides = together(most.on_both_sides, finds.incident_find());
+            most.on_both_sides = together(most.on_both_sides, finds.incident_contribution());
             for (const QuantityEntry& entry : quantity_table()) {
-                if (finds.knows_finds()) {
-                    SingleFind& known = most.known[static_cast<std::size_t>(entry.quantity)];
+                if (finds.knows_contributions()) {
+                    ContributionSize& known = most.known[static_cast<std::size_t>(entry.quantity)];
                     known = together(known, finds.find(entry.quantity));
-                    const OrganFinds::Parts parts = finds.parts(entry.quantity);
+                    const OrganContributions::Parts parts = finds.parts(entry.quantity);
                     const auto q = static_cast<std::size_t>(entry.quantity);
-                    most.by_look[q] += parts.by_look.more;
+                    most.by_sky_sample[q] += parts.by_sky_sample.more;
                     most.by_path[q] = std::max(most.by_path[q], parts.by_path.more);
                 }
             }
@@ -147,7 +148,7 @@ class GroupEvaluator {
     IncidentLight evaluate_band(std::size_t group, std::size_t band, const GroupSums& sums) const {
         const double area = results_.groups[group].area;
         const double per_area = area > 0 ? 1 / area : 0;
-        const GroupFind find = find_of(group, band);
+        const GroupContribution find = find_of(group, band);
         const std::size_t replicates = sums_->replicates.size();
         QuantitySamples samples;
         samples.fill(std::vector<double>(replicates));
@@ -165,12 +166,13 @@ class GroupEvaluator {
             const auto q = static_cast<std::size_t>(entry.quantity);
             const bool is_dark = std::all_of(
                 samples[q].begin(), samples[q].end(), [](double light) { return light == 0; });
-            const SingleFind known =
-                is_dark ? SingleFind{std::hypot(find.by_look[q], find.by_path[q]) * unit, 0}
-                        : SingleFind{find.known[q].more * unit, find.known[q].less * unit};
+            const ContributionSize known =
+                is_dark
+                    ? ContributionSize{std::hypot(find.by_sky_sample[q], find.by_path[q]) * unit, 0}
+                    : ContributionSize{find.known[q].more * unit, find.known[q].less * unit};
             results_.values[(group * kQuantities + q) * results_.bands + band] =
-                knows_finds() ? estimate_finds(samples[q], known)
-                              : estimate_seen_or_bound(samples[q], most);
+                knows_contributions() ? estimate_contributions(samples[q], known)
+                                      : estimate_seen_or_bound(samples[q], most);
         }
         return incident;
     }

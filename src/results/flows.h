@@ -10,7 +10,7 @@ namespace quasimc {
 
 /// Where the light of one band went, as one replicate saw it: flux.
 struct Flows {
-    double emitted = 0, organs = 0, ground = 0, escaped = 0, cut_off = 0, roulette = 0;
+    double emitted = 0, organs = 0, ground = 0, escaped = 0, cut_off = 0, imbalance = 0;
     double on_ground = 0;          ///< what falls on the ground
     double escaped_scattered = 0;  ///< of what escaped; NaN where escaped is a remainder
 };

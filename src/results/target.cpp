@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "results/bounds/organ_finds.h"
+#include "results/bounds/organ_contributions.h"
 #include "results/bounds/organ_reader.h"
 #include "results/bounds/patch_error.h"
 #include "results/bounds/patch_error_pool.h"
@@ -62,7 +62,7 @@ Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
     for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
         absorbed[r] = reader.incident(r, band).absorbed;
     }
-    return OrganFinds(reader, band).estimate(quantity_table().front(), 0, absorbed);
+    return OrganContributions(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
 /// What of the light of an organ other surfaces sent, in a band: 0 to 1.
@@ -156,7 +156,7 @@ bool is_at_target(
     for (std::size_t b = 0; b < absorbed.size(); ++b) {
         const Estimate& estimate = absorbed[b];
         const bool is_unlit = std::isnan(estimate.standard_error);
-        const bool is_known = is_unlit ? estimate.high <= target * usual[b]
+        const bool is_known = is_unlit ? estimate.ci95_high <= target * usual[b]
                                        : estimate.standard_error <= target * estimate.mean;
         if (!is_known) {
             return false;

@@ -113,9 +113,9 @@ void add_spec(const RunSpec& spec, Mixer& mixer) {
     mixer.add(static_cast<std::uint64_t>(spec.method));
     mixer.add(spec.seed);
     mixer.add(std::uint64_t{spec.max_depth});
-    mixer.add(spec.roulette_weight);
-    mixer.add(static_cast<std::uint64_t>(spec.window));
-    mixer.add(static_cast<std::uint64_t>(spec.engine));
+    mixer.add(spec.roulette_threshold);
+    mixer.add(static_cast<std::uint64_t>(spec.start_area));
+    mixer.add(static_cast<std::uint64_t>(spec.accelerator));
 }
 
 }  // namespace

@@ -52,8 +52,8 @@ Sums Simulator::State::sums(
         spec, {.method = plan_run(scene, sources, spec, caster_, control.stop).method});
     check_first_path(sampler_for(spec.sampler), spec, first);
     const PreparedScene prepared(
-        scene, sources, planned.window, caster_.caster_for(scene, spec.engine, control.stop),
-        control.stop);
+        scene, sources, planned.start_area,
+        caster_.caster_for(scene, spec.accelerator, control.stop), control.stop);
     Sums sums = empty_sums(prepared, planned);
     sums->digest = digest_of(prepared, planned);
     if (prepared.lights().empty()) {
@@ -69,7 +69,7 @@ Sums Simulator::State::sums(
     return sums;
 } catch (const StopRequested&) {
     throw Stopped(
-        StopReason::interrupted, "stopped before all paths were traced: there are no sums");
+        StopReason::interrupted, "stopped before all paths were computed; there are no sums");
 }
 
 }  // namespace quasimc

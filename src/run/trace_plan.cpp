@@ -10,7 +10,7 @@ RunSpec planned_spec(const RunSpec& spec, const TracePlan& plan) {
     planned.max_paths = plan.max_paths.value_or(spec.max_paths);
     planned.target_error = plan.target_error.value_or(spec.target_error);
     planned.sampler = plan.sampler.value_or(spec.sampler);
-    planned.roulette_weight = plan.roulette_weight.value_or(spec.roulette_weight);
+    planned.roulette_threshold = plan.roulette_threshold.value_or(spec.roulette_threshold);
     if (plan.organs_alone) {
         planned.ratios.clear();
         planned.groups.clear();

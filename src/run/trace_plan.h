@@ -14,7 +14,7 @@ struct TracePlan {
     std::optional<std::uint64_t> seed = {}, paths = {}, max_paths = {};
     std::optional<double> target_error = {};
     std::optional<std::string> sampler = {};
-    std::optional<double> roulette_weight = {};
+    std::optional<double> roulette_threshold = {};
     bool organs_alone = false;  ///< without ratios and groups
 };
 

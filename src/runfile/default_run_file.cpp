@@ -51,7 +51,7 @@ irradiance_facing = 1       # on a plane that faces it; or irradiance_horizontal
 type = "uniform_sky"
 irradiance_horizontal = [0.5]
 
-[place]                     # example; for sources with a time
+[site]                      # example; for sources with a time
 latitude_deg = 50.1         # north positive
 longitude_deg = 8.7         # east positive
 elevation_m = 0
@@ -73,7 +73,7 @@ irradiance_horizontal = [0.2]
 # position = [0, 0, 3]
 # power = 60                # W, or photon_flux in umol s-1 for bands in umol m-2 s-1
 
-# [time]                    # example: sun and sky of every hour of a day; needs [place]
+# [time]                    # example: sun and sky of every hour of a day; needs [site]
 # day = "2024-06-21"        # or from and to, or times, or weather = "file.epw"
 # utc_offset_hours = 1
 # sun_step_minutes = 5

@@ -21,7 +21,7 @@ struct OutputNeed {
     std::string_view shown = {};   ///< the same for messages: "[time]"
     std::string_view reason = {};  ///< why it must be there
 };
-inline constexpr OutputNeed kNeedsTimes{"time", "[time]", "sums over days need times"};
+inline constexpr OutputNeed kNeedsTimes{"time", "[time]", "daily sums need [time]"};
 inline constexpr OutputNeed kNeedsDetectors{
     "detector", "[[detector]]", "there is nothing to be written without"};
 
@@ -35,8 +35,8 @@ struct OutputKey {
 /// Makes the writer of an output. The modules that write stand above this one: a program that reads
 /// run files alone links none of them.
 using MakeOutput = std::unique_ptr<OutputWriter>(const OutputInput& input);
-MakeOutput make_csv, make_days, make_groups_csv, make_groups_days, make_detectors, make_picture,
-    make_vtp, make_ply, make_glb, make_nc, make_json;
+MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_detectors,
+    make_picture, make_vtp, make_ply, make_glb, make_netcdf, make_json;
 // (tools/new.py declares an output above this line)
 
 /// Calls take(key, make) for each output, in the order in which files get their names: the result
@@ -44,48 +44,37 @@ MakeOutput make_csv, make_days, make_groups_csv, make_groups_days, make_detector
 template <typename Take>
 void for_each_output(Take take) {
     take(
-        OutputKey{"csv", "write the table of organs here; - is standard output"},
+        OutputKey{"csv", "write the table of organs (- for standard output)"},
         [](const auto& input) { return make_csv(input); });
     take(
-        OutputKey{
-            "days",
-            "of a run with [time]: write the table of sums over days here; - is standard "
-            "output",
-            kNeedsTimes},
-        [](const auto& input) { return make_days(input); });
+        OutputKey{"daily_csv", "with [time]: write daily sums by organ", kNeedsTimes},
+        [](const auto& input) { return make_daily_csv(input); });
+    take(OutputKey{"groups_csv", "write sums by group"}, [](const auto& input) {
+        return make_groups_csv(input);
+    });
     take(
-        OutputKey{"groups_csv", "write the table of groups of organs here; - is standard output"},
-        [](const auto& input) { return make_groups_csv(input); });
+        OutputKey{"groups_daily_csv", "with [time]: write daily sums by group", kNeedsTimes},
+        [](const auto& input) { return make_groups_daily_csv(input); });
     take(
-        OutputKey{
-            "groups_days",
-            "of a run with [time]: write the table of sums of groups over days here; - is standard "
-            "output",
-            kNeedsTimes},
-        [](const auto& input) { return make_groups_days(input); });
-    take(
-        OutputKey{
-            "detectors", "write the table of what detectors saw here; - is standard output",
-            kNeedsDetectors},
+        OutputKey{"detectors", "write the table of detectors", kNeedsDetectors},
         [](const auto& input) { return make_detectors(input); });
     take(
-        OutputKey{
-            "picture", "draw the light that organs absorb here, PNG; `quasimc show` draws more"},
+        OutputKey{"picture", "draw absorbed light, PNG or SVG (`quasimc show` draws more)"},
         [](const auto& input) { return make_picture(input); });
-    take(
-        OutputKey{"vtp", "write the scene with its numbers here, for ParaView and pyvista"},
-        [](const auto& input) { return make_vtp(input); });
-    take(OutputKey{"ply", "the same as PLY, for MeshLab and CloudCompare"}, [](const auto& input) {
+    take(OutputKey{"vtp", "write scene and results for ParaView"}, [](const auto& input) {
+        return make_vtp(input);
+    });
+    take(OutputKey{"ply", "write scene and results for MeshLab"}, [](const auto& input) {
         return make_ply(input);
     });
-    take(OutputKey{"glb", "the same as binary glTF, coloured, for Blender"}, [](const auto& input) {
+    take(OutputKey{"glb", "write scene and results for Blender"}, [](const auto& input) {
         return make_glb(input);
     });
-    take(
-        OutputKey{"nc", "write the light by organ, band and time here, for xarray and others"},
-        [](const auto& input) { return make_nc(input); });
+    take(OutputKey{"netcdf", "write results for xarray"}, [](const auto& input) {
+        return make_netcdf(input);
+    });
     // (tools/new.py enters an output above this line)
-    take(OutputKey{"json", "write everything here; - is standard output"}, [](const auto& input) {
+    take(OutputKey{"json", "write the complete result"}, [](const auto& input) {
         return make_json(input);
     });
 }

@@ -20,7 +20,7 @@ std::optional<std::string> read_path(
     TableReader& table, std::string_view key, const InputFiles& files) {
     const std::optional<std::string> path = table.text(key);
     if (path && (path->empty() || path->find('\0') != std::string::npos)) {
-        table.fault_at(key, fmt::format("{} is empty", key), "it must name a file");
+        table.fault_at(key, fmt::format("{} is empty", key), "give the name of a file");
         return std::nullopt;
     }
     if (!path) {
@@ -30,8 +30,9 @@ std::optional<std::string> read_path(
     const FileIdentity file = identity_of(resolved, STDOUT_FILENO);
     if (const InputFile* input = input_at(file, files.files())) {
         table.fault_at(
-            key, fmt::format("{} = '{}' is an input of the run", key, *path),
-            fmt::format("'{}' is read from it", input->path), "name another file");
+            key, fmt::format("{} = '{}' is an input of this run", key, *path),
+            input->path == *path ? "" : fmt::format("read as '{}'", input->path),
+            "name another file");
     }
     return resolved;
 }
@@ -78,33 +79,33 @@ void refuse_groups(TableReader& table) {
     }
 }
 
-std::optional<std::array<double, 2>> read_hours(TableReader& table) {
-    const Node* node = table.any("hours");
-    const auto hours = node ? table.interval_at("hours", *node, {0, 24}) : std::nullopt;
+std::optional<std::array<double, 2>> read_time_of_day(TableReader& table) {
+    const Node* node = table.any("time_of_day");
+    const auto hours = node ? table.interval_at("time_of_day", *node, {0, 24}) : std::nullopt;
     return hours ? std::optional(std::array{hours->low, hours->high}) : std::nullopt;
 }
 
 void read_choice(TableReader& table, const std::vector<Band>& bands, OutputSpec& output) {
     output.quantities = table.texts("quantities").value_or(std::vector<std::string>{});
     output.bands = table.texts("bands").value_or(std::vector<std::string>{});
-    output.night = table.boolean("night").value_or(false);
-    output.hours = read_hours(table);
+    output.include_night = table.boolean("include_night").value_or(false);
+    output.time_of_day = read_time_of_day(table);
     Faults faults;
     check_written(output, bands, faults);
     for (const Fault& fault : faults.all()) {
-        table.fault_at(fault.place, fault.problem, fault.why, fault.suggestion);
+        table.fault_at(fault.where, fault.problem, fault.why, fault.suggestion);
     }
 }
 
-/// Times that were collapsed have no hours.
-void check_collapse(TableReader& table, TableReader& top, const OutputSpec& output) {
+/// A cumulative sky has no hours.
+void check_cumulative_sky(TableReader& table, TableReader& top, const OutputSpec& output) {
     const Node* time = top.any("time");
-    const Node* collapse = time != nullptr ? time->find("collapse") : nullptr;
-    const auto* name = collapse != nullptr ? collapse->as<std::string>() : nullptr;
-    if (output.hours && name != nullptr && *name != "none") {
+    const Node* cumulative = time != nullptr ? time->find("cumulative_sky") : nullptr;
+    const auto* name = cumulative != nullptr ? cumulative->as<std::string>() : nullptr;
+    if (output.time_of_day && name != nullptr && *name != "none") {
         table.fault_at(
-            "hours", "hours of times that are collapsed", "a day or a period has one result",
-            "leave hours out");
+            "time_of_day", "hours of a cumulative sky", "a day or period has one result",
+            "leave time_of_day out");
     }
 }
 
@@ -126,13 +127,17 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
     output.files = read_paths(table, files, top);
     read_choice(table, bands, output);
     refuse_groups(table);
-    if (output.night) {
-        check_need(table, top, "night", {"time", "[time]", "nights need times"});
+    if (output.include_night) {
+        check_need(
+            table, top, "include_night",
+            {"time", "[time]", "without [time] there are no time steps"});
     }
-    if (output.hours) {
-        check_need(table, top, "hours", {"time", "[time]", "hours need times"});
+    if (output.time_of_day) {
+        check_need(
+            table, top, "time_of_day",
+            {"time", "[time]", "without [time] there are no time steps"});
     }
-    check_collapse(table, top, output);
+    check_cumulative_sky(table, top, output);
     table.finish();
     return output;
 }

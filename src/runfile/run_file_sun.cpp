@@ -9,13 +9,13 @@
 namespace quasimc {
 namespace {
 
-std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_timed_sun(TableReader& table, const RunFileContext& context) {
     const auto delta_t_s = table.real("delta_t_s", {-1e6, 1e6});
     const std::optional<std::string> text = table.time_text("time");
-    if (!context.place) {
+    if (!context.site) {
         table.fault_at(
-            "time", "time without [place]", "the sun stands elsewhere at every place",
-            "add [place] with latitude_deg and longitude_deg");
+            "time", "time without [site]", "the sun's position depends on the site",
+            "add [site] with latitude_deg and longitude_deg");
         return std::nullopt;
     }
     if (!text) {
@@ -23,17 +23,17 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
     }
     Faults faults;
     const std::string where =
-        fmt::format("{}: {}: time", table.reporter().place(table.any("time")->line), table.what());
+        fmt::format("{}: {}: time", table.reporter().where(table.any("time")->line), table.what());
     const auto time = parse_civil_time(*text, std::nullopt, where, faults, OffsetKey::none);
     if (!time) {
         table.reporter().faults.add(faults);
         return std::nullopt;
     }
-    const SunPosition sun = sun_position(*context.place, *time, delta_t_s);
+    const SunPosition sun = sun_position(*context.site, *time, delta_t_s);
     const std::string words = fmt::format(
         "{} at latitude {}, longitude {}", civil_time_text(*time),
-        shortest(context.place->latitude_deg), shortest(context.place->longitude_deg));
-    return StatedSun{
+        shortest(context.site->latitude_deg), shortest(context.site->longitude_deg));
+    return SunSpec{
         context.orientation.towards(sun.azimuth_deg, sun.elevation_deg), sun.distance_au, words};
 }
 
@@ -46,13 +46,14 @@ std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientat
                                 : std::nullopt;
 }
 
-std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext& context) {
     const bool has_time = table.any("time") != nullptr;
     const bool has_angles =
         table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
     if (has_time && has_angles) {
         table.fault(
-            "time and angles are given", "both tell where the sun stands", "leave one of them out");
+            "both time and angles are given", "each of them gives the position of the sun",
+            "remove one of them");
         return std::nullopt;
     }
     if (has_time) {
@@ -60,23 +61,22 @@ std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContex
     }
     if (!has_angles) {
         table.fault(
-            "where the sun stands is missing", "",
-            "give time (with [place]), or azimuth_deg and elevation_deg");
+            "the position of the sun is missing", "",
+            "give time (with [site]), or azimuth_deg and elevation_deg");
         return std::nullopt;
     }
     const auto to_sun = read_towards(table, context.orientation);
-    return to_sun ? std::optional(StatedSun{*to_sun, 1, ""}) : std::nullopt;
+    return to_sun ? std::optional(SunSpec{*to_sun, 1, ""}) : std::nullopt;
 }
 
-std::string sun_words(const StatedSun& sun, const Orientation& orientation) {
-    return fmt::format(
-        "{}sun towards {} ({})", sun.words.empty() ? "" : sun.words + ", ",
-        vector_words(orientation.outward(sun.to_sun)), angles_words(-sun.to_sun, orientation));
+std::string describe_sun(const SunSpec& sun, const Orientation& orientation) {
+    return format_angles(-sun.to_sun, orientation) +
+           (sun.words.empty() ? "" : fmt::format(" ({})", sun.words));
 }
 
 std::optional<NotedSource> read_sun(
     TableReader& table, const std::string& name, const RunFileContext& context) {
-    const std::optional<StatedSun> sun = read_stated_sun(table, context);
+    const std::optional<SunSpec> sun = read_stated_sun(table, context);
     const bool is_disk = table.boolean("disk").value_or(false);
     std::optional<Irradiance> irradiance = read_irradiance(table, context.bands);
     if (!sun || !irradiance) {
@@ -86,7 +86,7 @@ std::optional<NotedSource> read_sun(
     if (is_down) {
         table.warn(fmt::format(
             "{}: the sun is below the horizon and gives no light ({})", table.what(),
-            angles_words(-sun->to_sun, context.orientation)));
+            format_angles(-sun->to_sun, context.orientation)));
         irradiance = Irradiance{std::vector<double>(context.bands.size(), 0.0), false};
     }
     const auto values = facing_irradiance(table, *irradiance, sun->to_sun.z);
@@ -94,11 +94,10 @@ std::optional<NotedSource> read_sun(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, light travels along {}, {}{}", name, sun_words(*sun, context.orientation),
-        vector_words(context.orientation.outward(-sun->to_sun)),
-        is_disk ? fmt::format("disk of radius {:.4g} deg, ", solar_radius_deg(sun->distance_au))
+        "{}: {}{}; {}", name, describe_sun(*sun, context.orientation),
+        is_disk ? fmt::format("; disk of radius {:.4g} deg", solar_radius_deg(sun->distance_au))
                 : "",
-        irradiance_words("plane facing it", *values, context.bands));
+        format_irradiance("a plane facing it", *values, context.bands));
     NotedSource noted{nullptr, note, sun};
     noted.source =
         is_disk ? make_sun_disk(name, sun->to_sun, solar_radius_deg(sun->distance_au), *values)
@@ -106,24 +105,24 @@ std::optional<NotedSource> read_sun(
     return noted;
 }
 
-std::optional<Place> read_place(TableReader& top) {
-    const Node* node = top.any("place");
+std::optional<Site> read_site(TableReader& top) {
+    const Node* node = top.any("site");
     if (node == nullptr) {
         return std::nullopt;
     }
-    TableReader table(*node, "[place]", top.reporter());
-    Place place;
+    TableReader table(*node, "[site]", top.reporter());
+    Site site;
     const auto latitude = table.required("latitude_deg", table.real("latitude_deg", {-90, 90}));
     const auto longitude =
         table.required("longitude_deg", table.real("longitude_deg", {-180, 180}));
-    place.latitude_deg = latitude.value_or(0);
-    place.longitude_deg = longitude.value_or(0);
-    place.elevation_m = table.real("elevation_m", {-2000, 11000}).value_or(0);
-    place.pressure_hpa =
-        table.real("pressure_hpa", {0, 2000}).value_or(standard_pressure_hpa(place.elevation_m));
-    place.temperature_c = table.real("temperature_c", {-100, 100}).value_or(Place{}.temperature_c);
+    site.latitude_deg = latitude.value_or(0);
+    site.longitude_deg = longitude.value_or(0);
+    site.elevation_m = table.real("elevation_m", {-2000, 11000}).value_or(0);
+    site.pressure_hpa =
+        table.real("pressure_hpa", {0, 2000}).value_or(standard_pressure_hpa(site.elevation_m));
+    site.temperature_c = table.real("temperature_c", {-100, 100}).value_or(Site{}.temperature_c);
     table.finish();
-    return table.failed() ? std::nullopt : std::optional(place);
+    return table.failed() ? std::nullopt : std::optional(site);
 }
 
 }  // namespace quasimc

@@ -13,7 +13,7 @@ namespace quasimc {
 namespace {
 
 constexpr std::array<std::string_view, 3> kModels{"erbs", "reindl", "spitters"};
-constexpr std::array<std::string_view, 3> kCollapse{"none", "days", "period"};
+constexpr std::array<std::string_view, 3> kCumulativeSky{"none", "day", "period"};
 
 SeriesRules read_rules(TimeContext& context) {
     TableReader& table = *context.table;
@@ -26,30 +26,30 @@ SeriesRules read_rules(TimeContext& context) {
                                         : DiffuseModel::erbs;
     rules.air.linke_turbidity =
         table.real("linke_turbidity", {1, 10}).value_or(rules.air.linke_turbidity);
-    const std::string collapse = table.choice("collapse", kCollapse).value_or("none");
-    rules.collapse = collapse == "days"     ? Collapse::days
-                     : collapse == "period" ? Collapse::period
-                                            : Collapse::none;
+    const std::string cumulative = table.choice("cumulative_sky", kCumulativeSky).value_or("none");
+    rules.cumulative_sky = cumulative == "day"      ? CumulativeSky::day
+                           : cumulative == "period" ? CumulativeSky::period
+                                                    : CumulativeSky::none;
     rules.sun_step = 60 * table.real("sun_step_minutes", {0, 1440}).value_or(rules.sun_step / 60);
     constexpr double kShortestStep = 1;
     if (rules.sun_step > 0 && rules.sun_step < kShortestStep) {
         table.fault_at(
             "sun_step_minutes", "sun_step_minutes is less than a second",
-            "each step is a sun to trace", "give 0 for a single sun");
+            "each step is one sun position", "give 0 for a single sun position");
     }
     return rules;
 }
 
 /// Instants have no length by which they could be summed.
-void check_collapse(
+void check_cumulative_sky(
     const SeriesRules& rules, const std::vector<Interval>& intervals, TableReader& table) {
     const bool has_instant = std::any_of(
         intervals.begin(), intervals.end(), [](const auto& each) { return each.seconds == 0; });
-    if (rules.collapse != Collapse::none && has_instant) {
+    if (rules.cumulative_sky != CumulativeSky::none && has_instant) {
         table.fault_at(
-            "collapse", "instants are to be collapsed",
+            "cumulative_sky", "instants have no cumulative sky",
             "the sum over times depends on how long each of them is",
-            "give duration_minutes, or leave collapse out");
+            "give duration_minutes, or leave cumulative_sky out");
     }
 }
 
@@ -64,18 +64,18 @@ bool is_usual_clock(double ahead_hours) {
     return ahead_hours > -1.25 && ahead_hours < 2.75;
 }
 
-/// A clock that is far from the sun's is probably that of another place.
+/// Warns of a clock that is far from the sun's: it is probably that of another site.
 void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
     std::optional<double> offset = context.utc_offset_hours;
     if (!offset && !intervals.empty() && intervals.front().start.utc_offset_hours != 0) {
         offset = intervals.front().start.utc_offset_hours;
     }
-    if (!offset || !context.place) {
+    if (!offset || !context.site) {
         return;
     }
     constexpr double kFarHours = 4;
-    const double latitude = context.place->latitude_deg;
-    const double longitude = context.place->longitude_deg;
+    const double latitude = context.site->latitude_deg;
+    const double longitude = context.site->longitude_deg;
     const double ahead = ahead_of_sun(*offset, longitude);
     // A clock of UTC is used everywhere.
     const bool is_exchanged = *offset != 0 && std::abs(longitude) <= 90 && !is_usual_clock(ahead) &&
@@ -84,30 +84,30 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
         context.table->warn(fmt::format(
             "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: {}",
             shortest(*offset), shortest(longitude), longitude / 15,
-            is_exchanged ? "are latitude and longitude exchanged?"
+            is_exchanged ? "are latitude and longitude swapped?"
                          : "is the sign of the longitude right (east is positive)?"));
     }
 }
 
 std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
-    const Place& place = rules.place;
+    const Site& site = rules.site;
     std::vector<std::string> words{fmt::format(
-        "latitude {} deg, longitude {} deg (east positive), elevation {} m",
-        shortest(place.latitude_deg), shortest(place.longitude_deg), shortest(place.elevation_m))};
+        "site: latitude {} deg, longitude {} deg (east positive), elevation {} m",
+        shortest(site.latitude_deg), shortest(site.longitude_deg), shortest(site.elevation_m))};
     words.push_back(
-        is_measured ? "light: as measured; direct and diffuse told apart by the readings or the "
+        is_measured ? "daylight: measured; split into direct and diffuse by the readings or the "
                       "model of diffuse_fraction"
                     : fmt::format(
-                          "light: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
+                          "daylight: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
                           shortest(rules.air.linke_turbidity)));
-    if (rules.collapse != Collapse::none) {
+    if (rules.cumulative_sky != CumulativeSky::none) {
         words.push_back(fmt::format(
-            "collapse: {} one sky, of cells, and all of its suns; one trace gives the mean",
-            rules.collapse == Collapse::days ? "each day is" : "the whole period is"));
+            "sky: one cumulative sky of cells and all sun positions for {}; its light is the mean",
+            rules.cumulative_sky == CumulativeSky::day ? "each day" : "the whole period"));
     }
     words.push_back(fmt::format(
-        "sky: {}; without direct light {}; sun every {} min", rules.how.sky, rules.how.overcast_sky,
-        shortest(rules.sun_step / 60)));
+        "sky: {}; without direct light {}; a sun position every {} min", rules.how.sky,
+        rules.how.overcast_sky, shortest(rules.sun_step / 60)));
     return words;
 }
 
@@ -118,7 +118,7 @@ void check_light(const TimeSeries& series, TableReader& table) {
         std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor == 0; });
     if (is_dark && !series.time_steps.empty()) {
         table.warn(
-            "it is dark at all these times: the sun stays below the horizon, and no lamp shines");
+            "it is night at all time steps: the sun is below the horizon, and no lamp is on");
     }
 }
 
@@ -131,27 +131,27 @@ std::optional<TimeSeries> read_time(
         return std::nullopt;
     }
     TableReader table(*node, "[time]", top.reporter());
-    TimeContext context{&table, &run, run.place, table.real("utc_offset_hours", {-14, 14})};
+    TimeContext context{&table, &run, run.site, table.real("utc_offset_hours", {-14, 14})};
     const bool has_weather = table.any("weather") != nullptr;
     const std::vector<Interval> intervals =
         has_weather ? read_weather(context) : read_intervals(context);
     SeriesRules rules = read_rules(context);
-    check_collapse(rules, intervals, table);
+    check_cumulative_sky(rules, intervals, table);
     table.finish();
-    // Weather that can't be read would have told the place, or where to look for it.
+    // Weather that can't be read would have told the site, or where to look for it.
     const bool is_weather_broken = has_weather && intervals.empty();
-    if (!context.place && top.any("place") == nullptr && !is_weather_broken) {
+    if (!context.site && top.any("site") == nullptr && !is_weather_broken) {
         top.fault(
-            "the place is missing", "the sun's path depends on it",
-            "add [place] with latitude_deg and longitude_deg");
+            "[site] is missing", "the sun's path depends on it",
+            "add [site] with latitude_deg and longitude_deg");
     }
-    if (table.failed() || !context.place) {
+    if (table.failed() || !context.site) {
         return std::nullopt;
     }
     check_clock(intervals, context);
-    rules.place = *context.place;
-    rules.air.elevation_m = rules.place.elevation_m;
-    rules.air.pressure_hpa = rules.place.pressure_hpa;
+    rules.site = *context.site;
+    rules.air.elevation_m = rules.site.elevation_m;
+    rules.air.pressure_hpa = rules.site.pressure_hpa;
     SeriesBuilder builder(rules, lamps, top.reporter());
     bool is_measured = false;
     for (const Interval& interval : intervals) {

@@ -6,20 +6,20 @@
 #include <utility>
 #include <vector>
 
-#include "runfile/collapsed_moment.h"
+#include "runfile/cumulative_step.h"
 #include "runfile/run_file_time.h"
 
 namespace quasimc {
 
 /// How intervals become moments.
 struct SeriesRules {
-    Place place;
+    Site site;
     DaylightSources how;
     LightUnit unit = LightUnit::full_spectrum;
     DiffuseModel model = DiffuseModel::erbs;
     ClearAir air;
     double sun_step = 300;  ///< seconds; 0: the sun stands still in the middle
-    Collapse collapse = Collapse::none;
+    CumulativeSky cumulative_sky = CumulativeSky::none;
 };
 
 /// Builds the moments of a series, and gathers what is to be said of them.
@@ -39,12 +39,12 @@ class SeriesBuilder {
         std::size_t count = 0;
         std::string first;
 
-        void add(const Interval& interval) { first = count++ == 0 ? interval.place : first; }
+        void add(const Interval& interval) { first = count++ == 0 ? interval.where : first; }
     };
 
     template <typename Share>
     [[nodiscard]] Sources dimmed_lamps(const Share& share) const;
-    void add_moment(
+    void add_time_step(
         const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts);
     void gather(const Interval& interval, const Daylight& daylight, const HourParts& parts);
     void close_gathered();
@@ -61,7 +61,7 @@ class SeriesBuilder {
     const SourceList& lamps_;
     Reporter& reporter_;
     TimeSeries series_;
-    CollapsedMoment gathered_;
+    CumulativeStep gathered_;
     std::vector<std::pair<CivilTime, double>> gathered_times_;  // with their seconds
     std::string first_date_, last_date_;                        // of what is gathered
     std::map<ReadingNote, Noted> noted_;

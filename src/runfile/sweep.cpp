@@ -1,6 +1,7 @@
 #include "runfile/sweep.h"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace quasimc {
 namespace {
 
 constexpr std::string_view kSweep = "sweep";
-constexpr std::string_view kTogether = "together";
+constexpr std::string_view kCombine = "combine";
 
 }  // namespace
 
@@ -63,11 +64,11 @@ SweepPlan::SweepPlan(const Node& document, Reporter& reporter) {
         return;
     }
     read_keys(*table, "", reporter);
-    const std::size_t stated = keys_.size();
+    const std::size_t given = keys_.size();
     std::erase_if(keys_, [&](const SweptKey& key) { return is_refused(document, key, reporter); });
     check_keys(reporter);
-    if (stated > 0 || reporter.faults.empty()) {
-        count_points(*table, stated, reporter);
+    if (given > 0 || reporter.faults.empty()) {
+        count_points(*table, given, reporter);
     }
 }
 
@@ -75,14 +76,8 @@ void SweepPlan::read_keys(const Node& table, const std::string& prefix, Reporter
     for (const Member& member : *table.as<Node::Table>()) {
         const std::string path = prefix + member.key;
         const auto* list = member.node.as<Node::List>();
-        if (path == kTogether) {
-            const auto* together = member.node.as<bool>();
-            together_ = together != nullptr && *together;
-            if (together == nullptr) {
-                reporter.fault(
-                    member.line, fmt::format("[sweep]: together is {}", member.node.type_name()),
-                    "it must be true or false");
-            }
+        if (path == kCombine) {
+            read_combination(member, reporter);
         } else if (member.node.as<Node::Table>() != nullptr) {
             read_keys(member.node, path + ".", reporter);
         } else if (list == nullptr || list->empty()) {
@@ -91,10 +86,22 @@ void SweepPlan::read_keys(const Node& table, const std::string& prefix, Reporter
                 fmt::format(
                     "[sweep]: {} is {}", path,
                     list ? "an empty list" : std::string(member.node.type_name())),
-                "it must be a list of the values that it takes");
+                "it must be a list of values");
         } else {
             keys_.push_back({path, member.line, *list});
         }
+    }
+}
+
+void SweepPlan::read_combination(const Member& member, Reporter& reporter) {
+    constexpr std::array<std::string_view, 2> kCombinations{"product", "zip"};
+    const auto* word = member.node.as<std::string>();
+    is_zip_ = word != nullptr && *word == "zip";
+    if (word == nullptr || !is_among(*word, kCombinations)) {
+        reporter.fault(
+            member.line, fmt::format("[sweep]: combine is {}", node_text(member.node)),
+            "it must be \"product\" or \"zip\"",
+            word == nullptr ? "" : did_you_mean(*word, kCombinations));
     }
 }
 
@@ -107,16 +114,17 @@ void SweepPlan::check_keys(Reporter& reporter) const {
             if (a == b || rest_after(a, b) || rest_after(b, a)) {
                 reporter.fault(
                     keys_[i].line,
-                    fmt::format("[sweep]: {} and {} set the same", keys_[j].path, keys_[i].path),
-                    "one of them would win", "leave one out");
+                    fmt::format(
+                        "[sweep]: {} and {} set the same value", keys_[j].path, keys_[i].path),
+                    "one of them would be ignored", "remove one");
             }
         }
     }
 }
 
-void SweepPlan::count_points(const Node& table, std::size_t stated, Reporter& reporter) {
-    if (stated == 0) {
-        reporter.fault(table.line, "[sweep]: it has no keys", "nothing varies", "leave it out");
+void SweepPlan::count_points(const Node& table, std::size_t given, Reporter& reporter) {
+    if (given == 0) {
+        reporter.fault(table.line, "[sweep]: it has no keys", "nothing varies", "remove it");
     }
     if (keys_.empty()) {
         return;
@@ -124,28 +132,29 @@ void SweepPlan::count_points(const Node& table, std::size_t stated, Reporter& re
     points_ = keys_.front().values.size();
     for (std::size_t i = 1; i < keys_.size(); ++i) {
         const std::size_t count = keys_[i].values.size();
-        if (together_ && count != keys_.front().values.size()) {
+        if (is_zip_ && count != keys_.front().values.size()) {
             reporter.fault(
                 keys_[i].line,
                 fmt::format(
                     "[sweep]: {} has {} values, {} has {}", keys_[i].path, count,
                     keys_.front().path, keys_.front().values.size()),
-                "with together = true the first of each are one point, and so on", "give as many");
+                "with combine = \"zip\" the first of each are one point, and so on",
+                "give equally many");
         }
         points_ =
-            together_ ? std::min(points_, count) : std::min(points_ * count, kMostSweepPoints + 1);
+            is_zip_ ? std::min(points_, count) : std::min(points_ * count, kMaxSweepPoints + 1);
     }
-    if (points_ > kMostSweepPoints) {
+    if (points_ > kMaxSweepPoints) {
         reporter.fault(
-            table.line, fmt::format("[sweep]: there are more than {} points", kMostSweepPoints),
-            "every value is combined with every other one",
-            "give fewer values, or together = true");
+            table.line, fmt::format("[sweep]: there are more than {} points", kMaxSweepPoints),
+            "every value is combined with every other value",
+            "give fewer values, or combine = \"zip\"");
         points_ = 1;
     }
 }
 
 std::size_t SweepPlan::value_at(std::size_t key, std::size_t point) const {
-    if (together_) {
+    if (is_zip_) {
         return point;
     }
     std::size_t before = 1;

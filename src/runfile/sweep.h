@@ -15,7 +15,7 @@
 namespace quasimc {
 
 /// The most points that a sweep may have.
-inline constexpr std::size_t kMostSweepPoints = 100000;
+inline constexpr std::size_t kMaxSweepPoints = 100000;
 
 /// A key of [sweep] and its values.
 struct SweptKey {
@@ -37,7 +37,7 @@ class SweepPlan {
     [[nodiscard]] std::size_t points() const { return points_; }
     /// Whether every value of a key is combined with those of the others, or else the first values
     /// of all keys are a point, and so on. A single key is a product.
-    [[nodiscard]] bool is_product() const { return !together_ || keys_.size() < 2; }
+    [[nodiscard]] bool is_product() const { return !is_zip_ || keys_.size() < 2; }
     /// Which of its values a key has at a point. Of a product the last key varies fastest.
     [[nodiscard]] std::size_t value_at(std::size_t key, std::size_t point) const;
     /// What a point sets.
@@ -51,12 +51,13 @@ class SweepPlan {
 
   private:
     void read_keys(const Node& table, const std::string& prefix, Reporter& reporter);
+    void read_combination(const Member& member, Reporter& reporter);
     void check_keys(Reporter& reporter) const;
-    void count_points(const Node& table, std::size_t stated, Reporter& reporter);
+    void count_points(const Node& table, std::size_t given, Reporter& reporter);
 
     std::vector<SweptKey> keys_;
     std::size_t points_ = 1;
-    bool together_ = false;
+    bool is_zip_ = false;
 };
 
 /// A value as TOML: 0.1, [0.1, 0.4], "sobol".

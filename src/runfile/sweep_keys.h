@@ -17,7 +17,7 @@ namespace quasimc {
 
 /// Sections whose values can be swept; of the second, values change triangles.
 inline constexpr std::array<std::string_view, 5> kSweptSections{
-    "run", "source", "material", "place", "time"};
+    "run", "source", "material", "site", "time"};
 inline constexpr std::array<std::string_view, 4> kSweptGeometry{
     "organ", "geometry", "ground", "cell"};
 

@@ -19,8 +19,8 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
 std::vector<TimeStepPlan> plan_traces(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
     std::vector<TimeStepPlan> plans = plan_series(time_steps);
-    if (spec.effort == Effort::day) {
-        spread_effort(scene, time_steps, plans);
+    if (spec.path_allocation == PathAllocation::proportional) {
+        allocate_paths(scene, time_steps, plans);
     }
     return plans;
 }
@@ -41,12 +41,12 @@ RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_
     TracePlan own{
         .seed = seed_of(series.seed, trace),
         .target_error = std::min(1.0, series.target_error * plan.target)};
-    if (plan.effort != 1) {
-        constexpr std::uint64_t kFewestPaths = 64;
-        const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMostPaths;
+    if (plan.path_factor != 1) {
+        constexpr std::uint64_t kMinPaths = 64;
+        const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMaxPaths;
         const auto shared = [&](std::uint64_t paths) {
-            const double part = plan.effort * static_cast<double>(paths);
-            return std::max(static_cast<std::uint64_t>(part), std::min(paths, kFewestPaths));
+            const double part = plan.path_factor * static_cast<double>(paths);
+            return std::max(static_cast<std::uint64_t>(part), std::min(paths, kMinPaths));
         };
         // Halves of a power of two are one, as some samplers need it.
         std::uint64_t paths = shared(series.paths);

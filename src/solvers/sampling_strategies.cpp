@@ -77,7 +77,7 @@ Vec3 direction_of(const BoundSource& sun) {
 }
 
 /// How large a region looks to a sun, and its area.
-struct Look {
+struct QuadratureNode {
     double seen = 0, area = 0;
 };
 
@@ -86,17 +86,18 @@ struct Look {
 template <typename Wanted>
 std::vector<double> slants(const PreparedScene& prepared, const Wanted& wanted) {
     // Of very many suns some stand for all: their directions lie close.
-    constexpr double kMostLooks = 1e8;
+    constexpr double kMaxDirectLights = 1e8;
     const double looks =
         static_cast<double>(prepared.lights().size()) * prepared.caster().mesh().triangle_count();
-    const auto stride = static_cast<std::size_t>(std::ceil(std::max(1.0, looks / kMostLooks)));
+    const auto stride =
+        static_cast<std::size_t>(std::ceil(std::max(1.0, looks / kMaxDirectLights)));
     std::vector<double> most(prepared.scene().regions().size());
     for (std::size_t light = 0; light < prepared.lights().size(); light += stride) {
         if (!wanted(prepared.lights()[light])) {
             continue;
         }
         const Vec3 direction = direction_of(prepared.lights()[light]);
-        std::vector<Look> seen(most.size());
+        std::vector<QuadratureNode> seen(most.size());
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
             seen[region].seen += std::abs(dot(area, direction));
             seen[region].area += length(area);
@@ -133,9 +134,9 @@ void add_strategies(
     const PreparedScene& prepared,
     const Wanted& wanted,
     std::vector<SamplingStrategy>& strategies) {
-    constexpr std::size_t kMostApart = 8;
+    constexpr std::size_t kMaxDistance = 8;
     const std::vector<std::size_t> spectra = strategy_of(prepared, wanted).spectra;
-    const std::size_t count = spectra.size() <= kMostApart ? spectra.size() : 1;
+    const std::size_t count = spectra.size() <= kMaxDistance ? spectra.size() : 1;
     for (std::size_t i = 0; i < count; ++i) {
         const auto is_own = [&](const BoundSource& light) {
             return wanted(light) && (count == 1 || light.spectrum == spectra[i]);
@@ -167,7 +168,7 @@ SamplingStrategy strategy_by_direction(
     strategy.by = SampledBy::directions;
     // Not sheared, as many are, more replicates see the same number.
     constexpr double kManyAlike = 7;
-    strategy.many = directions > kMostShearedDirections ? kManyAlike : strategy.many;
+    strategy.many = directions > kMaxShearedDirections ? kManyAlike : strategy.many;
     strategy.step = step;
     std::vector<Vec3> up(prepared.scene().regions().size());
     std::vector<Vec3> down(up.size());
@@ -218,7 +219,7 @@ SamplingStrategy strategy_by_line(
             continue;
         }
         const Vec3 direction = direction_of(prepared.lights()[light]);
-        std::vector<Look> looks(longest.size());
+        std::vector<QuadratureNode> looks(longest.size());
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
             const double along = dot(area, direction);
             looks[region].seen += std::abs(along);

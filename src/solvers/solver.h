@@ -53,7 +53,7 @@ struct SolverInput {
 
 /// Draw::roulette_threshold of a run, for weights that are summed over its bands.
 [[nodiscard]] inline double roulette_threshold(const SolverInput& input) {
-    return input.spec.roulette_weight * static_cast<double>(input.prepared.bands());
+    return input.spec.roulette_threshold * static_cast<double>(input.prepared.bands());
 }
 
 }  // namespace quasimc

@@ -45,7 +45,7 @@ class ParticleTracer {
                 return rays;
             }
             next =
-                prepared_.caster().cast(place_of(prepared_, at->hit), direction_, surface.triangle);
+                prepared_.caster().cast(point_of(prepared_, at->hit), direction_, surface.triangle);
             at = &next;
         }
         score_end(at->end);

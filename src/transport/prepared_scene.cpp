@@ -32,12 +32,12 @@ OpticsTraits optics_of(const Scene& scene) {
 PreparedScene::PreparedScene(
     const Scene& scene,
     const Sources& sources,
-    CrossSectionShape window,
+    StartArea start_area,
     std::shared_ptr<const RayCaster> caster,
     const std::stop_token& stop)
     : scene_(&scene),
       caster_(std::move(caster)),
-      projection_(*caster_, window),
+      projection_(*caster_, start_area),
       lights_(sources, projection_, scene.bands().size(), stop),
       fields_of_view_(scene),
       rounding_(scene, *caster_),

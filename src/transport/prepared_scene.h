@@ -38,7 +38,7 @@ class PreparedScene {
     PreparedScene(
         const Scene& scene,
         const Sources& sources,
-        CrossSectionShape window,
+        StartArea start_area,
         std::shared_ptr<const RayCaster> caster,
         const std::stop_token& stop = {});
     ~PreparedScene() = default;

@@ -10,7 +10,7 @@
 namespace quasimc {
 
 /// More directions are not sheared, which leaves a fifth of the variance.
-inline constexpr std::uint32_t kMostShearedDirections = 256;
+inline constexpr std::uint32_t kMaxShearedDirections = 256;
 
 /// Point `i` of `count` on the unit square, well spread: a lattice of the golden ratio, sheared in
 /// one of four ways, or of one of four numbers, and shifted, laid on the hemisphere as about a
@@ -24,7 +24,7 @@ inline constexpr std::uint32_t kMostShearedDirections = 256;
 
 /// Direction `i` of `count` that a light draws, well spread; all together have the density of
 /// SourceSampler::draw_direction. @param placing  as in hemisphere_lattice()
-[[nodiscard]] DrawnDirection lattice_direction(
+[[nodiscard]] DirectionSample lattice_direction(
     const BoundSource& light,
     std::uint32_t i,
     std::uint32_t count,
@@ -41,7 +41,7 @@ class SkyDirections {
     /// Share of the skies in the paths of all lights.
     [[nodiscard]] double probability() const { return probability_; }
     /// Direction `i` of `count`, with the density with which all skies together draw it.
-    [[nodiscard]] DrawnDirection direction(
+    [[nodiscard]] DirectionSample direction(
         std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) const;
 
     /// The density with which all skies together draw a direction, of very many.

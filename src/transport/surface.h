@@ -5,7 +5,7 @@
 
 namespace quasimc {
 
-/// The place where a ray met the scene. Local coordinates.
+/// The surface at the point where a ray hit the scene. Local coordinates.
 struct Surface {
     std::uint32_t triangle = kNoTriangle;  ///< of the mesh
     std::uint32_t region = 0;
@@ -25,7 +25,7 @@ inline Surface surface_at(const PreparedScene& prepared, const Hit& hit, const V
 }
 
 /// Where it is: the barycentric point of the triangle, which lies on it to the last digit.
-inline Vec3 place_of(const PreparedScene& prepared, const Hit& hit) {
+inline Vec3 point_of(const PreparedScene& prepared, const Hit& hit) {
     return prepared.caster().mesh().point(hit.triangle, hit.u, hit.v);
 }
 

@@ -31,13 +31,13 @@ double amount_of(const Reading& reading) {
 }
 
 /// The records of days spread over the whole file.
-std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const Place& place) {
+std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const Site& site) {
     constexpr double kLongest = 3 * 3600;
     constexpr double kDark = 0.005;  // of the brightest: sensors are a little off at night
     constexpr std::int64_t kMaxDays = 60;
     const auto solar_day = [&](const CivilTime& time) {
         return static_cast<std::int64_t>(
-            std::floor(julian_day(time) + place.longitude_deg / 360 + 0.5));
+            std::floor(julian_day(time) + site.longitude_deg / 360 + 0.5));
     };
     double brightest = 0;
     std::int64_t first = solar_day(records.front().start);
@@ -62,9 +62,9 @@ std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const 
     return times;
 }
 
-/// Leaves only the days that have light and darkness, which alone tell their hours.
+/// Leaves only the days that have light and no_light_policy, which alone tell their hours.
 void keep_telling_days(std::vector<LitTime>& times) {
-    std::map<std::int64_t, std::pair<bool, bool>> seen;  // light, darkness
+    std::map<std::int64_t, std::pair<bool, bool>> seen;  // light, no_light_policy
     for (const LitTime& time : times) {
         auto& [light, dark] = seen[time.solar_day];
         light = light || time.is_lit;
@@ -100,7 +100,7 @@ double sum_of(const Mismatch& days) {
 }
 
 /// The shift of the clock with the smallest mismatch, the mean of several that are alike.
-double best_shift(const std::vector<LitTime>& times, const Place& place) {
+double best_shift(const std::vector<LitTime>& times, const Site& site) {
     constexpr int kSteps = 48;
     constexpr double kStepHours = 1 / 12.0;
     constexpr double kSame = 1e-6;
@@ -109,8 +109,7 @@ double best_shift(const std::vector<LitTime>& times, const Place& place) {
     int count = 0;
     for (int i = -kSteps; i <= kSteps; ++i) {
         const double shift = i * kStepHours;
-        const double off =
-            sum_of(mismatch_of(times, place.latitude_deg, place.longitude_deg, shift));
+        const double off = sum_of(mismatch_of(times, site.latitude_deg, site.longitude_deg, shift));
         if (least < 0 || off < least - kSame) {
             least = off;
             sum = 0;
@@ -127,23 +126,23 @@ double best_shift(const std::vector<LitTime>& times, const Place& place) {
 }  // namespace
 
 std::optional<std::string> warning_of_clock(
-    const std::vector<WeatherRecord>& records, const Place& place) {
+    const std::vector<WeatherRecord>& records, const Site& site) {
     if (records.empty()) {
         return std::nullopt;
     }
     constexpr std::size_t kMinDays = 3;
     constexpr double kFarHours = 0.6;  // a record of an hour tells its edges to half of it
-    std::vector<LitTime> times = lit_times(records, place);
+    std::vector<LitTime> times = lit_times(records, site);
     keep_telling_days(times);
     const auto at = [&](double latitude, double longitude, double shift) {
         return mismatch_of(times, latitude, longitude, shift);
     };
-    const Mismatch given = at(place.latitude_deg, place.longitude_deg, 0);
+    const Mismatch given = at(site.latitude_deg, site.longitude_deg, 0);
     if (given.size() < kMinDays) {
         return std::nullopt;
     }
-    const double shift = best_shift(times, place);
-    const Mismatch shifted = at(place.latitude_deg, place.longitude_deg, shift);
+    const double shift = best_shift(times, site);
+    const Mismatch shifted = at(site.latitude_deg, site.longitude_deg, shift);
     const auto better = std::count_if(given.begin(), given.end(), [&](const auto& day) {
         return shifted.at(day.first) < day.second;
     });
@@ -153,15 +152,14 @@ std::optional<std::string> warning_of_clock(
         return std::nullopt;
     }
     const bool is_exchanged =
-        std::abs(place.longitude_deg) <= 90 &&
-        sum_of(at(place.longitude_deg, place.latitude_deg, 0)) < sum_of(given) - 0.5 * gain;
+        std::abs(site.longitude_deg) <= 90 &&
+        sum_of(at(site.longitude_deg, site.latitude_deg, 0)) < sum_of(given) - 0.5 * gain;
     return fmt::format(
-        "the days' light comes about {:.1f} hours {} the sun of latitude {}, longitude {} on a "
-        "clock {} hours ahead of UTC: {}is the time zone, the longitude (east is positive) or the "
-        "stamp of the rows wrong?",
-        std::abs(shift), shift > 0 ? "before" : "after", shortest(place.latitude_deg),
-        shortest(place.longitude_deg), shortest(records.front().start.utc_offset_hours),
-        is_exchanged ? "are latitude and longitude exchanged, or " : "");
+        "daylight is about {:.1f} hours {} the sun at latitude {}, longitude {} with a clock {} "
+        "hours ahead of UTC: {}is the time zone, the longitude (east is positive) or stamp wrong?",
+        std::abs(shift), shift > 0 ? "before" : "after", shortest(site.latitude_deg),
+        shortest(site.longitude_deg), shortest(records.front().start.utc_offset_hours),
+        is_exchanged ? "are latitude and longitude swapped, or " : "");
 }
 
 }  // namespace quasimc

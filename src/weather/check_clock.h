@@ -13,6 +13,6 @@ namespace quasimc {
 /// @returns  a warning if another clock fits most of the days better, by more than half an hour;
 ///     nothing for fewer than three days, and for days without night or without light
 [[nodiscard]] std::optional<std::string> warning_of_clock(
-    const std::vector<WeatherRecord>& records, const Place& place);
+    const std::vector<WeatherRecord>& records, const Site& site);
 
 }  // namespace quasimc

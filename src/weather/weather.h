@@ -24,7 +24,7 @@ struct WeatherRecord {
 
 /// A weather file.
 struct WeatherFile {
-    std::optional<Place> place;              ///< if the file tells it
+    std::optional<Site> site;                ///< if the file tells it
     std::optional<double> utc_offset_hours;  ///< of its clock
     /// Whether its months are of different years (a typical year), so that only month, day and
     /// hour count.

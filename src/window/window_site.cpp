@@ -65,9 +65,9 @@ bool take_header(std::string_view line, HttpRequest& request) {
     if (!is_field_value(value)) {
         return false;
     }
-    const auto set_once = [&](std::string_view& place) {
-        const bool is_first = place.data() == nullptr;
-        place = value.data() == nullptr ? std::string_view("") : value;
+    const auto set_once = [&](std::string_view& field) {
+        const bool is_first = field.data() == nullptr;
+        field = value.data() == nullptr ? std::string_view("") : value;
         return is_first;
     };
     if (equal_names(name, "host")) {
@@ -186,22 +186,22 @@ WindowFiles files_of(WindowData data) {
     };
 }
 
-WindowSite::WindowSite(WindowFiles files, std::string token, WindowKind kind)
+ViewerRoutes::ViewerRoutes(WindowFiles files, std::string token, WindowKind kind)
     : files_(std::move(files)),
       token_(std::move(token)),
       colors_(color_maps_json()),
       html_(served_html(embedded_page().html, kind)) {}
 
-void WindowSite::set_port(int port) {
+void ViewerRoutes::set_port(int port) {
     host_ = fmt::format("127.0.0.1:{}", port);
     local_host_ = fmt::format("localhost:{}", port);
 }
 
-std::string WindowSite::address() const {
+std::string ViewerRoutes::address() const {
     return fmt::format("http://{}/{}/", host_, token_);
 }
 
-HttpAnswer WindowSite::answer(const HttpRequest& request) const {
+HttpAnswer ViewerRoutes::answer(const HttpRequest& request) const {
     const auto refuse = [](int status, std::string_view words) {
         return HttpAnswer{.status = status, .body = words};
     };
@@ -235,7 +235,7 @@ HttpAnswer WindowSite::answer(const HttpRequest& request) const {
     return found;
 }
 
-HttpAnswer WindowSite::file(std::string_view name) const {
+HttpAnswer ViewerRoutes::file(std::string_view name) const {
     const Page page = embedded_page();
     const std::array<std::pair<std::string_view, HttpAnswer>, 4> files{{
         {"", {200, "text/html; charset=utf-8", html_}},

@@ -3,14 +3,14 @@
 namespace quasimc::test {
 namespace {
 
-/// Places in the good run file.
+/// Parts of the good run file.
 const std::string kReflectance = "reflectance = 0.1";
 const std::string kTransmittance = "transmittance = 0.2";
 const std::string kDirection = "direction = [0, 0, -1]";
 const std::string kIrradiance = "irradiance_facing = 1";
 const std::string kCorners = "corners = [[0, 0, 5], [1, 0, 5], [0, 1, 5]]";
 const std::string kFile = "file = \"leaves.tri\"";
-const std::string kPlaceAndTime = "[place]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\n";
+const std::string kSiteAndTime = "[site]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\n";
 const std::string kShape = "shape = \"triangle\"";
 
 const std::vector<BadInput> kBadScenes{
@@ -19,15 +19,14 @@ const std::vector<BadInput> kBadScenes{
      "no source of light is given"},
     {"SourceNoList", "[[source]]", "[source]", "write [[source]] above it"},
     {"SourceWithoutType", "type = \"directional\"", "", "run.toml:9: source: type is missing"},
-    {"UnknownSource", "type = \"directional\"", "type = \"lamp\"",
-     "run.toml:10: source: type is 'lamp'"},
+    {"UnknownSource", "type = \"directional\"", "type = \"lamp\"", "run.toml:10: source: type"},
     {"DirectionZero", kDirection, "direction = [0, 0, 0]",
      "run.toml:11: source 'directional': direction is [0, 0, 0]"},
     {"DirectionNan", kDirection, "direction = [0, 0, nan]",
      "run.toml:11: source 'directional': direction is nan"},
     {"DirectionInfinite", kDirection, "direction = [0, 0, -inf]", "direction is -inf"},
     {"DirectionOfFour", kDirection, "direction = [0, 0, -1, 0]", "direction is a list of 4"},
-    {"DirectionMissing", kDirection, "", "where it shines from is missing"},
+    {"DirectionMissing", kDirection, "", "its direction is missing"},
     {"IrradianceNegative", kIrradiance, "irradiance_facing = -1",
      "run.toml:12: source 'directional': irradiance_facing is -1"},
     {"IrradianceInfinite", kIrradiance, "irradiance_facing = inf", "irradiance_facing is inf"},
@@ -39,15 +38,15 @@ const std::vector<BadInput> kBadScenes{
      "type = \"sphere\"\nposition = [0, 0, 9]\nradius = 0\npower = 1",
      "run.toml:12: source 'sphere': radius is 0 (it must be more than 0)"},
     {"ReadingBeyondNumbers", "[run]",
-     "[place]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\ntimes = [\"2024-06-21T12:00Z\"]\n"
+     "[site]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\ntimes = [\"2024-06-21T12:00Z\"]\n"
      "global = 1e308\n[run]",
      "run.toml:8: [time]: global is 1e+308"},
     {"PolygonLikeABowTie", kShape + "\n" + kCorners,
      "shape = \"polygon\"\ncorners = [[0, 0, 5], [1, 1, 5], [1, 0, 5], [0, 1, 5]]",
-     "its sides cross each other"},
+     "its sides intersect"},
     {"CopyThatIsNoList", kFile, kFile + "\nat = [1, 2, 3]",
-     "run.toml:19: geometry: at is no list of copies (it must be [[x, y, z], ...])"},
-    {"IrradianceZero", kIrradiance, "irradiance_facing = 0", "all irradiances are 0"},
+     "run.toml:19: geometry: at is not a list of copies (it must be [[x, y, z], ...])"},
+    {"IrradianceZero", kIrradiance, "irradiance_facing = 0", "no source gives light"},
     {"IrradianceTwice", kIrradiance, "irradiance_facing = 1\nirradiance_horizontal = 1",
      "two irradiances are given"},
     {"IrradianceMissing", kIrradiance, "", "its irradiance is missing"},
@@ -55,7 +54,7 @@ const std::vector<BadInput> kBadScenes{
      "irradiance_facing has 2 values (there are 1 bands)"},
     {"IrradianceOverflow", kIrradiance, "irradiance_facing = 1e999", "run.toml:12: "},
     {"SunsetOnTheHorizontal", kDirection + "\n" + kIrradiance,
-     "direction = [1, 0, 0]\nirradiance_horizontal = 1", "not above the horizon"},
+     "direction = [1, 0, 0]\nirradiance_horizontal = 1", "of a source below the horizon"},
     {"NoMaterial", "[[material]]\nname = \"leaf\"\nreflectance = 0.1\ntransmittance = 0.2\n", "",
      "leaf"},
     {"TwoMaterialsOfOneName", "[[geometry]]",
@@ -72,11 +71,10 @@ const std::vector<BadInput> kBadScenes{
     {"ReflectanceNan", kReflectance, "reflectance = nan", "reflectance is nan"},
     {"ReflectanceText", kReflectance, "reflectance = \"0.1\"", "reflectance is a text"},
     {"ReflectanceTrue", kReflectance, "reflectance = true", "reflectance is true or false"},
-    {"ReflectanceForgotten", kReflectance + "\n" + kTransmittance, "",
-     "neither reflectance nor transmittance is given"},
+    {"ReflectanceForgotten", kReflectance + "\n" + kTransmittance, "", "reflectance is missing"},
     {"ReflectanceOfUnknownBand", kReflectance, "reflectance = { NIR = 0.1 }", "PAR is missing"},
     {"UnknownModel", kReflectance, kReflectance + "\nreflection_model = \"glossy\"",
-     "reflection_model is 'glossy' (no such model)"},
+     "reflection_model is 'glossy' (unknown model)"},
     {"ModelWithoutExponent", kReflectance, kReflectance + "\nreflection_model = \"phong\"",
      "reflection_exponent is missing"},
     {"ExponentNegative", kReflectance,
@@ -117,24 +115,24 @@ const std::vector<BadInput> kBadScenes{
      "soil"},
     {"GroundInsideOut", "[[geometry]]",
      "[ground]\nmaterial = \"leaf\"\nx = [1, -1]\ny = [0, 1]\n[[geometry]]",
-     "low must be less than high"},
+     "the first must be less than the second"},
     {"CellOfNoSize", "[[geometry]]", "[cell]\nx = [1, 1]\n[[geometry]]",
-     "low must be less than high"},
+     "the first must be less than the second"},
     {"CellBeyondNumbers", "[[geometry]]", "[cell]\nx = [-1e308, 1e308]\n[[geometry]]",
      "run.toml: cell along x: the low border is -1e+308"},
-    {"WeatherWithAColumnTwice", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+    {"WeatherWithAColumnTwice", "[run]", kSiteAndTime + "weather = \"w.csv\"\n[run]",
      "w.csv:1: two columns are named 'global'", "w.csv",
      "time,global,global\n2024-06-21T12:00Z,1,2\n2024-06-21T13:00Z,1,2\n"},
-    {"WeatherBeyondNumbers", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+    {"WeatherBeyondNumbers", "[run]", kSiteAndTime + "weather = \"w.csv\"\n[run]",
      "w.csv:2: global is '1e308'", "w.csv", "time,global\n2024-06-21T12:00Z,1e308\n"},
-    {"WeatherOfDaysWithoutAYear", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+    {"WeatherOfDaysWithoutAYear", "[run]", kSiteAndTime + "weather = \"w.csv\"\n[run]",
      "w.csv:1: the year is missing", "w.csv", "DOY;Hour;global\n1;1;0\n1;2;0\n"},
     {"WeatherThatIsNoEpw", "[run]", "[time]\nweather = \"w.epw\"\nday = \"2024-06-21\"\n[run]",
      "w.epw:1: does not begin with LOCATION", "w.epw", "hello\n"},
-    {"WeatherInUtf16", "[run]", kPlaceAndTime + "weather = \"w.csv\"\n[run]",
+    {"WeatherInUtf16", "[run]", kSiteAndTime + "weather = \"w.csv\"\n[run]",
      "w.csv:1: is text in UTF-16", "w.csv", std::string("\xFF\xFEt\0i\0m\0", 8)},
     {"SunStepsTooShort", "[run]",
-     "[place]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\ntimes = [\"2024-06-21T12:00Z\"]\n"
+     "[site]\nlatitude_deg = 50\nlongitude_deg = 0\n[time]\ntimes = [\"2024-06-21T12:00Z\"]\n"
      "sun_step_minutes = 1e-300\n[run]",
      "run.toml:8: [time]: sun_step_minutes is less than a second"},
     {"CellTiny", "[[geometry]]", "[cell]\nx = [0, 1e-30]\n[[geometry]]", "cell"},
@@ -146,9 +144,9 @@ const std::vector<BadInput> kBadScenes{
      "can't be read (it is a device)"},
     {"FileWithNul", kFile, "file = \"a\\u0000.tri\"", "geometry"},
     {"FileOfUnknownFormat", kFile, "file = \"leaves.xyz\"",
-     "the format of 'leaves.xyz' can't be told"},
+     "the format of 'leaves.xyz' is unclear"},
     {"FileIsTheRunFile", kFile, "file = \"run.toml\"\nformat = \"obj\"",
-     "run.toml:1: 'format' is no statement of OBJ"},
+     "run.toml:1: 'format' is not an OBJ statement"},
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ class CheckpointTest : public ProgramTest {
         ProgramTest::SetUp();
         folder_.write(
             "day.toml", good_run_file() +
-                            "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+                            "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
                             "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-20\"\n"
                             "utc_offset_hours = 1\nhours = [9, 14]\nsky = \"uniform\"\n");
         folder_.write(
@@ -46,7 +46,7 @@ class CheckpointTest : public ProgramTest {
             "); do\n"
             "  \"$quasimc\" run " +
             run +
-            " --checkpoint c --resume --every 0 --quiet --threads "
+            " --checkpoint c --resume --checkpoint-interval 0 --quiet --threads "
             "$((1 + i % 3)) & pid=$!\n"
             "  sleep 0.$(printf %02d $((RANDOM % 12)))\n"
             "  kill -9 $pid 2>/dev/null; wait $pid\n"
@@ -80,20 +80,18 @@ TEST_F(CheckpointTest, OfARunThatIsDoneGivesItAgainOrMoreExactly) {
     ASSERT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"}).status, 0);
     const Outcome again = run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"});
     EXPECT_EQ(again.status, 1);
-    EXPECT_EQ(
-        again.err,
-        "c: is there already (a run that begins would overwrite it); state --resume to go on from "
-        "it, or remove it\n");
+    EXPECT_EQ(again.err, "error: c: exists; use --resume to continue it, or delete it\n");
     const Outcome there =
         run({"run", "run.toml", "--checkpoint", "c", "--resume", "--csv", "b.csv"});
     ASSERT_EQ(there.status, 0);
-    EXPECT_NE(there.out.find("time      traced before"), std::string::npos) << there.out;
+    EXPECT_NE(there.out.find("time      all paths are from the checkpoint"), std::string::npos)
+        << there.out;
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("a.csv")));
     const Outcome more = run(
         {"run", "run.toml", "--checkpoint", "c", "--resume", "--max-paths", "1024", "--csv",
          "b.csv"});
     ASSERT_EQ(more.status, 0);
-    EXPECT_NE(more.out.find("; 25 % of the paths were traced before\n"), std::string::npos)
+    EXPECT_NE(more.out.find("; 25 % of the paths are from the checkpoint\n"), std::string::npos)
         << more.out;
     ASSERT_EQ(run({"run", "run.toml", "--max-paths", "1024", "--csv", "w.csv"}).status, 0);
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
@@ -108,11 +106,11 @@ TEST_F(CheckpointTest, GoesOnToMorePathsOrSaysWhyNot) {
     ASSERT_EQ(shell(command + "--paths 65536 --csv w.csv").status, 0);
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
     const Outcome fewer = shell(command + "--paths 16384 --checkpoint c --resume");
-    EXPECT_EQ(fewer.status, 1);
+    EXPECT_EQ(fewer.status, 2);
     EXPECT_EQ(
         fewer.err,
-        "--paths: the checkpoint can't go on to 16384 of them (65536 paths are traced already); "
-        "leave paths as they were and state max_paths, or begin anew\n");
+        "error: --paths: the checkpoint can't be continued to 16384 paths (65536 paths are "
+        "computed already); keep paths and set max_paths, or start again\n");
     // What was refused stays what it was.
     EXPECT_EQ(shell(command + "--paths 16384 --checkpoint c --resume").err, fewer.err);
 }
@@ -126,16 +124,16 @@ TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
         EXPECT_EQ(outcome.status, 1);
         return outcome.err;
     };
-    EXPECT_EQ(refusal({"--seed", "9"}), "c: is of another run (run.run.seed: 1 there, 9 here)\n");
+    EXPECT_EQ(refusal({"--seed", "9"}), "error: c: belongs to another run (seed 1, here 9)\n");
     const std::string whole = folder_.read("c");
     for (const std::size_t at : {40UL, whole.size() / 2, whole.size() - 1}) {
         std::string changed = whole;
         changed[at] = static_cast<char>(changed[at] ^ 1);
         folder_.write("c", changed);
-        EXPECT_EQ(refusal({}), "c: is damaged (its checksum is not that of its bytes)\n");
+        EXPECT_EQ(refusal({}), "c: is damaged (its checksum is wrong)\n");
     }
     folder_.write("c", whole.substr(0, 9));
-    EXPECT_TRUE(refusal({}).starts_with("c: is no checkpoint"));
+    EXPECT_TRUE(refusal({}).starts_with("c: is not a checkpoint"));
     folder_.write("c", whole);
     std::string done = folder_.read("c.done");
     done[done.size() / 2] = static_cast<char>(done[done.size() / 2] ^ 1);
@@ -148,7 +146,7 @@ TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
 TEST_F(CheckpointTest, IsKeptWhenARunIsInterrupted) {
     const std::string run =
         "\"$quasimc\" run run.toml --method light_tracing --paths 1073741824 "
-        "--replicates 2 --quiet --checkpoint c --every 0";
+        "--replicates 2 --quiet --checkpoint c --checkpoint-interval 0";
     const Outcome stopped = stopped_once("[ -e c ]", run, "INT");
     EXPECT_EQ(stopped.status, 130) << stopped.err;
     // The paths that the run has traced are not traced again: the checkpoint has grown.
@@ -160,7 +158,8 @@ TEST_F(CheckpointTest, OfAnAuditedRunLetsItBeAuditedAnew) {
         "\"$quasimc\" run run.toml --method light_tracing --paths 1048576 --audit 0.5 --json ";
     ASSERT_EQ(shell(command + "whole.json --quiet").status, 0);
     const Outcome stopped = stopped_once(
-        "[ -e c ]", command + "out.json --quiet --checkpoint c --every 0 --threads 1", "KILL");
+        "[ -e c ]", command + "out.json --quiet --checkpoint c --checkpoint-interval 0 --threads 1",
+        "KILL");
     EXPECT_EQ(stopped.status, 137) << stopped.err;
     for (int times = 0; times < 2; ++times) {  // of the rest, and of a run that is done
         const Outcome resumed = shell(command + "out.json --quiet --checkpoint c --resume");
@@ -178,7 +177,7 @@ TEST_F(CheckpointTest, OfAnAuditedRunLetsItBeAuditedAnew) {
 TEST_F(CheckpointTest, IsOfOneRunAtATime) {
     const std::string command =
         "\"$quasimc\" run run.toml --method light_tracing --paths 1073741824 --quiet "
-        "--threads 1 --checkpoint c --every 0";
+        "--threads 1 --checkpoint c --checkpoint-interval 0";
     // The first is killed, so that its lock is left behind.
     const Outcome second = shell(
         command +
@@ -209,7 +208,8 @@ TEST_F(CheckpointTest, HasOneLockByAnyName) {
             std::string::npos)
             << name << outcome.err;
     }
-    const Outcome done = shell("\"$quasimc\" run day.toml -q --every 0 --checkpoint k");
+    const Outcome done =
+        shell("\"$quasimc\" run day.toml -q --checkpoint-interval 0 --checkpoint k");
     EXPECT_EQ(done.status, 0) << done.err;
     EXPECT_TRUE(std::filesystem::is_symlink(folder_.path() / "k"));
     EXPECT_TRUE(std::filesystem::exists(folder_.path() / "c.done"));
@@ -231,7 +231,7 @@ TEST_F(CheckpointTest, TakesNoFilesOfOthers) {
             const Outcome outcome = shell(
                 std::string("\"$quasimc\" run stranger.toml --quiet --checkpoint c") + resume);
             EXPECT_EQ(outcome.status, 1) << name;
-            EXPECT_TRUE(outcome.err.starts_with(name + ": is there already")) << outcome.err;
+            EXPECT_TRUE(outcome.err.starts_with("error: " + name + ": exists")) << outcome.err;
             EXPECT_EQ(folder_.read(name), good_leaves());
             EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c"));
         }
@@ -250,18 +250,17 @@ TEST_F(CheckpointTest, IsNotTheEndOfARunThatAsksForLess) {
     ASSERT_EQ(shell(command + "--max-paths 1024").status, 0);
     EXPECT_EQ(
         refusal("--max-paths 512"),
-        "run.toml: checkpoint: has 1024 paths already, more than the run asked for has (max_paths "
-        "is 512); "
-        "ask for as much as before, or more, or begin anew\n");
-    EXPECT_NE(refusal("").find("neither max_paths nor a target asks for more"), std::string::npos);
+        "run.toml: checkpoint: has 1024 paths already, more than this run requests (max_paths is "
+        "512); request at least as many paths as before, or start again\n");
     EXPECT_NE(
-        refusal("--max-paths 4096 --target-error 0.5").find("may have been reached with fewer"),
+        refusal("").find("neither max_paths nor target_error requires more"), std::string::npos);
+    EXPECT_NE(
+        refusal("--max-paths 4096 --target-error 0.5").find("the target may need fewer"),
         std::string::npos);
     std::filesystem::remove(folder_.path() / "c");
     ASSERT_EQ(shell(command + "--target-error 0.001 --max-paths 1024").status % 4, 0);
     EXPECT_NE(
-        refusal("--target-error 0.002 --max-paths 1024").find("may have been reached"),
-        std::string::npos);
+        refusal("--target-error 0.002 --max-paths 1024").find("may need fewer"), std::string::npos);
     const Outcome more = shell(command + "--target-error 0.0005 --max-paths 4096 --csv b.csv");
     EXPECT_EQ(more.status % 4, 0) << more.err;
     ASSERT_EQ(
@@ -273,7 +272,7 @@ TEST_F(CheckpointTest, IsNotTheEndOfARunThatAsksForLess) {
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
 }
 
-TEST_F(CheckpointTest, HasNoPlaceForParts) {
+TEST_F(CheckpointTest, HasNoSlotForParts) {
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--part", "1/2"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--resume"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "run.toml", "--resume"}).status, 1);
@@ -298,12 +297,14 @@ TEST_F(CheckpointTest, IsNoOutput) {
         EXPECT_FALSE(std::filesystem::exists(folder_.path() / "c")) << output;
     }
     EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "-"}).status, 2);
-    EXPECT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--every", "nan"}).status, 2);
+    EXPECT_EQ(
+        run({"run", "run.toml", "--checkpoint", "c", "--checkpoint-interval", "nan"}).status, 2);
 }
 
 TEST_F(CheckpointTest, ThatHasNoRoomCostsNoResult) {
     const std::string command =
-        "\"$quasimc\" run day.toml --quantities absorbed_flux --checkpoint c --every 0 --csv ";
+        "\"$quasimc\" run day.toml --quantities absorbed_flux --checkpoint c --checkpoint-interval "
+        "0 --csv ";
     ASSERT_EQ(shell(command + "whole.csv --quiet").status, 0);
     const auto saved = std::filesystem::file_size(folder_.path() / "c.done");
     const auto table = std::filesystem::file_size(folder_.path() / "whole.csv");
@@ -314,7 +315,7 @@ TEST_F(CheckpointTest, ThatHasNoRoomCostsNoResult) {
     const Outcome outcome = shell(
         "ulimit -f " + std::to_string((table + 1023) / 1024 + 1) + "; " + command + "out.csv");
     EXPECT_EQ(outcome.status, 1) << outcome.err;
-    EXPECT_NE(outcome.err.find("The run goes on without a checkpoint."), std::string::npos)
+    EXPECT_NE(outcome.err.find("the run goes on without a checkpoint"), std::string::npos)
         << outcome.err;
     EXPECT_EQ(table_rows(folder_.read("out.csv")), table_rows(folder_.read("whole.csv")));
 }

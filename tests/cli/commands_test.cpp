@@ -20,13 +20,14 @@ TEST_F(ProgramTest, AuditsOnDemand) {
     EXPECT_EQ(outcome.err.find("audit"), std::string::npos) << outcome.err;
     const Outcome refused = run({"run", "run.toml", "--audit", "0.5", "--replicates", "1"});
     EXPECT_EQ(refused.status, 1);
-    EXPECT_NE(refused.err.find("audit: needs at least 2 replicates"), std::string::npos);
+    EXPECT_NE(refused.err.find("audit: at least 2 replicates are needed"), std::string::npos);
 }
 
 TEST_F(ProgramTest, NamesTheMethodThatItChose) {
     const Outcome outcome = run({"run", "run.toml", "--method", "auto"});
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.out.find("method    first_hits: "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("method    first_hits (automatic): "), std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(ProgramTest, RunWritesTableResultAndSummary) {
@@ -66,10 +67,10 @@ TEST_F(ProgramTest, FlagsGoBeforeTheFile) {
     EXPECT_NE(table.find("seed = 9"), std::string::npos);
 }
 
-TEST_F(ProgramTest, BadValuesOfFlagsAreInputErrorsThatNameTheFlag) {
-    EXPECT_EQ(run({"run", "run.toml", "--paths", "many"}).status, 1);
+TEST_F(ProgramTest, BadValuesOfFlagsAreWrongUsageAndNameTheFlag) {
+    EXPECT_EQ(run({"run", "run.toml", "--paths", "many"}).status, 2);
     EXPECT_NE(
-        run({"run", "run.toml", "--paths", "0"}).err.find("--paths: paths is 0"),
+        run({"run", "run.toml", "--paths", "0"}).err.find("--paths: 0 is out of range"),
         std::string::npos);
     EXPECT_NE(run({"run", "run.toml", "--seed", "-1"}).err.find("--seed: "), std::string::npos);
     EXPECT_NE(run({"run", "run.toml", "--sampler", ""}).err.find("--sampler: "), std::string::npos);
@@ -87,7 +88,7 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
         {"run", "run.toml", "--wings"},
         {"run", "run.toml", "--paths"},
         {"run", "run.toml", "run.toml"},
-        {"run", "run.toml", "--from", "out.json"},
+        {"run", "run.toml", "--repeat", "out.json"},
         {"check"},
         {"list", "apples"},
         {"--dump"},
@@ -102,20 +103,19 @@ TEST_F(ProgramTest, WrongUsageIsStatusTwo) {
 
 TEST_F(ProgramTest, MistakenFlagsAreNamedWithTheNearest) {
     const std::vector<std::pair<Arguments, std::string>> table{
-        {{"run", "run.toml", "--method"}, "--method: its value is missing\n"},
-        {{"run", "run.toml", "--paths"}, "--paths: its value is missing\n"},
-        {{"run", "run.toml", "--paths", "--quiet"}, "--paths: its value is missing\n"},
-        {{"run", "run.toml", "--path", "3"},
-         "--path: there is no such flag; did you mean '--paths'?\n"},
+        {{"run", "run.toml", "--method"}, "--method: a value is missing\n"},
+        {{"run", "run.toml", "--paths"}, "--paths: a value is missing\n"},
+        {{"run", "run.toml", "--paths", "--quiet"}, "--paths: a value is missing\n"},
+        {{"run", "run.toml", "--path", "3"}, "unknown option --path; did you mean '--paths'?\n"},
         {{"run", "run.toml", "--sampeler=sobol"},
-         "--sampeler: there is no such flag; did you mean '--sampler'?\n"},
-        {{"run", "run.toml", "--wings"}, "--wings: there is no such flag\n"},
-        {{"chek", "run.toml"}, "chek: there is no such command; did you mean 'check'?\n"},
-        {{"run", "run.toml", "more.toml"}, "more.toml: is one argument too many\n"}};
+         "unknown option --sampeler; did you mean '--sampler'?\n"},
+        {{"run", "run.toml", "--wings"}, "unknown option --wings\n"},
+        {{"run", "run.toml", "more.toml"}, "unexpected argument 'more.toml'\n"}};
     for (const auto& [arguments, message] : table) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.err, message + "Run with --help for more information.\n");
+        EXPECT_EQ(
+            outcome.err, "error: " + message + "Run 'quasimc run --help' for more information.\n");
     }
 }
 
@@ -152,7 +152,7 @@ TEST_F(ProgramTest, HelpAndVersionGoToStandardOutput) {
 
 TEST_F(ProgramTest, CheckFindsFaultsAndRunsNothing) {
     EXPECT_EQ(run({"check", "run.toml"}).status, 0);
-    EXPECT_EQ(run({"check", "run.toml", "--paths", "0"}).status, 1);
+    EXPECT_EQ(run({"check", "run.toml", "--paths", "0"}).status, 2);
     folder_.write(
         "run.toml", replaced(good_run_file(), "file = \"leaves.tri\"", "file = \"leaves.tro\""));
     EXPECT_EQ(run({"check", "run.toml"}).status, 1);
@@ -179,7 +179,7 @@ TEST_F(ProgramTest, TheDumpedDefaultFileRuns) {
 TEST_F(ProgramTest, FromRepeatsARun) {
     ASSERT_EQ(run({"run", "run.toml", "--seed", "5"}).status, 0);
     const Outcome again =
-        run({"run", "--from", "out.json", "--csv", "again.csv", "--json", "again.json"});
+        run({"run", "--repeat", "out.json", "--csv", "again.csv", "--json", "again.json"});
     EXPECT_EQ(again.status, 0) << again.err;
     EXPECT_NE(again.out.find("the same numbers as in out.json"), std::string::npos) << again.out;
     const auto organs = [](const std::string& text) {
@@ -188,12 +188,13 @@ TEST_F(ProgramTest, FromRepeatsARun) {
     EXPECT_EQ(organs(folder_.read("out.json")), organs(folder_.read("again.json")));
     EXPECT_EQ(folder_.read("out.csv"), folder_.read("again.csv"));
     // The result of a repetition can be repeated too.
-    EXPECT_NE(run({"run", "--from", "again.json"}).out.find("the same numbers"), std::string::npos);
+    EXPECT_NE(
+        run({"run", "--repeat", "again.json"}).out.find("the same numbers"), std::string::npos);
 }
 
 TEST_F(ProgramTest, FromTellsOtherNumbers) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
-    const Outcome asked = run({"run", "--from", "out.json", "--seed", "99"});
+    const Outcome asked = run({"run", "--repeat", "out.json", "--seed", "99"});
     EXPECT_EQ(asked.status, 0) << asked.err;
     EXPECT_NE(
         asked.out.find("OTHER numbers than in out.json, as asked by --seed 99"), std::string::npos)
@@ -204,11 +205,11 @@ TEST_F(ProgramTest, FromTellsOtherNumbers) {
     std::string changed = stored;
     changed[digit] = changed[digit] == '7' ? '8' : '7';
     folder_.write("changed.json", changed);
-    const Outcome other = run({"run", "--from", "changed.json", "-q"});
+    const Outcome other = run({"run", "--repeat", "changed.json", "-q"});
     EXPECT_EQ(other.status, 1);
     EXPECT_NE(other.err.find("(1 of 4 rows of numbers differ)"), std::string::npos) << other.err;
     folder_.write("old.json", replaced(stored, "\"organs_sha256\": \"", "\"organs_sha256\": \"x"));
-    EXPECT_EQ(run({"run", "--from", "old.json"}).status, 1);
+    EXPECT_EQ(run({"run", "--repeat", "old.json"}).status, 1);
 }
 
 /// What nobody can promise: the digits of another version, or of a run that time ended.
@@ -218,12 +219,12 @@ TEST_F(ProgramTest, FromForgivesOtherNumbersOfOtherRuns) {
         replaced(folder_.read("out.json"), "\"organs_sha256\": \"", "\"organs_sha256\": \"x");
     folder_.write(
         "old.json", replaced(stored, "\"program_version\": \"", "\"program_version\": \"9"));
-    const Outcome old = run({"run", "--from", "old.json"});
+    const Outcome old = run({"run", "--repeat", "old.json"});
     EXPECT_EQ(old.status, 0) << old.err;
     EXPECT_NE(old.out.find("OTHER numbers than in old.json, which version 9"), std::string::npos)
         << old.out;
-    folder_.write("cut.json", replaced(stored, "\"paths_done\"", "\"interrupted\""));
-    const Outcome cut = run({"run", "--from", "cut.json"});
+    folder_.write("cut.json", replaced(stored, "\"finished\"", "\"interrupted\""));
+    const Outcome cut = run({"run", "--repeat", "cut.json"});
     EXPECT_EQ(cut.status, 0) << cut.err;
     EXPECT_NE(cut.out.find("whose run was stopped before its end"), std::string::npos) << cut.out;
 }
@@ -234,26 +235,26 @@ TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
         const Outcome outcome = run({"run", name});
         EXPECT_EQ(outcome.status, 1);
         EXPECT_TRUE(outcome.err.starts_with(
-            std::string(name) + ": is a file of geometry, not a run file ("))
+            "error: " + std::string(name) + ": is geometry, not a run file;"))
             << outcome.err;
-        EXPECT_NE(outcome.err.find("name it in a run file"), std::string::npos);
+        EXPECT_NE(outcome.err.find("name it under [[geometry]]"), std::string::npos);
     }
     folder_.write("out.json", "{}\n");
     EXPECT_EQ(
         run({"check", "out.json"}).err,
-        "out.json: is no run file (a run file is TOML); if it is a result, `quasimc view` and "
-        "`quasimc show` take it, and `quasimc run --from` repeats it\n");
+        "error: out.json: is a result, not a run file; show it: quasimc view out.json; or repeat "
+        "its run: quasimc run --repeat out.json\n");
     folder_.write("weather.epw", "LOCATION,here\n");
     const Outcome outcome = run({"run", "weather.epw"});
-    EXPECT_TRUE(outcome.err.starts_with("weather.epw: is no run file (weather.epw:1"))
+    EXPECT_TRUE(outcome.err.starts_with("error: weather.epw: is not a run file (weather.epw:1"))
         << outcome.err;
-    EXPECT_NE(outcome.err.find("names files of geometry and weather"), std::string::npos);
+    EXPECT_NE(outcome.err.find("give a run file in TOML"), std::string::npos);
 }
 
 TEST_F(ProgramTest, FromRefusesAChangedInput) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     folder_.write("leaves.tri", good_leaves() + "\n");
-    const Outcome outcome = run({"run", "--from", "out.json"});
+    const Outcome outcome = run({"run", "--repeat", "out.json"});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(outcome.err.find("'leaves.tri'"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("changed"), std::string::npos) << outcome.err;
@@ -265,17 +266,17 @@ TEST_F(ProgramTest, FromRefusesBrokenResults) {
     for (const std::size_t size :
          {std::size_t{0}, std::size_t{1}, json.size() / 3, json.size() - 3}) {
         folder_.write("out.json", json.substr(0, size));
-        EXPECT_EQ(run({"run", "--from", "out.json"}).status, 1);
+        EXPECT_EQ(run({"run", "--repeat", "out.json"}).status, 1);
     }
-    EXPECT_EQ(run({"run", "--from", "leaves.tri"}).status, 1);
-    EXPECT_EQ(run({"run", "--from", "none.json"}).status, 1);
+    EXPECT_EQ(run({"run", "--repeat", "leaves.tri"}).status, 1);
+    EXPECT_EQ(run({"run", "--repeat", "none.json"}).status, 1);
 }
 
 TEST_F(ProgramTest, AMissedTargetIsStatusFourAndResultsAreWritten) {
     const Outcome outcome =
         run({"run", "run.toml", "--target-error", "1e-9", "--max-paths", "512"});
     EXPECT_EQ(outcome.status, 4) << outcome.err;
-    EXPECT_NE(outcome.out.find("NOT reached"), std::string::npos);
+    EXPECT_NE(outcome.out.find("not reached"), std::string::npos);
     EXPECT_EQ(new_files(), (Arguments{"out.csv", "out.json"}));
 }
 
@@ -336,7 +337,7 @@ TEST_F(ProgramTest, TheFirstExampleRuns) {
 
 TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
     const Outcome outcome = run(
-        {"sky", "--place", "39.742476,-105.1786", "--time", "2003-10-17T12:30:30-07:00",
+        {"sky", "--site", "39.742476,-105.1786", "--time", "2003-10-17T12:30:30-07:00",
          "--elevation-m", "1830.14", "--pressure-hpa", "820", "--temperature-c", "11",
          "--delta-t-s", "67"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -352,7 +353,7 @@ TEST_F(ProgramTest, SkyTellsTheSunAndDrawsTheSky) {
 
 TEST_F(ProgramTest, SkyDrawsItOrSaysThatItWasBuiltWithoutPictures) {
     const Outcome outcome = run(
-        {"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--png", "sky.png", "--size",
+        {"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--png", "sky.png", "--size",
          "128"});
     if (has_png()) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -365,33 +366,33 @@ TEST_F(ProgramTest, SkyDrawsItOrSaysThatItWasBuiltWithoutPictures) {
 }
 
 TEST_F(ProgramTest, SkyTellsOfPolarNightsAndDrawsNone) {
-    const Arguments night{"sky", "--place", "80,20", "--time", "2024-12-21T12:00Z"};
+    const Arguments night{"sky", "--site", "80,20", "--time", "2024-12-21T12:00Z"};
     const Outcome outcome = run(night);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("polar night"), std::string::npos);
     EXPECT_NE(outcome.out.find("no light: the sun is below the horizon"), std::string::npos);
     Arguments drawn = night;
     drawn.insert(drawn.end(), {"--png", "sky.png"});
-    EXPECT_EQ(run(drawn).status, 1);
+    EXPECT_EQ(run(drawn).status, 2);
     EXPECT_TRUE(new_files().empty());
 }
 
 TEST_F(ProgramTest, SkyAsksForTheLightThatASkyNeeds) {
     const Outcome outcome =
-        run({"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "perez"});
-    EXPECT_EQ(outcome.status, 1);
+        run({"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "perez"});
+    EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(outcome.err.find("--sky: perez needs the light of the hour"), std::string::npos);
 }
 
 TEST_F(ProgramTest, SkyTellsAllThatIsWrong) {
-    const Outcome outcome = run({"sky", "--place", "95", "--time", "2024-06-21T12:00"});
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find("--place: '95' is no place"), std::string::npos);
+    const Outcome outcome = run({"sky", "--site", "95", "--time", "2024-06-21T12:00"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("--site: '95' is no site"), std::string::npos);
     EXPECT_NE(outcome.err.find("--time: '2024-06-21T12:00' has no time zone"), std::string::npos);
     EXPECT_EQ(outcome.err.find("utc_offset_hours"), std::string::npos) << "it has no such option";
-    EXPECT_EQ(run({"sky", "--place", "50,8"}).status, 2);
+    EXPECT_EQ(run({"sky", "--site", "50,8"}).status, 2);
     EXPECT_EQ(
-        run({"sky", "--place", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "pink"}).status, 2);
+        run({"sky", "--site", "50,8", "--time", "2024-06-21T12:00Z", "--sky", "pink"}).status, 2);
 }
 
 }  // namespace

@@ -118,17 +118,17 @@ class ManualPictures : public ProgramTest {
 
 TEST_F(ManualPictures, ShowTheLeaves) {
     ASSERT_EQ(run({"run", "leaves.toml"}).status, 0);
-    const std::vector<std::string> first{"show",   "leaves.json", "-o",        "new.png",
-                                         "--size", "800x640",     "--opening", "20"};
+    const std::vector<std::string> first{"show",   "leaves.json", "-o",    "new.png",
+                                         "--size", "800x640",     "--fov", "20"};
     expect_of_manual("images/leaves.png", first);
     expect_of_manual(
         "images/leaves_scattered_error.png",
         {"show", "leaves.json", "-o", "new.png", "--quantity", "incident_scattered", "--error",
-         "--view", "top", "--cut", "z>5", "--colors", "magma", "--size", "600x450"});
+         "--camera", "top", "--clip", "z>5", "--colormap", "magma", "--size", "600x450"});
     // What a glance must tell apart.
     const std::vector<Lab> seen = drawn(first);
     for (const auto& [flag, value] : std::vector<std::pair<std::string, std::string>>{
-             {"--quantity", "incident_upper"}, {"--colors", "cividis"}, {"--view", "203,20"}}) {
+             {"--quantity", "incident_upper"}, {"--colormap", "cividis"}, {"--camera", "203,20"}}) {
         std::vector<std::string> other = first;
         other.insert(other.end(), {flag, value});
         EXPECT_GT(difference(seen, drawn(other)), 10 * kJustSeen) << flag;
@@ -139,7 +139,7 @@ TEST_F(ManualPictures, ShowAnAfternoon) {
     ASSERT_EQ(run({"run", "afternoon.toml"}).status, 0);
     expect_of_manual(
         "images/leaves_as_seen.png", {"show", "afternoon.json", "-o", "new.png", "--size",
-                                      "800x640", "--opening", "20", "--as-seen"});
+                                      "800x640", "--fov", "20", "--realistic"});
 }
 
 TEST_F(ManualPictures, ShowThePaper) {
@@ -147,7 +147,7 @@ TEST_F(ManualPictures, ShowThePaper) {
     ASSERT_EQ(run({"run", run_file, "--json", "paper.json", "--csv", "paper.csv"}).status, 0);
     expect_of_manual(
         "images/paper_canopy.png",
-        {"show", "paper.json", "-o", "new.png", "--opening", "20", "--size", "900x640"});
+        {"show", "paper.json", "-o", "new.png", "--fov", "20", "--size", "900x640"});
 }
 
 TEST_F(ManualPictures, ShowTheSkies) {
@@ -161,7 +161,7 @@ TEST_F(ManualPictures, ShowTheSkies) {
         {"preetham", {"preetham", "--turbidity", "3"}}};
     for (const auto& [name, words] : skies) {
         std::vector<std::string> arguments{
-            "sky",   "--place", "50.1,8.7", "--time", "2024-06-21T10:00+02:00",
+            "sky",   "--site",  "50.1,8.7", "--time", "2024-06-21T10:00+02:00",
             "--png", "new.png", "--size",   "256",    "--sky"};
         arguments.insert(arguments.end(), words.begin(), words.end());
         expect_of_manual("theory/images/sky-" + name + ".png", arguments);

@@ -23,7 +23,7 @@ TEST_F(OutputsTest, AreWrittenByTheirFlags) {
     folder_.write(
         "all.toml",
         folder_.read("bare.toml") +
-            "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\ntimes = "
+            "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\ntimes = "
             "[\"2024-06-21T12:00+02:00\"]\n[[detector]]\ntype = \"escaped_by_zenith\"\n");
     std::istringstream rows(run({"list", "outputs"}).out);
     std::size_t written = 0;
@@ -53,9 +53,9 @@ TEST_F(OutputsTest, AreNeverInputs) {
         Words arguments{"run", "bare.toml"};
         arguments.insert(arguments.end(), row.begin(), row.end());
         const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 1) << ::testing::PrintToString(row);
-        EXPECT_NE(outcome.err.find("is an input of the run ("), std::string::npos) << outcome.err;
-        EXPECT_TRUE(outcome.err.starts_with(row[row.size() - 2] + ": ")) << outcome.err;
+        EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(row);
+        EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos) << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("error: " + row[row.size() - 2] + ": ")) << outcome.err;
         EXPECT_EQ(outcome.out, "");
     }
     EXPECT_EQ(folder_.read("bare.toml"), text);
@@ -72,7 +72,7 @@ TEST_F(OutputsTest, OfRunFilesAreNeverInputs) {
             EXPECT_EQ(outcome.status, 1);
             EXPECT_NE(outcome.err.find("run.toml:7: [output]: csv = '"), std::string::npos)
                 << outcome.err;
-            EXPECT_NE(outcome.err.find("is an input of the run"), std::string::npos);
+            EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos);
         }
     }
     EXPECT_EQ(folder_.read("leaves.tri"), good_leaves());
@@ -81,10 +81,10 @@ TEST_F(OutputsTest, OfRunFilesAreNeverInputs) {
 TEST_F(OutputsTest, OfConvertAreNeverInputs) {
     for (const char* output : {"leaves.tri", "./leaves.tri"}) {
         const Outcome outcome = run({"convert", "run.toml", output});
-        EXPECT_EQ(outcome.status, 1);
-        EXPECT_NE(outcome.err.find("is an input of the run"), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos) << outcome.err;
     }
-    EXPECT_EQ(run({"convert", "run.toml", "run.toml", "--to", "obj"}).status, 1);
+    EXPECT_EQ(run({"convert", "run.toml", "run.toml", "--to", "obj"}).status, 2);
     EXPECT_EQ(folder_.read("leaves.tri"), good_leaves());
     EXPECT_EQ(folder_.read("run.toml"), good_run_file());
 }
@@ -93,12 +93,12 @@ TEST_F(OutputsTest, AreNotTheResultThatIsRepeated) {
     ASSERT_EQ(run({"run", "bare.toml", "--json", "old.json"}).status, 0);
     const std::string old = folder_.read("old.json");
     for (const char* flag : {"--csv", "--json"}) {
-        const Outcome outcome = run({"run", "--from", "old.json", flag, "./old.json"});
-        EXPECT_EQ(outcome.status, 1);
-        EXPECT_NE(outcome.err.find("is an input of the run"), std::string::npos) << outcome.err;
+        const Outcome outcome = run({"run", "--repeat", "old.json", flag, "./old.json"});
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_NE(outcome.err.find("is an input of this run"), std::string::npos) << outcome.err;
     }
     EXPECT_EQ(folder_.read("old.json"), old);
-    EXPECT_EQ(run({"run", "--from", "old.json", "--json", "new.json"}).status, 0);
+    EXPECT_EQ(run({"run", "--repeat", "old.json", "--json", "new.json"}).status, 0);
 }
 
 TEST_F(OutputsTest, AreNotEachOther) {
@@ -111,7 +111,7 @@ TEST_F(OutputsTest, AreNotEachOther) {
         {"-", "/dev/stdout"}};
     for (const Words& row : table) {
         const Outcome outcome = run({"run", "bare.toml", "--csv", row[0], "--json", row[1]});
-        EXPECT_EQ(outcome.status, 1) << ::testing::PrintToString(row);
+        EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(row);
         EXPECT_NE(outcome.err.find("--json: '"), std::string::npos) << outcome.err;
         EXPECT_NE(
             outcome.err.find("is the file of another output (--csv names it)"), std::string::npos)
@@ -151,7 +151,7 @@ TEST_F(OutputsTest, AreNotMixedWithClosedStreams) {
     }
     const Outcome refused = shell("\"$quasimc\" run bare.toml --csv - >&-");
     EXPECT_EQ(refused.status, 1);
-    EXPECT_EQ(refused.err, "standard output: can't be written (it is closed)\n");
+    EXPECT_EQ(refused.err, "error: standard output: can't be written (it is closed)\n");
     EXPECT_EQ(shell("\"$quasimc\" run - <&-").status, 1);
 }
 
@@ -174,13 +174,13 @@ TEST_F(OutputsTest, ThatFailDoNotCostTheOthers) {
 TEST_F(OutputsTest, AReaderOfStandardOutputThatEndsIsNoFault) {
     folder_.write(
         "day.toml", good_run_file() +
-                        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = "
+                        "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = "
                         "\"2024-06-20\"\nutc_offset_hours = 1\nsky = \"uniform\"\n");
     for (const char* command :
          {"run day.toml --paths 64 --csv - -q", "list options", "list formats", "--help",
           "run --help", "--dump-default", "check run.toml", "info run.toml",
           "convert run.toml - --to obj", "run run.toml --csv - -q",
-          "sky --place 50,8 --time 2024-06-21T09:00Z"}) {
+          "sky --site 50,8 --time 2024-06-21T09:00Z"}) {
         const Outcome gone = shell(
             "{ sleep 0.2; \"$quasimc\" " + std::string(command) +
             "; echo $? >status; } | true; cat status");
@@ -228,7 +228,7 @@ TEST_F(OutputsTest, AsNetcdfNeedItsLibraryBeforeAnythingIsComputed) {
     if (run({"list", "formats"}).out.find("not built in") != std::string::npos) {
         GTEST_SKIP() << "built without NetCDF";
     }
-    const Outcome good = run({"run", "run.toml", "-q", "--nc", "out.nc"});
+    const Outcome good = run({"run", "run.toml", "-q", "--netcdf", "out.nc"});
     ASSERT_EQ(good.status, 0) << good.err;
     EXPECT_TRUE(folder_.read("out.nc").starts_with("\x89HDF"));
     write_old();
@@ -241,7 +241,7 @@ TEST_F(OutputsTest, AsNetcdfNeedItsLibraryBeforeAnythingIsComputed) {
     fs::create_directory(folder_.path() / "temporary");
     const std::string broken =
         "TMPDIR=temporary LD_LIBRARY_PATH=broken \"$quasimc\" run run.toml -q";
-    const Outcome refused = shell(broken + " --nc out.nc");
+    const Outcome refused = shell(broken + " --netcdf out.nc");
     EXPECT_EQ(refused.status, 1);
     EXPECT_NE(refused.err.find("NetCDF: can't be written ("), std::string::npos) << refused.err;
     EXPECT_NE(refused.err.find("install the netCDF library"), std::string::npos) << refused.err;
@@ -274,8 +274,9 @@ TEST_F(OutputsTest, APipeThatNobodyServesIsRefused) {
         "timeout 60 \"$quasimc\" check a.toml & "
         "timeout 60 \"$quasimc\" run bare.toml --csv b.csv; b=$?; wait $!; echo $? $b");
     EXPECT_EQ(outcome.out, "1 1\n") << outcome.err;
-    EXPECT_NE(outcome.err.find("nothing writes into this pipe"), std::string::npos) << outcome.err;
-    EXPECT_NE(outcome.err.find("nothing reads this pipe"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("no program writes into this pipe"), std::string::npos)
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("no program reads this pipe"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

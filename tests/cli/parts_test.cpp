@@ -17,9 +17,9 @@ class PartsTest : public ProgramTest {
     void compute_parts(int parts, const std::vector<std::string>& options = {}) const {
         for (int part = 1; part <= parts; ++part) {
             std::vector<std::string> words{
-                "run",    options.empty() ? "run.toml" : options[0],
-                "--part", std::to_string(part) + "/" + std::to_string(parts),
-                "--sums", "p" + std::to_string(part)};
+                "run",         options.empty() ? "run.toml" : options[0],
+                "--part",      std::to_string(part) + "/" + std::to_string(parts),
+                "--part-file", "p" + std::to_string(part)};
             words.insert(words.end(), options.begin() + (options.empty() ? 0 : 1), options.end());
             words.insert(words.end(), {"--threads", std::to_string(1 + part % 2)});
             const Outcome outcome = run(words);
@@ -55,19 +55,20 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(PartsTest, OfTimesGiveTheirNumbersAndSums) {
     folder_.write(
         "day.toml", good_run_file() +
-                        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+                        "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
                         "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-21\"\n"
                         "utc_offset_hours = 1\nhours = [3, 6]\nsky = \"uniform\"\n");
     compute_parts(2, {"day.toml"});
     ASSERT_EQ(
-        run({"merge", "p1", "p2", "--csv", "m.csv", "--days", "md.csv", "--json", "m.json"}).status,
+        run({"merge", "p1", "p2", "--csv", "m.csv", "--daily-csv", "md.csv", "--json", "m.json"})
+            .status,
         0);
-    ASSERT_EQ(run({"run", "day.toml", "--csv", "w.csv", "--days", "wd.csv"}).status, 0);
+    ASSERT_EQ(run({"run", "day.toml", "--csv", "w.csv", "--daily-csv", "wd.csv"}).status, 0);
     EXPECT_EQ(rows("m.csv"), rows("w.csv"));
     EXPECT_EQ(rows("md.csv"), rows("wd.csv"));
     ASSERT_EQ(run({"run", "day.toml", "--json", "w.json"}).status, 0);
     EXPECT_EQ(inputs_of("m.json"), inputs_of("w.json"));
-    const Outcome again = run({"run", "--from", "m.json"});
+    const Outcome again = run({"run", "--repeat", "m.json"});
     EXPECT_NE(again.out.find("the same numbers as in m.json"), std::string::npos) << again.out;
 }
 
@@ -97,24 +98,25 @@ TEST_F(PartsTest, ThatMissOverlapOrAreOfAnotherRunAreRefused) {
         EXPECT_EQ(outcome.status, 1);
         return outcome.err;
     };
-    EXPECT_EQ(refusal({"p1", "p3"}), "PART: part 2 of 3 is missing; name its file as well\n");
+    EXPECT_EQ(refusal({"p1", "p3"}), "PART: part 2 of 3 is missing; add its file\n");
     EXPECT_NE(
-        refusal({"p1", "p2", "p2", "p3"}).find("p2: part 2 of 3 is there twice"),
+        refusal({"p1", "p2", "p2", "p3"}).find("p2: part 2 of 3 is given twice"),
         std::string::npos);
     EXPECT_NE(refusal({"p1", "p2", "p3", "p3x"}).find("p3x: can't be read"), std::string::npos);
-    EXPECT_NE(refusal({"p1", "run.toml"}).find("run.toml: is no part of a run"), std::string::npos);
-
-    ASSERT_EQ(run({"run", "run.toml", "--part", "2/3", "--sums", "q2", "--seed", "9"}).status, 0);
     EXPECT_NE(
-        refusal({"p1", "q2", "p3"})
-            .find("q2: is of another run than p1 (run.run.seed: 1 there, 9 here)"),
+        refusal({"p1", "run.toml"}).find("run.toml: is not a part of a run"), std::string::npos);
+
+    ASSERT_EQ(
+        run({"run", "run.toml", "--part", "2/3", "--part-file", "q2", "--seed", "9"}).status, 0);
+    EXPECT_NE(
+        refusal({"p1", "q2", "p3"}).find("q2: belongs to another run than p1 (seed 1, here 9)"),
         std::string::npos)
         << refusal({"p1", "q2", "p3"});
-    ASSERT_EQ(run({"run", "run.toml", "--part", "2/4", "--sums", "q2"}).status, 0);
+    ASSERT_EQ(run({"run", "run.toml", "--part", "2/4", "--part-file", "q2"}).status, 0);
     EXPECT_NE(refusal({"p1", "q2", "p3"}).find("q2: is one of 4 parts"), std::string::npos);
 
     folder_.write("leaves.tri", replaced(good_leaves(), "0", "0.25"));
-    ASSERT_EQ(run({"run", "run.toml", "--part", "2/3", "--sums", "q2"}).status, 0);
+    ASSERT_EQ(run({"run", "run.toml", "--part", "2/3", "--part-file", "q2"}).status, 0);
     EXPECT_NE(refusal({"p1", "q2", "p3"}).find("inputs.leaves.tri"), std::string::npos)
         << refusal({"p1", "q2", "p3"});
     EXPECT_NE(refusal({"p1", "p2", "p3"}).find("has changed"), std::string::npos)
@@ -135,12 +137,12 @@ TEST_F(PartsTest, ThatAreDamagedAreRefused) {
     for (const std::size_t size : {0UL, 10UL, 30UL, 60UL, whole.size() / 2, whole.size() - 1}) {
         EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("p2: is ")) << size;
     }
-    EXPECT_NE(refusal(whole + "x").find("more behind its end"), std::string::npos);
+    EXPECT_NE(refusal(whole + "x").find("extra bytes at its end"), std::string::npos);
     std::string changed = whole;
     changed[whole.size() - 100] = static_cast<char>(changed[whole.size() - 100] ^ 4);
     EXPECT_NE(refusal(changed).find("p2: is damaged"), std::string::npos);
     // Whatever is in it: a title too.
-    for (const char* word : {"\"title\"", "\"run\"", "leaf"}) {
+    for (const char* word : {"\"title\"", "\"run_file\"", "leaf"}) {
         changed = whole;
         char& letter = changed[whole.find(word) + 2];
         letter = static_cast<char>(letter ^ 1);
@@ -152,30 +154,29 @@ TEST_F(PartsTest, TellNoTimesOfTheirMerger) {
     compute_parts(1);
     const Outcome merged = run({"merge", "p1"});
     EXPECT_EQ(merged.out.find("million paths/s"), std::string::npos) << merged.out;
-    EXPECT_NE(merged.out.find("traced in parts"), std::string::npos) << merged.out;
+    EXPECT_NE(merged.out.find("computed in parts"), std::string::npos) << merged.out;
 }
 
 TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {
     const Outcome outcome =
         run({"run", "run.toml", "--part", "1/2", "--target-error", "0.1", "--audit", "0.5"});
-    EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(
-        outcome.err.find("--target-error: a part of a run can't keep to it"), std::string::npos)
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.err.find("--target-error: a part of a run can't apply it"), std::string::npos)
         << outcome.err;
     folder_.write("run.toml", replaced(good_run_file(), "[run]\n", "[run]\naudit = 0.5\n"));
     EXPECT_NE(
         run({"run", "run.toml", "--part", "1/2"})
-            .err.find("run.toml: audit: a part of a run can't keep to it"),
+            .err.find("run.toml: audit: a part of a run can't apply it"),
         std::string::npos);
     folder_.write("run.toml", good_run_file());
     EXPECT_NE(outcome.err.find("audit"), std::string::npos);
     for (const char* wrong : {"0/2", "3/2", "1/", "/2", "1", "1/2x", "-1/2", "1/99999999"}) {
         const Outcome refused = run({"run", "run.toml", "--part", wrong});
-        EXPECT_EQ(refused.status, 1) << wrong;
-        EXPECT_NE(refused.err.find("is no part of a run"), std::string::npos) << refused.err;
+        EXPECT_EQ(refused.status, 2) << wrong;
+        EXPECT_NE(refused.err.find("is not a part of a run"), std::string::npos) << refused.err;
     }
     EXPECT_EQ(run({"run", "run.toml", "--part", "1/2", "--csv", "a.csv"}).status, 2);
-    EXPECT_EQ(run({"run", "run.toml", "--sums", "a"}).status, 2);
+    EXPECT_EQ(run({"run", "run.toml", "--part-file", "a"}).status, 2);
     EXPECT_EQ(new_files(), std::vector<std::string>{});
 }
 

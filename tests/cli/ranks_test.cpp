@@ -34,7 +34,7 @@ class RanksTest : public ProgramTest {
     void write_day() const {
         folder_.write(
             "day.toml", good_run_file() +
-                            "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+                            "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
                             "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-20\"\n"
                             "utc_offset_hours = 1\nhours = [9, 12]\nsky = \"uniform\"\n");
     }
@@ -115,7 +115,7 @@ TEST_F(RanksTest, ReadEachFileOnceForAllOfThem) {
         run_ranks(3, "piped.toml --csv r.csv --quiet", "& cat leaves.tri > pipe.tri; wait $!");
     EXPECT_EQ(piped.status, 0) << piped.err;
     EXPECT_EQ(rows_of(folder_.read("r.csv")), whole);
-    const Outcome repeated = run_ranks(2, "--from r.json --csv r.csv --quiet");
+    const Outcome repeated = run_ranks(2, "--repeat r.json --csv r.csv --quiet");
     EXPECT_EQ(repeated.status, 0) << repeated.err;
     EXPECT_EQ(rows_of(folder_.read("r.csv")), whole);
 }
@@ -138,7 +138,9 @@ TEST_F(RanksTest, StopASeriesOfTimesAfterTheLastThatIsComplete) {
     folder_.write("day.toml", replaced(days, last, "to = \"2024-07-19\""));
     folder_.write("two.toml", replaced(days, last, "to = \"2024-06-21\""));
     const Outcome stopped = run_ranks(
-        3, "day.toml --paths 262144 --csv r.csv --checkpoint c --every 0.5 --quiet --threads 1",
+        3,
+        "day.toml --paths 262144 --csv r.csv --checkpoint c --checkpoint-interval 0.5 --quiet "
+        "--threads 1",
         signal_when("c.done", 1));
     EXPECT_EQ(stopped.status, 130) << stopped.err;
     ASSERT_EQ(shell("\"$quasimc\" run two.toml --paths 262144 --csv two.csv --quiet").status, 0);
@@ -150,11 +152,11 @@ TEST_F(RanksTest, StopASeriesOfTimesAfterTheLastThatIsComplete) {
 }
 
 TEST_F(RanksTest, KeepToALimitOfTimeAndStopAtCtrlC) {
-    const std::string endless = "run.toml --paths 1073741824 --method light_tracing --quiet";
-    const Outcome timed = run_ranks(2, endless + " --max-seconds 1");
+    const std::string infinite = "run.toml --paths 1073741824 --method light_tracing --quiet";
+    const Outcome timed = run_ranks(2, infinite + " --max-seconds 1");
     EXPECT_EQ(timed.status, 4) << timed.err;
     const Outcome stopped = run_ranks(
-        2, endless,
+        2, infinite,
         "& sleep 2; kill -INT $(pgrep -f 'quasimc run run.toml --paths 1073741824' | "
         "while read p; do grep -qz OMPI_COMM_WORLD_RANK=0 /proc/$p/environ && "
         "[ $(readlink /proc/$p/cwd) = $PWD ] && echo $p; done) ; wait $!");
@@ -197,7 +199,7 @@ TEST_F(RanksTest, EndWithinSecondsWhenOneDiesAndGoOn) {
         "run.toml --method light_tracing --paths 16384 --max-paths 1048576 --replicates 4 --quiet";
     ASSERT_EQ(shell("\"$quasimc\" run " + run + " --csv whole.csv").status, 0);
     const Outcome killed = run_ranks(
-        3, run + " --csv r.csv --checkpoint c --every 0 --threads 1",
+        3, run + " --csv r.csv --checkpoint c --checkpoint-interval 0 --threads 1",
         "& until [ $(stat -c %s c 2>/dev/null || echo 0) -gt 2500 ]; do sleep 0.02; done; "
         "kill -9 $(for p in $(pgrep -f 'quasimc run run.toml --method'); do "
         "[ $(readlink /proc/$p/cwd) = $PWD ] && grep -qz OMPI_COMM_WORLD_RANK=1 /proc/$p/environ "
@@ -223,7 +225,8 @@ class KilledRanks : public RanksTest, public ::testing::WithParamInterface<int> 
                    "); do\n"
                    "  '" QUASIMC_MPIRUN "' -n 3 \"$quasimc\" run " +
                    run +
-                   " --checkpoint c --resume --every 0 --quiet --threads 1 2> err & job=$!\n"
+                   " --checkpoint c --resume --checkpoint-interval 0 --quiet --threads 1 2> err & "
+                   "job=$!\n"
                    "  rank=$((RANDOM % 3)); ours=\n"
                    "  until [ -n \"$ours\" ] || ! kill -0 $job 2> /dev/null; do sleep 0.02\n"
                    "    ours=$(for p in $(pgrep -f 'quasimc run day.toml'); do "

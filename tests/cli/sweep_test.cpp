@@ -36,13 +36,13 @@ TEST_F(SweepCommand, HasPointsThatAreDark) {
     for (const char* days : {R"("2024-12-21", "2024-06-21")", R"("2024-06-21", "2024-12-21")"}) {
         folder_.write(
             "sweep.toml", good_run_file() +
-                              "[place]\nlatitude_deg = 80\nlongitude_deg = 8\n"
+                              "[site]\nlatitude_deg = 80\nlongitude_deg = 8\n"
                               "[time]\nday = \"2024-01-01\"\nstep_minutes = 360\n"
                               "utc_offset_hours = 1\n[sweep]\ntime.day = [" +
                               std::string(days) + "]\n");
         ASSERT_EQ(run({"run", "sweep.toml", "--paths", "64"}).status, 0);
         EXPECT_EQ(count(folder_.read("out.json"), "\n\"point\": {"), 2U);
-        const Outcome again = run({"run", "--from", "out.json"});
+        const Outcome again = run({"run", "--repeat", "out.json"});
         EXPECT_NE(again.out.find("the same numbers as in out.json"), std::string::npos)
             << again.err;
     }
@@ -53,13 +53,12 @@ TEST_F(SweepCommand, HasZerosWhereNoSourceShines) {
     const Outcome outcome = run({"run", "sweep.toml"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(
-        outcome.err.find(
-            "[sweep]: at 1 of 2 points no source has any light, and all numbers are 0: "
-            "first at point 2 (source.1.irradiance_facing = 0)"),
+        outcome.err.find("[sweep]: no source gives light at 1 of 2 points, and all results are 0; "
+                         "the first is point 2 (source.1.irradiance_facing = 0)"),
         std::string::npos)
         << outcome.err;
     EXPECT_EQ(count(folder_.read("out.csv"), "\n0,1,third,"), 1U) << folder_.read("out.csv");
-    EXPECT_EQ(run({"run", "--from", "out.json"}).status, 0);
+    EXPECT_EQ(run({"run", "--repeat", "out.json"}).status, 0);
 }
 
 TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
@@ -76,13 +75,13 @@ TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
     EXPECT_EQ(
         count(folder_.read("out.json"), "\n\"point\": {\n  \"paths\": 128,\n  \"seed\": 2\n},"),
         1U);
-    EXPECT_NE(outcome.out.find("4 of 4 points are done"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("4 of 4 points completed"), std::string::npos) << outcome.out;
 }
 
 TEST_F(SweepCommand, IsRepeatedFromItsResult) {
     write_sweep("paths = [64, 128]\n");
     ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
-    const Outcome again = run({"run", "--from", "out.json"});
+    const Outcome again = run({"run", "--repeat", "out.json"});
     EXPECT_EQ(again.status, 0) << again.err;
     EXPECT_NE(again.out.find("the same numbers as in out.json"), std::string::npos) << again.out;
 }
@@ -92,23 +91,23 @@ TEST_F(SweepCommand, OfTimesHasTheTimesOfEachPoint) {
         "source.lamp.irradiance_facing = [[1], [2]]\n"
         "[[source]]\nname = \"lamp\"\ntype = \"directional\"\ndirection = [0, 0, -1]\n"
         "irradiance_facing = 1\n"
-        "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+        "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
         "[time]\nday = \"2024-06-21\"\nutc_offset_hours = 1\nhours = [11, 13]\n");
     std::string file = folder_.read("sweep.toml");
-    const Outcome outcome = run({"run", "sweep.toml", "--days", "days.csv", "--paths", "64"});
+    const Outcome outcome = run({"run", "sweep.toml", "--daily-csv", "days.csv", "--paths", "64"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(count(folder_.read("out.csv"), "source.lamp.irradiance_facing,time,id"), 1U);
     EXPECT_EQ(count(folder_.read("out.csv"), "\n[1],2024-06-21T11:00+01:00,1,"), 1U);
     EXPECT_EQ(count(folder_.read("out.csv"), "\n[2],2024-06-21T12:00+01:00,1,"), 1U);
     EXPECT_EQ(count(folder_.read("days.csv"), "\n[2],2024-06-21,7200,1,"), 1U);
-    EXPECT_EQ(count(folder_.read("out.json"), "\"moments\": ["), 2U);
-    EXPECT_EQ(run({"run", "--from", "out.json"}).status, 0);
+    EXPECT_EQ(count(folder_.read("out.json"), "\"time_steps\": ["), 2U);
+    EXPECT_EQ(run({"run", "--repeat", "out.json"}).status, 0);
 }
 
 TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
     write_sweep("seed = [1, 2, 3]\n");
     const Outcome outcome =
-        run_within(1.5, {"run", "sweep.toml", "--paths", "1073741824"}, "3 of 3 points are done");
+        run_within(1.5, {"run", "sweep.toml", "--paths", "1073741824"}, "3 of 3 points completed");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     const std::string csv = folder_.read("out.csv");
     EXPECT_EQ(count(csv, "\n1,1,third,"), 1U) << outcome.err;
@@ -124,8 +123,8 @@ TEST_F(SweepCommand, IsCheckedWholeAndConvertedPointByPoint) {
     EXPECT_NE(bad.err.find("paths is 0"), std::string::npos) << bad.err;
     write_sweep("seed = [1, 2]\n");
     EXPECT_NE(run({"check", "sweep.toml"}).out.find("a sweep of 2 points"), std::string::npos);
-    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--point", "2"}).status, 0);
-    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--point", "3"}).status, 1);
+    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--sweep-point", "2"}).status, 0);
+    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--sweep-point", "3"}).status, 1);
 }
 
 }  // namespace

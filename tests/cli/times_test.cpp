@@ -12,7 +12,7 @@ namespace {
 /// The good run file at two hours of each of two days.
 std::string run_file_of_days() {
     return good_run_file() +
-           "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+           "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
            "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-21\"\nutc_offset_hours = 1\n"
            "hours = [11, 13]\nsky = \"uniform\"\nsun_step_minutes = 20\n";
 }
@@ -34,7 +34,7 @@ std::ptrdiff_t rows(const std::string& table) {
 
 TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     const Outcome outcome =
-        run({"run", "days.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+        run({"run", "days.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("4 from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
     const std::string times = folder_.read("t.csv");
@@ -42,50 +42,55 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     EXPECT_NE(times.find("\ntime,id,name,"), std::string::npos);
     EXPECT_NE(times.find("\n2024-06-21T12:00+01:00,1,third,"), std::string::npos);
     EXPECT_NE(
-        times.find("# moment: 2024-06-21T12:00+01:00, 3600 s; sun azimuth"), std::string::npos);
+        times.find("# time_step: 2024-06-21T12:00+01:00, 3600 s; sun azimuth"), std::string::npos);
     const std::string days = folder_.read("d.csv");
     EXPECT_EQ(rows(days), 2 * 3);
     EXPECT_NE(days.find("\n2024-06-21,7200,1,third,"), std::string::npos);
     EXPECT_NE(days.find("[J m-2 d-1]"), std::string::npos);
-    EXPECT_NE(folder_.read("r.json").find("\"moments\": ["), std::string::npos);
+    EXPECT_NE(folder_.read("r.json").find("\"time_steps\": ["), std::string::npos);
 }
 
 TEST_F(TimesTest, AreCollapsedOnDemand) {
-    folder_.write("period.toml", run_file_of_days() + "collapse = \"period\"\n");
+    folder_.write("period.toml", run_file_of_days() + "cumulative_sky = \"period\"\n");
     const Outcome checked = run({"check", "period.toml"});
     EXPECT_NE(
         checked.out.find("4 times collapsed into 1 trace of 12 suns in all"), std::string::npos)
         << checked.out;
     const Outcome outcome =
-        run({"run", "period.toml", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+        run({"run", "period.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("collapsed into 1 trace of 12 suns"), std::string::npos)
+    EXPECT_NE(
+        outcome.out.find("in 1 cumulative sky with 12 sun positions: 1 computed"),
+        std::string::npos)
         << outcome.out;
     EXPECT_EQ(rows(folder_.read("t.csv")), 3);
     const std::string sums = folder_.read("d.csv");
     EXPECT_EQ(rows(sums), 3);
     EXPECT_NE(sums.find("\n2024-06-20/2024-06-21,14400,1,third,"), std::string::npos) << sums;
-    const Outcome again = run({"run", "--from", "r.json", "--threads", "2"});
+    const Outcome again = run({"run", "--repeat", "r.json", "--threads", "2"});
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
 }
 
 /// Hours that are computed together are written as those one by one are.
 TEST_F(TimesTest, AreComputedTogetherOnDemand) {
-    const std::vector<std::string> together{"run",      "days.toml", "--series",
-                                            "together", "--method",  "ray_bundles"};
+    const std::vector<std::string> together{
+        "run", "days.toml", "--time-method", "daylight_coefficients", "--method", "ray_bundles"};
     const auto with = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all = together;
         all.insert(all.end(), more.begin(), more.end());
         return run(all);
     };
-    const Outcome outcome = with({"--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+    const Outcome outcome = with({"--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
     EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
-    EXPECT_NE(folder_.read("r.json").find("\"series\": \"together\""), std::string::npos);
+    EXPECT_NE(
+        folder_.read("r.json").find("\"time_method\": \"daylight_coefficients\""),
+        std::string::npos);
     const Outcome kept = with({"--checkpoint", "c.checkpoint"});
     EXPECT_EQ(kept.status, 1);
-    EXPECT_NE(kept.err.find("\"together\", with a checkpoint"), std::string::npos) << kept.err;
+    EXPECT_NE(kept.err.find("\"daylight_coefficients\", with a checkpoint"), std::string::npos)
+        << kept.err;
 }
 
 /// A day and a night of whole hours, of two plants.
@@ -96,7 +101,7 @@ std::string day_of_plants() {
     const std::size_t source = text.find("[[source]]");
     text.erase(source, text.find("[[material]]") - source);
     return text +
-           "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+           "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
            "[time]\nday = \"2024-06-21\"\nutc_offset_hours = 1\nsky = \"uniform\"\n"
            "sun_step_minutes = 60\nstep_minutes = 120\n";
 }
@@ -113,15 +118,17 @@ TEST_F(TimesTest, WithoutLightAreWrittenOnDemand) {
     folder_.write("day.toml", day_of_plants());
     ASSERT_EQ(run({"run", "day.toml", "--csv", "day.csv", "--json", "day.json"}).status, 0);
     ASSERT_EQ(
-        run({"run", "day.toml", "--csv", "all.csv", "--json", "all.json", "--night"}).status, 0);
+        run({"run", "day.toml", "--csv", "all.csv", "--json", "all.json", "--include-night"})
+            .status,
+        0);
     EXPECT_EQ(rows(folder_.read("all.csv")), 12 * 3);
     const std::ptrdiff_t lit = rows(folder_.read("day.csv"));
     EXPECT_LT(lit, 12 * 3);
     EXPECT_GE(lit, 8 * 3);
-    EXPECT_EQ(lines_with(folder_.read("day.json"), "\"traced\": \"2024"), lit / 3);
-    const Outcome again = run({"run", "--from", "day.json", "--threads", "2"});
+    EXPECT_EQ(lines_with(folder_.read("day.json"), "\"computed\": \"2024"), lit / 3);
+    const Outcome again = run({"run", "--repeat", "day.json", "--threads", "2"});
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
-    const Outcome other = run({"run", "--from", "all.json", "--quantities", "absorbed_flux"});
+    const Outcome other = run({"run", "--repeat", "all.json", "--quantities", "absorbed_flux"});
     EXPECT_NE(other.out.find("the same numbers as in"), std::string::npos)
         << "whatever is written: " << other.out;
 }
@@ -129,9 +136,9 @@ TEST_F(TimesTest, WithoutLightAreWrittenOnDemand) {
 TEST_F(TimesTest, OfSomeHoursAreWrittenOnDemand) {
     std::string text = day_of_plants();
     const std::string output = "[output]\n";
-    text.insert(text.find(output) + output.size(), "hours = [10, 14]\n");
+    text.insert(text.find(output) + output.size(), "time_of_day = [10, 14]\n");
     folder_.write("noon.toml", text);
-    const Outcome outcome = run({"run", "noon.toml", "--csv", "noon.csv", "--days", "d.csv"});
+    const Outcome outcome = run({"run", "noon.toml", "--csv", "noon.csv", "--daily-csv", "d.csv"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(rows(folder_.read("noon.csv")), 2 * 3);
     EXPECT_NE(folder_.read("d.csv").find("\n2024-06-21,86400,"), std::string::npos)
@@ -141,8 +148,8 @@ TEST_F(TimesTest, OfSomeHoursAreWrittenOnDemand) {
 TEST_F(TimesTest, HaveSumsOfGroups) {
     folder_.write("day.toml", day_of_plants());
     const Outcome outcome = run(
-        {"run", "day.toml", "--groups", "plant", "--groups-csv", "g.csv", "--groups-days", "d.csv",
-         "--json", "r.json", "--layer-heights", "0,2,6"});
+        {"run", "day.toml", "--groups", "plant", "--groups-csv", "g.csv", "--groups-daily-csv",
+         "d.csv", "--json", "r.json", "--layer-heights", "0,2,6"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     const std::string days = folder_.read("d.csv");
     EXPECT_NE(days.find("\ndate,seconds,by,value,organs,area,"), std::string::npos);
@@ -154,15 +161,15 @@ TEST_F(TimesTest, HaveSumsOfGroups) {
 }
 
 TEST_F(TimesTest, ChoicesThatAreNoneAreRefused) {
-    const Outcome outcome =
-        run({"run", "run.toml", "--quantities", "absorbd_flux", "--bands", "NIR", "--night"});
+    const Outcome outcome = run(
+        {"run", "run.toml", "--quantities", "absorbd_flux", "--bands", "NIR", "--include-night"});
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(
         outcome.err.find(
             "--quantities: 'absorbd_flux' is not a quantity; did you mean 'absorbed_flux'?"),
         std::string::npos)
         << outcome.err;
-    EXPECT_NE(outcome.err.find("--bands: 'NIR' is not a band of the scene"), std::string::npos);
+    EXPECT_NE(outcome.err.find("--bands: 'NIR' is not a band"), std::string::npos);
     EXPECT_NE(outcome.err.find("--night: the run has no [time]"), std::string::npos);
     EXPECT_EQ(run({"run", "run.toml", "--groups-csv", "a", "--csv", "a"}).status, 1);
     const Outcome unknown = run({"run", "run.toml", "--groups", "plant"});
@@ -175,23 +182,25 @@ TEST_F(TimesTest, ChoicesThatAreNoneAreRefused) {
 TEST_F(TimesTest, NameTheirMethod) {
     const Outcome outcome = run({"run", "days.toml", "--csv", "t.csv", "--method", "first_hits"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("sobol points, first_hits, "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("method    first_hits (requested)"), std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(TimesTest, AreRepeatedFromTheirResult) {
     ASSERT_EQ(run({"run", "days.toml", "--json", "r.json", "--threads", "1"}).status, 0);
-    const Outcome outcome = run({"run", "--from", "r.json", "--threads", "2"});
+    const Outcome outcome = run({"run", "--repeat", "r.json", "--threads", "2"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(outcome.out.find("the same numbers as in"), std::string::npos) << outcome.out;
-    const Outcome other = run({"run", "--from", "r.json", "--seed", "5"});
+    const Outcome other = run({"run", "--repeat", "r.json", "--seed", "5"});
     EXPECT_NE(other.out.find("OTHER numbers than in"), std::string::npos) << other.out;
 }
 
 TEST_F(TimesTest, DaysNeedTimes) {
-    const Outcome outcome = run({"run", "run.toml", "--days", "d.csv"});
+    const Outcome outcome = run({"run", "run.toml", "--daily-csv", "d.csv"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find("--days: the run has no [time]"), std::string::npos) << outcome.err;
-    EXPECT_EQ(run({"run", "days.toml", "--days", "a.csv", "--csv", "a.csv"}).status, 1);
+    EXPECT_NE(outcome.err.find("--daily-csv: the run has no [time]"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(run({"run", "days.toml", "--daily-csv", "a.csv", "--csv", "a.csv"}).status, 1);
 }
 
 TEST_F(TimesTest, CheckCountsThem) {
@@ -207,19 +216,20 @@ TEST_F(TimesTest, CheckCountsThem) {
 TEST_F(TimesTest, OfNightsAloneAreZeros) {
     folder_.write(
         "night.toml", replaced(run_file_of_days(), "hours = [11, 13]", "hours = [1, 3]") +
-                          "collapse = \"none\"\n");
+                          "cumulative_sky = \"none\"\n");
     std::string text = folder_.read("night.toml");
     text = replaced(
         text, "[[source]]\ntype = \"directional\"\ndirection = [0, 0, -1]\nirradiance_facing = 1\n",
         "");
     folder_.write("night.toml", text);
     const Outcome outcome = run(
-        {"run", "night.toml", "--night", "--csv", "t.csv", "--days", "d.csv", "--json", "r.json"});
+        {"run", "night.toml", "--include-night", "--csv", "t.csv", "--daily-csv", "d.csv", "--json",
+         "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("dark at all these times"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("it is night at all time steps"), std::string::npos) << outcome.err;
     EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
     EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
-    EXPECT_EQ(run({"run", "--from", "r.json"}).status, 0);
+    EXPECT_EQ(run({"run", "--repeat", "r.json"}).status, 0);
 }
 
 /// Neither does a scene that is edge-on to all light have a fault.

@@ -21,7 +21,8 @@ class WindowCommand : public ProgramTest {
     }
     void expect_fault(const std::vector<std::string>& arguments, const std::string& text) const {
         const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        const bool names_a_flag = outcome.err.starts_with("error: -");
+        EXPECT_EQ(outcome.status, names_a_flag ? 2 : 1) << outcome.err;
         EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
     }
     static bool has_page() { return !embedded_page().script.empty(); }
@@ -31,13 +32,13 @@ TEST_F(WindowCommand, SaysThatThereIsNoPage) {
     if (has_page()) {
         GTEST_SKIP() << "built with its page";
     }
-    expect_fault({"report", "out.json", "-o", "p.html"}, "built without its page");
-    expect_fault({"view", "out.json"}, "built without its page");
+    expect_fault({"report", "out.json", "-o", "p.html"}, "built without the viewer");
+    expect_fault({"view", "out.json"}, "built without the viewer");
 }
 
 TEST_F(WindowCommand, WritesReports) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     EXPECT_EQ(run({"report", "out.json", "-o", "p.html"}).status, 0);
     const std::string html = folder_.read("p.html");
@@ -46,12 +47,12 @@ TEST_F(WindowCommand, WritesReports) {
     EXPECT_EQ(html, run({"report", "out.json", "-o", "-"}).out) << "the same each time";
     expect_fault({"report", "out.json", "-o", "leaves.tri"}, "leaves.tri");
     const std::string result = folder_.read("out.json");
-    expect_fault({"report", "out.json", "-o", "./out.json"}, "is an input of the run");
+    expect_fault({"report", "out.json", "-o", "./out.json"}, "is an input of this run");
     EXPECT_EQ(folder_.read("out.json"), result);
-    expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is no result");
+    expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is not a result");
     expect_fault(
-        {"report", "out.json", "-o", "q.html", "--point", "2"},
-        "--point: there is no point 2 (there are 1)");
+        {"report", "out.json", "-o", "q.html", "--sweep-point", "2"},
+        "--sweep-point: 2 is out of range (1 to 1)");
     folder_.write("cut.json", folder_.read("out.json").substr(0, 500));
     expect_fault({"report", "cut.json", "-o", "q.html"}, "cut.json");
     EXPECT_EQ(run({"report", "out.json"}).status, 2);
@@ -61,7 +62,7 @@ TEST_F(WindowCommand, WritesReports) {
 
 TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     // A job of an interactive shell: others ignore SIGINT.
     const Outcome outcome = shell(
@@ -73,12 +74,12 @@ TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
     EXPECT_TRUE(address.starts_with("http://127.0.0.1:")) << address;
     EXPECT_EQ(address.find('\n'), address.size() - 1) << "printed once";
     EXPECT_EQ(run({"view", "out.json", "--port", "65536"}).status, 2);
-    expect_fault({"view", "run.toml"}, "run.toml: is no result");
+    expect_fault({"view", "run.toml"}, "run.toml: is not a result");
 }
 
 TEST_F(WindowCommand, FollowsARunAndStaysUntilItIsInterrupted) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     EXPECT_EQ(run({"run", "run.toml", "--csv", "alone.csv"}).status, 0);
     const Outcome outcome = shell(
@@ -94,10 +95,11 @@ TEST_F(WindowCommand, FollowsARunAndStaysUntilItIsInterrupted) {
 
 TEST_F(WindowCommand, OfARunThatIsInterruptedEndsInOrder) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     const Outcome outcome = shell(
-        "set -m; \"$quasimc\" run run.toml --csv seen.csv --view --checkpoint c --every 0 "
+        "set -m; \"$quasimc\" run run.toml --csv seen.csv --view --checkpoint c "
+        "--checkpoint-interval 0 "
         "--method light_tracing --paths 1073741824 >told 2>err & "
         "until [ -e c ] || ! kill -0 $!; do sleep 0.01; done; kill -INT $!; wait $!");
     EXPECT_EQ(outcome.status, 130) << outcome.err;

@@ -50,7 +50,7 @@ TEST_P(Parts, TheWeightThatRoulettePlaysForDoesNotMatter) {
     const Result result = run(scene, plot_sources({}), spec);
     Comparison comparison(2);
     for (const double weight : {.3, .01}) {
-        spec.roulette_weight = weight;
+        spec.roulette_threshold = weight;
         ++spec.seed;
         const Result other = run(scene, plot_sources({}), spec);
         EXPECT_TRUE(comparison.totals_agree(result, other)) << weight;
@@ -70,9 +70,9 @@ TEST_P(Parts, BruteForceFindsTheSameLight) {
     RunSpec spec = spec_of(GetParam(), 1 << 10);
     for (const bool periodic : {false, true}) {
         const Scene scene = make_plot({.periodic = periodic});
-        spec.engine = Engine::embree;
+        spec.accelerator = Accelerator::embree;
         const Result embree = run(scene, plot_sources({}), spec);
-        spec.engine = Engine::brute_force;
+        spec.accelerator = Accelerator::brute_force;
         const Result brute = run(scene, plot_sources({}), spec);
         EXPECT_TRUE(are_nearly_identical(embree, brute, 1e-3));
     }
@@ -81,9 +81,9 @@ TEST_P(Parts, BruteForceFindsTheSameLight) {
 /// Two triangles above a ground, in one organ or in two, of one material or of two.
 Scene make_pair(bool in_one_organ, bool of_one_material) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("a", .3, .2));
-    builder.add_material(of_one_material ? matt("b", .3, .2) : matt("b", .1, .6));
-    builder.add_material(matt("soil", .4, 0));
+    builder.add_material(diffuse("a", .3, .2));
+    builder.add_material(of_one_material ? diffuse("b", .3, .2) : diffuse("b", .1, .6));
+    builder.add_material(diffuse("soil", .4, 0));
     const std::vector<Triangle> leaf = floor_of(0, 1, 0, 1, .5);
     if (in_one_organ) {
         OrganSpec both = organ("both", "a", {leaf[0]});

@@ -52,11 +52,11 @@ def test_ctrl_c_before_there_is_a_result_is_a_keyboard_interrupt():
         f"""
 print("ready", flush=True)
 try:
-    scene.run(paths=1 << 21, engine="brute_force", {LONG})
+    scene.run(paths=1 << 21, accelerator="brute_force", {LONG})
 except KeyboardInterrupt:
     print("KeyboardInterrupt")
 print(scene.run(paths=256).stop)
 """,
         after=1.0,
     )
-    assert said.split() == ["KeyboardInterrupt", "paths_done"]
+    assert said.split() == ["KeyboardInterrupt", "finished"]

@@ -85,10 +85,10 @@ def test_later_writes_to_arrays_change_nothing(dtype):
     "change, words",
     [
         ({"material": "leef"}, "did you mean 'leaf'"),
-        ({"faces": [[0, 1, 3]]}, "face 0 names vertex 3"),
-        ({"faces": [[0, 1, -1]]}, "face 0 names vertex -1"),
-        ({"vertices": TRIANGLE + [0, np.nan, 0]}, "coordinates are finite"),
-        ({"vertices": TRIANGLE + [0, np.inf, 0]}, "coordinates are finite"),
+        ({"faces": [[0, 1, 3]]}, "face 0 refers to vertex 3"),
+        ({"faces": [[0, 1, -1]]}, "face 0 refers to vertex -1"),
+        ({"vertices": TRIANGLE + [0, np.nan, 0]}, "coordinates must be finite"),
+        ({"vertices": TRIANGLE + [0, np.inf, 0]}, "coordinates must be finite"),
         ({"organ": 7}, "id 7"),
     ],
 )
@@ -271,7 +271,7 @@ DAY = """
 bands = ["PAR"]
 [run]
 paths = 64
-[place]
+[site]
 latitude_deg = 52
 longitude_deg = 5.67
 [[material]]

@@ -9,8 +9,8 @@ DAY = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [10, 13], "step_minu
 
 @pytest.fixture(scope="module")
 def scene():
-    place = {"latitude_deg": 52, "longitude_deg": 5.7}
-    scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"}, place=place)
+    site = {"latitude_deg": 52, "longitude_deg": 5.7}
+    scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"}, site=site)
     scene.add_material("leaf", reflectance=[0.08, 0.45], transmittance=[0.06, 0.45])
     scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=0.1)
     return scene
@@ -26,7 +26,7 @@ def test_every_time_has_a_result(series):
     assert [t["time"][:13] for t in series.times] == [f"2024-06-21T{h}" for h in (10, 11, 12)]
     assert all(t["sun_elevation_deg"] > 40 for t in series.times)
     assert series[0]["absorbed_flux"]["PAR"].mean[0] > 0
-    assert series.stop == "paths_done"
+    assert series.stop == "finished"
 
 
 def test_days_are_sums_over_times(series):
@@ -73,7 +73,7 @@ def test_sums_have_no_sunlit_fraction(series):
 
 def test_groups_are_summed_over_days():
     scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"},
-                          place={"latitude_deg": 52, "longitude_deg": 5.7})
+                          site={"latitude_deg": 52, "longitude_deg": 5.7})
     scene.add_material("leaf", reflectance=[0.08, 0.45], transmittance=[0.06, 0.45])
     for plant in (1, 1, 2):
         x = len(scene._table.get("organ", [])) / 2
@@ -101,11 +101,11 @@ def test_a_callback_is_told_of_all_times(scene):
 
 
 def test_means_of_sums_lie_in_their_intervals():
-    scene = quasimc.Scene("PAR", place={"latitude_deg": 52, "longitude_deg": 5.7})
+    scene = quasimc.Scene("PAR", site={"latitude_deg": 52, "longitude_deg": 5.7})
     scene.add_material("leaf", reflectance=0.8, transmittance=0.2)
     scene.add_mesh(*leaves(30)[:2], organ=leaves(30)[2], material="leaf", labels={"plant": 1})
     series = scene.run(time=DAY, groups=["plant"], **FEW)
     for sums in (series.total, series.days["2024-06-21"]):
         for table in (sums, sums.groups):
             light = table["absorbed_flux"]
-            assert np.all((light.low <= light.mean) & (light.mean <= light.high))
+            assert np.all((light.ci95_low <= light.mean) & (light.mean <= light.ci95_high))

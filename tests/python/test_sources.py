@@ -60,10 +60,10 @@ def test_a_sun_by_time_needs_a_place():
         2024, 6, 21, 12, tzinfo=datetime.timezone(datetime.timedelta(hours=1))
     )
     sun = quasimc.sun(time=noon, irradiance_facing=100)
-    with pytest.raises(quasimc.InputError, match="place"):
+    with pytest.raises(quasimc.InputError, match="site"):
         flat_leaf().run(sun, **FEW)
-    place = {"latitude_deg": 52, "longitude_deg": 15}
-    light = flat_leaf(place=place).run(sun, **FEW)["incident_upper"]["PAR"]
+    site = {"latitude_deg": 52, "longitude_deg": 15}
+    light = flat_leaf(site=site).run(sun, **FEW)["incident_upper"]["PAR"]
     position = quasimc.sun_position(52, 15, noon)
     assert light.mean[0] == pytest.approx(100 * position.vector[2], rel=1e-3)
 

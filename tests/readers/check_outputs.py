@@ -42,7 +42,7 @@ direction = [0.1, 0, -1]
 irradiance_facing = 100
 """
 DAY = """
-[place]
+[site]
 latitude_deg = 50
 longitude_deg = 8
 [time]

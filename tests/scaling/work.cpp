@@ -115,8 +115,9 @@ Work work_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     Work work;
     work.bytes = bytes_allocated_by([&] {
         const PreparedScene prepared(
-            scene, sources, spec.window,
-            std::make_shared<const RayCaster>(data_of(scene).geometry, scene.cell(), spec.engine));
+            scene, sources, spec.start_area,
+            std::make_shared<const RayCaster>(
+                data_of(scene).geometry, scene.cell(), spec.accelerator));
         Sums sums = empty_sums(prepared, spec);
         Executor executor(1);
         make_solver({prepared, sampler, spec})->solve({0, spec.paths}, executor, sums);

@@ -1,4 +1,4 @@
-// A clear day, hour by hour, from the place and the date to its sums.
+// A clear day, hour by hour, from site and date to its sums.
 
 #include <utility>
 #include <vector>
@@ -14,7 +14,7 @@ namespace quasimc::test {
 namespace {
 
 constexpr std::size_t kBand = 0;
-const Place kPlace{.latitude_deg = 51.97, .longitude_deg = 5.67};
+const Site kSite{.latitude_deg = 51.97, .longitude_deg = 5.67};
 
 /// The hours of 21 June, and the light on the horizontal in all, J m-2 of PAR.
 struct ClearDay {
@@ -27,7 +27,7 @@ ClearDay make_day() {
     DaylightSources how;
     how.bands = {{400, 700}};
     for (int hour = 0; hour < 24; ++hour) {
-        const SunPath path = sun_path(kPlace, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
+        const SunPath path = sun_path(kSite, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
         const HourLight light = clear_light(path, {});
         HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
         day.hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 0});
@@ -43,7 +43,7 @@ Sources collapsed_day() {
     how.bands = {{400, 700}};
     PeriodLight light(1);
     for (int hour = 0; hour < 24; ++hour) {
-        const SunPath path = sun_path(kPlace, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
+        const SunPath path = sun_path(kSite, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
         const HourParts parts = make_hour_parts(path, clear_light(path, {}), how);
         for (const HourParts::Sun& sun : parts.suns) {
             light.add_sun(sun.to_sun, sun.facing);
@@ -78,7 +78,7 @@ class Day : public BothWays {};
 
 TEST_P(Day, BringsToAHorizontalPlateTheLightOfItsHours) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     const ClearDay day = make_day();
@@ -93,7 +93,7 @@ TEST_P(Day, BringsToAHorizontalPlateTheLightOfItsHours) {
 /// The errors of hours are independent, so that they partly cancel in the sum of a day.
 TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     add_leaves(builder, random_leaves(40, .3, 1, 3));
     const Scene scene = std::move(builder).build();
     const TracedDay traced = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 10));
@@ -107,7 +107,7 @@ TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
 /// The mean light of a day as one sky and all its suns: one trace gives the sum over the hours.
 TEST_P(Day, CollapsedIntoOneTraceIsTheSumOfItsHours) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     add_leaves(builder, random_leaves(40, .3, 1, 3));
     const Scene scene = std::move(builder).build();
     const TracedDay by_hours = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 12));

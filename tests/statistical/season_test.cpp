@@ -25,7 +25,7 @@ Scene leaves_in_two_bands() {
     SideOptics dark{.reflectance = .1, .transmittance = .1};
     SideOptics bright{.reflectance = .45, .transmittance = .4};
     builder.add_material({"leaf", {dark, bright}, {dark, bright}});
-    builder.add_material(matt("soil", .2, 0, kBands));
+    builder.add_material(diffuse("soil", .2, 0, kBands));
     add_leaves(builder, random_leaves(kLeaves, .3, 1, 5));
     GroundSpec floor = ground("soil");
     floor.height = -.4;
@@ -35,17 +35,17 @@ Scene leaves_in_two_bands() {
 
 /// Hours of a clear day and of an overcast one, 52 degrees north.
 std::vector<TimeStep> hours_of_two_days() {
-    const Place place{.latitude_deg = 51.97, .longitude_deg = 5.67};
+    const Site site{.latitude_deg = 51.97, .longitude_deg = 5.67};
     DaylightSources how;
     how.bands = {{400, 700}, {700, 1100}};
     std::vector<TimeStep> hours;
     for (const int hour : {6, 9, 12, 16}) {
-        const SunPath path = sun_path(place, {2024, 6, 21, hour, 0, 0, 1}, 3600, 1200);
+        const SunPath path = sun_path(site, {2024, 6, 21, hour, 0, 0, 1}, 3600, 1200);
         HourSources sources = make_hour_sources(make_hour_parts(path, clear_light(path, {}), how));
         hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 0});
     }
     for (const int hour : {8, 13}) {
-        const SunPath path = sun_path(place, {2024, 9, 30, hour, 0, 0, 1}, 3600, 1200);
+        const SunPath path = sun_path(site, {2024, 9, 30, hour, 0, 0, 1}, 3600, 1200);
         const HourLight light = measured_light(
             path, {.global = 150 + 10 * hour, .diffuse = 150}, LightUnit::full_spectrum,
             DiffuseModel::erbs, how.spectra);
@@ -73,7 +73,7 @@ TwoDays compute_days(const Scene& scene, const RunSpec& spec) {
 
 RunSpec spec_together(std::uint64_t paths) {
     RunSpec spec = spec_of(Method::ray_bundles, paths);
-    spec.series = SeriesMode::together;
+    spec.time_method = TimeMethod::daylight_coefficients;
     return spec;
 }
 
@@ -127,7 +127,7 @@ class Agreement {
         const double most = .5 * std::max(mean, r.mean);
         EXPECT_TRUE(agrees(a, r, kAny, level_));
         sharp_ += agrees(a, {a.mean, r.standard_error, kReplicates}, most, level_) ? 1 : 0;
-        held_ += own.low <= reference.high && own.high >= reference.low ? 1 : 0;
+        held_ += own.ci95_low <= reference.ci95_high && own.ci95_high >= reference.ci95_low ? 1 : 0;
         found_out_ +=
             agrees({1.5 * a.mean, a.standard_error, kReplicates}, r, kAny, level_) ? 0 : 1;
         ++compared_;

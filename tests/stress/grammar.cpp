@@ -59,13 +59,13 @@ void add_options(Draft& draft) {
                                             "halton", "faure", "sobol", "monte_carlo"};
     set(run, "sampler", node_of(random.pick(samplers)));
     if (random.chance(.1)) {
-        set(run, "roulette_weight", node_of(random.power_of_ten(-2, 0)));
+        set(run, "roulette_threshold", node_of(random.power_of_ten(-2, 0)));
     }
     if (random.chance(.1)) {
-        set(run, "window", node_of(std::string("sphere")));
+        set(run, "start_area", node_of(std::string("bounding_sphere")));
     }
     if (random.chance(.1)) {
-        set(run, "direct_light", node_of(std::string("ignored")));
+        set(run, "direct_light", node_of(std::string("excluded")));
     }
     if (random.chance(.1)) {
         Node depth;

@@ -113,7 +113,7 @@ async function check(page, bounds, name, azimuth, elevation, other) {
   const { width, height } = shown;
   const pictureFrom = async (direction) => {
     const { opening, zoom } = cameraOf(bounds, azimuth, elevation, width, height);
-    run("show", "leaves.json", "--bare", "--view", direction, "--opening", String(opening), "--size", `${width}x${height}`,
+    run("show", "leaves.json", "--no-annotations", "--camera", direction, "--fov", String(opening), "--size", `${width}x${height}`,
       "-o", "picture.png");
     return agreement(shown, await pixelsOf(page, readFileSync(path.join(folder, "picture.png"))), zoom);
   };

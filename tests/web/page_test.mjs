@@ -27,7 +27,7 @@ title = '''Leaves ${kTrick}'''
 name = "PAR"
 [[band]]
 name = "NIR"
-[place]
+[site]
 latitude_deg = 51.97
 longitude_deg = 5.67
 [time]
@@ -113,8 +113,8 @@ async function checkNumbers(page, result) {
   assert.ok(about.includes("kind = blade") && about.includes("absorbed flux density, NIR"), about);
 
   // The slider goes through the times; hidden organs no longer stand before others.
-  await page.selectOption("#part", "moments");
-  for (const [i, moment] of result.moments.entries()) {
+  await page.selectOption("#part", "time_steps");
+  for (const [i, moment] of result.time_steps.entries()) {
     await page.locator("#time").fill(String(i));
     await page.waitForFunction((time) => document.querySelector("#legend-title").textContent.includes(time), moment.time);
     const text = await hoverMiddle(page);

@@ -67,11 +67,11 @@ function energyTable(energy, isRemainder) {
     band, e.unit,
     { number: withError(e.emitted, e.emitted_standard_error ?? NaN) },
     estimate(e.absorbed_by_organs), estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off),
-    estimate(e.roulette), { number: short(e.closure_error) },
+    estimate(e.imbalance), { number: short(e.closure_error) },
   ]);
   const caption = isRemainder ? "What escapes is what remains: it was not traced." : "Flux ± standard error";
   return table(caption,
-    ["band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "roulette", "not closed"],
+    ["band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "imbalance", "closure error"],
     rows);
 }
 
@@ -113,10 +113,10 @@ function convergenceNodes(rounds) {
 }
 
 function settingsTables(head) {
-  const options = Object.entries(head.run?.run ?? {}).map(([key, value]) => [key, words(value)]);
+  const options = Object.entries(head.run_file?.run ?? {}).map(([key, value]) => [key, words(value)]);
   const inputs = (head.inputs ?? []).map((file) => [file.path, { number: String(file.bytes) }, file.sha256]);
   const text = make("details");
-  text.append(make("summary", "The run file, whole"), make("pre", JSON.stringify(head.run ?? {}, null, 1)));
+  text.append(make("summary", "The run file, whole"), make("pre", JSON.stringify(head.run_file ?? {}, null, 1)));
   return [
     table("Files that were read", ["file", "bytes", "SHA-256"], inputs),
     table("Settings", ["option", "value"], options),
@@ -129,17 +129,17 @@ function aboutTable(run, time) {
   const now = run.headOf(time);
   const { organs, triangles, length_unit: unit } = head.scene ?? {};
   const method = now.method ?? head.method;
-  const done = now.done ?? head.done ?? {};
+  const completed = now.completed ?? head.completed ?? {};
   const rows = [
     ["scene", `${organs} organs, ${triangles} triangles${unit ? `, lengths in ${unit}` : ""}`],
     ...(head.sources ?? []).map((source) => ["source", source]),
     ...(head.point ? [["point", words(head.point)]] : []),
     ...(head.time ? [["times", [head.time].flat().map(words).join("; ")]] : []),
     ...(method ? [["method", `${method.used}${method.reason ? `: ${method.reason}` : ""}`]] : []),
-    ["done", Object.entries(done).map(([key, value]) => `${key.replaceAll("_", " ")} ${words(value)}`).join(", ")],
-    ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (chance ${short(now.audit.chance)})`]] : []),
+    ["completed", Object.entries(completed).map(([key, value]) => `${key.replaceAll("_", " ")} ${words(value)}`).join(", ")],
+    ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (chance ${short(now.audit.p_value)})`]] : []),
     ["program", `QuasiMC ${head.program_version}`],
-    ["run file", head.run_file],
+    ["run file", head.run_file_path],
   ];
   return table("", ["", ""], rows);
 }
@@ -152,16 +152,16 @@ export function drawReport(parent, run, time, worst, unitOf) {
   const of = run.timeName(time) ? ` — ${run.timeName(time)}` : "";
   parent.replaceChildren();
   const section = (title, ...nodes) => parent.append(make("h2", title), ...nodes);
-  const warnings = (head.warnings ?? []).map((warning) => [warning.place, warning.text]);
+  const warnings = (head.warnings ?? []).map((warning) => [warning.where, warning.text]);
   if (warnings.length > 0) {
-    section("Warnings", table("", ["place", "warning"], warnings));
+    section("Warnings", table("", ["where", "warning"], warnings));
   }
   section("What was run", aboutTable(run, time));
   if (now.rounds?.length > 0) {
     section(`Convergence${of}`, ...convergenceNodes(now.rounds));
   }
   if (now.energy) {
-    section(`Energy${of}`, energyTable(now.energy, now.escaped_is_remainder ?? head.escaped_is_remainder));
+    section(`Energy${of}`, energyTable(now.energy, now.escaped_by_difference ?? head.escaped_by_difference));
   }
   if (now.groups?.length > 0) {
     section(`Groups of organs${of}`, ...groupTables(now.groups, bands, unitOf), ...missingGroups(run, now.groups));

@@ -70,7 +70,7 @@ class Page {
     const { run } = this;
     fill($("map"), Object.keys(run.colorMaps).map((name) => [name, name]));
     const parts = [...new Set(run.json.times.map((time) => time.part))];
-    const names = { moments: "times", days: "days", total: "all together" };
+    const names = { time_steps: "time steps", days: "days", total: "all together" };
     fill($("part"), parts.map((part) => [part, names[part] ?? "run"]));
     $("part-label").hidden = this.onTime !== null;
     $("time-controls").hidden = run.json.times.length < 2;

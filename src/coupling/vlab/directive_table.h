@@ -16,9 +16,9 @@ struct DirectiveContext {
     const DirectiveLine* line = nullptr;
     std::string file;  ///< name of the specification, for messages
     /// Area of MonteCarlo's domain seen from above, and its low corner.
-    std::optional<StatedCell> domain = {};
+    std::optional<CellDirective> domain = {};
     bool is_periodic = false;
-    std::string ground_place = {};
+    std::string ground_where = {};
     bool has_leaf_upper = false;
 };
 

@@ -14,7 +14,7 @@ void pass_over(Values& values, DirectiveContext& /*context*/) {
 /// Alone, the directive means yes.
 void read_no_direct(Values& values, DirectiveContext& context) {
     const bool ignores = values.at_end() || values.yes_no().value_or(false);
-    context.spec.run.direct_light = ignores ? DirectLight::ignored : DirectLight::counted;
+    context.spec.run.direct_light = ignores ? DirectLight::excluded : DirectLight::included;
 }
 
 constexpr std::array kMontecarloDirectives{

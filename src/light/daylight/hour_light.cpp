@@ -49,13 +49,13 @@ double SunPath::outside() const {
     return kSolarConstant / (distance * distance);
 }
 
-SunPath sun_path(const Place& place, const CivilTime& start, double seconds, double step) {
+SunPath sun_path(const Site& site, const CivilTime& start, double seconds, double step) {
     const std::int64_t pieces =
         step > 0 ? std::max<std::int64_t>(1, std::llround(seconds / step)) : 1;
     SunPath path;
     for (std::int64_t i = 0; i < pieces; ++i) {
         const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(pieces);
-        path.steps.push_back(sun_position(place, later(start, part * seconds)));
+        path.steps.push_back(sun_position(site, later(start, part * seconds)));
     }
     return path;
 }

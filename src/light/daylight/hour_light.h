@@ -31,7 +31,7 @@ struct SunPath {
 /// @param seconds  how long; 0: an instant
 /// @param step     of the sun, seconds; 0: one, in the middle
 [[nodiscard]] SunPath sun_path(
-    const Place& place, const CivilTime& start, double seconds, double step);
+    const Site& site, const CivilTime& start, double seconds, double step);
 
 /// What was measured, mean over the time, in one unit. Enough of it to tell direct from diffuse
 /// light, or global light alone.

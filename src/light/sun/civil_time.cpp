@@ -53,13 +53,13 @@ struct RangeChecker {
 
 }  // namespace
 
-void check_place(const Place& place, std::string_view where, Faults& faults) {
+void check_site(const Site& site, std::string_view where, Faults& faults) {
     const RangeChecker checker{where, faults};
-    checker.check("latitude_deg", place.latitude_deg, {-90, 90}, ", north positive");
-    checker.check("longitude_deg", place.longitude_deg, {-180, 180}, ", east positive");
-    checker.check("elevation_m", place.elevation_m, {-2000, 11000});
-    checker.check("pressure_hpa", place.pressure_hpa, {0, 2000});
-    checker.check("temperature_c", place.temperature_c, {-100, 100});
+    checker.check("latitude_deg", site.latitude_deg, {-90, 90}, ", north positive");
+    checker.check("longitude_deg", site.longitude_deg, {-180, 180}, ", east positive");
+    checker.check("elevation_m", site.elevation_m, {-2000, 11000});
+    checker.check("pressure_hpa", site.pressure_hpa, {0, 2000});
+    checker.check("temperature_c", site.temperature_c, {-100, 100});
 }
 
 void check_time(const CivilTime& time, std::string_view where, Faults& faults) {

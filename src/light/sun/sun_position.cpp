@@ -8,15 +8,15 @@
 namespace quasimc {
 namespace {
 
-/// Right ascension, declination and hour angle as seen from a place on the Earth's surface: the
+/// Right ascension, declination and hour angle as seen from a site on the Earth's surface: the
 /// sun's parallax taken in (section 3.12).
-void set_topocentric(const Place& place, double distance_au, SunIntermediates& values) {
+void set_topocentric(const Site& site, double distance_au, SunIntermediates& values) {
     constexpr double kAxisRatio = 0.99664719;
     constexpr double kEarthRadius = 6378140;
-    const double phi = kRadians * place.latitude_deg;
+    const double phi = kRadians * site.latitude_deg;
     const double parallax = kRadians * 8.794 / (3600 * distance_au);
     const double u = std::atan(kAxisRatio * std::tan(phi));
-    const double height = place.elevation_m / kEarthRadius;
+    const double height = site.elevation_m / kEarthRadius;
     const double x = std::cos(u) + height * std::cos(phi);
     const double y = kAxisRatio * std::sin(u) + height * std::sin(phi);
     const double hour_angle = kRadians * values.hour_angle_deg;
@@ -31,14 +31,14 @@ void set_topocentric(const Place& place, double distance_au, SunIntermediates& v
 
 /// By how much the air lifts the sun [degrees]; nothing once the whole disk is below the horizon
 /// (section 3.14).
-double refraction_deg(const Place& place, double true_elevation_deg) {
+double refraction_deg(const Site& site, double true_elevation_deg) {
     constexpr double kSunRadius = 0.26667;
     constexpr double kAtHorizon = 0.5667;
     if (true_elevation_deg < -(kSunRadius + kAtHorizon)) {
         return 0;
     }
     const double angle = true_elevation_deg + 10.3 / (true_elevation_deg + 5.11);
-    return place.pressure_hpa / 1010 * 283 / (273 + place.temperature_c) * 1.02 /
+    return site.pressure_hpa / 1010 * 283 / (273 + site.temperature_c) * 1.02 /
            (60 * std::tan(kRadians * angle));
 }
 
@@ -52,8 +52,7 @@ double equation_of_time_min(const GeocentricSun& sun) {
 
 }  // namespace
 
-SunPosition sun_position(
-    const Place& place, const CivilTime& time, std::optional<double> delta_t_s) {
+SunPosition sun_position(const Site& site, const CivilTime& time, std::optional<double> delta_t_s) {
     const double day = julian_day(time);
     const GeocentricSun sun = geocentric_sun(day, delta_t_s.value_or(delta_t_seconds(time)));
     SunPosition position;
@@ -68,11 +67,10 @@ SunPosition sun_position(
     values.sidereal_time_deg = sun.sidereal_time;
     values.right_ascension_deg = sun.right_ascension;
     values.declination_deg = sun.declination;
-    values.hour_angle_deg =
-        full_turn(sun.sidereal_time + place.longitude_deg - sun.right_ascension);
-    set_topocentric(place, sun.distance_au, values);
+    values.hour_angle_deg = full_turn(sun.sidereal_time + site.longitude_deg - sun.right_ascension);
+    set_topocentric(site, sun.distance_au, values);
 
-    const double phi = kRadians * place.latitude_deg;
+    const double phi = kRadians * site.latitude_deg;
     const double delta = kRadians * values.topocentric_declination_deg;
     const double hour_angle = kRadians * values.topocentric_hour_angle_deg;
     position.true_elevation_deg = std::asin(
@@ -80,7 +78,7 @@ SunPosition sun_position(
                                       std::cos(phi) * std::cos(delta) * std::cos(hour_angle)) /
                                   kRadians;
     position.elevation_deg =
-        position.true_elevation_deg + refraction_deg(place, position.true_elevation_deg);
+        position.true_elevation_deg + refraction_deg(site, position.true_elevation_deg);
     const double from_south = std::atan2(
         std::sin(hour_angle),
         std::cos(hour_angle) * std::sin(phi) - std::tan(delta) * std::cos(phi));

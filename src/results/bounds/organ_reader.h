@@ -323,7 +323,7 @@ class OrganReader {
     }
     /// Flux in `band` of a unit of a strategy's light; 0 where direct light does not count.
     [[nodiscard]] double flux_per_unit(std::size_t strategy, std::size_t band) const {
-        return spec_.direct_light == DirectLight::counted
+        return spec_.direct_light == DirectLight::included
                    ? this->strategy(strategy).flux[band] * sums_.units.scale(organ_.first_region) /
                          samples()
                    : 0;
@@ -388,7 +388,7 @@ class OrganReader {
         const ExactBins& bins = sums_.replicates[replicate];
         const double unit = reader_.flux(region, band);
         Incident sum;
-        const bool is_counted = spec_.direct_light == DirectLight::counted;
+        const bool is_counted = spec_.direct_light == DirectLight::included;
         for (std::size_t s = 0; is_counted && s < sums_.spectra.size(); ++s) {
             const double weight = sums_.spectra[s][band] * unit;
             sum.direct_upper += bins.value(blocks.direct(region, SurfaceSide::upper, s)) * weight;
@@ -414,7 +414,7 @@ class OrganReader {
         const ExactBins& bins, std::uint32_t region, std::size_t band, const Incident& in) const {
         const LightBlocks& blocks = reader_.blocks();
         if (blocks.has_absorbed()) {
-            const bool is_counted = spec_.direct_light == DirectLight::counted;
+            const bool is_counted = spec_.direct_light == DirectLight::included;
             const double direct = bins.value(blocks.absorbed_direct(region) + band);
             const double scattered = bins.value(blocks.absorbed_scattered(region) + band);
             return ((is_counted ? direct : 0) + scattered) * reader_.flux(region, band);

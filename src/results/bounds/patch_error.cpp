@@ -123,9 +123,10 @@ Estimate with_patch_error(const Estimate& e, double difference) {
     if (!std::isfinite(d)) {
         return e;
     }
-    const double low = e.low - d;
+    const double low = e.ci95_low - d;
     return {
-        e.mean, std::hypot(e.standard_error, d), e.low >= 0 ? std::max(low, 0.0) : low, e.high + d};
+        e.mean, std::hypot(e.standard_error, d), e.ci95_low >= 0 ? std::max(low, 0.0) : low,
+        e.ci95_high + d};
 }
 
 Estimate with_error(const Estimate& e, double error) {
@@ -135,10 +136,10 @@ Estimate with_error(const Estimate& e, double error) {
         return e;
     }
     const double reach = kReach * error;
-    const double low = e.mean - std::hypot(e.mean - e.low, reach);
+    const double low = e.mean - std::hypot(e.mean - e.ci95_low, reach);
     return {
-        e.mean, std::hypot(e.standard_error, error), e.low >= 0 ? std::max(low, 0.0) : low,
-        e.mean + std::hypot(e.high - e.mean, reach)};
+        e.mean, std::hypot(e.standard_error, error), e.ci95_low >= 0 ? std::max(low, 0.0) : low,
+        e.mean + std::hypot(e.ci95_high - e.mean, reach)};
 }
 
 void add_patch_errors(

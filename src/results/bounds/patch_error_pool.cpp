@@ -22,12 +22,12 @@ double scattered_part(const Result& light, std::size_t i, std::size_t band) {
 
 /// Estimates of one kind that organs and groups have: means, and those of the coarser level.
 struct Kind {
-    std::size_t stride, place;  ///< where they stand among the estimates of an organ or a group
+    std::size_t stride, index;  ///< where they stand among the estimates of an organ or a group
     bool is_flux;               ///< otherwise per area
 
     template <typename Estimates>
     [[nodiscard]] auto& mean(Estimates& estimates, std::size_t i) const {
-        return estimates[i * stride + place].mean;
+        return estimates[i * stride + index].mean;
     }
 };
 

@@ -62,9 +62,9 @@ DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
 std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
     std::vector<VisibilityTask> tasks = budget_.tasks(round);
     for (const VisibilityTask& task : tasks) {
-        const double brought = budget_.light_per_sample(task, round);
+        const double contribution = budget_.light_per_sample(task, round);
         double& most = sums->per_contribution[strategy_of(task, sums->strategies)];
-        most = std::max(most, brought);
+        most = std::max(most, contribution);
     }
     return tasks;
 }
@@ -96,7 +96,7 @@ Stream DirectBeams::stream_of(const Work& work, std::uint64_t i) const {
     return {spec_.seed, 1 + work.number + tasks * i, work.replicate, work.round.first * 4, most};
 }
 
-/// What places the directions of a task: three dimensions of its first point.
+/// The random shift of the directions of a task: three dimensions of its first point.
 std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t dimension) const {
     const auto coordinate = [&](std::uint32_t i) {
         return sampler_.coordinate(first, first.first, dimension + i);
@@ -106,7 +106,7 @@ std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t
 
 /// A light's part in one of `count` directions.
 DirectBeams::Beam DirectBeams::beam_along(
-    const DrawnDirection& from,
+    const DirectionSample& from,
     const BoundSource& light,
     const Work& work,
     std::uint32_t count) const {
@@ -215,7 +215,7 @@ SumMeaning direct_beams_meaning(
     const PreparedScene& prepared, const RunSpec& spec, ScatteredBy scattered) {
     SumMeaning meaning = light_tracing_meaning(prepared, spec);
     const SkyDirections skies(prepared);
-    const SeenScene seen(prepared);
+    const ProjectionInput seen(prepared);
     const SamplingBudget budget(prepared, skies, seen.projected(), spec.paths, scattered);
     const Round first{0, spec.paths};
     std::vector<SamplingStrategy> counted;

@@ -10,8 +10,8 @@
 #include "raster/item_buffer.h"
 #include "raster/scan_lines.h"
 #include "solvers/direct/path_vertices.h"
+#include "solvers/direct/projection_input.h"
 #include "solvers/direct/sampling_budget.h"
-#include "solvers/direct/seen_scene.h"
 #include "solvers/light_tracing/light_tracer.h"
 #include "solvers/sampling_strategies.h"
 #include "solvers/solver.h"
@@ -54,7 +54,7 @@ class DirectBeams {
     };
     /// What is seen along one direction of the skies.
     struct SkyView {
-        DrawnDirection from;
+        DirectionSample from;
         std::vector<Beam> beams;  ///< of each sky, some without light
         double paths = 0;         ///< of all beams together
         ItemBuffer image;
@@ -83,7 +83,7 @@ class DirectBeams {
         std::uint32_t replicate,
         std::uint64_t block);
 
-    /// The point set number `i` of a task's blocks; number 0 places its beams. Light tracing
+    /// The point set number `i` of a task's blocks; number 0 shifts its beams. Light tracing
     /// has sequence 0.
     [[nodiscard]] Stream stream_of(const Work& work, std::uint64_t i) const;
 
@@ -105,7 +105,7 @@ class DirectBeams {
   private:
     [[nodiscard]] Beam beam_of(const Work& work) const;
     [[nodiscard]] Beam beam_along(
-        const DrawnDirection& from,
+        const DirectionSample& from,
         const BoundSource& light,
         const Work& work,
         std::uint32_t count) const;
@@ -119,7 +119,7 @@ class DirectBeams {
     const RunSpec& spec_;
     std::stop_token stop_;
     SkyDirections skies_;
-    SeenScene seen_;
+    ProjectionInput seen_;
     SamplingBudget budget_;
     TracedLights traced_;
 };

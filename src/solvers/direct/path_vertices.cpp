@@ -98,7 +98,7 @@ void DirectLightScore::add_escaped() {
     tally_.add_signed(blocks.escaped_direct() + beam_.light->spectrum, emitted - stopped_);
 }
 
-void order_by_place(
+void order_by_position(
     std::span<const PathVertex> vertices, std::uint32_t triangles, VertexOrder& order) {
     // Digit by digit from the lowest (radix sort), which a few thousand vertices on any number of
     // triangles need but two or three of.

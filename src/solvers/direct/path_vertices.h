@@ -20,7 +20,7 @@ struct SurfaceBeam {
     double paths = 0;  ///< how many paths' light it brings
 };
 
-/// The first vertex of a path: a place on a triangle of the mesh.
+/// The first vertex of a path: a point on a triangle of the mesh.
 struct PathVertex {
     std::uint32_t triangle = 0;
     std::uint32_t beam = 0;  ///< in the list of beams, which light comes by
@@ -60,28 +60,28 @@ struct ScatteringPiece {
     double along,
     double amount);
 
-/// Places the first vertices of paths at equal steps of what is scattered (systematic sampling):
-/// along the light in the order in which it is told, each stands for as much as one path brings.
-/// So none misses the scene, none is absorbed at its first hit, and bright surfaces get many.
+/// Puts the first vertices of paths at equal steps of the scattered light (systematic sampling):
+/// along the light in the order of the calls, each vertex represents the light of one path. So none
+/// misses the scene, none is absorbed at its first hit, and bright surfaces get many.
 class SystematicPlacement {
   public:
     /// @param residual  light to be scattered until the next vertex; uniform in [0, 1) at first
     explicit SystematicPlacement(double residual) : residual_(residual) {}
 
-    /// Places vertices on a stretch of `count` such pieces.
+    /// Adds the vertices on a segment of `count` such pieces.
     /// @param beam  PathVertex::beam
-    /// @param place  (f) of a number in [0, 1) that grows along the stretch: where it is, u and v
-    template <typename Place>
-    void place(
+    /// @param point_at  (f) the point, u and v, for a number in [0, 1) that grows along the segment
+    template <typename PointAt>
+    void add_vertices(
         const ScatteringPiece& piece,
         double count,
         std::uint32_t beam,
-        const Place& place,
+        const PointAt& point_at,
         std::vector<PathVertex>& vertices) {
         const double scattered = piece.scattered * count;
         double at = residual_;
         while (at < scattered) {
-            const Barycentric where = place(at / scattered);
+            const Barycentric where = point_at(at / scattered);
             vertices.push_back({piece.triangle, beam, where.u, where.v, piece.weight});
             at += 1;
         }
@@ -153,12 +153,12 @@ class DirectLightScore {
     std::int64_t stopped_ = 0;  // fixed point
 };
 
-/// Sets `order` to that of the triangles, and of places on each; stable.
+/// Sets `order` to that of the triangles, and of the points on each; stable.
 struct VertexOrder {
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t> keys, key_counts, next;  // scratch
 };
-void order_by_place(
+void order_by_position(
     std::span<const PathVertex> vertices, std::uint32_t triangles, VertexOrder& order);
 
 }  // namespace quasimc

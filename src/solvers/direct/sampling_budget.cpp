@@ -59,50 +59,50 @@ const SamplingDensity& sampling_density(const PreparedScene& prepared, Scattered
 
 /// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
 /// each four.
-constexpr std::uint32_t kFewestLines = 16, kFewestLinesInAll = 4096, kFewestOfMany = 4;
+constexpr std::uint32_t kMinLines = 16, kMinLinesInAll = 4096, kMinOfMany = 4;
 /// Few beams have at least so many lines together, which take no more time than to get started.
-constexpr std::uint32_t kFewestOfFew = 128;
+constexpr std::uint32_t kMinOfFew = 128;
 
 /// The fewest lines of each of so many beams.
 std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
     const std::uint32_t of_many =
-        std::clamp(kFewestLinesInAll / std::max(suns, 1U), kFewestOfMany, kFewestLines);
-    return std::max(of_many, kFewestOfFew / std::max(beams, 1U));
+        std::clamp(kMinLinesInAll / std::max(suns, 1U), kMinOfMany, kMinLines);
+    return std::max(of_many, kMinOfFew / std::max(beams, 1U));
 }
 
 /// Triangles that are projected for each path of a sun. Where they would be more, or where lines
 /// would cut so much that too few of them are left, the sun is traced from itself, which then
-/// leaves the smaller errors for its time (docs/theory/choosing.md).
-constexpr double kMostTrianglesPerPath = 20;
+/// leaves the smaller errors for its time (docs/develop/notebook/choosing.md).
+constexpr double kMaxTrianglesPerPath = 20;
 /// Of few organs each has many paths, and lines bring less: for each organ at most so many.
-constexpr double kMostTrianglesPerPathOfOrgan = 2;
+constexpr double kMaxTrianglesPerPathOfOrgan = 2;
 /// Lines of a sun that are too few, but where it is one of many: of an endless stand at 1 degree 37
 /// of them left organs 500 times the error of as many paths, at 5 degrees 41 of them 5 times.
-constexpr std::uint32_t kFewestWhereCostly = 64;
+constexpr std::uint32_t kMinWhereCostly = 64;
 
 /// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
 /// there are more of them each may be seen less well: the root is between, until there are two for
 /// each. Of very many paths directions become less of the error than pixels are, and each gets
 /// more.
-constexpr double kFewestPerTriangle = 2;
+constexpr double kMinPerTriangle = 2;
 /// ... and where scattered light has small errors, so many for each in as many directions, if they
 /// are not too many more.
 constexpr double kWantedPerTriangle = 6;
 constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
-constexpr double kFewestPixels = 1024, kMostPixels = 2048 * 2048;
+constexpr double kMinPixels = 1024, kMaxPixels = 2048 * 2048;
 /// Of a periodic scene none of them is empty.
 constexpr double kShareOfLayer = 1.0 / 3;
 /// Directions of a sky: at least so many, in at most so many blocks of work.
-constexpr std::uint32_t kFewestDirections = 16;
+constexpr std::uint32_t kMinDirections = 16;
 constexpr std::uint32_t kDirectionBlocks = 16;
 /// To project a triangle costs as much as so many pixels; where it repeats itself, twice that.
 constexpr double kPixelsPerTriangle = 20;
 /// Skies that cost so many times the pixels that their paths are meant to have are traced from
 /// themselves, which then leaves the smaller errors for its time.
-constexpr double kMostOverPixels = 30;
+constexpr double kMaxOverPixels = 30;
 /// So are skies of fewer directions times organs: all organs have the errors of the directions in
 /// common, those of paths cancel in what is large.
-constexpr double kFewestViews = 400;
+constexpr double kMinViews = 400;
 
 /// How many organs are asked for, the ground aside.
 double measured_organs(const Scene& scene) {
@@ -139,8 +139,8 @@ SamplingBudget::SamplingBudget(
 void SamplingBudget::set_lines(const LineCost& cost, double paths) {
     const double triangles = prepared_.caster().mesh().triangle_count();
     const double most_triangles = std::min(
-        kMostTrianglesPerPath,
-        kMostTrianglesPerPathOfOrgan * std::max(1., measured_organs(prepared_.scene())));
+        kMaxTrianglesPerPath,
+        kMaxTrianglesPerPathOfOrgan * std::max(1., measured_organs(prepared_.scene())));
     for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
         const BoundSource& light = prepared_.lights()[i];
         cuts_per_line_.push_back(0);
@@ -188,8 +188,8 @@ bool SamplingBudget::are_skies_cheap(double paths) const {
     const double images = prepared_.scene().cell().periodic() ? 2 : 1;
     const double triangles = prepared_.caster().mesh().triangle_count();
     const double each = task.pixels + kPixelsPerTriangle * images * triangles;
-    return task.count * each <= kMostOverPixels * density_.pixels_per_path * own &&
-           task.count * measured_organs(prepared_.scene()) >= kFewestViews;
+    return task.count * each <= kMaxOverPixels * density_.pixels_per_path * own &&
+           task.count * measured_organs(prepared_.scene()) >= kMinViews;
 }
 
 std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
@@ -246,7 +246,7 @@ VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {
     const double cuts = beams * cuts_per_line_[light];
     if (count * cuts > density_.cuts_per_path * paths) {
         const auto cheap = static_cast<std::uint32_t>(density_.cuts_per_path * paths / cuts);
-        const std::uint32_t fewest = std::max(kFewestOfMany, kFewestWhereCostly / beams);
+        const std::uint32_t fewest = std::max(kMinOfMany, kMinWhereCostly / beams);
         count = std::min(count, std::max(fewest, cheap));
     }
     return {
@@ -268,7 +268,7 @@ VisibilityTask SamplingBudget::skies_of(double paths) const {
     const double directions = std::round(density_.pixels_per_path * paths / pixels_for(paths, 1));
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const std::uint32_t count =
-        std::max({kFewestDirections, skies, static_cast<std::uint32_t>(directions)});
+        std::max({kMinDirections, skies, static_cast<std::uint32_t>(directions)});
     return {
         .is_sky = true,
         .count = count,
@@ -282,8 +282,8 @@ double SamplingBudget::pixels_for(double paths, double most_over_root) const {
     const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
     const double root = density_.pixels_per_root * std::sqrt(triangles);
     const double wanted = std::clamp(kWantedPerTriangle * triangles, root, most_over_root * root);
-    const double pixels = std::max(wanted, kFewestPerTriangle * triangles);
-    return std::clamp(share * growth * pixels, kFewestPixels, kMostPixels);
+    const double pixels = std::max(wanted, kMinPerTriangle * triangles);
+    return std::clamp(share * growth * pixels, kMinPixels, kMaxPixels);
 }
 
 bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths) {

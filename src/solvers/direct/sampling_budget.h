@@ -42,7 +42,7 @@ struct SamplingDensity {
 
 /// How densely direct light is sampled for how many paths. Direct light and scattered light each
 /// have their error; these numbers make the figure of merit of both together the largest in our
-/// measurements (docs/theory/first-hits.md).
+/// measurements (docs/develop/notebook/first-hits.md).
 class SamplingBudget {
   public:
     /// @param seen  the scene as beams see it
@@ -110,7 +110,7 @@ class SamplingBudget {
 /// @param paths  of the first round
 [[nodiscard]] bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths);
 
-/// The task that a block belongs to: its place in the list. @param block  less than the end of the
+/// The index of the task that a block belongs to. @param block  less than the end of the
 /// last task's blocks
 [[nodiscard]] std::uint32_t task_of_block(
     const std::vector<VisibilityTask>& tasks, std::uint64_t block);

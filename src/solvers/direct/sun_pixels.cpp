@@ -15,7 +15,7 @@ namespace {
 /// Dimensions of a beam's point: how the pixels stand, and where on its disk a sun is viewed.
 constexpr std::uint32_t kPixelDimension = 0, kDiskDimension = 3;
 /// Each beam of a disk has at least so many.
-constexpr double kFewestOfBeam = 256;
+constexpr double kMinOfBeam = 256;
 
 }  // namespace
 
@@ -53,7 +53,7 @@ SunLight SunPixels::find(std::uint32_t replicate, ItemScratch& scratch) const {
                  .rotation = sampler_.coordinate(stream, point, kPixelDimension),
                  .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
                  .shift_t = sampler_.coordinate(stream, point, kPixelDimension + 2),
-                 .pixels = std::max(kFewestOfBeam, pixels_ / count)},
+                 .pixels = std::max(kMinOfBeam, pixels_ / count)},
                 scratch);
             view.of_pixel *= image.pixel_area();
             score(view, image, found);
@@ -69,12 +69,12 @@ SunPixels::View SunPixels::view_of(const BoundSource& light, const Placing& plac
     if (const auto direction = sampler.beam_direction()) {
         return {light, *direction, light.probability, light.probability / sampler.flux()};
     }
-    const auto place = [&](std::uint32_t i) {
+    const auto coordinate = [&](std::uint32_t i) {
         return sampler_.coordinate(placing.stream, placing.first, kDiskDimension + i);
     };
-    const DrawnDirection from = lattice_direction(
+    const DirectionSample from = lattice_direction(
         light, static_cast<std::uint32_t>(placing.point - placing.first), kDiskBeams,
-        {place(0), place(1), place(2)});
+        {coordinate(0), coordinate(1), coordinate(2)});
     const double area = prepared_.projection().entry_box().projected_area(from.direction);
     const double per_area = model_of(*light.source).radiance(-from.direction) /
                             (sampler.flux() * from.density * kDiskBeams);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "raster/item_buffer.h"
-#include "solvers/direct/seen_scene.h"
+#include "solvers/direct/projection_input.h"
 #include "solvers/solver.h"
 
 namespace quasimc {
@@ -20,7 +20,7 @@ struct SunLight {
 
 /// Direct light of suns alone, each viewed pixel by pixel. For several views of organs that need
 /// not be seen to a percent each this is faster than scan lines, of which the first few cost as
-/// much as all pixels (docs/theory/time-series.md).
+/// much as all pixels (docs/develop/notebook/time-series.md).
 class SunPixels {
   public:
     /// @param input  all lights of which are suns
@@ -40,7 +40,7 @@ class SunPixels {
         double of_pixel = 0;  ///< of a pixel; at first of an area of 1, local units squared
     };
 
-    /// The point that places a beam, and that of its sun's first one.
+    /// The point that shifts a beam, and that of the first beam of its sun.
     struct Placing {
         const Stream& stream;
         std::uint64_t first, point;
@@ -54,7 +54,7 @@ class SunPixels {
     const Sampler& sampler_;
     const RunSpec& spec_;
     std::stop_token stop_;
-    SeenScene seen_;
+    ProjectionInput seen_;
     double pixels_;
 };
 

@@ -101,7 +101,7 @@ class FirstHits final : public Solver {
         const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
             throw_if_stopped(stop_);
             for (const VisibleSegment& segment : line.segments) {
-                placement.place(
+                placement.add_vertices(
                     scratch.pieces[segment.surface], segment.length(), 0,
                     [&](double f) { return lit.strip.point(line, segment, f); }, scratch.vertices);
             }
@@ -138,7 +138,7 @@ class FirstHits final : public Solver {
             rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
     }
 
-    /// Scores what a beam, the last of scratch.beams, brings to pixels, and places vertices there.
+    /// Scores the light of a beam, the last of scratch.beams, on pixels, and adds vertices there.
     void light_pixels(
         const DirectBeams::SkyView& view,
         const Beam& beam,
@@ -159,7 +159,7 @@ class FirstHits final : public Solver {
         });
         const auto number = static_cast<std::uint32_t>(scratch.beams.size() - 1);
         image.for_each_run([&](const ItemBuffer::Run& run) {
-            placement.place(
+            placement.add_vertices(
                 scratch.pieces[run.id], run.count, number,
                 [&](double f) {
                     return image.point(run.first + static_cast<std::uint32_t>(f * run.count));

@@ -11,7 +11,7 @@ BackwardPaths::BackwardPaths(
     const NextEvent& next_event,
     const VertexLight& vertex_light,
     const LampNearField& near,
-    double sharp_from)
+    double narrow_from)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       next_event_(next_event),
@@ -20,7 +20,7 @@ BackwardPaths::BackwardPaths(
       stop_(input.stop),
       max_depth_(input.spec.max_depth),
       roulette_threshold_(roulette_threshold(input)),
-      sharp_from_(sharp_from) {}
+      narrow_from_(narrow_from) {}
 
 std::uint64_t BackwardPaths::gather(
     PathNumbers numbers,
@@ -31,7 +31,7 @@ std::uint64_t BackwardPaths::gather(
     auto& [stream, index, dimension] = numbers;
     std::fill(path.weights.begin(), path.weights.end(), 1.0);
     std::fill(path.gathered.begin(), path.gathered.end(), 0.0);
-    Vec3 p = point.place;
+    Vec3 p = point.p;
     std::uint32_t triangle = point.triangle;
     bool by_sharp = false;
     std::uint64_t rays = 0;
@@ -52,7 +52,7 @@ std::uint64_t BackwardPaths::gather(
         }
         const Surface surface = surface_at(prepared_, at.hit, away);
         const Material& material = prepared_.material(surface.region);
-        p = place_of(prepared_, at.hit);
+        p = point_of(prepared_, at.hit);
         triangle = surface.triangle;
         if (material.is_transparent()) {
             continue;
@@ -106,7 +106,7 @@ std::uint64_t BackwardPaths::add_vertices(
             prepared_.material(surface.region)
                 .add_reflected(
                     surface.normal, surface.side, out, wi, 1, path.products, path.gathered,
-                    sharp_from_);
+                    narrow_from_);
         }
     }
     return rays;

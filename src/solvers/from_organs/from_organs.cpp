@@ -153,7 +153,7 @@ class FromOrgans final : public Solver {
             return 0;  // none of it is open
         }
         const Point point{
-            organ_points_.place(
+            organ_points_.point(
                 organ_index, coordinate(stream, index, 0), coordinate(stream, index, 1)),
             index};
         if (!subpaths_.are_connected_with(point.region)) {
@@ -171,11 +171,11 @@ class FromOrgans final : public Solver {
         const SideBlocks& unoccluded,
         Tally& tally) const {
         const LightSample sample = next_event_.sample_light(
-            stream, point.index, 2, point.place,
+            stream, point.index, 2, point.p,
             {point.up, prepared_.fields_of_view().least_cosine(point.region)});
         const double cosine = dot(sample.to_light, point.up);
         if (cosine == 0 || sample.factor == 0 || NextEvent::is_in_plane(sample, point.up) ||
-            near_.lights_near(*sample.light, point.region, point.place) ||
+            near_.lights_near(*sample.light, point.region, point.p) ||
             !prepared_.fields_of_view().contain(point.region, std::abs(cosine))) {
             return 0;
         }
@@ -185,7 +185,7 @@ class FromOrgans final : public Solver {
         const double amount = part * sample.factor * std::abs(cosine);
         tally.add(unoccluded.bin(point.region, side, sample.light->spectrum), to_fixed(amount));
         if (!is_visible_source(
-                prepared_, point.place, sample.to_light, sample.distance, point.triangle)) {
+                prepared_, point.p, sample.to_light, sample.distance, point.triangle)) {
             return 1;
         }
         score_direct(
@@ -206,7 +206,7 @@ class FromOrgans final : public Solver {
         for (std::size_t i = 0; i < vertices.all().size(); ++i) {
             const LightVertex& vertex = vertices.all()[i];
             const auto [wi, is_traced, arrives] = vertex_light_.connect(
-                vertex, vertices.weights(i), point.place, point.triangle,
+                vertex, vertices.weights(i), point.p, point.triangle,
                 near_.min_connection_distance(*vertex.light), scratch.path.irradiance);
             rays += is_traced ? 1 : 0;
             const double cosine = dot(wi, point.up);

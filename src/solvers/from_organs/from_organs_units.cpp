@@ -37,8 +37,8 @@ bool has_followed_lobes(const PreparedScene& prepared) {
 /// twice that is the irradiance that a point finds on a matt surface (pi for the cosine law over
 /// pi, 2 for the choice of a side). A find through a lobe of Phong's is on average half as bright
 /// as its peak; through sharp ones points find nothing but skies.
-/// @param sharp_from  peak_brightness() of those
-double brightest(const PreparedScene& prepared, std::size_t band, double sharp_from) {
+/// @param narrow_from  peak_brightness() of those
+double brightest(const PreparedScene& prepared, std::size_t band, double narrow_from) {
     constexpr double kUsual = 0.5;
     const double by_sharp = has_sky(prepared) ? 1 : 0;
     double most = 0;
@@ -50,7 +50,7 @@ double brightest(const PreparedScene& prepared, std::size_t band, double sharp_f
                 const double peak = peak_brightness(*lobe.shape);
                 sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] +=
                     lobe.albedo[band] *
-                    (peak < sharp_from ? std::max(1.0, kUsual * peak) : by_sharp);
+                    (peak < narrow_from ? std::max(1.0, kUsual * peak) : by_sharp);
             }
             most = material.is_transparent() ? most : std::max({most, sum[0], sum[1]});
         }
@@ -77,8 +77,8 @@ Bounds local_bounds(const PreparedScene& prepared, const Organ& organ) {
     return box;
 }
 
-/// Organs to which so little of the light comes that leaves places near lamps are connected with
-/// those places. Others are met by enough paths.
+/// Organs that receive less than this fraction of the light that leaves the near field of lamps are
+/// connected with points there. Others are hit by enough paths.
 constexpr double kFewOfPaths = 0.05;
 
 double part_by_vertices(
@@ -145,12 +145,12 @@ double units_of_light_path(const MeasuredArea& measured, double own_area) {
 }
 
 std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measured) {
-    constexpr double kMostUnits = 1U << 21U;
-    static_assert(kMostUnits * kPointsPerBlock <= kLargestAmount);
+    constexpr double kMaxUnits = 1U << 21U;
+    static_assert(kMaxUnits * kPointsPerBlock <= kLargestAmount);
     std::vector<double> coarseness;
     for (const Region& region : scene.regions()) {
         const double units = units_of_light_path(measured, scene.organs()[region.organ.value].area);
-        coarseness.push_back(std::exp2(std::ceil(std::log2(std::max(1.0, units / kMostUnits)))));
+        coarseness.push_back(std::exp2(std::ceil(std::log2(std::max(1.0, units / kMaxUnits)))));
     }
     return coarseness;
 }
@@ -204,7 +204,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     ContributionBound direct{"direct", {}}, scattered{"scattered", {}}, sunlit{"sunlit", {0}};
     const LampNearField near(prepared);
     const std::vector<double> albedo = largest_albedos(scene);
-    const double sharp_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
+    const double narrow_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
     const std::vector<double> parts =
         near.any() ? parts_by_vertices(prepared, measured, near) : std::vector<double>{};
     const bool has_connected =
@@ -223,7 +223,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
         }
         direct.largest.push_back(irradiance * kFinerSteps);
         scattered.largest.push_back(
-            kFinerSteps * (2 * brightest(prepared, b, sharp_from) * on_surfaces + by_vertex));
+            kFinerSteps * (2 * brightest(prepared, b, narrow_from) * on_surfaces + by_vertex));
     }
     units.sunlit_area = prepared.lights().sun_area() > 0 ? 1 : 0;
     for (const BoundSource& light : prepared.lights()) {

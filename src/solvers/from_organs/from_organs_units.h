@@ -36,9 +36,9 @@ struct MeasuredArea {
 [[nodiscard]] std::vector<double> parts_of_unit(
     const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near);
 
-/// How much of the light that leaves the places near lamps comes to the organ of each region, at
-/// most; 1 for those so near that they look for none of it there, and for others than measured
-/// ones.
+/// An upper bound, by region, of the fraction of the light from the near field of lamps that
+/// reaches the region's organ; 1 for organs so near that they sample none of it there, and for
+/// organs that are not measured.
 [[nodiscard]] std::vector<double> parts_by_vertices(
     const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kAlongGround = .25;
 /// Of directions along the ground.
-constexpr double kLeastCosine = 1e-6;
+constexpr double kMinCosine = 1e-6;
 
 /// Whether a lobe sends light almost along a surface, much more than by the cosine law.
 bool sends_along(const Bsdf& lobe) {
@@ -40,7 +40,7 @@ bool has_ground_that_sends_along(const Scene& scene) {
 /// The cosine of the angle of exit, with a density of its power of -3/4. A power of -1 would be as
 /// the light is, but most of the time would go to the rays that cross the most cells.
 Vec3 direction_along_ground(double u0, double u1) {
-    const double least = std::pow(kLeastCosine, .25);
+    const double least = std::pow(kMinCosine, .25);
     const double cosine = std::pow(least + u0 * (1 - least), 4);
     const double sine = std::sqrt((1 - cosine) * (1 + cosine));
     const SinCos azimuth = sin_cos_turn(u1);
@@ -49,8 +49,8 @@ Vec3 direction_along_ground(double u0, double u1) {
 
 /// Per solid angle.
 double density_along_ground(const Vec3& away) {
-    static const double kScale = 8 * std::numbers::pi * (1 - std::pow(kLeastCosine, .25));
-    return away.z <= -kLeastCosine ? 1 / (kScale * std::pow(-away.z, .75)) : 0;
+    static const double kScale = 8 * std::numbers::pi * (1 - std::pow(kMinCosine, .25));
+    return away.z <= -kMinCosine ? 1 / (kScale * std::pow(-away.z, .75)) : 0;
 }
 
 }  // namespace

@@ -46,14 +46,14 @@ class LampNearField {
 
   private:
     struct Lamp {
-        Ball body;
+        BoundingSphere body;
         double scatter_radius = 0;  ///< within which scattered light is near; 0: none is
         double min_connection_distance = 0;
         double organ_part = 0;    ///< of the size of an organ, within which light on it is
                                   ///< near; 0: none is
         bool is_bounded = false;  ///< its irradiance, and it is no line
         double irradiance = 0;
-        Vec3 half_line;  ///< LampPlace::half_line
+        Vec3 half_line;  ///< LampExtent::half_line
     };
     [[nodiscard]] const Lamp& lamp_of(const BoundSource& light) const {
         return lamps_[prepared_.lights().index_of(light)];
@@ -67,10 +67,10 @@ class LampNearField {
     };
     [[nodiscard]] double irradiance_at(const BoundSource& light, const CastHit& at) const;
     [[nodiscard]] std::vector<PilotSample> pilot_samples(
-        const BoundSource& light, const LampPlace& lamp) const;
+        const BoundSource& light, const LampExtent& lamp) const;
     /// @param usual  BoundSource::usual_irradiance
     [[nodiscard]] double radius_about(
-        const std::vector<PilotSample>& samples, const LampPlace& place, double usual) const;
+        const std::vector<PilotSample>& samples, const LampExtent& extent, double usual) const;
 
     const PreparedScene& prepared_;
     std::vector<Lamp> lamps_;         // one for each light

@@ -24,12 +24,12 @@ struct LightSubpathScratch {
 /// (PathClass).
 class LightSubpaths {
   public:
-    /// @param sharp_from  peak_brightness() of lobes that count as sharp
+    /// @param narrow_from  peak_brightness() of lobes that count as sharp
     LightSubpaths(
         const SolverInput& input,
         const MeasuredArea& measured,
         const LampNearField& near,
-        double sharp_from);
+        double narrow_from);
 
     /// Whether there may be such light; otherwise no subpath need be traced.
     [[nodiscard]] bool any() const { return any_; }
@@ -49,7 +49,7 @@ class LightSubpaths {
     /// Which paths count, and in which units.
     struct Rules {
         const LampNearField& near;
-        double sharp_from;
+        double narrow_from;
         std::vector<double> scales;   // by region: factor on its light
         std::vector<char> connected;  // by region: are_connected_with(), not 0; empty: none is
         bool has_unconnected;         // whether light counts on regions that are not

@@ -45,9 +45,9 @@ class LightVertices {
 class VertexLight {
   public:
     /// @param scale  as that of NextEvent
-    /// @param sharp_from  peak_brightness() of lobes that send nothing
-    VertexLight(const PreparedScene& prepared, double scale, double sharp_from)
-        : prepared_(prepared), scale_(scale), sharp_from_(sharp_from) {}
+    /// @param narrow_from  peak_brightness() of lobes that send nothing
+    VertexLight(const PreparedScene& prepared, double scale, double narrow_from)
+        : prepared_(prepared), scale_(scale), narrow_from_(narrow_from) {}
 
     /// The light of one connection.
     struct Connection {
@@ -69,7 +69,7 @@ class VertexLight {
 
   private:
     const PreparedScene& prepared_;
-    double scale_, sharp_from_;
+    double scale_, narrow_from_;
 };
 
 }  // namespace quasimc

@@ -38,7 +38,7 @@ double OrganPoints::open_part(const Organ& organ) {
     return organ.area > 0 ? std::max(0.0, 1 - organ.covered_area / organ.area) : 0;
 }
 
-OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
+OrganPoint OrganPoints::point(std::size_t organ_index, double u0, double u1) const {
     const Organ& organ = prepared_.scene().organs()[organ_index];
     EXPECT(organ.area > organ.covered_area);
     const OrganAreas::Pick pick = areas_.pick(organ, u0 * (organ.area - organ.covered_area));

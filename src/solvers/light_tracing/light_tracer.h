@@ -9,7 +9,7 @@
 
 #include "solvers/solver.h"
 #include "sums/tally.h"
-#include "transport/light_shares.h"
+#include "transport/light_sampler.h"
 #include "transport/particle.h"
 #include "transport/start_order.h"
 
@@ -79,7 +79,7 @@ class LightTracer {
     const Sampler& sampler_;
     const RunSpec& spec_;
     TracedLights traced_;
-    LightShares shares_;
+    LightSampler shares_;
     std::stop_token stop_;
     double roulette_threshold_;
     std::vector<std::optional<Vec3>> beams_;  // by source: its direction if it is a beam

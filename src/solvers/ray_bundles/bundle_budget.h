@@ -12,12 +12,12 @@ namespace quasimc {
 [[nodiscard]] double patches_for(std::uint64_t paths);
 
 /// Of a path's light, what goes along one stretch of a line, about: most bring less.
-[[nodiscard]] double light_of_stretch();
+[[nodiscard]] double light_of_segment();
 
-/// How many directions and lines each step of the exchange gets. A path is worth some stretches of
+/// How many directions and lines each step of the exchange gets. A path is worth some segments of
 /// lines, from a patch to the next. Most go to the last step, in which all light is sent once more;
 /// those of single orders share the rest by the light that is on its way, so that a step that
-/// brings little costs little. See docs/theory/ray-bundles.md.
+/// brings little costs little. See docs/develop/notebook/ray-bundles.md.
 class BundleBudget {
   public:
     /// @param paths  of the round
@@ -33,15 +33,15 @@ class BundleBudget {
 
   private:
     struct Wanted {
-        double stretches = 0, fewest = 0, fewest_directions = 0;
+        double segments = 0, fewest = 0, fewest_directions = 0;
         std::uint64_t key = 0;
     };
     [[nodiscard]] BundleGroup group(const Wanted& wanted) const;
 
     double patches_, area_;
     double passed_on_;          // by the brightest surface, twice; of nearly white ones 1
-    double of_direction_;       // stretches
-    double of_first_, of_all_;  // stretches of the first order, and of all orders together
+    double of_direction_;       // segments
+    double of_first_, of_all_;  // segments of the first order, and of all orders together
     std::vector<double> first_;
 };
 

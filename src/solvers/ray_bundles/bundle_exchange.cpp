@@ -17,7 +17,7 @@ namespace quasimc {
 namespace {
 
 /// The cache of lines takes at most this number of 4 bytes each.
-constexpr std::size_t kMostCached = std::size_t{1} << 21U;
+constexpr std::size_t kMaxCached = std::size_t{1} << 21U;
 /// Directions nearer to the horizon would follow lines through an endless canopy for ever; light
 /// that goes so flat is 1e-10 of what falls on the horizontal.
 constexpr double kFlattest = 1e-5;
@@ -122,7 +122,7 @@ class BundleExchange {
     }
 
     void cache(const LineHits& lines, const Beam& beam) {
-        if (scratch_.cache_.size() + lines.size() > kMostCached) {
+        if (scratch_.cache_.size() + lines.size() > kMaxCached) {
             exchange_cached();
         }
         scratch_.cache_.add(lines);
@@ -168,7 +168,7 @@ class BundleExchange {
     void exchange_pack(const Lines& lines, const Beam& beam, const Pack& pack, Leaving& leaving) {
         const PatchSides<0> sides = light_.sides(pack.index);
         const std::size_t bands = light_.packs()[pack.index].bands;
-        std::array<double, 2 * kMostInPack> forwards{}, backwards{};
+        std::array<double, 2 * kMaxInPack> forwards{}, backwards{};
         std::uint32_t* const ends = pack.has_ends ? leaving.ends.data() : nullptr;
         const bool has_sensors = scene_.prepared.optics().has_transparent;
         for_bands(bands, [&]<std::size_t kBands>() {

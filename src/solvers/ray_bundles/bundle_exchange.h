@@ -16,7 +16,7 @@ namespace quasimc {
 struct BundleGroup {
     std::uint32_t directions = 2;  ///< even
     double line_area = 1;          ///< wanted, across each direction: local units squared
-    std::uint64_t key = 0;         ///< places them
+    std::uint64_t key = 0;         ///< seed of their random shift
     double segments = 0;           ///< of lines, wanted
 };
 

@@ -24,7 +24,7 @@ struct DepositedRows {
 /// noise of which hardly counts beside that of bundles, and depositing takes longer than viewing.
 class DepositedSamples {
   public:
-    /// @param stream  that places them
+    /// @param stream  of the samples
     /// @param count  for each light
     /// @param most  of which one is deposited, where they are very many
     DepositedSamples(const Stream& stream, std::uint32_t count, std::uint32_t most)
@@ -297,7 +297,7 @@ class DirectDeposit {
                     amount);
                 return rays;
             }
-            at = caster.cast(place_of(prepared_, at.hit), start.direction, surface.triangle);
+            at = caster.cast(point_of(prepared_, at.hit), start.direction, surface.triangle);
         }
         if (at.end == RayEnd::escaped) {
             tally_.add(blocks.escaped_direct() + source.spectrum, to_fixed(start.weight));

@@ -10,13 +10,14 @@ namespace quasimc {
 namespace {
 
 /// Longest edge over height. Stems of rings of triangles with a ratio of 10 have the error that is
-/// told, with one of 25 twice that, with one of 100 ten times (docs/theory/ray-bundles.md).
+/// told, with one of 25 twice that, with one of 100 ten times
+/// (docs/develop/notebook/ray-bundles.md).
 constexpr double kLongTriangle = 12;
 /// A patch is long beside its organ's width if it is longer than this part of it.
 constexpr double kOfWidth = 0.75;
 /// Of an organ's area, what may lie in long patches; of all surfaces, what may lie in flat organs
 /// that have them, and in closed ones, as stems are: what goes to and fro between these is little.
-constexpr double kMostOfOrgan = 0.05, kMostOfScene = 0.15, kMostClosed = 0.25;
+constexpr double kMaxOfOrgan = 0.05, kMaxOfScene = 0.15, kMaxClosed = 0.25;
 /// Organs of which the normals agree so well are flat: they send themselves next to no light.
 constexpr double kFlat = 0.9;
 
@@ -74,7 +75,7 @@ class Shape {
         for (const Long& part : long_) {
             in_long += part.patch > most ? part.area : 0;
         }
-        return in_long > kMostOfOrgan * area_;
+        return in_long > kMaxOfOrgan * area_;
     }
     [[nodiscard]] bool is_flat() const { return length(normals_) >= kFlat * of_triangles_; }
 
@@ -110,10 +111,10 @@ LongPatches find_long_patches(const Scene& scene, const PatchSize& size) {
             found.push_back(&organ);
         }
     }
-    if (in_flat > kMostOfScene * size.area) {
+    if (in_flat > kMaxOfScene * size.area) {
         found.insert(found.end(), flat.begin(), flat.end());
     }
-    if (in_closed > kMostClosed * size.area) {
+    if (in_closed > kMaxClosed * size.area) {
         found.insert(found.end(), closed.begin(), closed.end());
     }
     return {std::move(found), in_closed / size.area};

@@ -284,14 +284,12 @@ void check_matt(const Scene& scene, Faults& faults) {
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         const Material& material = data_of(scene).materials[m];
-        if (is_used[m] && !is_matt(material)) {
+        if (is_used[m] && !is_diffuse(material)) {
             faults.add(
                 {"method",
                  fmt::format(
-                     "ray_bundles, with the material '{}' that is not matt", material.name()),
-                 "bundles send light on by the cosine law alone, with the same albedo at every "
-                 "angle",
-                 "use method = \"first_hits\""});
+                     "ray_bundles needs Lambertian materials; '{}' is not", material.name()),
+                 "", "use method = \"first_hits\""});
         }
     }
 }
@@ -301,7 +299,7 @@ SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spe
     declare_scattered_on_surfaces(kCoarse, prepared.bands(), meaning.blocks);
     declare_scattered_of_run(kCoarse, prepared.bands(), meaning.blocks);
     for (double& flux : meaning.bound("scattered").largest) {
-        flux *= light_of_stretch();
+        flux *= light_of_segment();
     }
     return meaning;
 }

@@ -6,13 +6,13 @@
 namespace quasimc {
 
 /// Whether all that scatters light does so by the cosine law, as ray bundles ask.
-[[nodiscard]] bool is_matt(const Scene& scene);
+[[nodiscard]] bool is_diffuse(const Scene& scene);
 /// Whether a material does, or is a sensor.
-[[nodiscard]] bool is_matt(const Material& material);
+[[nodiscard]] bool is_diffuse(const Material& material);
 
 /// Whether ray bundles find the light of suns and skies with smaller errors for their time than
 /// other ways do, where all organs are asked for: rules of thumb, each from a measurement
-/// (docs/theory/choosing.md).
+/// (docs/develop/notebook/choosing.md).
 /// @param gain  of equal shares of paths for each organ
 /// @param has_sun  whether a sun shines
 [[nodiscard]] bool suits_bundles(

@@ -59,7 +59,7 @@ TEST(CStatements, EveryKindOfSourceShines) {
         [&](auto* s) { return quasimc_scene_add_directional(s, 0.1, 0, -1, light); },
         [&](auto* s) { return quasimc_scene_add_sun(s, 90, 60, light); },
         [&](auto* s) {
-            return quasimc_scene_set_place(s, 52, 6, 10) +
+            return quasimc_scene_set_site(s, 52, 6, 10) +
                    quasimc_scene_add_sun_at(s, "2024-06-21T12:00:00+02:00", light);
         },
         [&](auto* s) { return quasimc_scene_add_sky(s, "uniform", light); },
@@ -93,8 +93,8 @@ TEST(CStatements, ValuesAreReplacedHoweverTheyAreWritten) {
     };
     EXPECT_EQ(set("target_error", "0.005"), QUASIMC_DONE);
     EXPECT_EQ(set("target_error", "0"), QUASIMC_DONE) << quasimc_last_error();
-    EXPECT_EQ(set("roulette_weight", "1"), QUASIMC_DONE);
-    EXPECT_EQ(set("roulette_weight", "0.5"), QUASIMC_DONE) << quasimc_last_error();
+    EXPECT_EQ(set("roulette_threshold", "1"), QUASIMC_DONE);
+    EXPECT_EQ(set("roulette_threshold", "0.5"), QUASIMC_DONE) << quasimc_last_error();
     EXPECT_EQ(set("paths", "many"), QUASIMC_DONE);
     EXPECT_EQ(set("paths", "256"), QUASIMC_DONE) << quasimc_last_error();
     double paths = 0;
@@ -110,9 +110,9 @@ TEST(CStatements, FaultyArraysAreRefused) {
     SquareLeaf leaf = square_leaf(2);
     leaf.faces[4] = 4;
     EXPECT_EQ(add_leaf(*scene, leaf), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("face 1 names vertex 4")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("face 1 refers to vertex 4")) << quasimc_last_error();
     EXPECT_EQ(add_leaf(*scene, square_leaf(1)), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("there is an organ of this id")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("the scene has an organ with this id")) << quasimc_last_error();
     leaf = square_leaf(2);
     const std::int32_t materials[] = {0, 2};
     EXPECT_EQ(
@@ -156,7 +156,7 @@ TEST(CStatements, SeveralTimesAreRefused) {
         QUASIMC_DONE);
     quasimc_result* result = nullptr;
     EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("a run is of one moment")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("a run computes one moment")) << quasimc_last_error();
 }
 
 TEST(CStatements, AMaterialOfTheSameNameReplacesTheOther) {

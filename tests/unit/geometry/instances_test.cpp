@@ -256,8 +256,8 @@ TEST(Instances, PacketsMeetWhatSingleRaysMeet) {
 TEST(Instances, RaysThatLeaveTheirTrianglesMeetWhatTheOracleMeets) {
     Random random(9);
     const auto scene = random_scene(20, random);
-    const RayCaster embree(scene, Cell{}, Engine::embree);
-    const RayCaster oracle(scene, Cell{}, Engine::brute_force);
+    const RayCaster embree(scene, Cell{}, Accelerator::embree);
+    const RayCaster oracle(scene, Cell{}, Accelerator::brute_force);
     int hits = 0, differences = 0, self_hits = 0, blocked = 0;
     constexpr int kRays = 20000;
     for (int i = 0; i < kRays; ++i) {
@@ -287,9 +287,9 @@ TEST(Instances, SmallCopiesFarFromTheMiddleKeepTheirLightApart) {
         instances.push_back({plant, a});
     }
     const auto scene = std::make_shared<const SceneGeometry>(Mesh(), std::move(instances));
-    const RayCaster embree(scene, Cell{}, Engine::embree);
-    const RayCaster oracle(scene, Cell{}, Engine::brute_force);
-    const RayCaster flattened(flat(*scene), Cell{}, Engine::embree);
+    const RayCaster embree(scene, Cell{}, Accelerator::embree);
+    const RayCaster oracle(scene, Cell{}, Accelerator::brute_force);
+    const RayCaster flattened(flat(*scene), Cell{}, Accelerator::embree);
     int self_hits = 0, differences = 0, flat_differences = 0, hits = 0;
     constexpr int kRays = 4000;
     for (int i = 0; i < kRays; ++i) {
@@ -321,8 +321,8 @@ TEST(Instances, InAPeriodicSceneMeetWhatTheFlattenedSceneMeets) {
     const auto scene = std::make_shared<const SceneGeometry>(
         Mesh(test::random_soup(30, 0.2, random)), std::move(instances));
     const Cell cell{true, true, 0, 0, 1.5, 1.2};
-    const RayCaster caster(scene, cell, Engine::embree);
-    const RayCaster flattened(flat(*scene), cell, Engine::embree);
+    const RayCaster caster(scene, cell, Accelerator::embree);
+    const RayCaster flattened(flat(*scene), cell, Accelerator::embree);
     ASSERT_GT(caster.mesh().instances.size(), 3U);
     ASSERT_LT(caster.mesh().instances.size(), 30U);
     int hits = 0, differences = 0;

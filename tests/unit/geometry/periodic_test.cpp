@@ -69,7 +69,7 @@ TEST_P(PeriodicScene, RaysMeetWhatTheyMeetAmongCopies) {
     constexpr int kScenes = 4, kRays = 250, kReach = 20;
     for (int s = 0; s < kScenes; ++s) {
         const auto triangles = awkward_scene(random);
-        const RayCaster caster(triangles, cell(), Engine::embree);
+        const RayCaster caster(triangles, cell(), Accelerator::embree);
         for (int i = 0; i < kRays; ++i) {
             const Vec3 d = slanting_direction(random);
             const Vec3 origin{
@@ -98,7 +98,7 @@ TEST_P(PeriodicScene, RaysMeetWhatTheyMeetAmongCopies) {
 TEST_P(PeriodicScene, ComparisonWithCopiesNoticesAWrongPeriod) {
     Random random(62);
     const auto triangles = awkward_scene(random);
-    const RayCaster caster(triangles, cell(), Engine::embree);
+    const RayCaster caster(triangles, cell(), Accelerator::embree);
     Cell wrong = cell();
     wrong.size_x *= 1.01;
     wrong.size_y *= 1.01;
@@ -120,8 +120,8 @@ TEST_P(PeriodicScene, ComparisonWithCopiesNoticesAWrongPeriod) {
 TEST_P(PeriodicScene, EnginesAgreeOnRaysThatLeaveTriangles) {
     Random random(63);
     const auto triangles = awkward_scene(random);
-    const RayCaster embree(triangles, cell(), Engine::embree);
-    const RayCaster oracle(triangles, cell(), Engine::brute_force);
+    const RayCaster embree(triangles, cell(), Accelerator::embree);
+    const RayCaster oracle(triangles, cell(), Accelerator::brute_force);
     int hits = 0, differences = 0;
     constexpr int kRays = 5000;
     for (int i = 0; i < kRays; ++i) {
@@ -143,7 +143,7 @@ TEST_P(PeriodicScene, EnginesAgreeOnRaysThatLeaveTriangles) {
 
 TEST_P(PeriodicScene, TheImageOfACellThatARayStartsInDoesNotMatter) {
     Random random(64);
-    const RayCaster caster(awkward_scene(random), cell(), Engine::embree);
+    const RayCaster caster(awkward_scene(random), cell(), Accelerator::embree);
     const LocalMesh& mesh = caster.mesh();
     int differences = 0;
     for (int i = 0; i < 2000; ++i) {
@@ -166,7 +166,7 @@ TEST_P(PeriodicScene, ATriangleOverABorderIsNotMetByItsOwnRays) {
     const Vec3 corner{cell().low_x + 0.9 * cell().size_x, cell().low_y + 0.9 * cell().size_y, 0};
     const RayCaster caster(
         make_triangle(corner, corner + Vec3{0.3, 0.1, 0}, corner + Vec3{0.1, 0.3, 0}), cell(),
-        Engine::embree);
+        Accelerator::embree);
     ASSERT_GT(caster.mesh().triangle_count(), 1U);
     Random random(65);
     for (int i = 0; i < 20000; ++i) {
@@ -185,7 +185,7 @@ TEST(Periodic, ABentLeafOverTheBorderIsMetInTheNextCell) {
     const std::vector<Triangle> leaf{
         {Vec3{0.8, 0.5, 0}, Vec3{1, 0.4, 0}, Vec3{1, 0.6, 0}},
         {Vec3{1, 0.4, 0}, Vec3{1.2, 0.5, 0.2}, Vec3{1, 0.6, 0}}};
-    const RayCaster caster(leaf, {true, true, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(leaf, {true, true, 0, 0, 1, 1}, Accelerator::embree);
     for (const double distance : {0.1, 0.01, 1e-3, 1e-4, 1e-5}) {
         const Vec3 origin = caster.mesh().to_local({1 - distance, 0.5, 0});
         // Any image of the first triangle that the origin lies on will do.
@@ -219,7 +219,7 @@ class Horizontal : public ::testing::Test {
 };
 
 TEST_F(Horizontal, RaysInTheLayerMeetSomethingOrAreLost) {
-    const RayCaster caster(wall_and_pole(), {true, true, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(wall_and_pole(), {true, true, 0, 0, 1, 1}, Accelerator::embree);
     EXPECT_EQ(end(caster, {0.7, 0.3, 0.2}, {1, 0, 0}), RayEnd::hit);   // in the next cell
     EXPECT_EQ(end(caster, {0.7, 0.3, 0.7}, {1, 0, 0}), RayEnd::lost);  // over the wall, for ever
     EXPECT_EQ(end(caster, {0.7, 0.3, 0.2}, {0, 1, 0}), RayEnd::lost);
@@ -227,13 +227,13 @@ TEST_F(Horizontal, RaysInTheLayerMeetSomethingOrAreLost) {
 }
 
 TEST_F(Horizontal, RaysAboveAndBelowTheLayerEscape) {
-    const RayCaster caster(wall_and_pole(), {true, true, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(wall_and_pole(), {true, true, 0, 0, 1, 1}, Accelerator::embree);
     EXPECT_EQ(end(caster, {0.7, 0.3, 1.1}, {1, 0, 0}), RayEnd::escaped);
     EXPECT_EQ(end(caster, {0.7, 0.3, -0.1}, {0.6, 0.8, 0}), RayEnd::escaped);
 }
 
 TEST_F(Horizontal, RaysAcrossARowEscapeAndAlongItAreLost) {
-    const RayCaster caster(wall_and_pole(), {true, false, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(wall_and_pole(), {true, false, 0, 0, 1, 1}, Accelerator::embree);
     EXPECT_EQ(end(caster, {0.7, 0.3, 0.7}, {0, 1, 0}), RayEnd::escaped);
     EXPECT_EQ(end(caster, {0.7, 0.3, 0.7}, {1, 0, 0}), RayEnd::lost);
     EXPECT_EQ(end(caster, {0.7, 0.9, 0.7}, {1, 0, 0}), RayEnd::escaped);  // beside the row
@@ -242,7 +242,7 @@ TEST_F(Horizontal, RaysAcrossARowEscapeAndAlongItAreLost) {
 }
 
 TEST_F(Horizontal, AlmostHorizontalRaysGoVeryFar) {
-    const RayCaster caster(wall_and_pole(), {true, true, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(wall_and_pole(), {true, true, 0, 0, 1, 1}, Accelerator::embree);
     // Falls by one ten-thousandth per cell: reaches the wall's top, 0.2 lower, in the 2000th cell.
     const CastHit hit = caster.cast(
         caster.mesh().to_local({0.7, 0.3, 0.7}), normalized({1, 0, -1e-4}), kNoTriangle);
@@ -253,7 +253,7 @@ TEST_F(Horizontal, AlmostHorizontalRaysGoVeryFar) {
 TEST(Periodic, APlateThatFillsTheCellIsAnInfinitePlane) {
     const RayCaster caster(
         make_parallelogram({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {true, true, 0, 0, 1, 1},
-        Engine::embree);
+        Accelerator::embree);
     Random random(66);
     for (int i = 0; i < 20000; ++i) {
         const Vec3 origin{random.between(-3, 3), random.between(-3, 3), 0.5};

@@ -98,7 +98,7 @@ class Precision : public ::testing::Test {
 
 TEST_F(Precision, RaysScatteredByBentAndFlatLeavesMeetWhatTheyShould) {
     Random random(32);
-    const RayCaster caster(leaves(1000, 0.005, random), Cell{}, Engine::embree);
+    const RayCaster caster(leaves(1000, 0.005, random), Cell{}, Accelerator::embree);
     const auto oracle = make_brute_force_intersector(caster.mesh());
     int same = 0, self = 0, mate = 0;
     for (int i = 0; i < kRays; ++i) {
@@ -135,16 +135,16 @@ std::vector<Triangle> long_sliver() {
         Triangle{Vec3{-1, -1, -.9}, Vec3{1, -1, -1}, Vec3{0, 1, -1}}};
 }
 
-/// How far the place of a hit lies from the line of its ray.
+/// The distance of a hit point from the line of its ray.
 double distance_from_ray(const RayCaster& caster, const Ray& ray, const Hit& hit) {
-    const Vec3 place = caster.mesh().point(hit.triangle, hit.u, hit.v);
-    return length(cross(place - ray.origin, ray.direction));
+    const Vec3 point = caster.mesh().point(hit.triangle, hit.u, hit.v);
+    return length(cross(point - ray.origin, ray.direction));
 }
 
-/// Of the engine alone a ray's place on a sliver may be a ten-thousandth of the scene away.
+/// The hit point of the accelerator alone on a sliver may be wrong by 1e-4 of the scene.
 TEST_F(Precision, RaysMeetLongSliversWhereTheyPassThem) {
     Random random(36);
-    const RayCaster caster(long_sliver(), Cell{}, Engine::embree);
+    const RayCaster caster(long_sliver(), Cell{}, Accelerator::embree);
     const auto embree = make_embree_intersector(caster.mesh());
     double worst = 0;
     double worst_of_engine = 0;
@@ -168,7 +168,7 @@ TEST_F(Precision, RaysMeetLongSliversWhereTheyPassThem) {
 /// The same of packets, whose rays are kept in single precision.
 TEST_F(Precision, PacketsMeetLongSliversWhereTheyPassThem) {
     Random random(37);
-    const RayCaster caster(long_sliver(), Cell{}, Engine::embree);
+    const RayCaster caster(long_sliver(), Cell{}, Accelerator::embree);
     double worst = 0;
     int found = 0;
     for (int i = 0; i < kRays / 16; ++i) {
@@ -198,7 +198,7 @@ TEST_F(Precision, AnOrganOfAHundredThousandthOfTheSceneDoesNotShadeItself) {
     for (const Triangle& far : make_parallelogram({-1, -1, -1}, {3, 0, 0}, {0, 0, 3})) {
         triangles.push_back(far);
     }
-    const RayCaster caster(triangles, Cell{}, Engine::embree);
+    const RayCaster caster(triangles, Cell{}, Accelerator::embree);
     const auto embree = make_embree_intersector(caster.mesh());
     int unaware = 0;
     for (int i = 0; i < 50000; ++i) {
@@ -219,7 +219,7 @@ RC_GTEST_PROP(RayCaster, GrazingRaysNeverMeetTheirOwnTriangle, ()) {
     RC_PRE(area(triangles[0]) > 0.01);
     const Vec3 edge = normalized(triangles[0][1] - triangles[0][0]);
     const Vec3 normal = normalized(area_vector(triangles[0]));
-    const RayCaster caster(triangles, Cell{}, Engine::embree);
+    const RayCaster caster(triangles, Cell{}, Accelerator::embree);
     for (int i = 0; i < 100; ++i) {
         const double slope = std::pow(10.0, -random.between(0, 9));
         const Vec3 d = normalized(edge + (random.below(2) == 0 ? slope : -slope) * normal);
@@ -234,7 +234,7 @@ TEST_F(Precision, ABendIsSeenFromVeryNear) {
     const RayCaster caster(
         {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}},
          {Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}},
-        Cell{}, Engine::embree);
+        Cell{}, Accelerator::embree);
     for (const double distance : {1e-1, 1e-3, 1e-5, 2e-6}) {
         const Vec3 origin = caster.mesh().to_local({distance, 0.2, 0});
         const CastHit hit = caster.cast(origin, normalized(Vec3{-1, 0, 1e-3}), 0);
@@ -245,15 +245,15 @@ TEST_F(Precision, ABendIsSeenFromVeryNear) {
 TEST_F(Precision, UnitsThatArePowersOfTwoGiveTheSameBits) {
     Random random(35);
     const auto triangles = leaves(300, 0.02, random);
-    const RayCaster meters(triangles, Cell{}, Engine::embree);
+    const RayCaster meters(triangles, Cell{}, Accelerator::embree);
     for (const int exponent : {-40, -10, 10, 40}) {
         const double unit = std::ldexp(1.0, exponent);
-        const RayCaster other(moved(triangles, {}, unit), Cell{}, Engine::embree);
+        const RayCaster other(moved(triangles, {}, unit), Cell{}, Accelerator::embree);
         EXPECT_TRUE(same_bits(meters, other)) << exponent;
     }
 }
 
-TEST_F(Precision, APlaceOnTheMapGivesTheSameBits) {
+TEST_F(Precision, APointOnTheMapGivesTheSameBits) {
     Random random(36);
     auto triangles = leaves(300, 0.02, random);
     for (Triangle& t : triangles) {
@@ -262,24 +262,25 @@ TEST_F(Precision, APlaceOnTheMapGivesTheSameBits) {
             corner = {exact(corner.x), exact(corner.y), exact(corner.z)};  // so is the move
         }
     }
-    const RayCaster here(triangles, Cell{}, Engine::embree);
-    const RayCaster there(moved(triangles, {500000, 5400000, 300}, 1), Cell{}, Engine::embree);
+    const RayCaster here(triangles, Cell{}, Accelerator::embree);
+    const RayCaster there(moved(triangles, {500000, 5400000, 300}, 1), Cell{}, Accelerator::embree);
     EXPECT_TRUE(same_bits(here, there));
 }
 
 TEST_F(Precision, ComparisonOfBitsNoticesTheLastOne) {
     Random random(37);
     auto triangles = leaves(300, 0.02, random);
-    const RayCaster before(triangles, Cell{}, Engine::embree);
+    const RayCaster before(triangles, Cell{}, Accelerator::embree);
     triangles[7][0].x += 1e-7;
-    EXPECT_FALSE(same_bits(before, RayCaster(triangles, Cell{}, Engine::embree)));
+    EXPECT_FALSE(same_bits(before, RayCaster(triangles, Cell{}, Accelerator::embree)));
 }
 
 TEST_F(Precision, InMillimetersTheSameTrianglesAreMet) {
     Random random(38);
     const auto triangles = leaves(500, 0.02, random);
-    const RayCaster meters(triangles, Cell{}, Engine::embree);
-    const RayCaster other(moved(triangles, {500000.1, 3.3, 7.7}, 1000), Cell{}, Engine::embree);
+    const RayCaster meters(triangles, Cell{}, Accelerator::embree);
+    const RayCaster other(
+        moved(triangles, {500000.1, 3.3, 7.7}, 1000), Cell{}, Accelerator::embree);
     int differences = 0;
     for (int i = 0; i < kRays; ++i) {
         const ScatteredRay ray = scattered_ray(meters.mesh(), random);

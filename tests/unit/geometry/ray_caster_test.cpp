@@ -18,7 +18,8 @@ using test::Random;
 TEST(RayCaster, EnginesAgreeOnRaysThatLeaveTriangles) {
     Random random(41);
     const auto soup = test::random_soup(400, 0.15, random);
-    const RayCaster embree(soup, Cell{}, Engine::embree), oracle(soup, Cell{}, Engine::brute_force);
+    const RayCaster embree(soup, Cell{}, Accelerator::embree),
+        oracle(soup, Cell{}, Accelerator::brute_force);
     int hits = 0, differences = 0;
     constexpr int kRays = 10000;
     for (int i = 0; i < kRays; ++i) {
@@ -37,14 +38,15 @@ TEST(RayCaster, EnginesAgreeOnRaysThatLeaveTriangles) {
 
 TEST(RayCaster, InAnOpenSceneEveryTriangleIsItsOwnSource) {
     Random random(42);
-    const RayCaster caster(test::random_soup(10, 0.2, random), Cell{}, Engine::brute_force);
+    const RayCaster caster(test::random_soup(10, 0.2, random), Cell{}, Accelerator::brute_force);
     for (std::uint32_t i = 0; i < 10; ++i) {
         EXPECT_EQ(caster.source(i), i);
     }
 }
 
 TEST(RayCaster, SaysWhetherARayEscapes) {
-    const RayCaster caster({{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}, Cell{}, Engine::embree);
+    const RayCaster caster(
+        {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}, Cell{}, Accelerator::embree);
     const Vec3 above = caster.mesh().to_local({0.2, 0.2, 1});
     EXPECT_EQ(caster.cast(above, {0, 0, -1}, kNoTriangle).end, RayEnd::hit);
     EXPECT_EQ(caster.cast(above, {0, 0, 1}, kNoTriangle).end, RayEnd::escaped);
@@ -54,8 +56,8 @@ TEST(RayCaster, SaysWhetherARayEscapes) {
 /// A lamp next to a plate: light of one side meets it, of a lamp in its plane no light does.
 TEST(RayCaster, TellsOnWhichSideOfAPlateALampIs) {
     const std::vector<Triangle> plate{{Vec3{-1, -1, .3}, Vec3{1, -1, .3}, Vec3{0, 1, .3}}};
-    for (const Engine engine : {Engine::embree, Engine::brute_force}) {
-        const RayCaster caster(plate, Cell{}, engine);
+    for (const Accelerator accelerator : {Accelerator::embree, Accelerator::brute_force}) {
+        const RayCaster caster(plate, Cell{}, accelerator);
         Random random(44);
         for (const double gap : {-1e-3, -1e-5, -1e-6, -2e-7, 0.0, 2e-7, 1e-6, 1e-5, 1e-3}) {
             const Vec3 lamp = caster.mesh().to_local({.1, .1, .3}) + Vec3{0, 0, gap};
@@ -76,7 +78,8 @@ TEST(RayCaster, TellsOnWhichSideOfAPlateALampIs) {
 
 TEST(RayCaster, TrianglesWithoutAreaAreNeverMet) {
     const Vec3 p{0, 0, 0}, q{1, 0, 0};
-    const RayCaster caster({{p, q, q}, {p, p, p}, {p, q, 0.5 * (p + q)}}, Cell{}, Engine::embree);
+    const RayCaster caster(
+        {{p, q, q}, {p, p, p}, {p, q, 0.5 * (p + q)}}, Cell{}, Accelerator::embree);
     Random random(43);
     for (int i = 0; i < 1000; ++i) {
         const Vec3 d = random.direction();
@@ -85,7 +88,7 @@ TEST(RayCaster, TrianglesWithoutAreaAreNeverMet) {
 }
 
 TEST(RayCaster, CanBeMoved) {
-    RayCaster first({{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}, Cell{}, Engine::embree);
+    RayCaster first({{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}, Cell{}, Accelerator::embree);
     const RayCaster second = std::move(first);
     const Vec3 above = second.mesh().to_local({0.2, 0.2, 1});
     EXPECT_EQ(second.cast(above, {0, 0, -1}, kNoTriangle).end, RayEnd::hit);
@@ -94,7 +97,7 @@ TEST(RayCaster, CanBeMoved) {
 TEST(RayCaster, ManyThreadsGetWhatOneGets) {
     Random random(45);
     const auto soup = test::random_soup(300, 0.2, random);
-    const RayCaster caster(soup, {true, true, 0, 0, 1, 1}, Engine::embree);
+    const RayCaster caster(soup, {true, true, 0, 0, 1, 1}, Accelerator::embree);
     constexpr std::uint64_t kBlocks = 64;
     const auto cast_block = [&](std::uint64_t block) {
         Random rays(block);
@@ -139,7 +142,7 @@ std::array<Vec3, kPacket> origins_before(const Vec3& d, Random& random) {
 
 TEST_P(Packets, MeetWhatSingleRaysMeet) {
     Random random(44);
-    const RayCaster caster(test::random_soup(60, 0.15, random), cell(), Engine::embree);
+    const RayCaster caster(test::random_soup(60, 0.15, random), cell(), Accelerator::embree);
     int hits = 0, differences = 0;
     for (int i = 0; i < 400; ++i) {
         Vec3 d = random.direction();

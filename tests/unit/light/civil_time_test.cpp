@@ -109,7 +109,7 @@ TEST(CivilTime, RefusesWhatNoClockShows) {
     EXPECT_NE(
         faults_of({1899}).find("year is 1899 (it must be from 1900 to 2100)"), std::string::npos);
     Faults faults;
-    check_place({91, 181, 12000, -1, 200}, "place", faults);
+    check_site({91, 181, 12000, -1, 200}, "site", faults);
     EXPECT_EQ(faults.size(), 5);
 }
 

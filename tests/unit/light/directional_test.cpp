@@ -27,7 +27,7 @@ struct MeshAperture {
     explicit MeshAperture(
         const std::vector<Triangle>& triangles,
         const Cell& cell = kOpen,
-        CrossSectionShape shape = CrossSectionShape::silhouette)
+        StartArea shape = StartArea::silhouette)
         : mesh(make_local_mesh(triangles)), projection(mesh, cell, shape) {}
     MeshAperture(const MeshAperture&) = delete;
     MeshAperture& operator=(const MeshAperture&) = delete;
@@ -56,7 +56,7 @@ TEST(Directional, SendsHardlyMoreLightThanTheSilhouetteCatches) {
 
 TEST(Directional, SendsTheLightOfTheDiscAcrossTheBoundingSphereIfAsked) {
     const auto source = make_directional_source("sun", slanted(), {1});
-    const MeshAperture opening(make_floor(), kOpen, CrossSectionShape::sphere);
+    const MeshAperture opening(make_floor(), kOpen, StartArea::bounding_sphere);
     EXPECT_NEAR(world_flux(*source, opening), std::numbers::pi * 1.25, 2e-5);
 }
 
@@ -92,8 +92,7 @@ TEST(Directional, StartsAllPathsAlikeOutsideTheScene) {
 
 TEST(Directional, FindsTheOriginsOfManyPathsAtOnce) {
     const auto source = make_directional_source("sun", slanted(), {1});
-    for (const CrossSectionShape shape :
-         {CrossSectionShape::silhouette, CrossSectionShape::sphere}) {
+    for (const StartArea shape : {StartArea::silhouette, StartArea::bounding_sphere}) {
         const MeshAperture opening(make_floor(), kOpen, shape);
         const auto sampler = model_of(*source).make_sampler_in(opening.projection);
         constexpr std::array<double, 5> kU0{0, .1, .5, .7, .999999};
@@ -119,10 +118,10 @@ TEST(Directional, SpreadsItsPathsEvenlyOverTheScene) {
     for (int i = 0; i < kStarts; ++i) {
         const Emission start = sampler->emit({uniform(bits), uniform(bits), 0, 0});
         const Vec3 from = opening.mesh.origin + start.origin / opening.mesh.scale;
-        const Vec3 place = from - (from.z / start.direction.z) * start.direction;
-        if (place.x >= 0 && place.x < 2 && place.y >= 0 && place.y < 1) {
-            x.push_back(place.x / 2);
-            y.push_back(place.y);
+        const Vec3 point = from - (from.z / start.direction.z) * start.direction;
+        if (point.x >= 0 && point.x < 2 && point.y >= 0 && point.y < 1) {
+            x.push_back(point.x / 2);
+            y.push_back(point.y);
         }
     }
     EXPECT_GE(x.size(), kStarts * 9U / 10);

@@ -9,8 +9,8 @@
 namespace quasimc::test {
 namespace {
 
-const Place kWageningen{.latitude_deg = 51.97, .longitude_deg = 5.67};
-const Place kSvalbard{.latitude_deg = 78.2, .longitude_deg = 15.6};
+const Site kWageningen{.latitude_deg = 51.97, .longitude_deg = 5.67};
+const Site kSvalbard{.latitude_deg = 78.2, .longitude_deg = 15.6};
 
 HourSources sources_of(const SunPath& path, const HourLight& light, const DaylightSources& how) {
     return make_hour_sources(make_hour_parts(path, light, how));
@@ -170,8 +170,8 @@ TEST(MeasuredLight, CountsABeamThatCantBeAsDiffuse) {
 
 /// 20 W m-2 on the horizontal with the sun at 2 degrees for 25 minutes is no beam of 1310 W m-2.
 TEST(MeasuredLight, HasNoBeamAtSunriseThatNoSkyLetsThrough) {
-    const Place place{.latitude_deg = 40, .longitude_deg = 15};
-    const SunPath sunrise = sun_path(place, {2024, 6, 21, 4, 0, 0, 1}, 3600, 300);
+    const Site site{.latitude_deg = 40, .longitude_deg = 15};
+    const SunPath sunrise = sun_path(site, {2024, 6, 21, 4, 0, 0, 1}, 3600, 300);
     ASSERT_GT(20 / sunrise.mean_sine(), 1000);
     const HourLight light = light_of_reading(sunrise, {.direct_horizontal = 20, .diffuse = 10});
     const HourLight clear = clear_light(sunrise, {});

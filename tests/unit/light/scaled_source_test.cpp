@@ -35,7 +35,7 @@ TEST(ScaledSource, IsTheSourceWithLessLight) {
 TEST(ScaledSource, SendsNothingWhenOff) {
     const LocalMesh mesh =
         make_local_mesh(std::vector<Triangle>{{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}});
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     EXPECT_NE(model_of(*make_dimmed(lamp(), .1)).make_sampler_in(projection), nullptr);
     EXPECT_EQ(model_of(*make_dimmed(lamp(), 0)).make_sampler_in(projection), nullptr);
 }

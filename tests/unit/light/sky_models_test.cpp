@@ -198,7 +198,7 @@ EntryBox make_entry_box() {
 }
 
 /// Seen along the light, starts are even over the box: each face has its share.
-TEST(EntryPlace, IsEvenOverTheBoxAsSeenAlongTheLight) {
+TEST(EntryPoint, IsEvenOverTheBoxAsSeenAlongTheLight) {
     const EntryBox box = make_entry_box();
     std::mt19937_64 bits(10);
     std::uniform_real_distribution<double> uniform;
@@ -207,7 +207,7 @@ TEST(EntryPlace, IsEvenOverTheBoxAsSeenAlongTheLight) {
         constexpr int kStarts = 20000;
         std::array<double, 3> faces{};
         for (int i = 0; i < kStarts; ++i) {
-            const Vec3 p = entry_place(box, d, uniform(bits), uniform(bits));
+            const Vec3 p = entry_point(box, d, uniform(bits), uniform(bits));
             const bool at_z = p.z == (d.z > 0 ? 0 : 1) && d.z != 0;
             const bool at_x = !at_z && d.x != 0 && p.x == (d.x > 0 ? 0 : 4);
             faces[at_z ? 2 : at_x ? 0 : 1] += 1;
@@ -282,7 +282,7 @@ TEST(SunDisk, MayStandOnTheHorizon) {
 TEST(SunDisk, SendsTheLightThatEntersTheBox) {
     const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     for (const Vec3& to_sun : {sun_at(60), sun_at(1), Vec3{0, 0, 1}, Vec3{0, 1, 0}}) {
         const auto sampler =
             model_of(*make_sun_disk("sun", to_sun, 3, {1})).make_sampler_in(projection);
@@ -306,7 +306,7 @@ TEST(SunDisk, SendsTheLightThatEntersTheBox) {
 TEST(SunDisk, DrawsItsDirectionsEvenly) {
     const std::vector<Triangle> triangles{{Vec3{0, 0, 0}, Vec3{4, 2, 0}, Vec3{4, 0, 1}}};
     const LocalMesh mesh = make_local_mesh(triangles);
-    const SceneProjection projection(mesh, {}, CrossSectionShape::silhouette);
+    const SceneProjection projection(mesh, {}, StartArea::silhouette);
     constexpr double kRadius = 3 * pi / 180;
     const Vec3 to_sun = sun_at(60);
     const auto sampler =

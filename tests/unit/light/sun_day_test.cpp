@@ -17,7 +17,7 @@ double clock(int hour, int minute, double second = 0) {
 }
 
 struct Day {
-    Place place;
+    Site site;
     CivilTime date;
     double sunrise, transit, sunset;
 };
@@ -25,14 +25,14 @@ struct Day {
 /// Reda and Andreas (2004): the example (transit and sunset are those of the eve, since the report
 /// counts in days of Greenwich), table A6; NREL's calculator. To the second.
 TEST(SunDay, RisesAndSetsAsInTheReport) {
-    constexpr Place kGolden{39.742476, -105.1786, 1830.14};
+    constexpr Site kGolden{39.742476, -105.1786, 1830.14};
     const std::array<Day, 4> table{
         {{{-35, 0}, {1996, 7, 5}, clock(7, 8, 15), clock(12, 4, 36), clock(17, 1, 4)},
          {{-35, 0}, {2004, 12, 4}, clock(4, 38, 57), clock(11, 50, 22), clock(19, 2, 3)},
          {{35, 0}, {1994, 1, 2}, clock(7, 8, 12), 0, clock(16, 59, 55)},
          {kGolden, {2015, 8, 2, 0, 0, 0, -7}, clock(5, 0, 27), clock(12, 6, 58), 0}}};
     for (const Day& row : table) {
-        const SunDay day = sun_day(row.place, row.date, 65);
+        const SunDay day = sun_day(row.site, row.date, 65);
         ASSERT_EQ(day.kind, DayKind::ordinary);
         EXPECT_NEAR(seconds_of(*day.sunrise), row.sunrise, 1) << row.date.year;
         if (row.transit > 0) {
@@ -52,8 +52,8 @@ TEST(SunDay, RisesAndSetsAsInTheReport) {
 
 /// Tables of the US Naval Observatory, to the minute.
 TEST(SunDay, RisesAndSetsAsTheNavalObservatoryHasIt) {
-    constexpr Place kColorado{39, -105};
-    constexpr Place kBeijing{39.917, 116.383};
+    constexpr Site kColorado{39, -105};
+    constexpr Site kBeijing{39.917, 116.383};
     const std::array<Day, 8> table{
         {{kColorado, {2015, 1, 2, 0, 0, 0, -7}, clock(7, 19), 0, clock(16, 49)},
          {kColorado, {2015, 4, 2, 0, 0, 0, -7}, clock(5, 43), 0, clock(18, 24)},
@@ -64,14 +64,14 @@ TEST(SunDay, RisesAndSetsAsTheNavalObservatoryHasIt) {
          {kBeijing, {2015, 8, 2, 0, 0, 0, 8}, clock(5, 13), 0, clock(19, 28)},
          {kBeijing, {2015, 12, 2, 0, 0, 0, 8}, clock(7, 17), 0, clock(16, 50)}}};
     for (const Day& row : table) {
-        const SunDay day = sun_day(row.place, row.date);
+        const SunDay day = sun_day(row.site, row.date);
         EXPECT_NEAR(seconds_of(*day.sunrise), row.sunrise, 31) << row.date.month;
         EXPECT_NEAR(seconds_of(*day.sunset), row.sunset, 31) << row.date.month;
     }
 }
 
 TEST(SunDay, HasNoRiseOnPolarDaysAndNights) {
-    constexpr Place kTromso{69.65, 18.96};
+    constexpr Site kTromso{69.65, 18.96};
     const SunDay summer = sun_day(kTromso, {2024, 6, 21, 0, 0, 0, 2});
     EXPECT_EQ(summer.kind, DayKind::polar_day);
     EXPECT_FALSE(summer.sunrise || summer.sunset);
@@ -87,7 +87,7 @@ TEST(SunDay, HasNoRiseOnPolarDaysAndNights) {
 
 /// In May a sun of the north sets after midnight, and belongs to the day before.
 TEST(SunDay, MaySetAfterMidnight) {
-    constexpr Place kBodo{67.28, 14.40};
+    constexpr Site kBodo{67.28, 14.40};
     const SunDay day = sun_day(kBodo, {2024, 5, 27, 0, 0, 0, 2});
     ASSERT_TRUE(day.sunset);
     EXPECT_EQ(day.transit.day, 27);
@@ -98,13 +98,13 @@ TEST(SunDay, MaySetAfterMidnight) {
 /// What rises is the sun of sun_position: 0.8333 degrees below the horizon but for its parallax.
 TEST(SunDay, IsThatOfTheSunsPosition) {
     for (const double longitude : {-170.0, 0.0, 120.0}) {
-        const Place place{48, longitude};
+        const Site site{48, longitude};
         const CivilTime date{2024, 2, 29, 0, 0, 0, nautical_utc_offset(longitude)};
-        const SunDay day = sun_day(place, date);
+        const SunDay day = sun_day(site, date);
         EXPECT_EQ(day.transit.day, 29);
-        EXPECT_NEAR(sun_position(place, *day.sunrise).true_elevation_deg, -.8333, .004);
-        EXPECT_NEAR(sun_position(place, *day.sunset).true_elevation_deg, -.8333, .004);
-        const double azimuth = sun_position(place, day.transit).azimuth_deg;
+        EXPECT_NEAR(sun_position(site, *day.sunrise).true_elevation_deg, -.8333, .004);
+        EXPECT_NEAR(sun_position(site, *day.sunset).true_elevation_deg, -.8333, .004);
+        const double azimuth = sun_position(site, day.transit).azimuth_deg;
         EXPECT_NEAR(azimuth, 180, .01);
     }
 }

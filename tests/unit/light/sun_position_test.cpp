@@ -9,8 +9,8 @@
 namespace quasimc::test {
 namespace {
 
-/// Golden, Colorado: the place of the report's example.
-constexpr Place kGolden{39.742476, -105.1786, 1830.14, 820, 11};
+/// Golden, Colorado: the site of the report's example.
+constexpr Site kGolden{39.742476, -105.1786, 1830.14, 820, 11};
 constexpr CivilTime kExample{2003, 10, 17, 12, 30, 30, -7};
 
 /// Reda and Andreas (2004), table A5.1.
@@ -121,9 +121,9 @@ TEST(SunPosition, IsThatOfTheNavalObservatory) {
 /// A control: a minute late, or a degree east, is noticed.
 TEST(SunPosition, DiffersAMinuteLaterAndADegreeFurtherEast) {
     const Observation& seen = kNavalObservatory[1];
-    const Place place{seen.latitude, seen.longitude};
+    const Site site{seen.latitude, seen.longitude};
     EXPECT_GT(
-        std::abs(90 - sun_position(place, later(seen.time, 60)).true_elevation_deg - seen.zenith),
+        std::abs(90 - sun_position(site, later(seen.time, 60)).true_elevation_deg - seen.zenith),
         .1);
     EXPECT_GT(
         std::abs(
@@ -142,7 +142,7 @@ TEST(SunPosition, IsTheSameInEveryTimeZone) {
 }
 
 TEST(SunPosition, IsLiftedByTheAirOnlyWhereItIsSeen) {
-    Place vacuum = kGolden;
+    Site vacuum = kGolden;
     vacuum.pressure_hpa = 0;
     const SunPosition without = sun_position(vacuum, kExample, 67);
     EXPECT_EQ(without.elevation_deg, without.true_elevation_deg);
@@ -163,13 +163,13 @@ TEST(SunPosition, IsDefinedAtThePolesAndOverhead) {
     }
 }
 
-RC_GTEST_PROP(SunPosition, IsADirectionAtAnyTimeAndPlace, ()) {
+RC_GTEST_PROP(SunPosition, IsADirectionAtAnyTimeAndSite, ()) {
     const auto uniform = [](int low, int high) { return *rc::gen::inRange(low, high + 1); };
-    const Place place{uniform(-900, 900) / 10.0, uniform(-1800, 1800) / 10.0};
+    const Site site{uniform(-900, 900) / 10.0, uniform(-1800, 1800) / 10.0};
     CivilTime time{
         uniform(kFirstYear, kLastYear), uniform(1, 12), uniform(1, 28), uniform(0, 23),
         uniform(0, 59)};
-    const SunPosition sun = sun_position(place, time);
+    const SunPosition sun = sun_position(site, time);
     RC_ASSERT(sun.azimuth_deg >= 0 && sun.azimuth_deg < 360);
     RC_ASSERT(std::abs(sun.true_elevation_deg) <= 90);
     RC_ASSERT(sun.elevation_deg >= sun.true_elevation_deg);

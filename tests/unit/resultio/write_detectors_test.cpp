@@ -24,7 +24,7 @@ RunFile detector_run(const std::string& more) {
 
 /// The table of a result in which every bin has the numbers 3, 1, 2 and 4, without comments.
 std::vector<std::string> rows_of(const RunFile& run, std::size_t time_step = 0) {
-    Result result = dark_result(run.scene, run.spec);
+    Result result = zero_result(run.scene, run.spec);
     for (DetectorResult& detector : result.detectors) {
         detector.values.assign(detector.values.size(), {3, 1, 2, 4});
     }
@@ -41,7 +41,7 @@ std::vector<std::string> rows_of(const RunFile& run, std::size_t time_step = 0) 
 
 TEST(WriteDetectors, HasARowForEachBinAndBand) {
     RunFile run = detector_run("");
-    run.output.night = true;  // the result is dark
+    run.output.include_night = true;  // the result is dark
     const std::vector<std::string> rows = rows_of(run);
     ASSERT_EQ(rows.size(), 1U + 2 * 2 + 2);
     EXPECT_EQ(rows[0], "detector,bin,band,unit,mean,standard_error,low,high");
@@ -53,10 +53,10 @@ TEST(WriteDetectors, HasARowForEachBinAndBand) {
 
 TEST(WriteDetectors, BeginsWithPointsAndTimes) {
     RunFile run = detector_run(
-        "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\ntimes = "
+        "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\ntimes = "
         "['2024-06-21T12:00+02:00']\n");
     EXPECT_EQ(rows_of(run).size(), 1U) << "the time is dark";
-    run.output.night = true;
+    run.output.include_night = true;
     run.sweep = std::make_shared<std::vector<SweepPoint>>(std::vector<SweepPoint>{
         {.values = {{.key = "run.seed", .text = "5"}}, .source_notes = {}}});
     const std::vector<std::string> rows = rows_of(run);

@@ -96,7 +96,7 @@ class NewQuantity : public ::testing::Test {
   private:
     static Scene scene_of_a_leaf() {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .3, .2));
+        builder.add_material(diffuse("leaf", .3, .2));
         builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 1)));
         return std::move(builder).build();
     }
@@ -105,8 +105,9 @@ class NewQuantity : public ::testing::Test {
     Sources sources_{sky({1})};
     RunSpec spec_;
     PreparedScene prepared_{
-        scene_, sources_, spec_.window,
-        std::make_shared<const RayCaster>(data_of(scene_).geometry, scene_.cell(), spec_.engine)};
+        scene_, sources_, spec_.start_area,
+        std::make_shared<const RayCaster>(
+            data_of(scene_).geometry, scene_.cell(), spec_.accelerator)};
     std::unique_ptr<Sampler> sampler_ = make_sampler("sobol");
 };
 
@@ -124,7 +125,7 @@ TEST_F(NewQuantity, HasABoundWhereNothingWasSummed) {
     Sums sums = none;
     sums->samples = 100;
     EXPECT_EQ(fraction_of(sums, 2, 1).mean, 0);
-    EXPECT_NEAR(fraction_of(sums, 2, 1).high, 3 * 2. / (2 * 100), 1e-12);
+    EXPECT_NEAR(fraction_of(sums, 2, 1).ci95_high, 3 * 2. / (2 * 100), 1e-12);
 }
 
 TEST_F(NewQuantity, IsSavedAndAdded) {

@@ -15,7 +15,7 @@ namespace {
 
 Scene make_two_leaves(double height, double rho = .4) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", rho, .2));
+    builder.add_material(diffuse("leaf", rho, .2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, height)));
     builder.add_organ(organ("lower leaf", "leaf", floor_of(.5, 1.5, 0, 1, 0)));
     return std::move(builder).build();
@@ -76,7 +76,7 @@ TEST_F(SimulatorTest, BuildsAnewForOtherGeometry) {
     EXPECT_TRUE(same_bits(run(higher, short_run()), quasimc::run(higher, sources_, short_run())));
     EXPECT_EQ(simulator_.builds(), 2U);
     RunSpec spec = short_run();
-    spec.engine = Engine::brute_force;
+    spec.accelerator = Accelerator::brute_force;
     static_cast<void>(run(higher, spec));
     EXPECT_EQ(simulator_.builds(), 3U);
 }
@@ -103,7 +103,7 @@ TEST_F(SimulatorTest, GivesAGrowingPlantTheSameLightOnAnyNumberOfThreads) {
     Simulator of_one_thread;
     for (const std::size_t leaves : {1U, 30U, 200U, 1000U}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .4, .2));
+        builder.add_material(diffuse("leaf", .4, .2));
         add_leaves(builder, random_leaves(leaves, .2, 1, 3));
         const Scene plant = std::move(builder).build();
         RunSpec spec = short_run();

@@ -26,7 +26,7 @@ std::vector<std::string> output_names() {
 std::string with_output(const std::string& output) {
     RunText text;
     text.top += "[output]\n" + output;
-    text.sources += "[place]\nlatitude_deg = 50\nlongitude_deg = 8\n";
+    text.sources += "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n";
     text.rest =
         "[time]\nday = '2024-06-21'\nutc_offset_hours = 2\n[[detector]]\ntype = "
         "'escaped_by_zenith'\n";

@@ -69,7 +69,7 @@ TEST(Options, RefuseValuesOutOfRangeAndSayTheRange) {
     const Option& option = *find_option("paths");
     const auto fault = check_option(option, std::int64_t{0});
     ASSERT_TRUE(fault);
-    EXPECT_EQ(fault->text(), "paths is 0 (it takes 1 to 1073741824)");
+    EXPECT_EQ(fault->text(), "0 is out of range (1 to 2^30)");
     EXPECT_TRUE(check_option(option, std::int64_t{-1}));
     EXPECT_TRUE(check_option(option, std::int64_t{1} << 40));
 }

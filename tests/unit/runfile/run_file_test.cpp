@@ -64,10 +64,10 @@ TEST(RunFile, OptionsFromOutsideGoBeforeIt) {
     EXPECT_EQ(run.spec.seed, 3U);
 }
 
-TEST(RunFile, FaultsOfOptionsFromOutsideNameTheirPlace) {
+TEST(RunFile, FaultsOfOptionsFromOutsideNameTheirLocation) {
     EXPECT_EQ(
         faults_of(RunText{}.text(), {}, {{"paths", "many", "--paths"}}),
-        (Texts{"--paths: paths is 'many' (it takes a whole number: 1 to 1073741824)"}));
+        (Texts{"--paths: 'many' is not a whole number (1 to 2^30)"}));
     EXPECT_TRUE(mentions(
         faults_of(RunText{}.text(), {}, {{"pahts", "1", "here"}}), "did you mean 'paths'?"));
 }
@@ -106,16 +106,15 @@ TEST(RunFile, SaysWhatIsWrongWithGroupsAndLayers) {
     const auto faults = faults_of(text.text());
     EXPECT_TRUE(mentions(
         faults,
-        "run.toml:3: groups: no organ has a label 'plnat' (groups are made of the values of a "
+        "run.toml:3: groups: no organ has a label 'plnat' (groups are formed by the values of a "
         "label); did you mean 'plant'?"));
     EXPECT_TRUE(mentions(
         faults,
-        "run.toml:4: layer_heights: 0 follows 1 (heights are finite numbers that ascend); state "
-        "them from below to above"));
+        "run.toml:4: layer_heights: 0 follows 1 (heights must be finite and ascending); give them "
+        "in ascending order"));
     text.run = "[run]\nlayer_heights = ['a']\n";
-    EXPECT_TRUE(mentions(
-        faults_of(text.text()),
-        "layer_heights is [\"a\"] (it takes a list of numbers: list of finite numbers)"));
+    EXPECT_TRUE(
+        mentions(faults_of(text.text()), "layer_heights: [\"a\"] is not a list of finite numbers"));
     text.run = "[run]\nlayer_heights = [0, inf]\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "run.toml:3: [run]: layer_heights is [0, inf]"));
 }
@@ -129,20 +128,20 @@ TEST(RunFile, ChoosesWhatIsWritten) {
     EXPECT_EQ(run.output.quantities.size(), 2U);
     EXPECT_EQ(run.output.bands, std::vector<std::string>{"PAR"});
     EXPECT_EQ(run.output.files.at("groups_csv"), "/run/g.csv");
-    EXPECT_FALSE(run.output.night);
+    EXPECT_FALSE(run.output.include_night);
 }
 
 TEST(RunFile, SaysWhatIsWrongWithTheChoice) {
     RunText text;
     text.rest =
         "[output]\nquantities = ['absorbed']\nbands = ['PRA']\ngroups = ['plant']\n"
-        "night = true\nhours = [8, 6]\n";
+        "include_night = true\ntime_of_day = [8, 6]\n";
     const auto faults = faults_of(text.text());
     EXPECT_TRUE(mentions(faults, "'absorbed' is not a quantity"));
-    EXPECT_TRUE(mentions(faults, "'PRA' is not a band of the scene; did you mean 'PAR'?"));
+    EXPECT_TRUE(mentions(faults, "'PRA' is not a band; did you mean 'PAR'?"));
     EXPECT_TRUE(mentions(faults, "groups is an option of the run; put it below [run]"));
-    EXPECT_TRUE(mentions(faults, "night without [time] (nights need times)"));
-    EXPECT_TRUE(mentions(faults, "hours is [8, 6]"));
+    EXPECT_TRUE(mentions(faults, "include_night without [time] (night hours need [time])"));
+    EXPECT_TRUE(mentions(faults, "time_of_day is [8, 6]"));
     text.rest = "[output]\ncsv = 'a'\ngroups_csv = 'a'\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "csv and groups_csv name the same file"));
 }
@@ -176,8 +175,8 @@ TEST(RunFile, ReportsAllItsFaultsAtOnce) {
     text.organs += "[[organ]]\nmaterial = 'bark'\nshape = 'triangle'\ncorners = [[0, 0, 1]]\n";
     const Texts faults = faults_of(text.text());
     for (const char* part :
-         {"run.toml:2: up is 'x'", "run.toml:4: [run]: paths is 0",
-          "run.toml:5: [run]: sampler is 'sobel'",
+         {"run.toml:2: up: 'x' is not one of", "run.toml:4: [run]: paths: 0 is out of range",
+          "run.toml:5: [run]: sampler: 'sobel' is not one of",
           "run.toml:8: source 'directional': direction is [0, 0, 0]",
           "run.toml:9: source 'directional': irradiance_facing is -1",
           "run.toml:10: ", "run.toml:21: organ: 1 corners", "'bark'"}) {
@@ -208,7 +207,8 @@ TEST(RunFile, RefusesANorthThatIsNotHorizontal) {
     for (const char* north : {"[0, 0, 1]", "[0, 0, 0]", "[0, 1, 0.1]", "[1e300, 1e300, 0]"}) {
         RunText text;
         text.top += std::string("north = ") + north + "\n";
-        EXPECT_TRUE(mentions(faults_of(text.text()), "north is no horizontal direction")) << north;
+        EXPECT_TRUE(mentions(faults_of(text.text()), "north is not a horizontal direction"))
+            << north;
     }
 }
 
@@ -289,7 +289,7 @@ TEST(RunFile, NamesTheFilesItWasMadeFrom) {
     const RunFile run = read_text(text.text(), {{"a.tri", "0 0 0 3 0 0 0 3 0\n"}});
     ASSERT_EQ(run.inputs.size(), 1U);
     EXPECT_EQ(run.inputs[0].path, "a.tri");
-    EXPECT_EQ(run.inputs[0].resolved, "/run/a.tri");
+    EXPECT_EQ(run.inputs[0].absolute_path, "/run/a.tri");
     EXPECT_EQ(run.inputs[0].bytes, 18U);
     EXPECT_EQ(run.inputs[0].sha256.size(), 64U);
 }

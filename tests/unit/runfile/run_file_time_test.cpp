@@ -61,7 +61,7 @@ TEST(RunFileTime, OfTimesMayHaveAmountsInAnyUnit) {
     RunText text;
     text.top = "[[band]]\nname = 'PAR'\nunit = 'umol m-2 s-1'\n";
     text.sources = "";
-    text.rest = std::string(kPlace) + "[time]\n" + times + "global = [1500, 200]\nunit = 'PPFD'\n";
+    text.rest = std::string(kSite) + "[time]\n" + times + "global = [1500, 200]\nunit = 'PPFD'\n";
     const RunFile run = read_text(text.text());
     // In the order of the times as stated.
     EXPECT_NEAR(on_the_horizontal(run.series->time_steps[1]), 1500, 1e-6 * 1500);
@@ -74,7 +74,7 @@ TEST(RunFileTime, SplitsLightIntoBandsByTheirWavelengths) {
         "[[band]]\nname = 'mine'\nfrom_nm = 655\nto_nm = 665\n[[band]]\nname = 'red'\n"
         "[[band]]\nname = 'R'\nunit = 'umol m-2 s-1'\n";
     text.sources = "";
-    text.rest = std::string(kPlace) + "[time]\ntimes = ['2024-06-21T13:40+02:00']\n";
+    text.rest = std::string(kSite) + "[time]\ntimes = ['2024-06-21T13:40+02:00']\n";
     const RunFile run = read_text(text.text());
     const auto spectrum = run.series->time_steps[0].sources[0]->spectrum();
     EXPECT_DOUBLE_EQ(spectrum[0], spectrum[1]);
@@ -82,7 +82,7 @@ TEST(RunFileTime, SplitsLightIntoBandsByTheirWavelengths) {
     text.top = "bands = ['green stuff']\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "the wavelengths of band 'green stuff'"));
     text.top = "[[band]]\nname = 'PAR'\nunit = 'klm'\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "daylight is known in W m-2"));
+    EXPECT_TRUE(mentions(faults_of(text.text()), "daylight is available in W m-2"));
 }
 
 TEST(RunFileTime, TakesSpectraOfOnesOwn) {
@@ -92,7 +92,7 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
     RunText text;
     text.top = "[[band]]\nname = 'low'\nfrom_nm = 300\nto_nm = 500\n";
     text.sources = "";
-    text.rest = std::string(kPlace) +
+    text.rest = std::string(kSite) +
                 "[time]\ntimes = ['2024-06-21T13:40+02:00']\nspectrum = 's.csv'\n"
                 "direct_horizontal = 400\ndiffuse = 100\n";
     const RunFile run = read_text(text.text(), files);
@@ -101,9 +101,9 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
     const auto bad = faults_of(
         text.text(), {{"s.csv", "wavelength_nm,direct,diffuse\n300,1\n300,1,0\n300,1,0\nx,1,1\n"}});
     EXPECT_EQ(bad.size(), 2U) << "one line for each kind of fault";
-    EXPECT_TRUE(mentions(bad, "does not grow"));
-    EXPECT_TRUE(mentions(bad, "s.csv:2: is no row of a spectrum"));
-    EXPECT_TRUE(mentions(bad, "; 1 more rows have this fault"));
+    EXPECT_TRUE(mentions(bad, "does not increase"));
+    EXPECT_TRUE(mentions(bad, "s.csv:2: is not a row of a spectrum"));
+    EXPECT_TRUE(mentions(bad, "; 1 more row with this error"));
     EXPECT_TRUE(mentions(
         faults_of(text.text(), {{"s.csv", "nm,a\n"}}), "names of the columns are missing"));
     EXPECT_TRUE(mentions(
@@ -133,7 +133,7 @@ NoonLight noon_of(const std::string& spectrum) {
     RunText text;
     text.top = "bands = ['PAR', 'NIR']\n";
     text.sources = "";
-    text.rest = std::string(kPlace) + "[time]\ntimes = ['2024-06-21T12:00Z']\nspectrum = 's.csv'\n";
+    text.rest = std::string(kSite) + "[time]\ntimes = ['2024-06-21T12:00Z']\nspectrum = 's.csv'\n";
     const RunFile run = read_text(text.text(), {{"s.csv", spectrum}});
     NoonLight light;
     for (const auto& source : run.series->time_steps[0].sources) {
@@ -141,7 +141,7 @@ NoonLight noon_of(const std::string& spectrum) {
         light.nir += source->spectrum()[1] * source->horizontal_irradiance();
     }
     for (const Warning& warning : run.warnings) {
-        light.warnings += warning.place + ": " + warning.text + "\n";
+        light.warnings += warning.where + ": " + warning.text + "\n";
     }
     return light;
 }
@@ -155,7 +155,7 @@ TEST(RunFileTime, TakesTheStandardsLightOutsideAShortSpectrum) {
         EXPECT_NEAR(part.nir, whole.nir, .02 * whole.nir) << from;
         EXPECT_NE(
             part.warnings.find(fmt::format(
-                "s.csv: the rows cover {} to {} nm, and daylight is of 280 to 4000 nm", from, to)),
+                "s.csv: the rows cover {} to {} nm, daylight 280 to 4000 nm", from, to)),
             std::string::npos)
             << part.warnings;
     }
@@ -166,7 +166,7 @@ TEST(RunFileTime, TakesTheStandardsLightOutsideAShortSpectrum) {
     EXPECT_NE(dark.warnings.find("0 % of the direct"), std::string::npos) << dark.warnings;
     EXPECT_NE(
         noon_of("wavelength_nm,direct,diffuse\n280,0,0\n400,1,1\n650,1,1\n699,0,0\n4000,0,0\n")
-            .warnings.find("daylight has no light in band 'NIR', 700 to 2500 nm"),
+            .warnings.find("daylight contains no light in band 'NIR', 700 to 2500 nm"),
         std::string::npos);
 }
 
@@ -174,7 +174,7 @@ TEST(RunFileTime, LampsShineAtAllTimes) {
     RunText text;
     text.sources = "[[source]]\ntype = 'point'\nposition = [0, 0, 3]\npower = 9\n";
     text.rest =
-        std::string(kPlace) + "[time]\nday = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n";
+        std::string(kSite) + "[time]\nday = '2024-06-21'\nutc_offset_hours = 1\nsky = 'uniform'\n";
     const RunFile run = read_text(text.text());
     EXPECT_EQ(run.sources.size(), 1U);
     EXPECT_EQ(run.series->time_steps[0].sources.size(), 1U);
@@ -208,9 +208,9 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
     EXPECT_TRUE(
         mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhors = [9, 10]\n"), "hours"));
     EXPECT_TRUE(mentions(
-        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the place is missing"));
+        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the site is missing"));
     EXPECT_TRUE(mentions(
-        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[place]\nlatitude_deg = 91\n")),
+        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[site]\nlatitude_deg = 91\n")),
         "latitude_deg"));
 }
 
@@ -219,12 +219,12 @@ TEST(RunFileTime, TellsNightAndPolarNight) {
     const auto tells_night = [](const std::string& text) {
         const RunFile run = read_text(text);
         return std::any_of(run.warnings.begin(), run.warnings.end(), [](const Warning& warning) {
-            return warning.text.find("dark at all these times") != std::string::npos;
+            return warning.text.find("it is night at all time steps") != std::string::npos;
         });
     };
     EXPECT_TRUE(tells_night(with_time("times = ['2024-06-21T00:00+01:00']\n")));
     EXPECT_FALSE(tells_night(with_time("times = ['2024-06-21T12:00+01:00']\n")));
-    const std::string svalbard = "[place]\nlatitude_deg = 78.2\nlongitude_deg = 15.6\n";
+    const std::string svalbard = "[site]\nlatitude_deg = 78.2\nlongitude_deg = 15.6\n";
     const std::string day = "day = '2024-12-21'\nutc_offset_hours = 1\n";
     EXPECT_TRUE(tells_night(with_time(day, svalbard)));
     const RunFile summer = read_text(
@@ -246,7 +246,7 @@ TEST(RunFileTime, WarnsOfTimesThatOverlap) {
         "times = ['2024-06-21T12:00+01:00', '2024-06-21T11:30+01:00', '2024-06-21T13:00+01:00']\n";
     EXPECT_NE(
         overlap_warnings(times + "duration_minutes = 60\n")
-            .find("1 of the times overlap, and sums over days count their light twice: "
+            .find("1 of the time steps overlap, and daily sums count their light twice: "
                   "2024-06-21T12:00+01:00 begins 30 min after 2024-06-21T11:30+01:00, which lasts "
                   "60 min"),
         std::string::npos)
@@ -258,7 +258,7 @@ TEST(RunFileTime, WarnsOfTimesThatOverlap) {
 TEST(RunFileTime, WarnsOfAClockFromElsewhere) {
     const RunFile run = read_text(with_time(
         "times = ['2024-06-21T12:00-07:00']\nutc_offset_hours = -7\n",
-        "[place]\nlatitude_deg = 80\nlongitude_deg = 105.2\n"));
+        "[site]\nlatitude_deg = 80\nlongitude_deg = 105.2\n"));
     ASSERT_FALSE(run.warnings.empty());
     EXPECT_NE(run.warnings[0].text.find("sign of the longitude"), std::string::npos);
 }
@@ -281,7 +281,7 @@ TEST(RunFileWeather, GivesTheLightOfATable) {
         series_of("weather = 'w.csv'\nstamp = 'start'\n", {{"w.csv", day_table()}});
     ASSERT_EQ(series.time_steps.size(), 48U);
     EXPECT_EQ(series.time_steps[0].seconds, 1800);
-    const MomentNotes& noon = series.notes[24];
+    const TimeStepNotes& noon = series.notes[24];
     EXPECT_EQ(noon.time, "2024-06-21T12:00+01:00");
     EXPECT_NEAR(noon.daylight.diffuse / noon.daylight.global(), .3, 1e-4);
     const TimeSeries some = series_of(
@@ -298,7 +298,7 @@ TEST(RunFileWeather, GivesTheLightOfATable) {
         faults_of(
             with_time("weather = 'w.csv'\nday = '2024-06-23'\nutc_offset_hours = 1\n"),
             {{"w.csv", day_table()}}),
-        "no light of the times asked for"));
+        "no light at the requested times"));
 }
 
 /// A clock twelve hours off puts light into the night.
@@ -309,8 +309,9 @@ TEST(RunFileWeather, NoticesAWrongTimeZone) {
         shifted.replace(at, 6, "-11:00");
     }
     const auto faults = faults_of(with_time("weather = 'w.csv'\n"), {{"w.csv", shifted}});
-    EXPECT_TRUE(mentions(faults, "degrees below the horizon (time zone, place or stamp are wrong"));
-    EXPECT_TRUE(mentions(faults, "more times have this fault"));
+    EXPECT_TRUE(
+        mentions(faults, "degrees below the horizon (the time zone, the site or stamp is wrong"));
+    EXPECT_TRUE(mentions(faults, "with this error"));
     EXPECT_EQ(faults.size(), 1U);
 }
 
@@ -320,7 +321,7 @@ std::vector<std::string> warnings_of_noon(const std::string& global, const std::
     const std::string keys = "times = ['2024-06-21T12:00+01:00']\nduration_minutes = 60\n";
     for (const Warning& warning :
          read_text(with_time(keys + "global = " + global + "\nunit = '" + unit + "'\n")).warnings) {
-        warnings.push_back(warning.place + ": " + warning.text);
+        warnings.push_back(warning.where + ": " + warning.text);
     }
     return warnings;
 }
@@ -381,7 +382,7 @@ TEST(RunFileWeather, GapsAreFaultsOrLeftOut) {
         faults_of(
             with_time(keys + "gaps = 'skip'\n"),
             {{"w.csv", "time,global\n2024-06-21T12:00+01:00,\n2024-06-21T13:00+01:00,\n"}}),
-        "no time of those asked for has light"));
+        "no requested time has light"));
     const std::string day = "day = '2024-06-21'\nutc_offset_hours = 1\n";
     EXPECT_TRUE(mentions(
         faults_of(with_time(keys + day), {{"w.csv", day_table(3, 20)}}),
@@ -407,7 +408,7 @@ std::string epw_text(double zone = 1) {
     return text;
 }
 
-TEST(RunFileWeather, GivesThePlaceAndLightOfAnEpwFile) {
+TEST(RunFileWeather, GivesTheSiteAndLightOfAnEpwFile) {
     RunText text;
     text.sources = "";
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";
@@ -420,7 +421,7 @@ TEST(RunFileWeather, GivesThePlaceAndLightOfAnEpwFile) {
         500 * std::sin(run.series->notes[12].sun.elevation_deg * std::numbers::pi / 180), 5);
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-22'\n";
     EXPECT_TRUE(mentions(
-        faults_of(text.text(), {{"w.epw", epw_text()}}), "no light of the times asked for"));
+        faults_of(text.text(), {{"w.epw", epw_text()}}), "no light at the requested times"));
     text.rest = "[time]\nweather = 'w.epw'\nutc_offset_hours = 2\nday = '2024-06-21'\n";
     EXPECT_TRUE(mentions(faults_of(text.text(), {{"w.epw", epw_text()}}), "1 hours ahead of UTC"));
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";
@@ -444,21 +445,24 @@ TEST(RunFileWeather, OvercastHoursShareATrace) {
 TEST(RunFileTime, EffortOfADayNeedsTimesWithLengths) {
     RunText text;
     text.run = "[run]\neffort = 'day'\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "effort: it is \"day\" (the run has no [time])"));
-    text.top += "[place]\nlatitude_deg = 52\nlongitude_deg = 5\n";
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()), "path_allocation: it is \"proportional\" (the run has no [time])"));
+    text.top += "[site]\nlatitude_deg = 52\nlongitude_deg = 5\n";
     text.sources = "";
     text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "effort: it is \"day\" (instants have no part"));
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()), "path_allocation: it is \"proportional\" (instants do not count"));
     text.rest += "duration_minutes = 60\n";
     EXPECT_TRUE(faults_of(text.text()).empty());
 }
 
 TEST(RunFileTime, HoursTogetherAreOfASeriesByRayBundles) {
     RunText text;
-    text.run = "[run]\nseries = 'together'\n";
-    EXPECT_TRUE(
-        mentions(faults_of(text.text()), "series: it is \"together\" (the run has no [time])"));
-    text.top += "[place]\nlatitude_deg = 52\nlongitude_deg = 5\n";
+    text.run = "[run]\ntime_method = 'daylight_coefficients'\n";
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()),
+        "time_method: it is \"daylight_coefficients\" (the run has no [time])"));
+    text.top += "[site]\nlatitude_deg = 52\nlongitude_deg = 5\n";
     text.sources = "";
     text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\nduration_minutes = 60\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "method is not ray_bundles"));

@@ -84,14 +84,14 @@ TEST(Sweep, CombinesEveryValueWithEveryOther) {
 
 TEST(Sweep, TakesValuesTogetherOnRequest) {
     EXPECT_EQ(
-        points_of(sweep_of(swept("together = true\nsource.sun.elevation_deg = [10, 30]\n"
+        points_of(sweep_of(swept("combine = 'zip'\nsource.sun.elevation_deg = [10, 30]\n"
                                  "run.sampler = ['sobol', 'halton']\n"))),
         (std::vector<std::string>{"10|sobol", "30|halton"}));
 }
 
 TEST(Sweep, SetsWhatItsKeysName) {
     RunSweep sweep =
-        sweep_of(swept("together = true\npaths = [64, 128]\n"
+        sweep_of(swept("combine = 'zip'\npaths = [64, 128]\n"
                        "'source.1.irradiance_facing' = [2, 3]\n"
                        "material.leaf.transmittance = [0.1, 0.2]\n"));
     ASSERT_EQ(sweep.size(), 2U);
@@ -148,20 +148,22 @@ TEST(Sweep, RefusesWhatCantBeSwept) {
     for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
              {"", "[sweep]: it has no keys"},
              {"sun.elevation_deg = [1]\n", "write source.sun.elevation_deg"},
-             {"bands.PAR = [1]\n", "'bands.PAR' can't be swept (it is one for all points)"},
-             {"title = ['a', 'b']\n", "'title' can't be swept (it is one for all points)"},
-             {"source = [1]\n", "'source' can't be swept (it is a section); name a key of it"},
+             {"bands.PAR = [1]\n",
+              "'bands.PAR' can't be swept (it must be the same for all points)"},
+             {"title = ['a', 'b']\n",
+              "'title' can't be swept (it must be the same for all points)"},
+             {"source = [1]\n", "'source' can't be swept (it is a section); name one of its keys"},
              {"pahts = [1]\n",
-              "'pahts' can't be swept (it is no option of the run); did you "
-              "mean 'paths'?"},
-             {"'' = [1]\n", "[sweep]: '' is no key (a part of it is empty)"},
-             {"'run.' = [1]\n", "[sweep]: 'run.' is no key (a part of it is empty)"},
+              "'pahts' can't be swept (it is not a run option); did you mean 'paths'?"},
+             {"'' = [1]\n", "[sweep]: '' is not a key (part of it is empty)"},
+             {"'run.' = [1]\n", "[sweep]: 'run.' is not a key (part of it is empty)"},
              {"run.groups = [['plant']]\n", "'run.groups' can't be swept"},
-             {"ratios = [['R:FR']]\n", "it is one for all points"},
+             {"ratios = [['R:FR']]\n", "it must be the same for all points"},
              {"paths = 64\n", "paths is an integer"},
              {"paths = []\n", "paths is an empty list"},
-             {"together = 1\npaths = [1]\n", "together is an integer"},
-             {"together = true\npaths = [1, 2]\nseed = [1]\n", "seed has 1 values, paths has 2"},
+             {"combine = 1\npaths = [1]\n", "combine is 1 (it must be"},
+             {"combine = 'zap'\npaths = [1]\n", "did you mean 'zip'?"},
+             {"combine = 'zip'\npaths = [1, 2]\nseed = [1]\n", "seed has 1 values, paths has 2"},
              {"paths = [1]\nrun.paths = [2]\n", "paths and run.paths set the same"},
              {"source.sun = [{type = 'sun'}]\n", "there is no 'source.sun'"},
              {"source.3.name = ['x']\n", "there is no 'source.3'"},
@@ -193,7 +195,7 @@ TEST(Sweep, AFlagThatItSweepsIsRefused) {
              {"paths = [64]\n", {"paths", "128", "--paths"}},
              {"method = ['first_hits']\n", {"method", "from_organs", "--method"}}}) {
         EXPECT_NE(
-            said(keys, flag).find(flag.place + ": is swept by the run file"), std::string::npos)
+            said(keys, flag).find(flag.where + ": is swept by the run file"), std::string::npos)
             << said(keys, flag);
     }
 }

@@ -20,7 +20,7 @@ constexpr std::uint32_t kLooks = 32;
 /// Leaves over a floor, in a cell of 1 x 1 that goes on without end, or in the open.
 Scene leaves_over_floor(bool repeats) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .1, .1, 2));
+    builder.add_material(diffuse("leaf", .1, .1, 2));
     add_leaves(builder, random_leaves(20, .25, 1, 5));
     builder.add_organ(organ("floor", "leaf", floor_of(0, 1, 0, 1, -.2)));
     if (repeats) {
@@ -62,8 +62,8 @@ TEST_P(SunPixelsOfStand, SeeWhatScanLinesSee) {
     const Scene scene = leaves_over_floor(GetParam());
     const Sources suns = three_suns();
     const PreparedScene prepared(
-        scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
+        scene, suns, StartArea::silhouette,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     const std::vector<SunLight> found = looks(prepared, 400000);
     const Result lines = by_lines(scene, suns);
     ASSERT_EQ(scene.regions().size(), scene.organs().size());
@@ -98,8 +98,8 @@ TEST_P(SunPixelsOfStand, LoseNoLight) {
     const Scene scene = leaves_over_floor(GetParam());
     const Sources suns = three_suns();
     const PreparedScene prepared(
-        scene, suns, CrossSectionShape::silhouette,
-        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Engine::embree));
+        scene, suns, StartArea::silhouette,
+        std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     for (const SunLight& light : looks(prepared, 1000)) {
         for (std::size_t b = 0; b < 2; ++b) {
             double sum = light.escaped[b];

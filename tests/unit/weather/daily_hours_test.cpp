@@ -55,7 +55,7 @@ std::string lamp_text(const std::string& hours, const std::string& time) {
     return text.text();
 }
 constexpr const char* kNight =
-    "[place]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = '2024-12-21'\n"
+    "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n[time]\nday = '2024-12-21'\n"
     "utc_offset_hours = 1\nhours = [0, 6]\n";
 
 TEST(RunFileOnHours, SwitchLamps) {
@@ -72,8 +72,8 @@ TEST(RunFileOnHours, SwitchLamps) {
     EXPECT_EQ(plans[2].factor, 0) << "dark";
     EXPECT_EQ(plans[3].traced, 0U);
     EXPECT_NEAR(plans[3].factor, .5, 1e-12);
-    const RunFile sum = read_text(
-        lamp_text("on_hours = [[0, 2], [3.5, 5]]\n", std::string(kNight) + "collapse = 'days'\n"));
+    const RunFile sum = read_text(lamp_text(
+        "on_hours = [[0, 2], [3.5, 5]]\n", std::string(kNight) + "cumulative_sky = 'day'\n"));
     ASSERT_EQ(sum.series->time_steps.size(), 1U);
     EXPECT_NEAR(sum.series->time_steps[0].sources[0]->spectrum()[0], 9 * 3.5 / 6, 1e-9);
     EXPECT_NE(run.source_notes[0].find("; on from 0 to 2 h, from 3.5 to 5 h"), std::string::npos);
@@ -81,7 +81,7 @@ TEST(RunFileOnHours, SwitchLamps) {
 
 TEST(RunFileOnHours, NeedAClockAndAnEnd) {
     EXPECT_TRUE(
-        mentions(faults_of(lamp_text("on_hours = [6, 22]\n", "")), "on_hours without [time]"));
+        mentions(faults_of(lamp_text("on_hours = [6, 22]\n", "")), "on_hours needs [time]"));
     const auto faults = [](const std::string& hours) {
         return faults_of(lamp_text(hours, kNight));
     };
