@@ -36,7 +36,7 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     const Outcome outcome =
         run({"run", "days.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("4 time steps from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("time steps 4 from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
     const std::string times = folder_.read("t.csv");
     EXPECT_EQ(rows(times), 4 * 3);
     EXPECT_NE(times.find("\ntime,id,name,"), std::string::npos);
