@@ -48,7 +48,7 @@ class CheckDocs(unittest.TestCase):
             )
 
     def test_numbers_of_a_page_are_compared_with_those_of_a_table(self):
-        head = "# head\nid,name,light,light_se,light_high\n"
+        head = "# head\nid,name,light,light_se,light_ci95_high\n"
         page_head = "```\nid, name, light, ..._se\n"
         with tempfile.TemporaryDirectory() as folder:
             page, table = Path(folder) / "page.md", Path(folder) / "table.csv"

@@ -1,4 +1,4 @@
-// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md). By the name
+// QuasiMC, the environment process of cpfg and lpfg (docs/reference/environment.md). By the name
 // MonteCarlo, a link to it, it reads the files of that program.
 
 #include <algorithm>
@@ -30,7 +30,7 @@ constexpr int kUsage = 2;
 constexpr int kInternalError = 3;
 
 /// Every line by itself: what the simulator says stands in the same log.
-void tell(std::string_view text) {
+void send(std::string_view text) {
     std::string lines;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -46,13 +46,13 @@ void close_inherited() {
     ::close_range(STDERR_FILENO + 1, ~0U, 0);
 }
 
-int status_of(quasimc::Conversation conversation) {
-    switch (conversation) {
-        case quasimc::Conversation::good:
+int status_of(quasimc::SessionOutcome outcome) {
+    switch (outcome) {
+        case quasimc::SessionOutcome::good:
             return kDone;
-        case quasimc::Conversation::faulty:
+        case quasimc::SessionOutcome::faulty:
             return kInputError;
-        case quasimc::Conversation::failed:
+        case quasimc::SessionOutcome::failed:
             break;
     }
     return kInternalError;
@@ -72,9 +72,9 @@ int run(int argc, char** argv) {
     if (arguments.specification.empty()) {
         throw quasimc::UsageError("the specification file is missing");
     }
-    StepWindow window(tell);
+    StepWindow window(send);
     return status_of(
-        quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, tell, &window));
+        quasimc::run_environment(arguments, {STDIN_FILENO, STDOUT_FILENO}, send, &window));
 }
 
 }  // namespace
@@ -87,28 +87,29 @@ int main(int argc, char** argv) {
     try {
         return run(argc, argv);
     } catch (const quasimc::UsageError& error) {
-        tell(error.what());
+        send(error.what());
         std::fputs(quasimc::usage_text().c_str(), stderr);
         quasimc::refuse_simulator({argv + 1, static_cast<std::size_t>(argc - 1)});
         return kUsage;
     } catch (const quasimc::PeerDisconnected& error) {
-        tell(error.what());
+        send(error.what());
         return kInputError;
     } catch (const quasimc::InputError& error) {
-        tell(error.what());
+        send(error.what());
         return kInputError;
     } catch (const quasimc::Stopped& stopped) {
-        tell(stopped.what());
+        send(stopped.what());
         return kInputError;
     } catch (const quasimc::OutOfMemory& error) {
-        tell(error.what());
+        send(error.what());
         return kInputError;
     } catch (const std::bad_alloc&) {
-        tell("there is not enough memory");
+        send("there is not enough memory");
         return kInputError;
     } catch (const std::exception& error) {
-        tell(fmt::format(
-            "internal error: {}\nThis is a fault of the program; please report it.", error.what()));
+        send(fmt::format(
+            "internal error: {}\nThis is an error in the program; please report it.",
+            error.what()));
         return kInternalError;
     }
 }

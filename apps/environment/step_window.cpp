@@ -13,7 +13,7 @@
 namespace {
 
 /// Of a step whose bands were traced each by itself that of the first that has light.
-std::string head_of(const quasimc::SeenStep& step) {
+std::string head_of(const quasimc::StepSnapshot& step) {
     const std::vector<quasimc::Result>& results = step.light->results;
     const std::span<const quasimc::Band> bands = step.specification.bands;
     const auto lit = std::find_if(
@@ -30,24 +30,24 @@ std::string head_of(const quasimc::SeenStep& step) {
 }  // namespace
 
 void StepWindow::on_begin(std::int64_t step) {
-    window_->tell(fmt::format("the light of step {} is being computed", step));
+    window_->send(fmt::format("the light of step {} is being computed", step));
 }
 
 void StepWindow::open(int port) {
     quasimc::require_page("view");
     window_ = std::make_shared<quasimc::LiveWindow>();
-    window_->tell("waiting for the first step");
+    window_->send("waiting for the first step");
     server_.emplace(
-        quasimc::WindowSite(
+        quasimc::ViewerRoutes(
             [window = window_](std::string_view name) { return window->file(name); },
             quasimc::random_token(), quasimc::WindowKind::live),
         port);
-    tell_("view: " + server_->address());
+    send_("view: " + server_->address());
 }
 
-void StepWindow::on_step(const quasimc::SeenStep& step) {
+void StepWindow::on_step(const quasimc::StepSnapshot& step) {
     if (!step.light->scene) {
-        window_->tell(fmt::format("step {}: nothing is lit", step.step));
+        window_->send(fmt::format("step {}: nothing is lit", step.step));
         return;
     }
     const auto scene = std::make_shared<const quasimc::LiveScene>(quasimc::LiveScene{
@@ -62,5 +62,5 @@ void StepWindow::on_step(const quasimc::SeenStep& step) {
          .results = {step.light, &step.light->results},
          .sources = lighting.empty() ? quasimc::Sources() : lighting.front(),
          .head = head_of(step)});
-    window_->tell(fmt::format("after step {}: the plant grows", step.step));
+    window_->send(fmt::format("after step {}: the plant grows", step.step));
 }

@@ -15,14 +15,14 @@
 class StepWindow final : public quasimc::StepViewer {
   public:
     /// @param tell  takes the address of the page
-    explicit StepWindow(std::function<void(const std::string&)> tell) : tell_(std::move(tell)) {}
+    explicit StepWindow(std::function<void(const std::string&)> send) : send_(std::move(send)) {}
 
     void open(int port) override;
     void on_begin(std::int64_t step) override;
-    void on_step(const quasimc::SeenStep& step) override;
+    void on_step(const quasimc::StepSnapshot& step) override;
 
   private:
-    std::function<void(const std::string&)> tell_;
+    std::function<void(const std::string&)> send_;
     std::shared_ptr<quasimc::LiveWindow> window_;
-    std::optional<quasimc::WindowServer> server_;
+    std::optional<quasimc::HttpServer> server_;
 };

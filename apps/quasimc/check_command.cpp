@@ -32,7 +32,7 @@ std::string times_of(const quasimc::TimeSeries& series) {
     }
     std::size_t times = 0;
     std::size_t suns = 0;
-    for (const quasimc::MomentNotes& notes : series.notes) {
+    for (const quasimc::TimeStepNotes& notes : series.notes) {
         times += notes.cumulated->times;
         suns += notes.suns;
     }
@@ -46,13 +46,13 @@ std::string times_of(const quasimc::TimeSeries& series) {
 
 /// Sun and sky of time steps are not among the sources of the file.
 std::string light_of(const quasimc::RunFile& run) {
-    const std::size_t stated = run.sources.size();
+    const std::size_t given = run.sources.size();
     if (!run.series) {
-        return counted(stated, "source");
+        return counted(given, "source");
     }
     return fmt::format(
         "sun and sky for {}{}", counted(run.series->time_steps.size(), "time step"),
-        stated > 0 ? ", " + counted(stated, "source") : "");
+        given > 0 ? ", " + counted(given, "source") : "");
 }
 
 Exit check(const CheckArguments& arguments) {

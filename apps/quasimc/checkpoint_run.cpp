@@ -22,11 +22,11 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
 }
 
 std::optional<quasimc::RunState> CheckpointRun::state_of(std::size_t time_step) {
-    return file_->state_of(moments_before_ + time_step);
+    return file_->state_of(time_steps_before_ + time_step);
 }
 
 bool CheckpointRun::has_state(std::size_t time_step) const {
-    return file_ && file_->has_state(moments_before_ + time_step);
+    return file_ && file_->has_state(time_steps_before_ + time_step);
 }
 
 bool CheckpointRun::wants_pause() {
@@ -34,7 +34,7 @@ bool CheckpointRun::wants_pause() {
 }
 
 void CheckpointRun::on_pause(const quasimc::RunSoFar& run) {
-    attempt([&] { file_->save(moments_before_ + run.time_step(), run.snapshot()); });
+    attempt([&] { file_->save(time_steps_before_ + run.time_step(), run.snapshot()); });
 }
 
 void CheckpointRun::on_round(const quasimc::RunSoFar& run) {
@@ -44,7 +44,7 @@ void CheckpointRun::on_round(const quasimc::RunSoFar& run) {
 }
 
 void CheckpointRun::on_last_round(const quasimc::RunSoFar& run) {
-    attempt([&] { file_->finish(moments_before_ + run.time_step(), run.snapshot()); });
+    attempt([&] { file_->finish(time_steps_before_ + run.time_step(), run.snapshot()); });
 }
 
 template <typename Save>

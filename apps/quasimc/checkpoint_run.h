@@ -16,7 +16,7 @@ class CheckpointRun final : public quasimc::RunListener, public quasimc::StoredS
     CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first);
 
     /// What follows is of a point of the sweep that so many moments came before.
-    void set_moments_before(std::size_t moments) { moments_before_ = moments; }
+    void set_time_steps_before(std::size_t moments) { time_steps_before_ = moments; }
     /// The states to go on from; null without a checkpoint.
     [[nodiscard]] quasimc::StoredStates* states() { return file_ ? this : nullptr; }
     [[nodiscard]] std::optional<quasimc::RunState> state_of(std::size_t time_step) override;
@@ -40,5 +40,5 @@ class CheckpointRun final : public quasimc::RunListener, public quasimc::StoredS
 
     std::optional<quasimc::CheckpointFile> file_;
     quasimc::Faults faults_;
-    std::size_t moments_before_ = 0;
+    std::size_t time_steps_before_ = 0;
 };

@@ -86,7 +86,7 @@ const quasimc::InputFile& opf_of(const quasimc::RunFile& run, const std::string&
 /// Writes the OPF file of a run anew, with the numbers of its organs.
 void write_result_opf(const ConvertArguments& arguments, const ShownRun& shown) {
     const quasimc::InputFile& file = opf_of(shown.run, arguments.output);
-    const std::string bytes = quasimc::read_file(file.resolved);
+    const std::string bytes = quasimc::read_file(file.absolute_path);
     const quasimc::FieldScene fields = field_scene(
         shown.run.scene, read_all_shown_values(shown, arguments.input, arguments.choice), nullptr);
     quasimc::OpfMatches matches;
@@ -97,7 +97,7 @@ void write_result_opf(const ConvertArguments& arguments, const ShownRun& shown) 
         print_warnings(
             {{arguments.output,
               fmt::format(
-                  "{} organs of the result are no nodes of {}", matches.missing, file.path)}});
+                  "{} organs of the result are not nodes of {}", matches.missing, file.path)}});
     }
 }
 

@@ -23,12 +23,12 @@ void help_with_dealt(
     std::size_t taken) {
     quasimc::HelpedRuns runs(team);
     try {
-        std::size_t first = order.moment;
+        std::size_t first = order.time_step;
         for (std::size_t point = order.point; point < sweep.size(); ++point, first = 0) {
             if (point != taken) {
                 run = std::make_unique<quasimc::RunFile>(sweep.take(point));
             }
-            runs.trace(run->scene, quasimc::moments_of(*run), run->spec, first);
+            runs.trace(run->scene, quasimc::time_steps_of(*run), run->spec, first);
         }
     } catch (const quasimc::Stopped&) {  // by the first process, which wants no more
     }
@@ -53,7 +53,7 @@ Exit help_run(const RunArguments& arguments, quasimc::RunTeam& team) {
         }
         const std::size_t point = order.point;
         auto run = std::make_unique<quasimc::RunFile>(stored->runs.take(point));
-        order = helper.help(run->scene, quasimc::moments_of(*run), run->spec, team, order);
+        order = helper.help(run->scene, quasimc::time_steps_of(*run), run->spec, team, order);
         if (order.kind == quasimc::TeamOrder::kDealt) {
             help_with_dealt(team, stored->runs, order, std::move(run), point);
             order = team.order({});

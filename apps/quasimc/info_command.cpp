@@ -36,7 +36,7 @@ std::string bounds_text(const quasimc::Scene& scene, const std::string& unit) {
     return line(
         "bounds", fmt::format(
                       "{}, {}, {}{}", axis("x", a.x, b.x), axis("y", a.y, b.y), axis("z", a.z, b.z),
-                      unit.empty() ? "; the file states no unit" : " " + unit));
+                      unit.empty() ? "; the file has no unit" : " " + unit));
 }
 
 std::string areas_text(const quasimc::Scene& scene, const std::string& unit) {
@@ -125,7 +125,7 @@ std::string scene_text(const quasimc::Scene& scene, const std::string& unit) {
 std::string warnings_text(const std::vector<quasimc::Warning>& warnings) {
     std::string text;
     for (const quasimc::Warning& warning : warnings) {
-        text += line("warning", fmt::format("{}: {}", warning.place, warning.text));
+        text += line("warning", fmt::format("{}: {}", warning.where, warning.text));
     }
     return text.empty() ? line("warning", "none") : text;
 }

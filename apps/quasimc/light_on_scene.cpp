@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "quasimc/quasimc.h"
+#include "resultio/describe_series.h"
 #include "resultio/field_formats.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "runfile/written.h"
 #include "show_colors.h"
 #include "show_values.h"
@@ -132,8 +132,8 @@ std::unique_ptr<quasimc::OutputWriter> make_fields(
 namespace quasimc {
 
 std::unique_ptr<OutputWriter> make_picture(const OutputInput& input) {
-    require_pictures(input.place);
-    check_picture_name(input.place, input.path);
+    require_pictures(input.where);
+    check_picture_name(input.where, input.path);
     return std::make_unique<LightOnScene>(input, drawn_columns, draw_picture);
 }
 

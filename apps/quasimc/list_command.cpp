@@ -8,7 +8,7 @@
 #include "meshio/formats.h"
 #include "netcdf/netcdf_writer.h"
 #include "optics/catalogue.h"
-#include "optics/usual_optics.h"
+#include "optics/default_optics.h"
 #include "options/options.h"
 #include "quasimc/quasimc.h"
 #include "resultio/field_formats.h"
@@ -26,8 +26,8 @@ std::string list_table(const Table& table) {
     std::string text;
     for (const auto& entry : table) {
         std::string summary(entry.summary);
-        if constexpr (requires { quasimc::parameter_words(entry); }) {
-            const std::string parameters = quasimc::parameter_words(entry);
+        if constexpr (requires { quasimc::describe_parameters(entry); }) {
+            const std::string parameters = quasimc::describe_parameters(entry);
             summary += parameters.empty() ? "" : fmt::format(" ({})", parameters);
         }
         text += list_row(entry.name, summary);
@@ -37,7 +37,7 @@ std::string list_table(const Table& table) {
 
 std::string list_optics() {
     std::string text;
-    for (const quasimc::UsualOptics& optics : quasimc::usual_optics()) {
+    for (const quasimc::DefaultOptics& optics : quasimc::usual_optics()) {
         const auto words = [](const quasimc::OpticsByRegion& r) {
             return fmt::format("{} / {}", r.visible, r.near_infrared);
         };

@@ -26,7 +26,7 @@ int status_of(Exit exit) {
 Exit exit_of(const quasimc::InputError& error) {
     const auto& faults = error.faults();
     const bool is_usage = std::all_of(faults.begin(), faults.end(), [](const auto& fault) {
-        return fault.place.starts_with("--") || fault.place == "-o" || fault.place == "OUTPUT";
+        return fault.where.starts_with("--") || fault.where == "-o" || fault.where == "OUTPUT";
     });
     return is_usage ? Exit::usage : Exit::input_error;
 }

@@ -51,9 +51,9 @@ const QuasimcRanks& load_ranks() {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
     void* module = nullptr;
-    for (const char* place : {"quasimc_mpi.so", QUASIMC_MPI_MODULE}) {
+    for (const char* name : {"quasimc_mpi.so", QUASIMC_MPI_MODULE}) {
         module =
-            module != nullptr ? module : ::dlopen((folder / place).c_str(), RTLD_NOW | RTLD_GLOBAL);
+            module != nullptr ? module : ::dlopen((folder / name).c_str(), RTLD_NOW | RTLD_GLOBAL);
     }
     if (module == nullptr) {
         refuse_mpi(::dlerror());  // NOLINT(concurrency-mt-unsafe): one thread so far
@@ -114,12 +114,12 @@ class MpiRankTeam final : public RankTeam {
         has_ordered_ = true;
         std::array<std::uint64_t, 9> numbers{
             order.kind,        order.is_prepare,  order.point,
-            order.moment,      order.first_paths, order.round.first,
+            order.time_step,   order.first_paths, order.round.first,
             order.round.count, order.tasks.calls, order.tasks.task};
         ranks_.broadcast(numbers.data(), numbers.size());
-        const auto& [kind, is_prepare, point, moment, first_paths, first, count, calls, task] =
+        const auto& [kind, is_prepare, point, time_step, first_paths, first, count, calls, task] =
             numbers;
-        return {kind, is_prepare, point, moment, first_paths, {first, count}, {calls, task}};
+        return {kind, is_prepare, point, time_step, first_paths, {first, count}, {calls, task}};
     }
 
     void add_up(std::vector<std::int64_t>& numbers) override {

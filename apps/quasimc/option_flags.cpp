@@ -20,7 +20,7 @@ std::string type_name_of(const quasimc::Option& option) {
         case 2:
             return "NAME";
         case 3:
-            return fmt::format("{},...", std::get<quasimc::WordsDomain>(option.domain).form);
+            return fmt::format("{},...", std::get<quasimc::ListDomain>(option.domain).form);
         default:
             return "X,...";
     }
@@ -82,7 +82,7 @@ std::vector<quasimc::Override> OptionFlags::overrides() const {
 
 void print_warnings(const std::vector<quasimc::Warning>& warnings) {
     for (const quasimc::Warning& warning : warnings) {
-        const std::string place = warning.place.empty() ? "" : warning.place + ": ";
-        print_warning(place + warning.text);
+        const std::string where = warning.where.empty() ? "" : warning.where + ": ";
+        print_warning(where + warning.text);
     }
 }

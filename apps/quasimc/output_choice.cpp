@@ -8,7 +8,7 @@
 
 namespace {
 
-std::vector<std::string> listed_words(std::string_view list) {
+std::vector<std::string> split_list(std::string_view list) {
     std::vector<std::string> words;
     while (!list.empty()) {
         const std::size_t end = std::min(list.find(','), list.size());
@@ -42,22 +42,22 @@ void add_choice_flags(OutputChoice& choice, std::vector<Flag>& flags) {
 }
 
 void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
-    quasimc::OutputSpec stated;
-    stated.quantities = listed_words(choice.quantities);
-    stated.bands = listed_words(choice.bands);
+    quasimc::OutputSpec given;
+    given.quantities = split_list(choice.quantities);
+    given.bands = split_list(choice.bands);
     quasimc::Faults wrong;
-    quasimc::check_written(stated, run.scene.bands(), wrong);
+    quasimc::check_written(given, run.scene.bands(), wrong);
     quasimc::Faults faults;
     for (quasimc::Fault fault : wrong.all()) {
-        fault.place = "--" + fault.place;
+        fault.where = "--" + fault.where;
         faults.add(std::move(fault));
     }
     if (choice.include_night && !run.series) {
-        faults.add({"--include-night", "the run has no [time]", "nights need times", ""});
+        faults.add({"--include-night", "the run has no [time]", "night hours need [time]", ""});
     }
     faults.throw_if_any();
     quasimc::OutputSpec& output = run.output;
-    output.quantities = stated.quantities.empty() ? output.quantities : stated.quantities;
-    output.bands = stated.bands.empty() ? output.bands : stated.bands;
+    output.quantities = given.quantities.empty() ? output.quantities : given.quantities;
+    output.bands = given.bands.empty() ? output.bands : given.bands;
     output.include_night = output.include_night || choice.include_night;
 }

@@ -38,13 +38,13 @@ void trace_points(
         const std::optional<quasimc::RunFile> later =
             point == 0 ? std::nullopt : std::optional(sweep.take(point));
         const quasimc::RunFile& run = later ? *later : first;
-        const std::vector<quasimc::TimeStep> moments = quasimc::moments_of(run);
+        const std::vector<quasimc::TimeStep> moments = quasimc::time_steps_of(run);
         try {
             quasimc::trace_share(
                 run.scene, moments, run.spec, quasimc::share_of(number.part, number.parts),
-                [&](std::size_t moment, const quasimc::Sums& sums) {
+                [&](std::size_t time_step, const quasimc::Sums& sums) {
                     end_progress_line();
-                    writer.add(before + moment, sums);
+                    writer.add(before + time_step, sums);
                 },
                 {.stop = interrupt.token(),
                  .work = all.part(static_cast<double>(point) * each, each)});

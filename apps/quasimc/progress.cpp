@@ -18,7 +18,7 @@ bool is_shown() {
 
 }  // namespace
 
-std::string progress_words(const quasimc::Progress& progress) {
+std::string describe_progress(const quasimc::Progress& progress) {
     std::string text = fmt::format(
         "{:3.0f} %, {:.0f} s of about {:.0f} s", 100 * progress.fraction, progress.seconds,
         progress.expected_seconds);
@@ -37,7 +37,7 @@ ProgressLine::ProgressLine(ProgressLines lines, std::string what)
 void ProgressLine::on_progress(const quasimc::Progress& progress) {
     constexpr double kSoon = 1;  // seconds; shorter runs need no line
     if (on_terminal_ && progress.expected_seconds >= kSoon) {
-        std::fprintf(stderr, "\r%s%s\x1b[K", what_.c_str(), progress_words(progress).c_str());
+        std::fprintf(stderr, "\r%s%s\x1b[K", what_.c_str(), describe_progress(progress).c_str());
         std::fflush(stderr);
     }
     if (in_lines_) {
@@ -52,7 +52,7 @@ void ProgressLine::add_line(const quasimc::Progress& progress) {
     const double since = progress.seconds - seconds_;
     const bool is_due = progress.fraction - fraction_ >= kMuch || since >= kWhile;
     if (is_due && since >= kLeast) {
-        std::fprintf(stderr, "%s%s\n", what_.c_str(), progress_words(progress).c_str());
+        std::fprintf(stderr, "%s%s\n", what_.c_str(), describe_progress(progress).c_str());
         seconds_ = progress.seconds;
         fraction_ = progress.fraction;
     }

@@ -14,7 +14,7 @@ enum class ProgressLines {
 };
 
 /// " 37 %, 12 s of about 33 s".
-[[nodiscard]] std::string progress_words(const quasimc::Progress& progress);
+[[nodiscard]] std::string describe_progress(const quasimc::Progress& progress);
 /// Writes on stderr how far a run is.
 class ProgressLine final : public quasimc::RunListener {
   public:

@@ -15,17 +15,17 @@ constexpr std::array<std::string_view, 2> kWithoutEffect{"threads", "tally_memor
 /// The flags that ask for another run: "--seed 9, --paths 64".
 std::string flags_of_another_run(const RunArguments& arguments) {
     std::vector<std::string> flags;
-    for (const quasimc::Override& stated : arguments.flags.overrides()) {
-        if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), stated.key) ==
+    for (const quasimc::Override& given : arguments.flags.overrides()) {
+        if (std::find(kWithoutEffect.begin(), kWithoutEffect.end(), given.key) ==
             kWithoutEffect.end()) {
-            flags.push_back(fmt::format("{} {}", stated.place, stated.text));
+            flags.push_back(fmt::format("{} {}", given.where, given.text));
         }
     }
     return fmt::format("{}", fmt::join(flags, ", "));
 }
 
 bool is_cut_short(quasimc::StopReason stop) {
-    return stop == quasimc::StopReason::interrupted || stop == quasimc::StopReason::time_is_up;
+    return stop == quasimc::StopReason::interrupted || stop == quasimc::StopReason::time_limit;
 }
 
 /// Why other numbers are no wonder; "" if they are one.

@@ -18,8 +18,8 @@
 #include "quasimc/quasimc.h"
 #include "rank_team.h"
 #include "repetition.h"
+#include "resultio/describe_result.h"
 #include "resultio/read_result.h"
-#include "resultio/result_words.h"
 #include "run_flags.h"
 #include "run_writers.h"
 #include "sweep_run.h"
@@ -64,10 +64,10 @@ quasimc::InputError error_of_file(
     const std::vector<quasimc::Override>& flags) {
     std::vector<quasimc::Fault> faults = error.faults();
     for (quasimc::Fault& fault : faults) {
-        const auto flag = std::find_if(flags.begin(), flags.end(), [&](const auto& stated) {
-            return stated.key == fault.place;
+        const auto flag = std::find_if(flags.begin(), flags.end(), [&](const auto& given) {
+            return given.key == fault.where;
         });
-        fault.place = flag != flags.end() ? flag->place : file.path + ": " + fault.place;
+        fault.where = flag != flags.end() ? flag->where : file.path + ": " + fault.where;
     }
     return quasimc::InputError(std::move(faults));
 }
@@ -75,8 +75,8 @@ quasimc::InputError error_of_file(
 namespace {
 
 /// What an audit found goes to stderr, quiet or not: it is about errors.
-void print_audit(double chance) {
-    const std::string warning = quasimc::audit_warning(chance);
+void print_audit(double p_value) {
+    const std::string warning = quasimc::audit_warning(p_value);
     if (!warning.empty()) {
         print_warning(warning);
     }
@@ -86,8 +86,8 @@ Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary
     if (summary.stop == quasimc::StopReason::interrupted) {
         return Exit::interrupted;
     }
-    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.traced;
-    return missed || summary.stop == quasimc::StopReason::time_is_up ? Exit::target_missed
+    const bool missed = file.spec.target_error > 0 && summary.at_target < summary.computed;
+    return missed || summary.stop == quasimc::StopReason::time_limit ? Exit::target_missed
                                                                      : Exit::done;
 }
 
@@ -96,8 +96,9 @@ Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary
 void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     if (summary.unlit > 0) {
         const std::string when =
-            has_times ? fmt::format(" at {} of the {} times traced", summary.unlit, summary.traced)
-                      : "";
+            has_times
+                ? fmt::format(" at {} of the {} computed times", summary.unlit, summary.computed)
+                : "";
         print_warning(fmt::format(
             "no light reaches the scene{}: all surfaces are parallel to the light or outside of "
             "it; all results are 0 there",
@@ -125,7 +126,7 @@ Exit run(
     const Repetition repetition =
         judge_repetition(arguments, stored, repeated.digest, repeated.difference, sweep.all().stop);
     print_unlit(sweep.all(), stored.runs.size() > 1 || sweep.file().series.has_value());
-    print_audit(sweep.all().audit_chance);
+    print_audit(sweep.all().audit_p_value);
     if (!arguments.quiet) {
         sweep.writers().print_summary(
             sweep.all(), repetition.verdict.empty()

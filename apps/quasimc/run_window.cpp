@@ -15,7 +15,7 @@
 
 namespace {
 
-quasimc::WindowSite site_of(const std::shared_ptr<quasimc::LiveWindow>& window) {
+quasimc::ViewerRoutes site_of(const std::shared_ptr<quasimc::LiveWindow>& window) {
     quasimc::require_page("--view");
     return {
         [window](std::string_view name) { return window->file(name); }, quasimc::random_token(),
@@ -26,7 +26,7 @@ quasimc::WindowSite site_of(const std::shared_ptr<quasimc::LiveWindow>& window) 
 
 RunWindow::RunWindow(const quasimc::RunFile& first, int port) : server_(site_of(window_), port) {
     next_run(first);
-    window_->tell("the scene is being prepared");
+    window_->send("the scene is being prepared");
     fmt::print(stderr, "view: {}\n", server_.address());
 }
 
@@ -42,7 +42,7 @@ void RunWindow::next_run(const quasimc::RunFile& run) {
 }
 
 void RunWindow::on_progress(const quasimc::Progress& progress) {
-    window_->tell(progress_words(progress), progress.fraction);
+    window_->send(describe_progress(progress), progress.fraction);
 }
 
 void RunWindow::on_time_step(const quasimc::TimeStepResult& step) {
@@ -77,43 +77,44 @@ void RunWindow::on_round(const quasimc::RunSoFar& run) {
 
 void RunWindow::show(const quasimc::RunSoFar& run) {
     constexpr std::chrono::milliseconds kBetween{300};
-    constexpr int kMostOften = 20;  // once in so many times the time that it takes
+    constexpr int kMaxRepeats = 20;  // once in so many times the time that it takes
     const Clock::time_point start = Clock::now();
     add(run.time_step(), run.result());
     const Clock::time_point end = Clock::now();
-    not_before_ = end + std::max<Clock::duration>(kBetween, kMostOften * (end - start));
+    not_before_ = end + std::max<Clock::duration>(kBetween, kMaxRepeats * (end - start));
 }
 
-void RunWindow::add(std::size_t moment, quasimc::Result result) {
+void RunWindow::add(std::size_t time_step, quasimc::Result result) {
     const quasimc::Sources& sources =
-        run_->series ? run_->series->time_steps[moment].sources : run_->sources;
+        run_->series ? run_->series->time_steps[time_step].sources : run_->sources;
     quasimc::LiveFrame frame{
-        .label = label_of(moment),
+        .label = label_of(time_step),
         .scene = scene_,
         .sources = sources,
         .head = quasimc::window_light_head(*run_, result)};
     std::vector<quasimc::Result> results;
     results.push_back(std::move(result));
     frame.results = std::make_shared<const std::vector<quasimc::Result>>(std::move(results));
-    if (newest_ == moment) {
+    if (newest_ == time_step) {
         window_->replace_newest(std::move(frame));
     } else {
         window_->add(std::move(frame));
     }
-    newest_ = moment;
+    newest_ = time_step;
 }
 
-std::string RunWindow::label_of(std::size_t moment) const {
+std::string RunWindow::label_of(std::size_t time_step) const {
     std::string label = run_->sweep ? fmt::format("point {}", run_->point + 1) : "";
     if (run_->series) {
-        label += (label.empty() ? "" : ", ") + run_->series->notes[moment].time;
+        label += (label.empty() ? "" : ", ") + run_->series->notes[time_step].time;
     }
     return label;
 }
 
 void RunWindow::finish(quasimc::StopReason stop) {
     window_->end(
-        stop == quasimc::StopReason::interrupted ? "The run was stopped." : "The run is done.");
+        stop == quasimc::StopReason::interrupted ? "The run was stopped."
+                                                 : "The run has finished.");
 }
 
 void RunWindow::stay() {

@@ -41,11 +41,11 @@ class RunWindow final : public quasimc::RunListener {
 
     [[nodiscard]] bool is_due() const;
     void show(const quasimc::RunSoFar& run);
-    void add(std::size_t moment, quasimc::Result result);
-    [[nodiscard]] std::string label_of(std::size_t moment) const;
+    void add(std::size_t time_step, quasimc::Result result);
+    [[nodiscard]] std::string label_of(std::size_t time_step) const;
 
     std::shared_ptr<quasimc::LiveWindow> window_ = std::make_shared<quasimc::LiveWindow>();
-    quasimc::WindowServer server_;
+    quasimc::HttpServer server_;
     const quasimc::RunFile* run_ = nullptr;
     std::shared_ptr<const quasimc::LiveScene> scene_;
     std::optional<std::size_t> newest_;  // moment of the point, that a frame stands for

@@ -50,7 +50,7 @@ void refuse_checkpoint(
         const std::string name = output.path == "-" ? "" : name_of(output.path);
         if (name == own || name == own + ".done" || name == own + ".lock") {
             faults.add(
-                {output.place, output.path + " is a file of the checkpoint", "",
+                {output.where, output.path + " is a file of the checkpoint", "",
                  "name another file"});
         }
     }
@@ -64,7 +64,7 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
     quasimc::Faults faults;
     quasimc::for_each_output([&](const quasimc::OutputKey& key, quasimc::MakeOutput* make) {
         const std::string& path = arguments.outputs.at(std::string(key.name));
-        const auto stated = run.output.files.find(key.name);
+        const auto given = run.output.files.find(key.name);
         if (!path.empty()) {
             asked.push_back({{path, flag_of(key.name)}, make});
             const bool is_there =
@@ -74,9 +74,9 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
                     {flag_of(key.name), fmt::format("the run has no {}", key.need.shown),
                      std::string(key.need.reason), ""});
             }
-        } else if (stated != run.output.files.end()) {
+        } else if (given != run.output.files.end()) {
             asked.push_back(
-                {{stated->second, fmt::format("{}: [output]: {}", run.path, key.name)}, make});
+                {{given->second, fmt::format("{}: [output]: {}", run.path, key.name)}, make});
         }
     });
     faults.throw_if_any();
@@ -105,7 +105,7 @@ RunWriters::RunWriters(
     const std::vector<AskedOutput>& asked)
     : files_(paths_of(asked, arguments.checkpoint), inputs_of(arguments, first)), summary_(first) {
     for (const auto& [file, make] : asked) {
-        outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.place}));
+        outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.where}));
     }
     if (arguments.from.empty()) {
         return;

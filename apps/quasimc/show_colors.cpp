@@ -93,19 +93,19 @@ std::vector<quasimc::Vec3> suns_of(const quasimc::RunFile& run, const ShownValue
     return suns;
 }
 
-void check_picture_name(const std::string& place, const std::string& path) {
+void check_picture_name(const std::string& where, const std::string& path) {
     const std::string ending =
         quasimc::lower_case(std::filesystem::path(path).extension().string());
     if (!ending.empty() && ending != ".png") {
         throw quasimc::InputError(
-            {{place, fmt::format("can't write {}", ending), "", "name a .png file"}});
+            {{where, fmt::format("can't write {}", ending), "", "name a .png file"}});
     }
 }
 
-void require_pictures(const std::string& place) {
+void require_pictures(const std::string& where) {
     if (!quasimc::has_png()) {
         throw quasimc::InputError(
-            {{place, "this program can't draw pictures",
+            {{where, "this program can't draw pictures",
               "it was built without libpng, stb or a font", ""}});
     }
 }

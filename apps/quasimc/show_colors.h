@@ -34,10 +34,10 @@ void color_by_value(
     const quasimc::RunFile& run, const ShownValues* values);
 
 /// A name may do without an ending, as that of a pipe does.
-/// @param place  for the message
+/// @param where  for the message
 /// @throws quasimc::InputError  if the name promises something else
-void check_picture_name(const std::string& place, const std::string& path);
+void check_picture_name(const std::string& where, const std::string& path);
 
 /// @throws quasimc::InputError  if the program was built without pictures
-/// @param place  for the message
-void require_pictures(const std::string& place);
+/// @param where  for the message
+void require_pictures(const std::string& where);

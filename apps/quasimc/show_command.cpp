@@ -29,7 +29,7 @@ struct ShowArguments {
     std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts;
     double opening = 0;
     std::size_t threads = 0;
-    bool plain = false, bare = false, as_seen = false;
+    bool plain = false, bare = false, realistic = false;
 };
 
 /// Two numbers with a mark between them: "200,20".
@@ -138,7 +138,7 @@ void set_view(
     quasimc::ScenePicture& picture,
     Faults& faults) {
     picture.view = view_of(arguments, faults);
-    picture.with_words = !arguments.bare;
+    picture.has_annotations = !arguments.bare;
     picture.render.threads = static_cast<unsigned>(arguments.threads);
     set_cuts(arguments, scene, picture, faults);
 }
@@ -152,7 +152,7 @@ void set_colors(
     const quasimc::RunFile& run = shown.run;
     picture.title = title_of(run);
     std::optional<ShownValues> values;
-    if (arguments.as_seen) {
+    if (arguments.realistic) {
         picture.true_light = true_light_of(shown, arguments.file, arguments.choice);
         picture.subtitle = "in the light of its sources" +
                            (arguments.choice.time.empty() ? "" : ", " + arguments.choice.time);
@@ -298,7 +298,7 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .type_name = "NAME",
          .group = kColors},
         {.name = "--realistic",
-         .target = &arguments.as_seen,
+         .target = &arguments.realistic,
          .summary = "as an eye sees it, in the light of its sources",
          .group = kColors},
         {.name = "--geometry-only",

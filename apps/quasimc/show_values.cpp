@@ -7,9 +7,9 @@
 
 #include "base/text.h"
 #include "files/input_files.h"
+#include "resultio/describe_series.h"
 #include "resultio/read_result.h"
 #include "resultio/read_rows.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
 
@@ -65,7 +65,7 @@ const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
 quasimc::RowsQuery query_of(const RunFile& run, const ValueChoice& choice, ShownValues& values) {
     quasimc::RowsQuery query;
     query.part = !run.series            ? ""
-                 : !choice.time.empty() ? "moments"
+                 : !choice.time.empty() ? "time_steps"
                  : !choice.day.empty()  ? "days"
                                         : "total";
     query.label = choice.time.empty() ? choice.day : choice.time;
@@ -101,7 +101,7 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
     for (const auto& [flag, text] :
          {std::pair("--time", &choice.time), std::pair("--day", &choice.day)}) {
         if (!run.series && !text->empty()) {
-            faults.add({flag, "the run has no [time]", "", "leave it out"});
+            faults.add({flag, "the run has no [time]", "", "remove it"});
         }
     }
     faults.throw_if_any();
@@ -130,8 +130,8 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
         refuse("day", choice.day, days.front(), days.back());
     }
     throw quasimc::InputError(
-        {{path, fmt::format("holds no {}", values.name),
-          "the run did not write it, or there is none", "look at [output] in the run file"}});
+        {{path, fmt::format("contains no {}", values.name),
+          "the run did not write it, or there is none", "check [output] in the run file"}});
 }
 
 /// The numbers of those choices that the result has, read in one pass.
@@ -157,7 +157,7 @@ std::vector<ShownValues> find_shown_values(
         }
         wanted[i].estimates = std::move(first->columns[i]);
         wanted[i].estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
-        wanted[i].when = query.part == "total" ? "sum of all times" : first->place.label;
+        wanted[i].when = query.part == "total" ? "sum of all times" : first->position.label;
         found.push_back(std::move(wanted[i]));
     }
     return found;
@@ -180,7 +180,7 @@ ShownValues named_values(
     const std::string unit = quasimc::unit_of(entry, band, run.scene.length_unit());
     return {
         .estimates = {},
-        .name = fmt::format("{}, {}", quasimc::in_words(entry.name), band.name),
+        .name = fmt::format("{}, {}", quasimc::describe_quantity(entry.name), band.name),
         .unit = is_sum ? quasimc::summed_unit(unit).name : unit,
         .key = fmt::format("{}_{}", entry.name, band.name),
         .when = ""};

@@ -12,26 +12,26 @@ namespace {
 
 /// What all points of a sweep have together.
 void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all) {
-    all.traced += point.traced;
+    all.computed += point.computed;
     all.unlit += point.unlit;
     all.at_target += point.at_target;
-    all.done += point.done;
-    all.cut_short += point.cut_short;
-    all.stop = point.stop == quasimc::StopReason::paths_done ? all.stop : point.stop;
+    all.completed += point.completed;
+    all.with_fewer_paths += point.with_fewer_paths;
+    all.stop = point.stop == quasimc::StopReason::finished ? all.stop : point.stop;
     // Of the most unlikely audit, times their number.
     if (point.audited > 0) {
         const double count = static_cast<double>(all.audited);
         const double own = static_cast<double>(point.audited);
         const double least =
-            std::min(count > 0 ? all.audit_chance / count : 1.0, point.audit_chance / own);
+            std::min(count > 0 ? all.audit_p_value / count : 1.0, point.audit_p_value / own);
         all.audited += point.audited;
-        all.audit_chance = std::min(1.0, least * (count + own));
+        all.audit_p_value = std::min(1.0, least * (count + own));
     }
     all.rays += point.rays;
     all.seconds += point.seconds;
-    all.build_seconds += point.build_seconds;
-    all.trace_seconds += point.trace_seconds;
-    all.trace_cpu_seconds += point.trace_cpu_seconds;
+    all.preparation_seconds += point.preparation_seconds;
+    all.solve_seconds += point.solve_seconds;
+    all.solve_cpu_seconds += point.solve_cpu_seconds;
     for (const auto& [method, times] : point.methods) {
         all.methods[method] += times;
     }
@@ -60,7 +60,7 @@ SweepRun::SweepRun(
     }
     if (team != nullptr) {
         const std::size_t traces =
-            quasimc::traces_of(run_->scene, quasimc::moments_of(*run_), run_->spec).size();
+            quasimc::traces_of(run_->scene, quasimc::time_steps_of(*run_), run_->spec).size();
         is_dealt_ = traces * sweep.size() >= team->size() && team->size() > 1;
     }
 }
@@ -79,7 +79,7 @@ void SweepRun::compute() {
     }
     if (sweep_.size() > 1) {
         all_.seconds += reading_seconds_;
-        all_.build_seconds += reading_seconds_;
+        all_.preparation_seconds += reading_seconds_;
     }
     checkpoint_.flush();
     dealt_.reset();
@@ -105,7 +105,7 @@ std::unique_ptr<quasimc::RunFile> SweepRun::next_file(std::size_t point) {
 
 bool SweepRun::goes_on() {
     if (deadline_.is_over() && all_.stop != quasimc::StopReason::interrupted) {
-        last_.stop = all_.stop = quasimc::StopReason::time_is_up;
+        last_.stop = all_.stop = quasimc::StopReason::time_limit;
         return false;
     }
     return last_.stop != quasimc::StopReason::interrupted;
@@ -114,22 +114,23 @@ bool SweepRun::goes_on() {
 bool SweepRun::trace(const std::stop_token& stop) {
     const quasimc::Stopwatch watch;
     try {
-        moments_ = quasimc::moments_of(*run_);
-        checkpoint_.set_moments_before(moments_before_);
+        time_steps_ = quasimc::time_steps_of(*run_);
+        checkpoint_.set_time_steps_before(time_steps_before_);
         const bool is_last = point_ + 1 == sweep_.size();
         const quasimc::RunControl own = control(stop);
-        last_ = is_last ? quasimc::run_series(
-                              std::move(simulator_), run_->scene, moments_, run_->spec, own)
-                        : quasimc::run_series(simulator_, run_->scene, moments_, run_->spec, own);
-        moments_before_ += moments_.size();
+        last_ = is_last
+                    ? quasimc::run_series(
+                          std::move(simulator_), run_->scene, time_steps_, run_->spec, own)
+                    : quasimc::run_series(simulator_, run_->scene, time_steps_, run_->spec, own);
+        time_steps_before_ += time_steps_.size();
     } catch (const quasimc::Stopped& stopped) {
         checkpoint_.flush();
         if (point_ == 0) {
             throw;
         }
         last_ = {};
-        last_.seconds = last_.trace_seconds = watch.seconds();
-        last_.trace_cpu_seconds = watch.cpu_seconds();
+        last_.seconds = last_.solve_seconds = watch.seconds();
+        last_.solve_cpu_seconds = watch.cpu_seconds();
         last_.stop = stopped.why();
         add_point(last_, all_);
         return false;
@@ -174,7 +175,7 @@ quasimc::RunControl SweepRun::control(const std::stop_token& stop) {
 std::optional<quasimc::GivenSums> SweepRun::sums_of(
     std::size_t time_step, const quasimc::RunSpec& spec, const quasimc::RunControl& control) {
     if (parts_ != nullptr) {
-        return quasimc::GivenSums{parts_->next(moments_before_ + time_step)};
+        return quasimc::GivenSums{parts_->next(time_steps_before_ + time_step)};
     }
     if (!dealt_ && checkpoint_.has_state(time_step)) {
         return std::nullopt;
@@ -182,5 +183,5 @@ std::optional<quasimc::GivenSums> SweepRun::sums_of(
     if (!dealt_) {
         dealt_ = std::make_unique<quasimc::DealtRuns>(*team_, point_, time_step);
     }
-    return dealt_->next(simulator_, run_->scene, moments_[time_step].sources, spec, control);
+    return dealt_->next(simulator_, run_->scene, time_steps_[time_step].sources, spec, control);
 }

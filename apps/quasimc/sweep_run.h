@@ -64,7 +64,7 @@ class SweepRun final : private quasimc::SumsSource {
     quasimc::RunTeam* team_;
     double reading_seconds_ = 0;  // of all points, before and between their runs
     std::size_t point_ = 0;
-    std::size_t moments_before_ = 0;  // of the points before
+    std::size_t time_steps_before_ = 0;  // of the points before
     std::unique_ptr<quasimc::RunFile> run_;
     RunWriters writers_;
     std::optional<InterruptWatch> interrupt_;  // before what has threads and what is left behind
@@ -72,10 +72,10 @@ class SweepRun final : private quasimc::SumsSource {
     ProgressLine progress_line_;
     std::optional<RunWindow> window_;
     quasimc::Simulator simulator_;
-    quasimc::Deadline deadline_;              // of all points
-    quasimc::Work work_;                      // of all points
-    std::vector<quasimc::TimeStep> moments_;  // of the point
-    bool is_dealt_ = false;                   // enough runs for all ranks
+    quasimc::Deadline deadline_;                 // of all points
+    quasimc::Work work_;                         // of all points
+    std::vector<quasimc::TimeStep> time_steps_;  // of the point
+    bool is_dealt_ = false;                      // enough runs for all ranks
     std::unique_ptr<quasimc::DealtRuns> dealt_;
     quasimc::SeriesSummary last_, all_;
 };

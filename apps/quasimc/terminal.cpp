@@ -33,8 +33,8 @@ void print_message(std::string_view word, int color, std::string_view text) {
 std::size_t terminal_width() {
     constexpr std::int64_t kUsual = 80, kMin = 40, kMax = 1000;
     const char* columns = std::getenv("COLUMNS");
-    if (const auto stated = quasimc::parse_integer(columns != nullptr ? columns : "")) {
-        return static_cast<std::size_t>(std::clamp(*stated, kMin, kMax));
+    if (const auto given = quasimc::parse_integer(columns != nullptr ? columns : "")) {
+        return static_cast<std::size_t>(std::clamp(*given, kMin, kMax));
     }
     winsize size{};
     const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;

@@ -32,7 +32,7 @@ WindowRun read_window_run(const WindowArguments& arguments) {
     ShownRun shown = read_shown_run(arguments.file, arguments.point);
     if (shown.result_text.empty()) {
         throw quasimc::InputError(
-            {{arguments.file, "is no result", "",
+            {{arguments.file, "is not a result", "",
               "write one with quasimc run --json; quasimc show draws a scene without light"}});
     }
     quasimc::WindowData data =
@@ -43,8 +43,8 @@ WindowRun read_window_run(const WindowArguments& arguments) {
 Exit report(const WindowArguments& arguments) {
     quasimc::require_page("report");
     const WindowRun run = read_window_run(arguments);
-    constexpr std::size_t kMostBytes = std::size_t{256} << 20U;
-    if (run.data.bytes() > kMostBytes) {
+    constexpr std::size_t kMaxBytes = std::size_t{256} << 20U;
+    if (run.data.bytes() > kMaxBytes) {
         throw quasimc::InputError(
             {{arguments.file,
               fmt::format("makes a report of {} MB", run.data.bytes() * 4 / 3 >> 20U),
@@ -62,8 +62,8 @@ Exit report(const WindowArguments& arguments) {
 Exit view(const WindowArguments& arguments) {
     quasimc::require_page("view");
     const InterruptWatch interrupt([] {});
-    const quasimc::WindowServer server(
-        quasimc::WindowSite(
+    const quasimc::HttpServer server(
+        quasimc::ViewerRoutes(
             quasimc::files_of(read_window_run(arguments).data), quasimc::random_token()),
         static_cast<int>(arguments.port));
     fmt::print("{}\n", server.address());

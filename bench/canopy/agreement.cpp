@@ -79,9 +79,9 @@ Comparison compare(const Result& plain, const Result& other) {
 }
 
 double nine_in_ten(std::vector<double> values) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), rank, values.end());
+    return *rank;
 }
 
 void print_stand(StandKind kind, const Effort& effort) {
@@ -91,7 +91,7 @@ void print_stand(StandKind kind, const Effort& effort) {
     const Result plain = trace(scene, plain_way, effort.plain_paths / kReplicates);
     std::printf(
         "\n%s: %zu organs, %zu triangles; plain tracing took %.0f s\n", name_of(kind).c_str(),
-        scene.organs().size(), scene.triangle_count(), plain.trace_seconds);
+        scene.organs().size(), scene.triangle_count(), plain.solve_seconds);
     std::printf(
         "  %-16s %11s %14s %8s %10s %6s %14s %11s\n", "from, sampler", "comparisons",
         "largest diff.", "limit", "resolution", "chi", "totals differ", "resolution");

@@ -77,8 +77,8 @@ void print_band_ratio(const Effort& effort) {
         std::printf(
             "  %-6s %15.3e %15.3e %8.2f %9.2f %8.2f\n", light == Light::sun ? "sun" : "sky",
             separate, common, separate / common,
-            (red.trace_cpu_seconds + far.trace_cpu_seconds) * to_ms,
-            both.trace_cpu_seconds * to_ms);
+            (red.solve_cpu_seconds + far.solve_cpu_seconds) * to_ms,
+            both.solve_cpu_seconds * to_ms);
     }
 }
 
@@ -96,7 +96,7 @@ void print_band_cost(const Effort& effort) {
         for (std::size_t i = 0; i < counts.size(); ++i) {
             const Result result =
                 run(scenes[i], make_light(Light::sun, counts[i]), plain_spec(effort));
-            seconds[i] = result.trace_cpu_seconds;
+            seconds[i] = result.solve_cpu_seconds;
             ratios[i].push_back(seconds[i] / seconds[0]);
         }
     }

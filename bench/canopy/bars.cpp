@@ -38,11 +38,11 @@ struct Case {
 Measured measure(
     const Scene& scene, const Sources& sources, const RunSpec& spec, double absorptance) {
     const Result result = run(scene, sources, spec);
-    std::vector<double> seconds{result.trace_cpu_seconds};
+    std::vector<double> seconds{result.solve_cpu_seconds};
     // Short runs are timed again: the machine has other things to do.
     constexpr double kShort = 0.5;
-    for (int i = 1; i < kTimings && result.trace_cpu_seconds < kShort; ++i) {
-        seconds.push_back(run(scene, sources, spec).trace_cpu_seconds);
+    for (int i = 1; i < kTimings && result.solve_cpu_seconds < kShort; ++i) {
+        seconds.push_back(run(scene, sources, spec).solve_cpu_seconds);
     }
     double mean = 0;
     for (std::size_t i = 0; i < result.organs(); ++i) {
@@ -161,7 +161,7 @@ void print_merit(
 void print_time(
     Method method, const char* name, const Case& one, double most_ms, const Effort& effort) {
     constexpr double kError = 0.01;
-    constexpr double kLeastStep = 1.03;
+    constexpr double kMinStep = 1.03;
     if (!is_asked_for(name, effort)) {
         return;
     }
@@ -179,7 +179,7 @@ void print_time(
             // Variance falls at least with the number of paths.
             const double missing = std::pow(m.error / kError, 2);
             paths = static_cast<std::uint64_t>(
-                static_cast<double>(paths) * std::clamp(missing, kLeastStep, 2.0));
+                static_cast<double>(paths) * std::clamp(missing, kMinStep, 2.0));
             m = try_paths();
         }
         std::printf(
@@ -201,7 +201,7 @@ void print_bands(const char* name, const Case& one, double most, const Effort& e
              .albedos = std::vector<double>(bands, one.albedo),
              .seed = kSeeds[0]});
         const RunSpec spec = make_spec(Method::ray_bundles, "sobol", effort.paths, effort);
-        return run(scene, make_light(one.light, bands), spec).trace_cpu_seconds;
+        return run(scene, make_light(one.light, bands), spec).solve_cpu_seconds;
     };
     std::vector<double> ratios;
     for (int repeat = 0; repeat < std::max(3, effort.repeats); ++repeat) {

@@ -1,5 +1,6 @@
-// What ray bundles leave of errors, and in what time: the table of docs/theory/ray-bundles.md.
-// Errors are those of one replicate: root of the mean variance over leaves, over the mean.
+// What ray bundles leave of errors, and in what time: the table of
+// docs/develop/notebook/ray-bundles.md. Errors are those of one replicate: root of the mean
+// variance over leaves, over the mean.
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ Errors errors_of(const Scene& scene, const Sources& sources, const RunSpec& spec
 double time_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     std::vector<double> seconds;
     while (seconds.size() < kTimings) {
-        seconds.push_back(run(scene, sources, spec).trace_cpu_seconds / spec.replicates);
+        seconds.push_back(run(scene, sources, spec).solve_cpu_seconds / spec.replicates);
     }
     return median(seconds);
 }

@@ -21,7 +21,7 @@
 namespace quasimc::bench {
 namespace {
 
-constexpr double kMostTimesBest = 2;
+constexpr double kMaxTimesBest = 2;
 /// Of a method that can't be: more than any costs.
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -87,19 +87,19 @@ Result run_and_time(
     int repeats,
     Simulator& simulator,
     double& seconds) {
-    constexpr std::uint32_t kFewestReplicates = 4;
-    constexpr double kMostSeconds = 10, kLong = 2;
+    constexpr std::uint32_t kMinReplicates = 4;
+    constexpr double kMaxSeconds = 10, kLong = 2;
     const std::uint32_t wanted = spec.replicates;
-    spec.replicates = kFewestReplicates;
+    spec.replicates = kMinReplicates;
     Result result = simulator.run(scene, sources, spec);
-    const double most = kMostSeconds / result.trace_cpu_seconds * kFewestReplicates;
-    if (most > 2 * kFewestReplicates) {
+    const double most = kMaxSeconds / result.solve_cpu_seconds * kMinReplicates;
+    if (most > 2 * kMinReplicates) {
         spec.replicates = static_cast<std::uint32_t>(std::min<double>(wanted, most));
         result = simulator.run(scene, sources, spec);
     }
-    seconds = result.trace_cpu_seconds;
+    seconds = result.solve_cpu_seconds;
     for (int i = 1; i < repeats && seconds < kLong; ++i) {
-        seconds = std::min(seconds, simulator.run(scene, sources, spec).trace_cpu_seconds);
+        seconds = std::min(seconds, simulator.run(scene, sources, spec).solve_cpu_seconds);
     }
     seconds /= spec.replicates;
     return result;
@@ -150,7 +150,7 @@ bool print_case(
         std::max(effort.replicates, scene.organs().size() < kFewOrgans ? kOfFewOrgans : 0);
     spec.threads = 1;
     spec.method = Method::automatic;
-    KeptCaster caster;
+    CachedRayCaster caster;
     const Method chosen = plan_run(scene, light.sources, spec, caster, {}).method;
     const std::vector<Cost> costs = costs_of(scene, light.sources, spec, effort.repeats, simulator);
     std::size_t automatic = 0;
@@ -168,7 +168,7 @@ bool print_case(
             is_chosen ? '*' : ' ');
     }
     const double ratio = times_best(costs, automatic, &Cost::of_organs);
-    const bool holds = ratio <= kMostTimesBest;
+    const bool holds = ratio <= kMaxTimesBest;
     std::printf(
         " %7.2f %7.2f%s\n", ratio, times_best(costs, automatic, &Cost::of_total),
         holds ? "" : "  MISSED");
@@ -233,7 +233,7 @@ bool print_canopies(
                 print_canopy(file, read_run_file(file).scene, suns_and_sky(), effort, paths, words);
         }
     }
-    std::printf("\n%zu cases above %g times the best\n", missed, kMostTimesBest);
+    std::printf("\n%zu cases above %g times the best\n", missed, kMaxTimesBest);
     return missed == 0;
 }
 

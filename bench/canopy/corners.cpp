@@ -31,7 +31,7 @@ struct Corner {
     double truth = 0;
 };
 
-MaterialSpec matt(const std::string& name, double rho) {
+MaterialSpec diffuse(const std::string& name, double rho) {
     const std::vector<SideOptics> side(1, {.reflectance = rho});
     return {name, side, side};
 }
@@ -77,7 +77,7 @@ Sources uniform_sky() {
 
 /// A leaf below a roof with a slit of a thousandth of its width.
 Corner deep_shade() {
-    SceneBuilder builder = builder_of({matt("black", 0)});
+    SceneBuilder builder = builder_of({diffuse("black", 0)});
     add(builder, "black", plate(0, 1, 0, 1, 0));
     add(builder, "black", plate(-.5, .4, -.5, 1.5, .1));
     add(builder, "black", plate(.401, 1.5, -.5, 1.5, .1));
@@ -96,7 +96,7 @@ double opening_seen(double height) {
 
 Corner tube() {
     constexpr double kHeight = 5;
-    SceneBuilder builder = builder_of({matt("black", 0)});
+    SceneBuilder builder = builder_of({diffuse("black", 0)});
     add(builder, "black", plate(0, 1, 0, 1, 0));
     const std::array<Vec3, 4> corners{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}};
     std::vector<Triangle> walls;
@@ -115,7 +115,7 @@ Corner tube() {
 /// A sensor of half view 25 degrees above leaves.
 Corner narrow_sensor() {
     constexpr double kHalfView = 25;
-    SceneBuilder builder = builder_of({sensor(), matt("black", 0)});
+    SceneBuilder builder = builder_of({sensor(), diffuse("black", 0)});
     OrganSpec eye;
     eye.parts.push_back({"sensor", plate(.2, .8, .2, .8, 1.1)});
     eye.field_of_view_deg = kHalfView;
@@ -145,7 +145,7 @@ Corner above_ground(const std::string& name, const MaterialSpec& ground, double 
 /// A lamp a tenth of its width above a leaf: the solid angle of a square from above its middle.
 Corner close_lamp() {
     constexpr double kHalf = .05, kHeight = .01;
-    SceneBuilder builder = builder_of({matt("black", 0)});
+    SceneBuilder builder = builder_of({diffuse("black", 0)});
     add(builder, "black", plate(-kHalf, kHalf, -kHalf, kHalf, 0));
     add(builder, "black", plate(-1, 1, -1, 1, -1));
     LampSpec lamp;
@@ -164,7 +164,7 @@ Corner close_lamp() {
 
 Corner needle() {
     constexpr double kZenith = 20, kWidth = 1e-6;
-    SceneBuilder builder = builder_of({matt("black", 0)});
+    SceneBuilder builder = builder_of({diffuse("black", 0)});
     add(builder, "black", plate(.3, .6, .4, .4 + kWidth, .2));
     add(builder, "black", plate(0, 1, 0, 1, 0));
     return {
@@ -186,8 +186,9 @@ Held held_by(const Corner& corner, Method method, std::uint32_t runs) {
         spec.seed = seed;
         const Estimate e = run(corner.scene, corner.sources, spec).at(0, corner.quantity, 0);
         const double slack = kRounding * corner.truth;
-        held.part += e.low - slack <= corner.truth && corner.truth <= e.high + slack ? 1 : 0;
-        held.width += (e.high - e.low) / 2 / corner.truth;
+        held.part +=
+            e.ci95_low - slack <= corner.truth && corner.truth <= e.ci95_high + slack ? 1 : 0;
+        held.width += (e.ci95_high - e.ci95_low) / 2 / corner.truth;
     }
     return {held.part / runs, held.width / runs};
 }
@@ -203,7 +204,7 @@ void print_corners(const Effort& effort) {
         deep_shade(),
         tube(),
         narrow_sensor(),
-        above_ground("few hits", matt("soil", .5), 0),
+        above_ground("few hits", diffuse("soil", .5), 0),
         above_ground("mirror", shiny("water", "mirror", {}), 30),
         above_ground("Phong, exponent 1000", shiny("wax", "phong", {{"exponent", 1000}}), 0),
         close_lamp(),

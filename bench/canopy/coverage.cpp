@@ -35,7 +35,7 @@ Result long_run(const Scene& scene, const Sources& sources, const Way& way) {
 }
 
 bool holds(const Estimate& interval, const Estimate& truth) {
-    return interval.low <= truth.mean && truth.mean <= interval.high;
+    return interval.ci95_low <= truth.mean && truth.mean <= interval.ci95_high;
 }
 
 /// The part of the organs whose intervals hold the truth.

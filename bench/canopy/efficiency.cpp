@@ -18,7 +18,7 @@ struct Measured {
 
 Measured measure(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     const Result result = run(scene, sources, spec);
-    return {mean_variance(result), result.trace_cpu_seconds / spec.replicates};
+    return {mean_variance(result), result.solve_cpu_seconds / spec.replicates};
 }
 
 const char* name_of(Method from) {

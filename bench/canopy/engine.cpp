@@ -117,9 +117,9 @@ void print_scaling(const Effort& effort) {
         std::vector<double> ratios;
         for (int repeat = 0; repeat < effort.repeats; ++repeat) {
             spec.threads = 1;
-            one.push_back(run(scene, make_light(Light::sun, 1), spec).trace_seconds);
+            one.push_back(run(scene, make_light(Light::sun, 1), spec).solve_seconds);
             spec.threads = 2;
-            two.push_back(run(scene, make_light(Light::sun, 1), spec).trace_seconds);
+            two.push_back(run(scene, make_light(Light::sun, 1), spec).solve_seconds);
             ratios.push_back(one.back() / two.back());
         }
         std::printf(

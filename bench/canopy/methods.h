@@ -14,7 +14,7 @@ inline constexpr std::array kMethodNames{
     "light_tracing", "first_hits", "from_organs", "ray_bundles"};
 
 inline bool can_run(Method method, const Scene& scene) {
-    return method != Method::ray_bundles || is_matt(scene);
+    return method != Method::ray_bundles || is_diffuse(scene);
 }
 
 }  // namespace quasimc::bench

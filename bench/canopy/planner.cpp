@@ -61,7 +61,8 @@ double surest_mean(const Results& all, std::size_t organ, Quantity quantity) {
 /// The variance of a number of one of the ways. Of what is lit and was not seen, that of finds as
 /// large as its interval tells, a third of its end, which are Poisson distributed; 100 % at least.
 double variance_of(const Estimate& e, double mean) {
-    return e.mean > 0 ? e.standard_error * e.standard_error : mean * std::max(mean, e.high / 3);
+    return e.mean > 0 ? e.standard_error * e.standard_error
+                      : mean * std::max(mean, e.ci95_high / 3);
 }
 
 /// Mean over the measured organs of the variance of the light that falls on both sides.
@@ -105,7 +106,7 @@ double print_case(const Case& one, const Effort& effort) {
             continue;
         }
         const double variance = variance_of_measured(scene, results[i], results);
-        merit[i] = spec.replicates / (variance * std::max(results[i].trace_cpu_seconds, 1e-9));
+        merit[i] = spec.replicates / (variance * std::max(results[i].solve_cpu_seconds, 1e-9));
     }
     const double best = *std::max_element(merit.begin(), merit.end());
     std::printf("  %-38s %7.1f", one.name.c_str(), gain_of_equal_shares(scene));

@@ -18,7 +18,7 @@ namespace quasimc::bench {
 namespace {
 
 constexpr double kTarget = 0.02;
-constexpr double kHoursOfYear = 4400, kMostHours = 40;
+constexpr double kHoursOfYear = 4400, kMaxHours = 40;
 constexpr double kHour = 3600;
 constexpr int kMonths = 12, kDayHours = 24;
 
@@ -147,8 +147,8 @@ void print_season(const Effort& effort) {
         "%.1f %% (%lu paths) %.1f s and %.3f s an hour, a year %.0f times the hour (at most %g: "
         "%s)\n",
         leaves, 100 * one.error, one.seconds, paths, 100 * all.error, paths_together, all.before,
-        all.each, year / one.seconds, kMostHours,
-        year <= kMostHours * one.seconds ? "met" : "MISSED");
+        all.each, year / one.seconds, kMaxHours,
+        year <= kMaxHours * one.seconds ? "met" : "MISSED");
 }
 
 }  // namespace quasimc::bench

@@ -20,7 +20,7 @@ class Numbers {
   public:
     double operator()() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * (*this)(); }
-    Vec3 place() { return {kSide * (*this)(), kSide * (*this)(), kSide * (*this)()}; }
+    Vec3 point() { return {kSide * (*this)(), kSide * (*this)(), kSide * (*this)()}; }
     /// A direction, uniform over the sphere.
     Vec3 direction() {
         const double z = between(-1, 1);
@@ -76,7 +76,7 @@ void add(SceneBuilder& builder, std::string material, const std::vector<Triangle
 /// Equilateral triangles anywhere in the cube, turned anyhow.
 std::vector<Triangle> random_leaf(std::uint32_t leaves, Numbers& numbers) {
     const double radius = std::sqrt(leaf_area(leaves) / (3 * std::numbers::sqrt3 / 4));
-    const Vec3 center = numbers.place();
+    const Vec3 center = numbers.point();
     const Frame frame = frame_about(numbers.direction());
     Triangle leaf;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -109,7 +109,7 @@ void add_plant(SceneBuilder& builder, const Vec3& foot, std::uint32_t leaves, Nu
 std::vector<Triangle> curved_leaf(std::uint32_t leaves, Numbers& numbers) {
     const double length = std::sqrt(leaf_area(leaves) * 3);
     const double width = length / 3;
-    const Vec3 base = numbers.place();
+    const Vec3 base = numbers.point();
     const double around = numbers.between(0, 2 * std::numbers::pi);
     const Vec3 out{std::cos(around), std::sin(around), 0};
     const Vec3 across{-out.y, out.x, 0};

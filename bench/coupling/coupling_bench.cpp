@@ -10,7 +10,7 @@
 // many rays. Counters:
 //   auto, light   CPU milliseconds of a step, the middle one
 //   ratio         of the two of a pair, the middle one
-//   method        that auto took, by its place in the catalogue
+//   method        that auto took, by its index in the catalogue
 //
 // bench_pipe: all of it, as the plant simulator sees it, from the first byte of the queries written
 // to a pipe until the last byte of the answers is read. Counters are seconds by the clock:
@@ -120,7 +120,7 @@ void bench_steps(benchmark::State& state) {
         const double end = cpu_seconds();
         whole += end - start;
         text += parsed - start + end - answered;
-        tracing += light.last().results.front().trace_cpu_seconds;
+        tracing += light.last().results.front().solve_cpu_seconds;
         is_odd = !is_odd;
     }
     const auto steps = static_cast<double>(state.iterations());

@@ -69,9 +69,9 @@ std::vector<Triangle> plants(std::size_t leaves) {
         for (std::size_t i = 0; i < leaves; ++i) {
             const double radius = 0.14 * std::sqrt(random.uniform());
             const double angle = 2 * kPi * random.uniform();
-            const Vec3 place{
+            const Vec3 position{
                 radius * std::cos(angle), radius * std::sin(angle), 0.5 * random.uniform()};
-            triangles.push_back(random_leaf(random, stem + place, leaf_area));
+            triangles.push_back(random_leaf(random, stem + position, leaf_area));
         }
     }
     return triangles;
@@ -83,11 +83,12 @@ std::vector<BenchRay> vertical_rays(std::size_t count, double height, bool order
     const double side = std::ceil(std::sqrt(static_cast<double>(count)));
     const double cells = std::exp2(std::ceil(std::log2(side)));
     for (std::uint64_t i = 0; rays.size() < count; ++i) {
-        Vec3 place{random.uniform(), random.uniform(), 0};
+        Vec3 position{random.uniform(), random.uniform(), 0};
         if (ordered) {
-            place = {(even_bits(i) + place.x) / cells, (even_bits(i >> 1U) + place.y) / cells, 0};
+            position = {
+                (even_bits(i) + position.x) / cells, (even_bits(i >> 1U) + position.y) / cells, 0};
         }
-        rays.push_back({{place.x, place.y, height}, {0, 0, -1}});
+        rays.push_back({{position.x, position.y, height}, {0, 0, -1}});
     }
     return rays;
 }

@@ -8,7 +8,7 @@
 
 namespace quasimc::bench {
 
-/// `count` equilateral triangles of random place and orientation in the unit cube, of total area
+/// `count` equilateral triangles of random position and orientation in the unit cube, of total area
 /// `area`.
 [[nodiscard]] std::vector<Triangle> random_leaves(std::size_t count, double area);
 
@@ -23,11 +23,11 @@ struct BenchRay {
 
 /// Straight down from the top of the unit square at `height`; along a Morton curve if `ordered`.
 [[nodiscard]] std::vector<BenchRay> vertical_rays(std::size_t count, double height, bool ordered);
-/// Down from the same places, directions like those of a uniform sky's light.
+/// Rays down from the same points, with directions like those of a uniform sky's light.
 [[nodiscard]] std::vector<BenchRay> sky_rays(std::size_t count, double height);
-/// Down from the same places, ten degrees below the horizontal.
+/// Rays down from the same points, ten degrees below the horizontal.
 [[nodiscard]] std::vector<BenchRay> low_rays(std::size_t count, double height);
-/// From random places on random triangles, directions like those of scattered light.
+/// Rays from random points on random triangles, with directions like those of scattered light.
 [[nodiscard]] std::vector<BenchRay> leaf_rays(
     std::size_t count, const std::vector<Triangle>& triangles);
 

@@ -1,4 +1,4 @@
-// What a place in a window costs, and the making of a window.
+// The cost of a point in a window, and of making a window.
 
 #include <benchmark/benchmark.h>
 
@@ -11,7 +11,7 @@ namespace {
 
 const Vec3 beam = normalized(Vec3{0.3, 0.2, -1});
 
-void places(benchmark::State& state, const Cell& cell, StartArea shape) {
+void points(benchmark::State& state, const Cell& cell, StartArea shape) {
     const LocalMesh mesh = make_local_mesh(random_leaves(10000, 2.5));
     const SceneProjection projection(mesh, cell, shape);
     const auto window = projection.window(beam);
@@ -21,7 +21,7 @@ void places(benchmark::State& state, const Cell& cell, StartArea shape) {
         u0 -= u0 >= 1 ? 1 : 0;
         u1 += 0.5698402909980532;
         u1 -= u1 >= 1 ? 1 : 0;
-        benchmark::DoNotOptimize(window->place(u0, u1));
+        benchmark::DoNotOptimize(window->point(u0, u1));
     }
     state.SetItemsProcessed(state.iterations());
 }
@@ -35,9 +35,9 @@ void make_silhouette(benchmark::State& state) {
     }
 }
 
-BENCHMARK_CAPTURE(places, silhouette, Cell{}, StartArea::silhouette);
-BENCHMARK_CAPTURE(places, sphere, Cell{}, StartArea::bounding_sphere);
-BENCHMARK_CAPTURE(places, layer, Cell{true, true}, StartArea::silhouette);
+BENCHMARK_CAPTURE(points, silhouette, Cell{}, StartArea::silhouette);
+BENCHMARK_CAPTURE(points, sphere, Cell{}, StartArea::bounding_sphere);
+BENCHMARK_CAPTURE(points, layer, Cell{true, true}, StartArea::silhouette);
 BENCHMARK(make_silhouette)->Arg(500)->Arg(10000)->Arg(1000000)->Unit(benchmark::kMillisecond);
 
 }  // namespace

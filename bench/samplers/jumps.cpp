@@ -46,16 +46,16 @@ enum class Shape { half_space, box, ball };
 
 struct Jump {
     Shape shape;
-    std::vector<double> place;  ///< normal of the half-space, else centre
+    std::vector<double> position;  ///< normal of the half-space, else centre
     double size;
 
     double operator()(const Points& x, std::size_t point) const {
         double sum = 0;
         double greatest = 0;
-        for (std::size_t k = 0; k < place.size(); ++k) {
-            const double distance = x[k][point] - place[k];
-            sum +=
-                shape == Shape::half_space ? place[k] * (x[k][point] - 0.5) : distance * distance;
+        for (std::size_t k = 0; k < position.size(); ++k) {
+            const double distance = x[k][point] - position[k];
+            sum += shape == Shape::half_space ? position[k] * (x[k][point] - 0.5)
+                                              : distance * distance;
             greatest = std::max(greatest, std::min(std::abs(distance), 1 - std::abs(distance)));
         }
         switch (shape) {
@@ -75,9 +75,9 @@ std::vector<Jump> draw_jumps(std::size_t order) {
     const auto s = static_cast<double>(order);
     std::vector<Jump> jumps;
     for (int i = 0; i < kFunctions; ++i) {
-        Jump jump{.shape = static_cast<Shape>(i % 3), .place = {}, .size = 0};
+        Jump jump{.shape = static_cast<Shape>(i % 3), .position = {}, .size = 0};
         for (std::size_t k = 0; k < order; ++k)
-            jump.place.push_back(
+            jump.position.push_back(
                 jump.shape == Shape::half_space ? draws.normal() : draws.uniform());
         if (jump.shape == Shape::half_space)
             jump.size = 0.3 * draws.normal();

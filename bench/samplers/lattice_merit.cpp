@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxOrder = 8;
 constexpr std::uint32_t kMaxLag = 128;
-constexpr double kLeastPairMerit = 0.2;
+constexpr double kMinPairMerit = 0.2;
 
 using Vector = std::array<std::int64_t, kMaxOrder>;
 
@@ -255,7 +255,7 @@ std::uint32_t korobov_dimensions(std::uint64_t n, std::uint64_t a) {
     std::uint32_t lag = 1;
     for (; lag < kMaxLag; ++lag) {
         const std::array z{std::uint64_t{1}, power(a, lag)};
-        if (shortest_dual_vector(n, z) < kSame || spectral_merit(n, z) < kLeastPairMerit)
+        if (shortest_dual_vector(n, z) < kSame || spectral_merit(n, z) < kMinPairMerit)
             break;
     }
     return lag;

@@ -39,7 +39,7 @@ void trace_a_little(const Scene& scene, const Sources& sources) {
     const auto triangles = static_cast<double>(scene.triangle_count());
     std::cerr << fmt::format(
         "scene {:.0f} (peak {:.0f}), engine built in {:.2f} s; ", resident / triangles,
-        read_peak / triangles, result.build_seconds);
+        read_peak / triangles, result.preparation_seconds);
 }
 
 /// A scene through the library's interface.
@@ -134,8 +134,8 @@ int main_of(const std::vector<std::string>& words) {
             status_bytes("VmHWM") / static_cast<double>(count));
         return 0;
     }
-    const bool stated = words.size() == 2 && words[0] == "--triangles";
-    const std::size_t count = stated ? std::stoul(words[1]) : kTriangles;
+    const bool given = words.size() == 2 && words[0] == "--triangles";
+    const std::size_t count = given ? std::stoul(words[1]) : kTriangles;
     return run_surface("soup", count) + run_surface("sheet", count);
 }
 

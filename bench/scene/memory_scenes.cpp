@@ -20,15 +20,16 @@ std::vector<Triangle> Surface::triangles() const {
 
 Surface soup(std::size_t triangles) {
     std::mt19937 random(1);
-    std::uniform_real_distribution<double> place(0, 1);
+    std::uniform_real_distribution<double> coordinate(0, 1);
     const double size = 0.5 / std::sqrt(static_cast<double>(triangles));
     Surface surface;
     surface.vertices.reserve(3 * triangles);
     surface.faces.reserve(triangles);
     for (std::uint32_t i = 0; i < triangles; ++i) {
-        const Vec3 middle{place(random), place(random), place(random)};
+        const Vec3 middle{coordinate(random), coordinate(random), coordinate(random)};
         for (int corner = 0; corner < 3; ++corner) {
-            const Vec3 way{place(random) - 0.5, place(random) - 0.5, place(random) - 0.5};
+            const Vec3 way{
+                coordinate(random) - 0.5, coordinate(random) - 0.5, coordinate(random) - 0.5};
             surface.vertices.push_back(middle + size * way);
         }
         surface.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});

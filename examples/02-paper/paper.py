@@ -80,7 +80,7 @@ def run_to_error(scene, method, sampler, replicates, target):
         light = light_of(result)
         error = np.sqrt(np.mean(light.standard_error**2)) / light.mean.mean()
         if error <= target:  # not where it is NaN: some leaf was not found
-            return paths, error, result.trace_cpu_seconds
+            return paths, error, result.solve_cpu_seconds
     sys.exit(f"{method}: the error is not reached")
 
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/* QuasiMC in plain C, for programs in C and in all languages that call C: docs/guide/c.md shows
- * how.
+/* QuasiMC in plain C, for programs in C and in all languages that call C:
+ * docs/guide/libraries.md shows how.
  *
  * Everything is made of numbers, texts, arrays and three kinds of handles. Nothing is thrown across
  * this interface. Functions that can fail return a quasimc_status, and quasimc_last_error() then
@@ -73,7 +73,7 @@ const char* quasimc_version(void);
 /** What was wrong with the last call in this thread that failed; "" if none did. Until the next. */
 const char* quasimc_last_error(void);
 
-/* ---- Scenes: everything has the names of the run file, docs/formats/run-file.md ----
+/* ---- Scenes: everything has the names of the run file, docs/reference/run-file.md ----
  *
  * What is stated is checked together, when the scene is run or a growth is made of it; by
  * themselves calls refuse pointers, counts, texts that are no TOML, options that there are not, and
@@ -154,7 +154,7 @@ int quasimc_scene_add_sky(
 int quasimc_scene_add_point_lamp(
     quasimc_scene* scene, double x, double y, double z, const double* power);
 
-/** Sets an option of the run, docs/guide/options.md: "paths" "4096", "method" "auto". */
+/** Sets an option of the run, docs/reference/options.md: "paths" "4096", "method" "auto". */
 int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value);
 
 /** Computes the light on every organ. What did not change since the last run is not built again.
@@ -182,7 +182,7 @@ int quasimc_growth_add_mesh(
     const int64_t* organ_of_face,
     const char* materials,
     const int32_t* material_of_face);
-/** Puts organs in the place of those of the same ids, all or none. An id that was not added to the
+/** Replaces the organs of the same ids, all or none. An id that was not added to the
  *  growth is an input error. */
 int quasimc_growth_change_mesh(
     quasimc_growth* growth,
@@ -235,8 +235,8 @@ const char* quasimc_quantity_name(int64_t quantity);
  *  @param quantity  a name of quasimc_quantity_name(); "sunlit_fraction"; or a ratio that was asked
  *         for, "R:FR"
  *  @param band  its name; NULL for the latter two
- *  @param statistic  "mean", "standard_error", or "low" and "high", the ends of the 95 % interval,
- *         which holds the mean and nothing that is physically impossible
+ *  @param statistic  "mean", "standard_error", or "ci95_low" and "ci95_high", the ends of the 95 %
+ * interval, which holds the mean and nothing that is physically impossible
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_organ_count() */
 int quasimc_result_get(
@@ -247,7 +247,7 @@ int quasimc_result_get(
     double* values,
     int64_t count);
 /** The same of one organ, given by its id.
- *  @param values  room for four: mean, standard error, low, high */
+ *  @param values  room for four: mean, standard error, ci95_low, ci95_high */
 int quasimc_result_get_organ(
     const quasimc_result* result,
     int64_t id,
@@ -255,11 +255,11 @@ int quasimc_result_get_organ(
     const char* band,
     double* values);
 /** A sum (or mean per area) over all organs but the ground, with its own error.
- *  @param values  room for four: mean, standard error, low, high */
+ *  @param values  room for four: mean, standard error, ci95_low, ci95_high */
 int quasimc_result_get_total(
     const quasimc_result* result, const char* quantity, const char* band, double* values);
 /** Where the light of a band went. @param item  "emitted", "absorbed_by_organs",
- *  "absorbed_by_ground", "escaped", "cut_off" or "roulette". @param values  room for four */
+ *  "absorbed_by_ground", "escaped", "cut_off" or "imbalance". @param values  room for four */
 int quasimc_result_get_budget(
     const quasimc_result* result, const char* item, const char* band, double* values);
 
@@ -301,7 +301,7 @@ int quasimc_result_get_detector(
     int64_t count);
 
 /** A number of the run: "paths" (per replicate), "replicates", "rays", "fraction_at_target",
- *  "build_seconds", "trace_seconds", "trace_cpu_seconds". */
+ *  "preparation_seconds", "solve_seconds", "solve_cpu_seconds". */
 int quasimc_result_get_number(const quasimc_result* result, const char* key, double* value);
 /** How many rounds a run with a target error or a limit of paths took; 0: it was one round. */
 int64_t quasimc_result_round_count(const quasimc_result* result);

@@ -14,9 +14,9 @@
 
 namespace quasimc {
 
-/// One fault in what a person gave us. Printed as "place: problem (why); suggestion".
+/// One error in the input. Printed as "where: problem (why); suggestion".
 struct Fault {
-    std::string place;       ///< file:line, key or organ; where to look
+    std::string where;       ///< file:line, key or organ; where to look
     std::string problem;     ///< what is wrong
     std::string why;         ///< what rule it breaks; may be empty
     std::string suggestion;  ///< what to do; may be empty
@@ -26,7 +26,7 @@ struct Fault {
 
 /// Something that is allowed but probably not meant.
 struct Warning {
-    std::string place, text;
+    std::string where, text;
 };
 
 /// Thrown for what a person can mend; carries all faults found, at least one.
@@ -58,9 +58,9 @@ class Faults {
 
 /// A file that a run was made from.
 struct InputFile {
-    std::string path;      ///< as stated
-    std::string resolved;  ///< absolute
-    std::string sha256;    ///< of its bytes, 64 hexadecimal digits
+    std::string path;  ///< as stated
+    std::string absolute_path;
+    std::string sha256;  ///< of its bytes, 64 hexadecimal digits
     std::uint64_t bytes = 0;
     bool is_run_file = false;
 };

@@ -57,9 +57,9 @@ struct MaterialSpec {
 
 /// Checks a stated material (every number finite and in range, rho + tau <= 1 in each band and
 /// side, known model names, every parameter stated and in its domain, `bands` entries a side); adds
-/// every fault to `faults`, at "place, upper side, band 2". Bands count from 1.
-/// @param place  where the material stands; empty for "material 'name'"
+/// every fault to `faults`, at "where, upper side, band 2". Bands count from 1.
+/// @param where  location of the material; empty for "material 'name'"
 void check_material(
-    const MaterialSpec& spec, std::size_t bands, const std::string& place, Faults& faults);
+    const MaterialSpec& spec, std::size_t bands, const std::string& where, Faults& faults);
 
 }  // namespace quasimc

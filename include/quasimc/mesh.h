@@ -149,7 +149,7 @@ class Orientation {
         return up_ == UpAxis::z ? p : Vec3{p.y, p.z, p.x};
     }
 
-    /// Unit vector towards a place of the sky, z up. Azimuth clockwise from north as seen from
+    /// Unit vector towards a point of the sky, z up. Azimuth clockwise from north as seen from
     /// above.
     [[nodiscard]] Vec3 towards(double azimuth_deg, double elevation_deg) const {
         const double radians = std::numbers::pi / 180;

@@ -51,11 +51,11 @@ struct OrganGroup {
 
     std::string by;     ///< kAllOrgans, kLayer, or the key of labels as it was asked for
     std::string value;  ///< of the label ("1+leaf" of two); the number of the layer, from 1 below
-    std::vector<std::uint32_t> organs = {};  ///< places in the scene's list, ascending
+    std::vector<std::uint32_t> organs = {};  ///< indices in the scene's list, ascending
     double area = 0;                         ///< one-sided, of all its organs
     /// Of a layer: its lower and upper height. An organ belongs to the layer that holds the
     /// centroid of its area (the last layer, its upper height too).
-    double low = kNone, high = kNone;
+    double height_min = kNone, height_max = kNone;
     /// Of a layer above a ground or in a cell that is periodic along both axes: one-sided area of
     /// its organs (leaf area, where all are leaves) per horizontal area; and that of the organs of
     /// this layer and those above.
@@ -76,7 +76,9 @@ struct Result;
 /// that, by chance, is put onto the end. Over many runs such a mean is biased, and the original one
 /// is not: sums, averages and models take that. Zeros have no sign.
 [[nodiscard]] constexpr Estimate reported(const Estimate& e) {
-    return {std::clamp(e.mean, e.low, e.high) + 0.0, e.standard_error, e.low, e.high};
+    return {
+        std::clamp(e.mean, e.ci95_low, e.ci95_high) + 0.0, e.standard_error, e.ci95_low,
+        e.ci95_high};
 }
 
 /// A right result fails an audit with at most this probability.
@@ -87,22 +89,22 @@ struct BandAudit {
     /// sum of w (a - b)^2 / sum of w (var a + var b) over the sides of all organs that both know,
     /// of the light that falls on them, w the organ's area; about 1 if both are right.
     double reduced_chi_square = 1;
-    double freedom = 0;     ///< effective number of independent sides
-    double chi_chance = 1;  ///< probability of a larger chi if both are right
+    double freedom = 0;             ///< effective number of independent sides
+    double chi_square_p_value = 1;  ///< probability of a larger chi if both are right
     /// Light that all organs absorb (ground left out), first less second result: flux. NaN if
     /// not all organs are measured.
     double difference = 0, standard_error = 0;
-    double difference_chance = 1;  ///< probability of a larger one, of either sign
+    double difference_p_value = 1;  ///< probability of a larger one, of either sign
 };
 
-/// A result compared with that of an independent run: docs/theory/audit.md.
+/// A result compared with that of an independent run: docs/theory/statistics.md.
 struct Audit {
     std::uint64_t paths = 0;  ///< of the independent run, per replicate
     std::uint32_t replicates = 0;
     std::vector<BandAudit> bands;
-    double chance = 1;  ///< of the most unlikely number, times how many there are; at most 1
+    double p_value = 1;  ///< of the most unlikely number, times how many there are; at most 1
 
-    [[nodiscard]] bool agrees() const { return chance >= kAuditLevel; }
+    [[nodiscard]] bool agrees() const { return p_value >= kAuditLevel; }
 };
 
 /// Compares the results of two independent runs of a scene, of at least two replicates each.
@@ -128,19 +130,19 @@ struct QuantityEntry {
 };
 [[nodiscard]] const std::array<QuantityEntry, kQuantities>& quantity_table();
 
-/// Where the light of one band went, flux. emitted + roulette = absorbed_by_organs +
-/// absorbed_by_ground + escaped + cut_off to rounding. `roulette` is what Russian roulette added
+/// Where the light of one band went, flux. emitted + imbalance = absorbed_by_organs +
+/// absorbed_by_ground + escaped + cut_off to rounding. `imbalance` is what Russian roulette added
 /// less what it took: its mean is 0. Tracing from organs gives emitted and absorbed; escaped is
 /// then the rest, and says so.
 struct BandBudget {
     Estimate emitted;  ///< of skies and lamps a sum over what was drawn, with its error
-    Estimate absorbed_by_organs, absorbed_by_ground, escaped, cut_off, roulette;
-    /// |emitted + roulette - absorbed - escaped - cut off| / emitted.
+    Estimate absorbed_by_organs, absorbed_by_ground, escaped, cut_off, imbalance;
+    /// |emitted + imbalance - absorbed - escaped - cut off| / emitted.
     double closure_error = 0;
 };
 
 /// The light of groups of organs. Errors are those of the sums, replicate by replicate: organs that
-/// shade one another have errors in common (docs/theory/groups.md).
+/// shade one another have errors in common (docs/theory/statistics.md).
 struct GroupResults {
     std::vector<OrganGroup> groups;
     std::size_t bands = 0, ratios = 0;
@@ -161,7 +163,7 @@ struct GroupResults {
 };
 
 /// Where the light of one band went over a ground or in a canopy without end, as fractions of what
-/// falls on the horizontal (docs/theory/canopy-fractions.md). NaN what can't be told.
+/// falls on the horizontal (docs/theory/statistics.md). NaN what can't be told.
 struct CanopyFractions {
     /// Flux that falls on the horizontal area of the cell or the ground. It follows from the
     /// sources and has no error; fractions over a cell are of what each replicate has emitted.
@@ -186,9 +188,9 @@ struct DetectorResult {
 
 /// Why no further round was traced.
 enum class StopReason {
-    paths_done,
+    finished,
     target_reached,
-    time_is_up,   ///< paths or target that were asked for were missed
+    time_limit,   ///< paths or target that were asked for were missed
     path_limit,   ///< the target, if one was set, was missed
     interrupted,  ///< the caller asked for a stop
     no_light,     ///< no source sends light into the scene (one leaf, edge-on to the sun): nothing
@@ -222,7 +224,7 @@ struct Result {
     GroupResults groups;                  ///< all organs first
     std::vector<BandBudget> budget;       ///< per band
     std::vector<CanopyFractions> canopy;  ///< per band; empty without ground or periodic cell
-    bool escaped_is_remainder = false;
+    bool escaped_by_difference = false;
     std::vector<DetectorResult> detectors;  ///< in the order of Scene::detectors()
 
     ChosenMethod chosen;
@@ -233,14 +235,14 @@ struct Result {
     double paths_before = 0;
     std::uint32_t replicates = 0;
     std::uint64_t rays = 0;  ///< all replicates
-    StopReason stop = StopReason::paths_done;
+    StopReason stop = StopReason::finished;
     double fraction_at_target = 0;  ///< of the organs; 0 when no target was set
     /// Of a run with a target or a limit of paths: what its rounds have brought, those since it was
     /// resumed; without trials that were begun anew. Empty: it was one round.
     std::vector<RoundErrors> rounds;
-    double build_seconds = 0;      ///< acceleration structure, wall
-    double trace_seconds = 0;      ///< wall
-    double trace_cpu_seconds = 0;  ///< all threads
+    double preparation_seconds = 0;  ///< acceleration structure, wall
+    double solve_seconds = 0;        ///< wall
+    double solve_cpu_seconds = 0;    ///< all threads
 
     [[nodiscard]] std::size_t organs() const { return values.size() / (kQuantities * bands); }
     [[nodiscard]] Estimate at(std::size_t organ, Quantity q, std::size_t band) const {

@@ -25,7 +25,7 @@ struct StoredSweep {
     bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };
 /// Reads a JSON result, and the files that its run was made from: those beside the result, or else
-/// those at the places where they were.
+/// those at their paths at the time of the run.
 /// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});
@@ -50,7 +50,7 @@ enum class CsvRows { organs, groups };
 enum class CsvTimes { moments, days };
 
 /// Writes a table of organs or groups, and of times or, of a run with [time], of sums over days
-/// (docs/formats/csv.md, groups.md): comment lines that begin with '#', one header line, one row
+/// (docs/reference/csv.md, groups.md): comment lines that begin with '#', one header line, one row
 /// per organ or group and time or day.
 class CsvWriter : public OutputWriter {
   public:
@@ -84,7 +84,7 @@ class CsvWriter : public OutputWriter {
     bool has_head_ = false;
 };
 
-/// Writes everything that is known of a run and its results (docs/formats/json.md). Days are kept
+/// Writes everything that is known of a run and its results (docs/reference/json.md). Days are kept
 /// in a temporary file until all times are written.
 class JsonWriter : public OutputWriter {
   public:
@@ -131,10 +131,10 @@ class Summary : public OutputWriter {
     std::vector<std::string> point_lines_;  // of the points of a sweep that ended
     std::string result_lines_;              // of a run without [time]
     // Of one with [time]:
-    std::size_t moments_ = 0;
+    std::size_t time_steps_ = 0;
     double seconds_ = 0;
     std::vector<BandBudget> energy_;  // flux x s
-    bool escaped_is_remainder_ = false;
+    bool escaped_by_difference_ = false;
     std::vector<std::pair<double, std::size_t>> medians_;  // errors, and of which moment
     std::size_t badly_known_ = 0;                          // most organs at a time
 };

@@ -182,15 +182,15 @@ struct RunControl {
 class Stopped : public std::runtime_error {
   public:
     Stopped(StopReason why, const std::string& words) : std::runtime_error(words), why_(why) {}
-    /// time_is_up or interrupted.
+    /// time_limit or interrupted.
     [[nodiscard]] StopReason why() const { return why_; }
 
   private:
     StopReason why_;
 };
 
-/// The result of darkness: nothing anywhere, without an error.
-[[nodiscard]] Result dark_result(const Scene& scene, const RunSpec& spec);
+/// The result of no_light_policy: nothing anywhere, without an error.
+[[nodiscard]] Result zero_result(const Scene& scene, const RunSpec& spec);
 
 /// Computes the light on every organ.
 ///
@@ -298,9 +298,8 @@ class GrowthSession {
     ///          with all faults at once
     std::vector<std::int64_t> add(std::vector<OrganSpec> organs);
     std::int64_t add(OrganSpec organ);
-    /// Puts organs in the places of those of the same ids, all or none. @throws InputError  if the
-    /// session has not all of them, one is stated twice, or SceneBuilder::check_organs() refuses
-    /// one
+    /// Replaces the organs of the same ids, all or none. @throws InputError  if the session has not
+    /// all of them, one is given twice, or SceneBuilder::check_organs() refuses one
     void change(std::vector<OrganSpec> organs);
     void change(OrganSpec organ);
     /// Removes organs, all or none. @throws InputError  if the session has not all of them, or one
@@ -325,7 +324,7 @@ class GrowthSession {
 
     /// Where organs stand in the scene and in its results, in the order asked.
     /// @throws InputError  if one is not there
-    [[nodiscard]] std::vector<std::size_t> places_of(std::span<const std::int64_t> ids);
+    [[nodiscard]] std::vector<std::size_t> indices_of(std::span<const std::int64_t> ids);
 
     /// How often a scene, and how often an acceleration structure, had to be made.
     [[nodiscard]] std::size_t scene_builds() const;

@@ -25,7 +25,7 @@ namespace quasimc {
 struct Node;  // a value of a run file; private
 
 /// What a moment of a series was made from, for headers.
-struct MomentNotes {
+struct TimeStepNotes {
     std::string time;  ///< its beginning, "2024-06-21T12:00+02:00"
     double seconds = 0;
     SunPosition sun;    ///< in the middle of the time that it is up
@@ -48,10 +48,10 @@ enum class CumulativeSky { none, day, period };
 /// The times of a run file, with the sources of each.
 struct TimeSeries {
     std::vector<TimeStep> time_steps;
-    std::vector<MomentNotes> notes;  ///< per moment
-    std::vector<std::string> days;   ///< dates, by TimeStep::day; of a period with one cumulative
-                                    ///< sky its first and last: "2024-04-01/2024-09-30"
-    std::vector<std::string> words;  ///< site, models and units, for headers
+    std::vector<TimeStepNotes> notes;  ///< per moment
+    std::vector<std::string> days;     ///< dates, by TimeStep::day; of a period with one cumulative
+                                       ///< sky its first and last: "2024-04-01/2024-09-30"
+    std::vector<std::string> words;    ///< site, models and units, for headers
     CumulativeSky cumulative_sky = CumulativeSky::none;
 };
 
@@ -74,7 +74,7 @@ struct OutputSpec {
 struct Override {
     std::string key;    ///< of the table of options
     std::string text;   ///< its value
-    std::string place;  ///< where it was stated, for messages: "--paths"
+    std::string where;  ///< where it was stated, for messages: "--paths"
 };
 
 /// A value of the run file that a sweep sets.
@@ -139,7 +139,7 @@ class RunSweep {
 
 /// The times to compute: those of [time] or else a single one, an instant, with the sources of the
 /// run.
-[[nodiscard]] std::vector<TimeStep> moments_of(const RunFile& run);
+[[nodiscard]] std::vector<TimeStep> time_steps_of(const RunFile& run);
 
 /// Reads a run file ("-": standard input).
 /// @throws InputError  with all its faults at once, those of all points of its sweep

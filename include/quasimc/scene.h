@@ -26,7 +26,7 @@ struct DetectorSpec {
     std::string name = {};  ///< unique among the detectors of a scene; default: the type
     /// By the names of the type's parameters; those left out have their usual values.
     std::map<std::string, double, std::less<>> parameters = {};
-    std::string place = {};  ///< where it was stated, for messages; default: its name
+    std::string where = {};  ///< where it was stated, for messages; default: its name
 };
 
 /// What numbers a parameter takes.
@@ -50,7 +50,7 @@ struct Id {
 };
 
 using MaterialId = Id<struct MaterialTag>;
-using OrganIndex = Id<struct OrganTag>;  ///< place in the scene's list; an organ's id is the user's
+using OrganIndex = Id<struct OrganTag>;  ///< index in the scene's list; an organ's id is the user's
 using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of one material
 
 struct SceneData;    // src/scene/scene.h
@@ -217,7 +217,7 @@ struct OrganSpec {
     /// Less than 90 is for sensors: organs of transparent materials only.
     double field_of_view_deg = 90;
     /// Where it was stated, for messages ("leaves.toml:12"); default: its name.
-    std::string place = {};
+    std::string where = {};
 };
 
 /// The ground. Without triangles it is a horizontal rectangle: the cell's along a periodic axis,
@@ -231,7 +231,7 @@ struct GroundSpec {
     std::optional<std::array<double, 4>> extent = {};
     Mesh triangles = {};  ///< a given surface instead, the file's axes
     std::string name = "ground";
-    std::string place = "ground";
+    std::string where = "ground";
 };
 
 /// Collects a scene and checks it whole. Nothing is repaired silently; every fault is reported at
@@ -247,8 +247,8 @@ class SceneBuilder {
     ~SceneBuilder();
 
     void set_length_unit(std::string unit);
-    /// Several materials of one name are a fault. @param place  for messages; default: the name
-    void add_material(MaterialSpec material, std::string place = {});
+    /// Several materials of one name are a fault. @param where  for messages; default: the name
+    void add_material(MaterialSpec material, std::string where = {});
     void add_organ(OrganSpec organ);
     void set_ground(GroundSpec ground);
     void add_detector(DetectorSpec detector);

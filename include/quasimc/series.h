@@ -61,26 +61,27 @@ class SumsSource {
 
 /// What is known of a series at its end.
 struct SeriesSummary {
-    SeriesSum total;         ///< over all days, if it was wanted
-    std::size_t traced = 0;  ///< moments that were traced; the others are dark or scaled
+    SeriesSum total;           ///< over all days, if it was wanted
+    std::size_t computed = 0;  ///< moments that were traced; the others are dark or scaled
     /// By which methods, and how many moments by each.
     std::map<Method, std::size_t> methods;
     /// Of those, moments at which no light reaches the scene although some source shines.
     std::size_t unlit = 0;
     std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
-    std::size_t done = 0;  ///< moments that were told of; fewer than there are if it was stopped
-    std::size_t cut_short =
+    std::size_t completed =
+        0;  ///< moments that were told of; fewer than there are if it was stopped
+    std::size_t with_fewer_paths =
         0;  ///< of those traced: with fewer paths than asked for, for want of time
-    /// paths_done; or why not all moments and paths were done: time_is_up or interrupted.
-    StopReason stop = StopReason::paths_done;
+    /// finished; or why not all moments and paths were done: time_limit or interrupted.
+    StopReason stop = StopReason::finished;
     std::size_t audited = 0;  ///< of those, how many were audited
-    /// Of the most unlikely audit, times their number (Audit::chance); at most 1.
-    double audit_chance = 1;
+    /// Of the most unlikely audit, times their number (Audit::p_value); at most 1.
+    double audit_p_value = 1;
     std::uint64_t rays = 0;
-    double seconds = 0;            ///< wall
-    double build_seconds = 0;      ///< of these: scenes and lights were prepared
-    double trace_seconds = 0;      ///< of these: light was traced
-    double trace_cpu_seconds = 0;  ///< all threads
+    double seconds = 0;              ///< wall
+    double preparation_seconds = 0;  ///< of these: scenes and lights were prepared
+    double solve_seconds = 0;        ///< of these: light was traced
+    double solve_cpu_seconds = 0;    ///< all threads
 };
 
 /// Which moment's trace serves a moment, and the factor on its light.

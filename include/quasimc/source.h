@@ -51,7 +51,7 @@ void check_site(const Site& site, std::string_view where, Faults& faults);
 /// where none can be.
 void check_time(const CivilTime& time, std::string_view where, Faults& faults);
 
-/// Pressure of the standard atmosphere [hPa] at a height above the sea (ISO 2533), for places whose
+/// Pressure of the standard atmosphere [hPa] at a height above the sea (ISO 2533), for sites whose
 /// pressure is not known; -2000 to 11000 m.
 [[nodiscard]] double standard_pressure_hpa(double elevation_m);
 
@@ -157,7 +157,7 @@ struct SourceTraits {
     /// radiance() is 0.
     bool delta = false;
     /// Far away: it looks the same from everywhere, and rays that leave the scene may reach it. A
-    /// source that is not, a lamp, stands at a place, which those rays pass by.
+    /// source that is not, a lamp, has a position, which those rays miss.
     bool at_infinity = true;
     /// So wide that rays which leave the scene find it by chance, as they do a sky. What is at
     /// infinity and not as wide is a sun: what it lights straight counts as sunlit, and its
@@ -179,11 +179,11 @@ inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, 
 
 /// Less light than this is none, as the direct sun at the horizon on a foggy day: the squares of
 /// its errors would be lost to rounding.
-inline constexpr double kLeastIrradiance = 1e-60;
+inline constexpr double kMinIrradiance = 1e-60;
 
 /// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
-/// spectrum varies over it is several sources.) Places and directions are in the world with z up;
-/// immutable. It is made by the functions below.
+/// spectrum varies over it is several sources.) Positions and directions are in the world with z
+/// up; immutable. It is made by the functions below.
 class Source {
   public:
     virtual ~Source() = default;
@@ -196,7 +196,7 @@ class Source {
     [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
     [[nodiscard]] const SourceTraits& traits() const { return traits_; }
     /// Irradiance on the horizontal, upper side, for a spectrum of 1; NaN for a lamp, whose
-    /// irradiance varies from place to place.
+    /// irradiance varies in space.
     [[nodiscard]] double horizontal_irradiance() const { return horizontal_irradiance_; }
 
     /// traits().delta
@@ -416,7 +416,7 @@ struct Opening {
         line,       ///< along the lamp's z axis
         rectangle,  ///< across the z axis; `length` along x, `width` along y
         disk,       ///< across the z axis
-        sphere      ///< the pattern is about the normal of each place of its surface
+        sphere      ///< the pattern is about the normal of each point of its surface
     };
     Kind kind = Kind::point;
     double length = 0, width = 0;  ///< of a line (length), or a rectangle
@@ -429,7 +429,7 @@ struct LampSpec {
     Vec3 position;                                  ///< of the opening's center
     Frame axes{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};  ///< x, y, z of the lamp; it aims along z
     Opening opening;
-    Pattern pattern = isotropic_pattern();  ///< every place of the opening shines alike
+    Pattern pattern = isotropic_pattern();  ///< the same at every point of the opening
     std::vector<double> flux;               ///< per band, irradiance unit x square scene unit
 };
 

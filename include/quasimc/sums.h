@@ -14,19 +14,19 @@ namespace quasimc {
 struct Estimate {
     double mean = 0;
     double standard_error =
-        0;           ///< of the mean; NaN when it can't be told (one replicate, or nothing was hit)
-    double low = 0;  ///< 95 % confidence interval
-    double high = 0;
+        0;  ///< of the mean; NaN when it can't be told (one replicate, or nothing was hit)
+    double ci95_low = 0;  ///< ends of the 95 % confidence interval
+    double ci95_high = 0;
 };
 
-/// Of a number of which nothing is known: NaN in all places.
+/// The estimate of a number of which nothing is known: all NaN.
 inline constexpr Estimate kUnknownEstimate{
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
     std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
 /// The estimate of a number times `factor` >= 0.
 [[nodiscard]] constexpr Estimate scaled(const Estimate& e, double factor) {
-    return {e.mean * factor, e.standard_error * factor, e.low * factor, e.high * factor};
+    return {e.mean * factor, e.standard_error * factor, e.ci95_low * factor, e.ci95_high * factor};
 }
 
 struct SumData;  // sums/sum_data.h

@@ -7,7 +7,7 @@
 #include "meshio/formats.h"
 #include "options/options.h"
 #include "quasimc/result.h"
-#include "resultio/series_words.h"
+#include "resultio/describe_series.h"
 #include "results/units.h"
 #include "runfile/run_file_sections.h"
 #include "text/document.h"

@@ -10,7 +10,7 @@ namespace {
 
 py::object fault_dict(const Fault& fault) {
     py::dict result;
-    result["place"] = fault.place;
+    result["where"] = fault.where;
     result["problem"] = fault.problem;
     result["why"] = fault.why;
     result["suggestion"] = fault.suggestion;
@@ -35,8 +35,8 @@ void translate(std::exception_ptr thrown) {
         }
         raise("InputError", error.what(), faults);
     } catch (const Stopped& error) {
-        const bool is_late = error.why() == StopReason::time_is_up;
-        raise("Stopped", error.what(), py::str(is_late ? "time_is_up" : "interrupted"));
+        const bool is_late = error.why() == StopReason::time_limit;
+        raise("Stopped", error.what(), py::str(is_late ? "time_limit" : "interrupted"));
     }
 }
 

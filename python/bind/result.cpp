@@ -19,7 +19,7 @@ static_assert(sizeof(Estimate) == 4 * sizeof(double));
 
 py::object tuple_of(const Estimate& estimate) {
     const Estimate e = reported(estimate);
-    return py::make_tuple(e.mean, e.standard_error, e.low, e.high);
+    return py::make_tuple(e.mean, e.standard_error, e.ci95_low, e.ci95_high);
 }
 
 py::list budget_of(const Result& result) {
@@ -31,7 +31,7 @@ py::list budget_of(const Result& result) {
         band["absorbed_by_ground"] = tuple_of(budget.absorbed_by_ground);
         band["escaped"] = tuple_of(budget.escaped);
         band["cut_off"] = tuple_of(budget.cut_off);
-        band["roulette"] = tuple_of(budget.roulette);
+        band["imbalance"] = tuple_of(budget.imbalance);
         band["closure_error"] = budget.closure_error;
         bands.append(band);
     }
@@ -76,7 +76,7 @@ py::object audit_of(const Result& result) {
     py::dict audit;
     audit["paths"] = result.audit->paths;
     audit["replicates"] = result.audit->replicates;
-    audit["chance"] = result.audit->chance;
+    audit["p_value"] = result.audit->p_value;
     audit["agrees"] = result.audit->agrees();
     return audit;
 }
@@ -105,10 +105,10 @@ py::dict facts_of(const Result& result) {
     facts["rays"] = result.rays;
     facts["stop"] = std::string(stop_name(result.stop));
     facts["fraction_at_target"] = result.fraction_at_target;
-    facts["build_seconds"] = result.build_seconds;
-    facts["trace_seconds"] = result.trace_seconds;
-    facts["trace_cpu_seconds"] = result.trace_cpu_seconds;
-    facts["escaped_is_remainder"] = result.escaped_is_remainder;
+    facts["preparation_seconds"] = result.preparation_seconds;
+    facts["solve_seconds"] = result.solve_seconds;
+    facts["solve_cpu_seconds"] = result.solve_cpu_seconds;
+    facts["escaped_by_difference"] = result.escaped_by_difference;
     facts["rounds"] = rounds_of(result);
     return facts;
 }
@@ -166,8 +166,8 @@ py::object groups_dict(const GroupResults& results, py::handle owner) {
         row["organs"] =
             py::array_t<std::uint32_t>(signed_size(group.organs.size()), group.organs.data());
         row["area"] = group.area;
-        row["low"] = group.low;
-        row["high"] = group.high;
+        row["height_min"] = group.height_min;
+        row["height_max"] = group.height_max;
         row["plant_area_index"] = group.plant_area_index;
         row["cumulative_plant_area_index"] = group.cumulative_plant_area_index;
         groups.append(row);

@@ -54,7 +54,7 @@ std::vector<std::string> texts_of(const py::object& list) {
 
 MeshArrays arrays_of(const py::dict& mesh) {
     MeshArrays arrays;
-    arrays.place = mesh["place"].cast<std::string>();
+    arrays.where = mesh["place"].cast<std::string>();
     arrays.vertices = span_of<double>(mesh["vertices"]);
     arrays.faces = faces_of(mesh["faces"]);
     arrays.order = span_of<std::int64_t>(mesh["order"]);
@@ -194,7 +194,7 @@ py::list warning_texts(const std::vector<Warning>& warnings) {
     py::list texts;
     for (const Warning& warning : warnings) {
         texts.append(py::str(
-            printable(warning.place.empty() ? warning.text : warning.place + ": " + warning.text)));
+            printable(warning.where.empty() ? warning.text : warning.where + ": " + warning.text)));
     }
     return texts;
 }

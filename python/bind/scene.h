@@ -21,7 +21,7 @@ struct SceneHandle {
 /// A view of the arrays in a dict that quasimc._meshes made, which must outlive it.
 [[nodiscard]] MeshArrays arrays_of(const pybind11::dict& mesh);
 
-/// One text for each warning, which begins with its place if it has one.
+/// One text for each warning, which begins with its location if it has one.
 [[nodiscard]] pybind11::list warning_texts(const std::vector<Warning>& warnings);
 
 /// A document that keeps the lines of its file.

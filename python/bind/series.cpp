@@ -69,20 +69,20 @@ std::size_t organs_of(const SeriesSum& sum) {
     return sum.bands == 0 ? 0 : sum.values.size() / (kQuantities * sum.bands);
 }
 
-py::dict notes_of(const MomentNotes& notes) {
-    py::dict moment;
-    moment["time"] = notes.time;
-    moment["seconds"] = notes.seconds;
-    moment["sun_azimuth_deg"] = notes.sun.azimuth_deg;
-    moment["sun_elevation_deg"] = notes.sun.elevation_deg;
-    moment["direct"] = notes.daylight.direct;
-    moment["diffuse"] = notes.daylight.diffuse;
-    return moment;
+py::dict notes_of(const TimeStepNotes& notes) {
+    py::dict time_step;
+    time_step["time"] = notes.time;
+    time_step["seconds"] = notes.seconds;
+    time_step["sun_azimuth_deg"] = notes.sun.azimuth_deg;
+    time_step["sun_elevation_deg"] = notes.sun.elevation_deg;
+    time_step["direct"] = notes.daylight.direct;
+    time_step["diffuse"] = notes.daylight.diffuse;
+    return time_step;
 }
 
 py::list times_of(const SeriesHandle& all) {
     py::list times;
-    for (std::size_t i = 0; i < all.summary.done; ++i) {
+    for (std::size_t i = 0; i < all.summary.completed; ++i) {
         times.append(notes_of(all.series.notes[i]));
     }
     return times;
@@ -105,11 +105,11 @@ py::list days_of(const py::object& self) {
 py::dict facts_of_series(const SeriesHandle& all) {
     const SeriesSummary& summary = all.summary;
     py::dict facts;
-    facts["traced"] = summary.traced;
-    facts["done"] = summary.done;
-    facts["moments"] = all.series.time_steps.size();
+    facts["computed"] = summary.computed;
+    facts["completed"] = summary.completed;
+    facts["time_steps"] = all.series.time_steps.size();
     facts["stop"] = std::string(stop_name(summary.stop));
-    facts["audit_chance"] = summary.audit_chance;
+    facts["audit_p_value"] = summary.audit_p_value;
     facts["rays"] = summary.rays;
     facts["seconds"] = summary.seconds;
     facts["total_seconds"] = summary.total.seconds;

@@ -123,9 +123,9 @@ class Estimates:
     @property
     def standard_error(self) -> Array: ...
     @property
-    def low(self) -> Array: ...
+    def ci95_low(self) -> Array: ...
     @property
-    def high(self) -> Array: ...
+    def ci95_high(self) -> Array: ...
     @property
     def relative_error(self) -> Array: ...
     def __getitem__(self, band: str) -> Estimates: ...
@@ -141,8 +141,8 @@ class DetectorResult(Estimates):
 class Estimate:
     mean: float
     standard_error: float
-    low: float
-    high: float
+    ci95_low: float
+    ci95_high: float
     unit: str
     def __init__(self, numbers: Sequence[float], unit: str) -> None: ...
 
@@ -207,10 +207,10 @@ class Result(_Light):
     rays: int
     stop: str
     fraction_at_target: float
-    build_seconds: float
-    trace_seconds: float
-    trace_cpu_seconds: float
-    escaped_is_remainder: bool
+    preparation_seconds: float
+    solve_seconds: float
+    solve_cpu_seconds: float
+    escaped_by_difference: bool
     rounds: list[dict[str, float]]
     def __init__(
         self,
@@ -262,10 +262,10 @@ class Series:
     warnings: list[str]
     sources: list[str]
     stop: str
-    traced: int
-    done: int
-    moments: int
-    audit_chance: float
+    computed: int
+    completed: int
+    time_steps: int
+    audit_p_value: float
     rays: int
     seconds: float
     total_seconds: float

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 /// EXPECT(condition): what the caller must guarantee. ENSURE(condition): what this code guarantees.
-/// Both end the program with the place of the fault; both are compiled out of release builds.
+/// Both end the program with the location of the fault; both are compiled out of release builds.
 #ifdef NDEBUG
 #define QUASIMC_CHECK(kind, condition) static_cast<void>(sizeof(!(condition)))
 #else

@@ -67,7 +67,7 @@ class PiecewiseConstant2D {
         IntervalPick row;     ///< its width is the share of the row
         IntervalPick column;  ///< its width is the share of the cell among those of the row
     };
-    /// The cell and the place in it for a point of the unit square.
+    /// The cell and the position in it for a point of the unit square.
     [[nodiscard]] Cell pick(double u0, double u1) const {
         const IntervalPick row = pick_interval(row_ends_, u0);
         return {row, pick_interval(ends_of(row.index), u1)};

@@ -7,11 +7,11 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostShown = 50;
+constexpr std::size_t kMaxShown = 50;
 
 std::string joined(const std::vector<Fault>& faults) {
     std::string text;
-    const std::size_t shown = std::min(faults.size(), kMostShown);
+    const std::size_t shown = std::min(faults.size(), kMaxShown);
     for (std::size_t i = 0; i < shown; ++i) {
         text += (i > 0 ? "\n" : "") + faults[i].text();
     }
@@ -25,7 +25,7 @@ std::string joined(const std::vector<Fault>& faults) {
 /// their bytes a text of Python.
 std::vector<Fault> shown_faults(std::vector<Fault> faults) {
     for (Fault& fault : faults) {
-        for (std::string* text : {&fault.place, &fault.problem, &fault.why, &fault.suggestion}) {
+        for (std::string* text : {&fault.where, &fault.problem, &fault.why, &fault.suggestion}) {
             *text = printable(*text);
         }
     }
@@ -35,7 +35,7 @@ std::vector<Fault> shown_faults(std::vector<Fault> faults) {
 }  // namespace
 
 std::string Fault::text() const {
-    std::string text = place.empty() ? problem : place + ": " + problem;
+    std::string text = where.empty() ? problem : where + ": " + problem;
     if (!why.empty()) {
         text += " (" + why + ")";
     }

@@ -11,11 +11,11 @@ namespace quasimc::capi {
 namespace {
 
 /// What the scene says, but for its light.
-FrameOfRun frame_of(const Statement& statement) {
-    InputFiles files = statement.files();
+FrameOfRun frame_of(const SceneDescription& description) {
+    InputFiles files = description.files();
     return read_frame_document(
-        statement.document(), statement.name(), files,
-        [&](SceneBuilder& builder) { statement.give_organs_to(builder); });
+        description.document(), description.name(), files,
+        [&](SceneBuilder& builder) { description.give_organs_to(builder); });
 }
 
 /// What is to be said of the scene of this step: of its frame, and of all of it.
@@ -48,7 +48,7 @@ int quasimc_growth_new(quasimc_scene* scene, quasimc_growth** growth) {
         out = nullptr;
         quasimc_scene& all = deref(scene, "scene");
         const InUse use(all.in_use);
-        quasimc::FrameOfRun frame = frame_of(all.statement);
+        quasimc::FrameOfRun frame = frame_of(all.description);
         auto made = std::make_unique<quasimc_growth>(quasimc_growth{
             &all, quasimc::GrowthSession(std::move(frame.builder)), std::move(frame.warnings)});
         out = made.release();
@@ -110,7 +110,7 @@ int quasimc_growth_update_scene(quasimc_growth* growth) {
         quasimc_growth& all = deref(growth, "growth");
         const InUse use(all.in_use);
         const InUse scene_in_use(all.scene->in_use);
-        quasimc::FrameOfRun frame = frame_of(all.scene->statement);
+        quasimc::FrameOfRun frame = frame_of(all.scene->description);
         all.session.set_frame(std::move(frame.builder));
         all.frame_warnings = std::move(frame.warnings);
     });
@@ -125,7 +125,7 @@ int quasimc_growth_run(
         const InUse use(all.in_use);
         const InUse scene_in_use(all.scene->in_use);
         out = run_light(
-                  all.scene->statement, all.session.scene(), warnings_of(all), progress, user,
+                  all.scene->description, all.session.scene(), warnings_of(all), progress, user,
                   [&](const quasimc::LightOfRun& light, const quasimc::RunControl& control) {
                       return all.session.run(light.sources, light.spec, control);
                   })

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "capi/statement.h"
+#include "capi/scene_description.h"
 #include "quasimc/capi.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
@@ -16,7 +16,7 @@
 // What the handles of quasimc/capi.h are.
 
 struct quasimc_scene {
-    quasimc::capi::Statement statement;
+    quasimc::capi::SceneDescription description;
     std::shared_ptr<const quasimc::Scene> built = {};  ///< none: something was stated since
     std::vector<quasimc::Warning> warnings = {};       ///< of building it
     quasimc::Simulator simulator = {};
@@ -46,7 +46,7 @@ using Run = std::function<Result(const LightOfRun& light, const RunControl& cont
 
 /// Runs the light that a statement says on a scene. @param warnings  of building the scene
 [[nodiscard]] std::unique_ptr<quasimc_result> run_light(
-    const Statement& statement,
+    const SceneDescription& description,
     std::shared_ptr<const Scene> scene,
     const std::vector<Warning>& warnings,
     quasimc_progress progress,

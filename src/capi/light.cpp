@@ -9,11 +9,11 @@ namespace quasimc::capi {
 namespace {
 
 /// Changes what a scene says of its light, and of how it is computed: what was built serves on.
-int change_light(quasimc_scene* scene, const std::function<void(Statement&)>& change) {
+int change_light(quasimc_scene* scene, const std::function<void(SceneDescription&)>& change) {
     return guarded([&] {
         quasimc_scene& all = deref(scene, "scene");
         const InUse use(all.in_use);
-        change(all.statement);
+        change(all.description);
     });
 }
 
@@ -24,12 +24,12 @@ int add_source(
     const char* amount,
     const double* numbers,
     const std::function<Node::Table()>& keys) {
-    return change_light(scene, [&](Statement& statement) {
+    return change_light(scene, [&](SceneDescription& description) {
         Node::Table source = keys();
         source.push_back({"type", 0, {std::string(type)}});
         source.push_back(
-            {amount, 0, numbers_node(of_bands(numbers, statement.band_count(), amount))});
-        statement.add_table("source", std::move(source));
+            {amount, 0, numbers_node(of_bands(numbers, description.band_count(), amount))});
+        description.add_table("source", std::move(source));
     });
 }
 
@@ -41,8 +41,8 @@ using quasimc::Node;
 
 int quasimc_scene_set_site(
     quasimc_scene* scene, double latitude_deg, double longitude_deg, double elevation_m) {
-    return change_light(scene, [&](Statement& statement) {
-        statement.set_table(
+    return change_light(scene, [&](SceneDescription& description) {
+        description.set_table(
             "site", {{"latitude_deg", 0, {latitude_deg}},
                      {"longitude_deg", 0, {longitude_deg}},
                      {"elevation_m", 0, {elevation_m}}});
@@ -89,7 +89,7 @@ int quasimc_scene_add_point_lamp(
 }
 
 int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value) {
-    return change_light(scene, [&](Statement& statement) {
-        statement.set_option(text_of(key, "key"), text_of(value, "value"));
+    return change_light(scene, [&](SceneDescription& description) {
+        description.set_option(text_of(key, "key"), text_of(value, "value"));
     });
 }

@@ -36,13 +36,13 @@ void check_counts(const RawMesh& mesh) {
                       mesh.face_count <= kMost;
     if (!fits) {
         throw InputError(
-            {{mesh.place,
+            {{mesh.where,
               fmt::format("{} vertices and {} faces", mesh.vertex_count, mesh.face_count),
               "there must be at least one face, and at most 2^31 - 1 of either", ""}});
     }
     if (mesh.faces == nullptr && mesh.vertex_count != 3 * mesh.face_count) {
         throw InputError(
-            {{mesh.place,
+            {{mesh.where,
               fmt::format("{} vertices for {} faces", mesh.vertex_count, mesh.face_count),
               "without an array of faces every three vertices are one", ""}});
     }
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> materials_of(const RawMesh& mesh, std::size_t materia
     for (const std::int32_t number : span_of(mesh.material_of_face, mesh.face_count)) {
         if (number < 0 || static_cast<std::size_t>(number) >= materials) {
             throw InputError(
-                {{mesh.place, fmt::format("a face is of material {}", number),
+                {{mesh.where, fmt::format("a face is of material {}", number),
                   fmt::format("there are {} materials, counted from 0", materials), ""}});
         }
         numbers.push_back(static_cast<std::uint32_t>(number));
@@ -96,7 +96,7 @@ std::vector<OrganSpec> organs_of(const RawMesh& mesh) {
     check_counts(mesh);
     const Grouping groups = group(mesh);
     MeshArrays arrays;
-    arrays.place = mesh.place;
+    arrays.where = mesh.where;
     arrays.vertices = span_of(mesh.vertices, 3 * mesh.vertex_count);
     arrays.faces = span_of(mesh.faces, 3 * mesh.face_count);
     arrays.order = groups.order;

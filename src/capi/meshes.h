@@ -17,7 +17,7 @@ struct RawMesh {
     const std::int64_t* organ_of_face;
     const char* materials;
     const std::int32_t* material_of_face;
-    std::string place;  ///< for messages
+    std::string where;  ///< for messages
 };
 
 /// The organs of arrays, by ascending ids. @throws InputError, Misuse

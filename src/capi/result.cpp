@@ -35,14 +35,15 @@ double Estimate::*statistic_of(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, double Estimate::*>, 4> kStatistics{
         {{"mean", &Estimate::mean},
          {"standard_error", &Estimate::standard_error},
-         {"low", &Estimate::low},
-         {"high", &Estimate::high}}};
+         {"ci95_low", &Estimate::ci95_low},
+         {"ci95_high", &Estimate::ci95_high}}};
     for (const auto& [of_statistic, member] : kStatistics) {
         if (of_statistic == name) {
             return member;
         }
     }
-    throw Misuse(fmt::format("no statistic '{}': mean, standard_error, low or high", name));
+    throw Misuse(fmt::format(
+        "unknown statistic '{}': use mean, standard_error, ci95_low or ci95_high", name));
 }
 
 std::size_t band_of(const quasimc_result& result, const char* name) try {
@@ -114,7 +115,7 @@ void copy_rows(
 void copy_estimate(const Estimate& estimate, double* values) {
     double* out = &deref(values, "values");
     const Estimate e = reported(estimate);
-    const std::array<double, 4> numbers{e.mean, e.standard_error, e.low, e.high};
+    const std::array<double, 4> numbers{e.mean, e.standard_error, e.ci95_low, e.ci95_high};
     std::copy(numbers.begin(), numbers.end(), out);
 }
 
@@ -125,7 +126,7 @@ const Estimate& budget_item(const BandBudget& budget, std::string_view item) {
          {"absorbed_by_ground", &BandBudget::absorbed_by_ground},
          {"escaped", &BandBudget::escaped},
          {"cut_off", &BandBudget::cut_off},
-         {"roulette", &BandBudget::roulette}}};
+         {"imbalance", &BandBudget::imbalance}}};
     for (const auto& [name, member] : kItems) {
         if (name == item) {
             return budget.*member;
@@ -154,9 +155,9 @@ double number_of(const Result& result, std::string_view key) {
          {"replicates", static_cast<double>(result.replicates)},
          {"rays", static_cast<double>(result.rays)},
          {"fraction_at_target", result.fraction_at_target},
-         {"build_seconds", result.build_seconds},
-         {"trace_seconds", result.trace_seconds},
-         {"trace_cpu_seconds", result.trace_cpu_seconds}}};
+         {"preparation_seconds", result.preparation_seconds},
+         {"solve_seconds", result.solve_seconds},
+         {"solve_cpu_seconds", result.solve_cpu_seconds}}};
     return number_named(numbers, key, "result");
 }
 
@@ -295,7 +296,7 @@ int quasimc_result_get_organ(
         const quasimc_result& all = deref(result, "result");
         const auto organ = all.scene->names()->find_organ(id);
         if (!organ) {
-            throw Misuse(fmt::format("there is no organ of id {}", id));
+            throw Misuse(fmt::format("no organ has the id {}", id));
         }
         const Column column = column_of(all, rows_of_organs(all.result), quantity, band);
         copy_estimate(column.first[*organ * column.stride], values);

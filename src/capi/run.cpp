@@ -10,16 +10,17 @@ namespace quasimc::capi {
 namespace {
 
 std::string warning_text(const Warning& warning) {
-    return warning.place.empty() ? warning.text : warning.place + ": " + warning.text;
+    return warning.where.empty() ? warning.text : warning.where + ": " + warning.text;
 }
 
-LightOfRun read_light(const Statement& statement, const Scene& scene) {
-    InputFiles files = statement.files();
-    LightOfRun light = read_light_document(statement.document(), statement.name(), files, scene);
+LightOfRun read_light(const SceneDescription& description, const Scene& scene) {
+    InputFiles files = description.files();
+    LightOfRun light =
+        read_light_document(description.document(), description.name(), files, scene);
     if (light.series) {
         throw InputError(
-            {{statement.name() + ": [time]", "there are several times in this scene",
-              "a run is of one moment", "state the light of a moment by its sources"}});
+            {{description.name() + ": [time]", "the scene has several time steps",
+              "a run computes one moment", "give the light by sources alone"}});
     }
     return light;
 }
@@ -46,13 +47,13 @@ class ProgressCall final : public RunListener {
 }  // namespace
 
 std::unique_ptr<quasimc_result> run_light(
-    const Statement& statement,
+    const SceneDescription& description,
     std::shared_ptr<const Scene> scene,
     const std::vector<Warning>& warnings,
     quasimc_progress progress,
     void* user,
     const Run& run) {
-    const LightOfRun light = read_light(statement, *scene);
+    const LightOfRun light = read_light(description, *scene);
     ProgressCall calls(progress, user);
     auto result = std::make_unique<quasimc_result>();
     result->result = run(light, {.stop = calls.token(), .listeners = {&calls}});
@@ -74,11 +75,11 @@ void build_scene(quasimc_scene& scene) {
     if (scene.built) {
         return;
     }
-    const Statement& statement = scene.statement;
-    InputFiles files = statement.files();
+    const SceneDescription& description = scene.description;
+    InputFiles files = description.files();
     SceneOfRun read = read_scene_document(
-        statement.document(), statement.name(), files,
-        [&](SceneBuilder& builder) { statement.give_organs_to(builder); });
+        description.document(), description.name(), files,
+        [&](SceneBuilder& builder) { description.give_organs_to(builder); });
     scene.built = std::make_shared<const Scene>(std::move(read.scene));
     scene.warnings = std::move(read.warnings);
 }
@@ -97,7 +98,7 @@ int quasimc_scene_run(
         const InUse use(all.in_use);
         build_scene(all);
         out = run_light(
-                  all.statement, all.built, all.warnings, progress, user,
+                  all.description, all.built, all.warnings, progress, user,
                   [&](const quasimc::LightOfRun& light, const quasimc::RunControl& control) {
                       return all.simulator.run(*all.built, light.sources, light.spec, control);
                   })

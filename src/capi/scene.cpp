@@ -13,11 +13,11 @@ namespace quasimc::capi {
 namespace {
 
 /// Changes what a scene says of what light falls on: it is built anew.
-int change_scene(quasimc_scene* scene, const std::function<void(Statement&)>& change) {
+int change_scene(quasimc_scene* scene, const std::function<void(SceneDescription&)>& change) {
     return guarded([&] {
         quasimc_scene& all = deref(scene, "scene");
         const InUse use(all.in_use);
-        change(all.statement);
+        change(all.description);
         all.built.reset();
     });
 }
@@ -26,7 +26,7 @@ template <typename... Arguments>
 int make_scene(quasimc_scene** scene, const Arguments&... arguments) {
     quasimc_scene*& out = deref(scene, "scene");
     out = nullptr;
-    out = new quasimc_scene{Statement(arguments...)};  // NOLINT: a handle
+    out = new quasimc_scene{SceneDescription(arguments...)};  // NOLINT: a handle
     return QUASIMC_DONE;
 }
 
@@ -58,16 +58,17 @@ void quasimc_scene_free(quasimc_scene* scene) {
 }
 
 int quasimc_scene_state(quasimc_scene* scene, const char* toml) {
-    return change_scene(scene, [&](Statement& statement) { statement.add(text_of(toml, "toml")); });
+    return change_scene(
+        scene, [&](SceneDescription& description) { description.add(text_of(toml, "toml")); });
 }
 
 int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* unit) {
-    return change_scene(scene, [&](Statement& statement) {
+    return change_scene(scene, [&](SceneDescription& description) {
         Node::Table band{text_member("name", text_of(name, "name"))};
         if (const std::string of_band = optional_text(unit); !of_band.empty()) {
             band.push_back(text_member("unit", of_band));
         }
-        statement.add_table("band", std::move(band));
+        description.add_table("band", std::move(band));
     });
 }
 
@@ -79,7 +80,7 @@ int quasimc_scene_clear(quasimc_scene* scene, int part) {
             throw Misuse(fmt::format("there is no part {} of a scene", part));
         }
         const auto cleared = static_cast<quasimc_part>(part);
-        all.statement.clear(cleared);
+        all.description.clear(cleared);
         if (!is_of_light(cleared)) {
             all.built.reset();
         }
@@ -91,7 +92,7 @@ int quasimc_scene_add_material(
     const char* name,
     const double* reflectance,
     const double* transmittance) {
-    return change_scene(scene, [&](Statement& statement) {
+    return change_scene(scene, [&](SceneDescription& description) {
         const std::string of_material = text_of(name, "name");
         if (reflectance == nullptr && transmittance == nullptr) {
             throw Misuse("reflectance and transmittance are NULL");
@@ -100,14 +101,14 @@ int quasimc_scene_add_material(
         if (reflectance != nullptr) {
             material.push_back(
                 {"reflectance", 0,
-                 numbers_node(of_bands(reflectance, statement.band_count(), "reflectance"))});
+                 numbers_node(of_bands(reflectance, description.band_count(), "reflectance"))});
         }
         if (transmittance != nullptr) {
             material.push_back(
                 {"transmittance", 0,
-                 numbers_node(of_bands(transmittance, statement.band_count(), "transmittance"))});
+                 numbers_node(of_bands(transmittance, description.band_count(), "transmittance"))});
         }
-        statement.put_table("material", of_material, std::move(material));
+        description.put_table("material", of_material, std::move(material));
     });
 }
 
@@ -121,23 +122,24 @@ int quasimc_scene_add_mesh(
     const int64_t* organ_of_face,
     const char* materials,
     const int32_t* material_of_face) {
-    return change_scene(scene, [&](Statement& statement) {
-        statement.add_organs(organs_of(
+    return change_scene(scene, [&](SceneDescription& description) {
+        description.add_organs(organs_of(
             {vertices, vertex_count, faces, face_count, organ_of_face, materials, material_of_face,
-             fmt::format("{}: mesh {}", statement.name(), scene->meshes + 1)}));
+             fmt::format("{}: mesh {}", description.name(), scene->meshes + 1)}));
         ++scene->meshes;
     });
 }
 
 int quasimc_scene_set_name(quasimc_scene* scene, int64_t organ, const char* name) {
-    return change_scene(
-        scene, [&](Statement& statement) { statement.organ(organ).name = text_of(name, "name"); });
+    return change_scene(scene, [&](SceneDescription& description) {
+        description.organ(organ).name = text_of(name, "name");
+    });
 }
 
 int quasimc_scene_set_label(
     quasimc_scene* scene, int64_t organ, const char* key, const char* value) {
-    return change_scene(scene, [&](Statement& statement) {
-        quasimc::Labels& labels = statement.organ(organ).labels;
+    return change_scene(scene, [&](SceneDescription& description) {
+        quasimc::Labels& labels = description.organ(organ).labels;
         const std::string name = text_of(key, "key"), text = text_of(value, "value");
         std::erase_if(labels, [&](const auto& label) { return label.first == name; });
         labels.emplace_back(name, text);
@@ -145,8 +147,8 @@ int quasimc_scene_set_label(
 }
 
 int quasimc_scene_set_ground(quasimc_scene* scene, const char* material, double height) {
-    return change_scene(scene, [&](Statement& statement) {
-        statement.set_table(
+    return change_scene(scene, [&](SceneDescription& description) {
+        description.set_table(
             "ground",
             {text_member("material", text_of(material, "material")), {"height", 0, {height}}});
     });
@@ -154,8 +156,8 @@ int quasimc_scene_set_ground(quasimc_scene* scene, const char* material, double 
 
 int quasimc_scene_set_cell(
     quasimc_scene* scene, double x_low, double x_high, double y_low, double y_high) {
-    return change_scene(scene, [&](Statement& statement) {
-        statement.set_table(
+    return change_scene(scene, [&](SceneDescription& description) {
+        description.set_table(
             "cell", {{"x", 0, numbers_node(std::array{x_low, x_high})},
                      {"y", 0, numbers_node(std::array{y_low, y_high})}});
     });

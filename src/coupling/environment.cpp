@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "base/number_text.h"
-#include "coupling/fault_teller.h"
 #include "coupling/plant_light.h"
 #include "coupling/protocol/guarded_stream.h"
 #include "coupling/protocol/notices.h"
 #include "coupling/protocol/session.h"
 #include "coupling/protocol/stop_signals.h"
+#include "coupling/step_error_log.h"
 #include "files/file_identity.h"
 #include "solvers/catalogue.h"
 #include "text/numbers.h"
@@ -26,14 +26,14 @@ namespace {
 [[noreturn]] void disagree(const Arguments& arguments, std::string problem, std::string why) {
     throw InputError(
         {{arguments.comm_file.value_or("command line"), std::move(problem), std::move(why),
-          "the simulator adds the switches: it and we must read the same environment file (-e)"}});
+          "the plant simulator and this program must read the same environment file (-e)"}});
 }
 
 CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
     if (!arguments.comm_file) {
         throw InputError(
-            {{"command line", "the environment file is missing", "it says what the simulator sends",
-              "add '-e FILE.e' to the line executable:"}});
+            {{"command line", "the environment file is missing",
+              "it describes what the simulator sends", "add '-e FILE.e' to the line executable:"}});
     }
     CommFile format =
         read_comm_text(read_file(*arguments.comm_file), *arguments.comm_file, notices);
@@ -43,7 +43,7 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
         if (!format.line(field).is_sent && !format.interprets_modules) {
             faults.add(
                 {*arguments.comm_file, fmt::format("'{}' is missing", name),
-                 "organs stand in the frame of the turtle",
+                 "organs are placed in the frame of the turtle",
                  fmt::format(
                      "add '{}: %f %f %f', or 'interpreted modules: all' if all organs are polygons",
                      name)});
@@ -52,17 +52,17 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
     if (!format.following_module && !format.interprets_modules) {
         notices.once(
             *arguments.comm_file +
-            ": without 'following module' only organs drawn as polygons are seen");
+            ": without 'following module' only organs drawn as polygons are read");
     }
     faults.throw_if_any();
     return format;
 }
 
 /// Tells what a step was like.
-void tell_step(
+void report_step(
     const PlantLight& light,
     const Pass& pass,
-    const std::function<void(const std::string&)>& tell) {
+    const std::function<void(const std::string&)>& send) {
     std::string text =
         fmt::format("step {}: {}", pass.step, counted(pass.queries.size(), "query", "queries"));
     for (const Result& result : light.last().results) {
@@ -71,10 +71,10 @@ void tell_step(
         }
         text += fmt::format(
             ", {} rays in {:.3f} s by {} ({})", result.rays,
-            result.build_seconds + result.trace_seconds, find_solver(result.chosen.method)->name,
-            result.chosen.reason);
+            result.preparation_seconds + result.solve_seconds,
+            find_solver(result.chosen.method)->name, result.chosen.reason);
     }
-    tell(text);
+    send(text);
 }
 
 /// The line that the switches alone name, where the environment file can't be read: only cpfg's
@@ -90,15 +90,15 @@ std::unique_ptr<ByteStream> open_by_switches(const Arguments& switches) {
 
 /// Answers a simulator whom nothing can be computed for.
 void refuse(ByteStream& stream) {
-    if (stream.refuse() == AfterRefusal::it_asks) {
+    if (stream.refuse() == RejectAction::it_asks) {
         serve_nothing(stream);
     }
 }
 
 /// Ends the process at a signal, not without an answer.
-void end_at(int signal, ByteStream& stream, const std::function<void(const std::string&)>& tell) {
+void end_at(int signal, ByteStream& stream, const std::function<void(const std::string&)>& send) {
     stream.resign();
-    tell(fmt::format(
+    send(fmt::format(
         "ended by {}", signal == SIGTERM  ? "SIGTERM"
                        : signal == SIGINT ? "SIGINT"
                                           : "SIGHUP"));
@@ -113,8 +113,8 @@ void check_apart_from_pipe(const Specification& spec, const std::string& file, i
     const auto check = [&](std::string_view directive, const std::string& name) {
         if (!name.empty() && !pipe.is_discard && identity_of(name, out) == pipe) {
             faults.add(
-                {file, fmt::format("{}: '{}' is where the answers go", directive, name),
-                 "the simulator would take it for an answer", "name another file"});
+                {file, fmt::format("{}: '{}' is the file of the answers", directive, name),
+                 "the simulator would read it as an answer", "name another file"});
         }
     };
     if (spec.variance_file) {
@@ -131,17 +131,17 @@ class Environment {
   public:
     Environment(
         const Arguments& arguments,
-        const std::function<void(const std::string&)>& tell,
+        const std::function<void(const std::string&)>& send,
         StepViewer* viewer,
         GuardedStream& stream)
         : arguments_(arguments),
-          tell_(tell),
+          send_(send),
           viewer_(viewer),
           stream_(stream),
-          notices_(tell),
-          faults_(tell) {}
+          notices_(send),
+          faults_(send) {}
 
-    Conversation run(const Descriptors& descriptors) {
+    SessionOutcome run(const Descriptors& descriptors) {
         if (!read_files(descriptors)) {
             refuse(stream_);
             return faults_.worst();
@@ -162,7 +162,7 @@ class Environment {
             if (!open_by_switches_alone()) {
                 std::rethrow_exception(fault);
             }
-            faults_.tell_refusal(fault);
+            faults_.report_rejection(fault);
             return false;
         }
         stream_.open(open_stream(arguments_, format_, descriptors));
@@ -175,7 +175,7 @@ class Environment {
             open_view(spec);
             light_.emplace(std::move(spec), notices_);
         } catch (const std::exception&) {
-            faults_.tell_refusal(std::current_exception());
+            faults_.report_rejection(std::current_exception());
             return false;
         }
         return true;
@@ -217,34 +217,34 @@ class Environment {
             [&](const Pass& pass, const std::function<void()>& check, Answers& answers) {
                 answer(pass, check, answers);
                 if (tells_steps) {
-                    tell_step(*light_, pass, tell_);
+                    report_step(*light_, pass, send_);
                 }
-                tell_if_unlit();
+                report_if_unlit();
             },
             [&](std::uint64_t step, const std::exception_ptr& fault) {
                 light_->set_step(step + 1);
-                faults_.tell_step(step, fault);
+                faults_.report_step(step, fault);
             });
     }
 
-    void tell_if_unlit() {
+    void report_if_unlit() {
         for (const Result& result : light_->last().results) {
             if (result.stop == StopReason::no_light) {
                 notices_.once(
                     "unlit",
-                    "no light reaches the plant: all of it is edge-on to the light or has no area; "
-                    "its organs get 0");
+                    "no light reaches the plant: all surfaces are parallel to the light or have no "
+                    "area; its organs receive 0");
             }
         }
     }
 
     const Arguments& arguments_;
-    const std::function<void(const std::string&)>& tell_;
+    const std::function<void(const std::string&)>& send_;
     StepViewer* viewer_;
     bool is_viewed_ = false;
     GuardedStream& stream_;
     Notices notices_;
-    FaultTeller faults_;
+    StepErrorLog faults_;
     CommFile format_;
     std::optional<PlantLight> light_;
 };
@@ -274,14 +274,14 @@ std::unique_ptr<ByteStream> open_stream(
                : make_file_stream(*arguments.key, arguments.extension);
 }
 
-Conversation run_environment(
+SessionOutcome run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
-    const std::function<void(const std::string&)>& tell,
+    const std::function<void(const std::string&)>& send,
     StepViewer* viewer) {
     GuardedStream stream;
-    const StopSignals signals([&](int signal) { end_at(signal, stream, tell); });
-    Environment environment(arguments, tell, viewer, stream);
+    const StopSignals signals([&](int signal) { end_at(signal, stream, send); });
+    Environment environment(arguments, send, viewer, stream);
     try {
         return environment.run(descriptors);
     } catch (const PeerDisconnected&) {

@@ -26,14 +26,14 @@ struct Descriptors {
     const Arguments& arguments, const CommFile& format, const Descriptors& descriptors);
 
 /// How a conversation went that the simulator has ended. Later is worse.
-enum class Conversation {
+enum class SessionOutcome {
     good,
     faulty,  ///< the input was refused, or some step was answered with nothing for its faults
     failed,  ///< the same for a fault of ours, or for want of memory
 };
 
 /// A step that was answered, for who looks on.
-struct SeenStep {
+struct StepSnapshot {
     std::int64_t step = 0;  ///< as the simulator counts
     const Specification& specification;
     const Lighting& lighting;
@@ -50,7 +50,7 @@ class StepViewer {
     virtual void open(int port) = 0;
     /// The light of a step will be computed.
     virtual void on_begin(std::int64_t step) = 0;
-    virtual void on_step(const SeenStep& step) = 0;
+    virtual void on_step(const StepSnapshot& step) = 0;
 
   protected:
     StepViewer() = default;
@@ -65,10 +65,10 @@ class StepViewer {
 /// @param viewer  shows steps if it is asked to; may be null
 /// @throws InputError  if there is no line to the simulator
 /// @throws PeerDisconnected  when the simulator is gone without having said exit
-[[nodiscard]] Conversation run_environment(
+[[nodiscard]] SessionOutcome run_environment(
     const Arguments& arguments,
     const Descriptors& descriptors,
-    const std::function<void(const std::string&)>& tell,
+    const std::function<void(const std::string&)>& send,
     StepViewer* viewer = nullptr);
 
 /// For a command line that can't be understood: a simulator that its switches name is told that

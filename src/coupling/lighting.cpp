@@ -63,7 +63,7 @@ double beam_illuminance(const Vec3& to_sun, double turbidity) {
 }
 
 /// Adds the sky of one moment to the cells of a table.
-void add_moment(const SkyOfDay& sky, const Vec3& to_sun, DayLight& light) {
+void add_sun_and_sky(const SkyOfDay& sky, const Vec3& to_sun, DayLight& light) {
     const SkyShape shape =
         sky.weather == Weather::clear ? cie_clear_shape(to_sun) : cie_overcast_shape();
     const double scale = zenith_luminance(sky, to_sun) / shape.radiance({0, 0, 1});
@@ -89,7 +89,7 @@ DayLight light_of_day(const SkyOfDay& sky) {
     for (int i = 0; i <= moments; ++i) {
         const Vec3 to_sun = to_sun_at(sky, sky.from_hour + i / kMomentsPerHour);
         if (to_sun.z > 0) {
-            add_moment(sky, to_sun, light);
+            add_sun_and_sky(sky, to_sun, light);
         }
     }
     return light;
@@ -98,9 +98,9 @@ DayLight light_of_day(const SkyOfDay& sky) {
 DayLight light_of(const Specification& spec, const std::optional<SkyOfDay>& sky) {
     if (!spec.lights.empty()) {
         DayLight light;
-        for (const StatedLight& stated : spec.lights) {
-            const Vec3 travel = plant_orientation().inward(stated.travel);
-            light.suns.push_back({normalized(travel), stated.weight});
+        for (const LightDirective& given : spec.lights) {
+            const Vec3 travel = plant_orientation().inward(given.travel);
+            light.suns.push_back({normalized(travel), given.weight});
         }
         return light;
     }

@@ -23,9 +23,9 @@ Colour colour_of(double light) {
     }
     constexpr std::array<std::array<double, 3>, 4> kColours{
         {{48, 18, 110}, {33, 110, 140}, {80, 170, 70}, {250, 230, 60}}};
-    const double place = std::clamp(light, 0.0, 1.0) * (kColours.size() - 1);
-    const auto low = std::min<std::size_t>(static_cast<std::size_t>(place), kColours.size() - 2);
-    const double part = place - static_cast<double>(low);
+    const double position = std::clamp(light, 0.0, 1.0) * (kColours.size() - 1);
+    const auto low = std::min<std::size_t>(static_cast<std::size_t>(position), kColours.size() - 2);
+    const double part = position - static_cast<double>(low);
     Colour colour{};
     for (std::size_t i = 0; i < colour.size(); ++i) {
         colour[i] = static_cast<int>(

@@ -53,13 +53,13 @@ bool PlantLight::is_dark() const {
 
 void PlantLight::answer(const Pass& pass, const std::function<void()>& check, Answers& answers) {
     apply_settings(pass);
-    const std::vector<PlacedShape> shapes = place_shapes(pass);
+    const std::vector<PlacedShape> shapes = position_shapes(pass);
     if (is_dark()) {
-        notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
+        notices_.once("dark", "no light: the sun is below the horizon, or every irradiance is 0");
     } else if (anything_is_measured(pass, shapes)) {
         unshaded_ = trace_unshaded(pass, shapes, check);
         light_ = std::make_shared<StepLight>(trace(pass, shapes, simulator_, check));
-        tell_warnings();
+        report_warnings();
     }
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
         const Query& query = pass.queries[i];
@@ -73,7 +73,7 @@ void PlantLight::answer(const Pass& pass, const std::function<void()>& check, An
     write_files(pass);
 }
 
-void PlantLight::tell_warnings() {
+void PlantLight::report_warnings() {
     if (!light_->scene) {
         return;
     }
@@ -81,14 +81,14 @@ void PlantLight::tell_warnings() {
         const std::string check = fmt::format("lint {}", finding.check);
         // A specification states no unit, and each of its materials.
         const bool is_stated = finding.check == "unit" || finding.check == "materials";
-        if (is_stated || notices_.was_told(check)) {
+        if (is_stated || notices_.was_sent(check)) {
             continue;
         }
         for (std::size_t i = 0; i < finding.warnings.size(); ++i) {
             const Warning& warning = finding.warnings[i];
             notices_.once(
                 i == 0 ? check : fmt::format("{} {}", check, i),
-                fmt::format("{}: {}", warning.place, warning.text));
+                fmt::format("{}: {}", warning.where, warning.text));
         }
     }
 }
@@ -121,10 +121,10 @@ void PlantLight::set_day(std::span<const double> parameters) {
         notices_.once(
             sky_ ? "J range" : "J without a sky",
             sky_ ? fmt::format(
-                       "J(day, clear, turbidity) is left out: the day is 1 to {}, the turbidity {} "
-                       "to {}",
+                       "J(day, clear, turbidity) is ignored: the day must be 1 to {}, the "
+                       "turbidity {} to {}",
                        kLastDay, kTurbidities.low, kTurbidities.high)
-                 : "J(day) changes nothing: the specification file has no sky of a place and day");
+                 : "J(day) has no effect: the specification file has no sky for a site and day");
         return;
     }
     SkyOfDay sky = *sky_;
@@ -141,15 +141,15 @@ void PlantLight::set_day(std::span<const double> parameters) {
 
 void PlantLight::set_rays(std::span<const double> parameters) {
     const double rays = parameters.empty() ? 0 : parameters[0];
-    if (!(rays >= 1 && rays <= static_cast<double>(kMostPaths))) {
-        notices_.once("Q range", "Q(rays) is left out: it takes a number of rays from 1 to 2^30");
+    if (!(rays >= 1 && rays <= static_cast<double>(kMaxPaths))) {
+        notices_.once("Q range", "Q(rays) is ignored: it needs a number of rays from 1 to 2^30");
         return;
     }
     const auto count = static_cast<std::uint64_t>(rays);
     spec_.run.paths = spec_.run.sampler == "korobov" ? nearest_power_of_two(count) : count;
 }
 
-std::vector<PlacedShape> PlantLight::place_shapes(const Pass& pass) {
+std::vector<PlacedShape> PlantLight::position_shapes(const Pass& pass) {
     std::vector<PlacedShape> placed;
     placed.reserve(pass.queries.size());
     for (std::uint32_t i = 0; i < pass.queries.size(); ++i) {
@@ -191,7 +191,7 @@ StepLight PlantLight::trace(
         const std::uint64_t rays = spec_.run.paths * static_cast<std::uint64_t>(sensors);
         // Each sensor has its own points of the set, and of a lattice a power of two of them.
         plan.paths =
-            std::min(spec_.run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMostPaths);
+            std::min(spec_.run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMaxPaths);
     }
     Checking checking(check);
     std::vector<std::size_t> bands(spec_.band_count());
@@ -253,10 +253,10 @@ void PlantLight::fill(const Query& query, std::uint32_t index, std::vector<doubl
     const std::size_t count = values.size() - before;
     if (count > query.slots) {
         notices_.once(
-            "slots", fmt::format(
-                         "a query has {} parameters, but {} values to take: those that are left "
-                         "are not sent",
-                         query.slots, count));
+            "slots",
+            fmt::format(
+                "a query has {} parameters for {} values; the remaining values are not sent",
+                query.slots, count));
     }
 }
 

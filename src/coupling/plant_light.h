@@ -56,9 +56,9 @@ class PlantLight {
     [[nodiscard]] bool anything_is_measured(
         const Pass& pass, std::span<const PlacedShape> shapes) const;
 
-    [[nodiscard]] std::vector<PlacedShape> place_shapes(const Pass& pass);
+    [[nodiscard]] std::vector<PlacedShape> position_shapes(const Pass& pass);
     /// Of a step that was traced: each check of lint() once, when it has found something.
-    void tell_warnings();
+    void report_warnings();
     [[nodiscard]] StepLight trace(
         const Pass& pass,
         std::span<const PlacedShape> shapes,

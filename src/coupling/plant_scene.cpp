@@ -98,7 +98,7 @@ Scene build_plant_scene(
     }
     if (spec.cell) {
         // Inward, the plant's z is x and its x is y.
-        const StatedCell& c = *spec.cell;
+        const CellDirective& c = *spec.cell;
         builder.set_cell({true, true, c.low_z, c.low_x, c.size_z, c.size_x});
     }
     return std::move(builder).build();

@@ -10,7 +10,7 @@ namespace quasimc {
 
 /// An organ to be put into a scene.
 struct PlacedShape {
-    std::uint32_t query = 0;  ///< place in Pass::queries
+    std::uint32_t query = 0;  ///< index in Pass::queries
     bool is_sensor = false;
     OrganShape shape;
 };

@@ -133,12 +133,12 @@ std::string variance_table(const StepView& view) {
 }
 
 void write_variance_file(const StepView& view) {
-    const std::string& stated = view.spec.variance_file->name;
+    const std::string& given = view.spec.variance_file->name;
     // Whoever wants one step looks for the name that was stated.
-    const bool is_exact = !stated.empty() && view.step == 0;
+    const bool is_exact = !given.empty() && view.step == 0;
     AtomicFile file(
-        is_exact ? stated
-                 : numbered_name(stated.empty() ? default_name(view.spec) : stated, view.step));
+        is_exact ? given
+                 : numbered_name(given.empty() ? default_name(view.spec) : given, view.step));
     file.write(variance_table(view));
     file.commit();
 }

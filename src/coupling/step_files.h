@@ -18,7 +18,7 @@ struct StepView {
     const Lighting& lighting;
     const StepLight& light;
     std::uint64_t step = 0;  ///< counted from 0
-    /// What the return type of a band gives for a query, by its place in the pass.
+    /// What the return type of a band gives for a query, by its index in the pass.
     std::function<Estimate(std::uint32_t query, std::size_t band)> returned;
 };
 

@@ -58,10 +58,9 @@ std::unique_ptr<Detector> make_detector(const DetectorSpec& spec) {
     EXPECT(type != nullptr);
     std::vector<double> values;
     for (const DetectorParameter& parameter : type->parameters) {
-        const auto stated = spec.parameters.find(parameter.name);
-        EXPECT(stated != spec.parameters.end() || parameter.usual.has_value());
-        values.push_back(
-            stated != spec.parameters.end() ? stated->second : parameter.usual.value());
+        const auto given = spec.parameters.find(parameter.name);
+        EXPECT(given != spec.parameters.end() || parameter.usual.has_value());
+        values.push_back(given != spec.parameters.end() ? given->second : parameter.usual.value());
     }
     return type->make(values);
 }
@@ -73,7 +72,7 @@ bool need_escaped_light(std::span<const DetectorSpec> specs) {
     });
 }
 
-std::string parameter_words(const DetectorEntry& type) {
+std::string describe_parameters(const DetectorEntry& type) {
     std::string words;
     for (const DetectorParameter& parameter : type.parameters) {
         words += fmt::format(

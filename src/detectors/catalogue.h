@@ -45,6 +45,6 @@ struct DetectorEntry {
 [[nodiscard]] bool need_escaped_light(std::span<const DetectorSpec> specs);
 
 /// "rings 1 ... 180" for the manual; "" for a type without parameters.
-[[nodiscard]] std::string parameter_words(const DetectorEntry& type);
+[[nodiscard]] std::string describe_parameters(const DetectorEntry& type);
 
 }  // namespace quasimc

@@ -20,11 +20,11 @@ std::vector<std::string_view> names_of(std::span<const Row> rows) {
 }
 
 void check_value(
-    const DetectorParameter& parameter, double value, const std::string& place, Faults& faults) {
+    const DetectorParameter& parameter, double value, const std::string& where, Faults& faults) {
     const bool is_whole = parameter.kind == NumberKind::real || value == std::floor(value);
     if (!(value >= parameter.low && value <= parameter.high) || !is_whole) {
         faults.add(
-            {.place = place,
+            {.where = where,
              .problem = fmt::format("{} is {}", parameter.name, shortest(value)),
              .why = fmt::format(
                  "{}{} ... {}", parameter.kind == NumberKind::whole ? "a whole number, " : "",
@@ -35,18 +35,18 @@ void check_value(
 
 void check_parameters(const DetectorSpec& spec, const DetectorEntry& type, Faults& faults) {
     for (const DetectorParameter& parameter : type.parameters) {
-        const auto stated = spec.parameters.find(parameter.name);
-        if (stated != spec.parameters.end()) {
-            check_value(parameter, stated->second, spec.place, faults);
+        const auto given = spec.parameters.find(parameter.name);
+        if (given != spec.parameters.end()) {
+            check_value(parameter, given->second, spec.where, faults);
         } else if (!parameter.usual) {
-            faults.add({spec.place, fmt::format("{} is missing", parameter.name), "", ""});
+            faults.add({spec.where, fmt::format("{} is missing", parameter.name), "", ""});
         }
     }
     const std::vector<std::string_view> known = names_of(type.parameters);
     for (const auto& [name, value] : spec.parameters) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             faults.add(
-                {.place = spec.place,
+                {.where = spec.where,
                  .problem = fmt::format("{} takes no '{}'", type.name, name),
                  .why = "",
                  .suggestion = did_you_mean(name, known)});
@@ -60,17 +60,17 @@ std::vector<DetectorSpec> check_detectors(std::vector<DetectorSpec> specs, Fault
     std::set<std::string_view> names;
     for (DetectorSpec& spec : specs) {
         spec.name = spec.name.empty() ? spec.type : spec.name;
-        spec.place = spec.place.empty() ? fmt::format("detector '{}'", spec.name) : spec.place;
+        spec.where = spec.where.empty() ? fmt::format("detector '{}'", spec.name) : spec.where;
         if (!names.insert(spec.name).second) {
             faults.add(
-                {spec.place, fmt::format("detector '{}' is there already", spec.name),
+                {spec.where, fmt::format("detector '{}' exists already", spec.name),
                  "names must be unique", "give it a name"});
         }
         if (const DetectorEntry* type = find_detector(spec.type)) {
             check_parameters(spec, *type, faults);
         } else {
             faults.add(
-                {spec.place, fmt::format("no detector '{}'", spec.type), "",
+                {spec.where, fmt::format("no detector '{}'", spec.type), "",
                  did_you_mean(spec.type, names_of(detector_catalogue()))});
         }
     }

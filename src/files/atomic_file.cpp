@@ -153,8 +153,8 @@ void AtomicFile::fail() const {
         throw ReaderGone();
     }
     const std::string why = std::generic_category().message(errno);
-    const std::string place = path_ == "-" ? "standard output" : path_.string();
-    throw InputError({{place, "can't be written", why, ""}});
+    const std::string where = path_ == "-" ? "standard output" : path_.string();
+    throw InputError({{where, "can't be written", why, ""}});
 }
 
 /// Pipes and devices.
@@ -166,7 +166,7 @@ void AtomicFile::open_straight() {
     }
     const int descriptor = open_pipe(path_);
     if (descriptor < 0 && errno == ENXIO) {
-        throw InputError({{path_.string(), "can't be written", "nothing reads this pipe", ""}});
+        throw InputError({{path_.string(), "can't be written", "no program reads this pipe", ""}});
     }
     file_ = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }

@@ -20,7 +20,7 @@ class AtomicFile {
 
     /// @throws InputError  if the bytes can't be written (full disk)
     void write(std::string_view bytes);
-    /// Brings all of the file to the disk, under a temporary name beside its place. Nothing is
+    /// Writes all of the file to the disk, under a temporary name in its directory. Nothing is
     /// written after it. @throws InputError
     void prepare();
     /// Gives a prepared file its name. At most once. @throws InputError

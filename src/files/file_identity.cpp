@@ -26,9 +26,9 @@ FileIdentity identity(const struct stat& status) {
 }  // namespace
 
 fs::path followed(fs::path path) {
-    constexpr int kMostLinks = 40;
+    constexpr int kMaxLinks = 40;
     std::error_code error;
-    for (int i = 0; i < kMostLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    for (int i = 0; i < kMaxLinks && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
         if (fs::exists(path, error)) {
             break;
         }
@@ -60,7 +60,7 @@ const InputFile* input_at(const FileIdentity& file, std::span<const InputFile> i
         return nullptr;
     }
     const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const InputFile& input) {
-        const fs::path path = input.path == "-" ? "-" : input.resolved;
+        const fs::path path = input.path == "-" ? "-" : input.absolute_path;
         return identity_of(path, STDIN_FILENO) == file;
     });
     return found == inputs.end() ? nullptr : &*found;

@@ -54,7 +54,7 @@ std::string read_all(int descriptor, const fs::path& path) {
                 return text;
             }
             if (!wait_for_bytes(descriptor, kPatience)) {
-                cannot_read(path, "nothing writes into this pipe");
+                cannot_read(path, "no program writes into this pipe");
             }
             may_be_unwritten = false;
         } else if (errno == EAGAIN) {
@@ -70,8 +70,8 @@ std::string read_all(int descriptor, const fs::path& path) {
     struct stat status {};
     const bool is_known = ::fstat(descriptor, &status) == 0 && status.st_size > 0;
     cannot_read(
-        path, is_known ? fmt::format("there is no memory for its {} bytes", status.st_size)
-                       : "there is no memory for it");
+        path, is_known ? fmt::format("not enough memory for its {} bytes", status.st_size)
+                       : "not enough memory for it");
 }
 
 /// A device would never end.
@@ -96,7 +96,7 @@ void refuse_utf16(std::string_view bytes, const fs::path& path) {
          (bytes[0] == 0 && is_letter(bytes[1]) && bytes[2] == 0 && is_letter(bytes[3])));
     if (has_mark || alternates) {
         throw InputError(
-            {{path.string() + ":1", "is text in UTF-16", "text is read as UTF-8",
+            {{path.string() + ":1", "is text in UTF-16", "text must be UTF-8",
               "save it as UTF-8"}});
     }
 }
@@ -116,10 +116,10 @@ std::string read_text(int descriptor, const fs::path& path) {
 
 }  // namespace
 
-fs::path absolute_path(const std::string& stated) {
+fs::path absolute_path(const std::string& given) {
     std::error_code error;
-    const bool is_stream = stated == "-" || stated == "/dev/stdin" || fs::is_fifo(stated, error);
-    return is_stream ? fs::current_path() / fs::path(stated).filename() : fs::absolute(stated);
+    const bool is_stream = given == "-" || given == "/dev/stdin" || fs::is_fifo(given, error);
+    return is_stream ? fs::current_path() / fs::path(given).filename() : fs::absolute(given);
 }
 
 std::string read_file(const fs::path& path) {
@@ -139,7 +139,7 @@ std::string InputFiles::read(const std::string& path) {
     if (path.empty() || path.find('\0') != std::string::npos) {
         throw InputError(
             {{"", "a file name is " + std::string(path.empty() ? "empty" : "broken"),
-              "it must name a file", ""}});
+              "give the name of a file", ""}});
     }
     const fs::path full = resolved(path);
     std::string bytes = reader_(full);
@@ -148,7 +148,7 @@ std::string InputFiles::read(const std::string& path) {
 }
 
 void InputFiles::note(const std::string& path, const fs::path& full, std::string_view bytes) {
-    const auto is_same = [&](const InputFile& file) { return file.resolved == full.string(); };
+    const auto is_same = [&](const InputFile& file) { return file.absolute_path == full.string(); };
     if (std::none_of(files_.begin(), files_.end(), is_same)) {
         files_.push_back({path, full.string(), sha256_hex(bytes), bytes.size(), false});
     }

@@ -13,7 +13,7 @@
 namespace quasimc {
 
 /// Where a stated file is: one that comes through a pipe, or "-", is as if in the current folder.
-[[nodiscard]] std::filesystem::path absolute_path(const std::string& stated);
+[[nodiscard]] std::filesystem::path absolute_path(const std::string& given);
 
 /// The whole of a file; "-" is standard input. @throws InputError  if it can't be read
 [[nodiscard]] std::string read_file(const std::filesystem::path& path);
@@ -27,7 +27,7 @@ struct FileAccess {
     };
     /// Of a path that was stated on the command line. What comes through a pipe is in the current
     /// folder.
-    std::function<std::filesystem::path(const std::string& stated)> absolute = absolute_path;
+    std::function<std::filesystem::path(const std::string& given)> absolute = absolute_path;
 };
 
 /// Reads the files that a run file names, and keeps what is needed to know them again.

@@ -21,7 +21,7 @@ void check_apart(
         const FileIdentity file = identity_of(output.path, STDOUT_FILENO);
         if (const InputFile* input = input_at(file, inputs)) {
             faults.add(
-                {output.place, fmt::format("'{}' is an input of this run", output.path),
+                {output.where, fmt::format("'{}' is an input of this run", output.path),
                  input->path == output.path ? "" : fmt::format("read as '{}'", input->path),
                  "name another file"});
         }
@@ -30,8 +30,8 @@ void check_apart(
             const OutputPath& other =
                 outputs[static_cast<std::size_t>(std::distance(files.begin(), same))];
             faults.add(
-                {output.place, fmt::format("'{}' is the file of another output", output.path),
-                 fmt::format("{} names it", other.place), "name another file"});
+                {output.where, fmt::format("'{}' is the file of another output", output.path),
+                 fmt::format("{} names it", other.where), "name another file"});
         }
         files.push_back(file);
     }

@@ -15,7 +15,7 @@ namespace quasimc {
 /// A file that is to be written.
 struct OutputPath {
     std::string path;   ///< "-" is standard output
-    std::string place;  ///< who names it, for messages: "--csv"
+    std::string where;  ///< who names it, for messages: "--csv"
 };
 
 /// The files that one run writes. They are opened together, so that a wrong one is told before

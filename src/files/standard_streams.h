@@ -13,9 +13,9 @@ class ReaderGone : public std::exception {
     }
 };
 
-/// Opens what the program was started without of standard input, output and error, so that no file
-/// that is opened later takes their place. Nothing can be read from or written to these then. To be
-/// called before anything is opened.
+/// Opens those of standard input, output and error that are closed, so that no file opened later
+/// gets their descriptors. Nothing can be read from or written to these. To be called before
+/// anything is opened.
 void open_standard_streams();
 
 /// Whether the program was started with a standard output.

@@ -36,9 +36,9 @@ CanLabel can_label(std::int64_t number) {
 }
 
 std::optional<std::int64_t> can_label_number(std::string_view word) {
-    constexpr std::size_t kMostDigits = 15;
+    constexpr std::size_t kMaxDigits = 15;
     const bool is_label =
-        word.size() <= kMostDigits &&
+        word.size() <= kMaxDigits &&
         std::all_of(word.begin(), word.end(), [](unsigned char c) { return c >= '0' && c <= '9'; });
     return is_label ? parse_integer(word) : std::nullopt;
 }

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// A large file is looked at in about so many places.
+/// About the number of values of a large file that are checked.
 constexpr std::size_t kLooks = 10000;
 
 /// The distance from a number to the next one of single precision.
@@ -29,12 +29,12 @@ struct AxisStep {
 AxisStep step_along(std::span<const Vec3> points, std::size_t axis) {
     constexpr double kOnStep = 1.0 / 16, kNearlyAll = 0.99;
     AxisStep largest;
-    std::size_t looks = 0, on_step = 0, odd = 0;
+    std::size_t checked = 0, on_step = 0, odd = 0;
     const std::size_t stride = points.size() / kLooks + 1;
     for (std::size_t i = 0; i < points.size(); i += stride) {
         const Vec3& p = points[i];
         const double x = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-        ++looks;
+        ++checked;
         if (x == 0 || !std::isfinite(x)) {
             ++on_step;
             continue;
@@ -46,7 +46,8 @@ AxisStep step_along(std::span<const Vec3> points, std::size_t axis) {
         largest = step > largest.step ? AxisStep{step, x} : largest;
     }
     const bool is_used =
-        static_cast<double>(on_step) >= kNearlyAll * static_cast<double>(looks) && 4 * odd >= looks;
+        static_cast<double>(on_step) >= kNearlyAll * static_cast<double>(checked) &&
+        4 * odd >= checked;
     return is_used ? largest : AxisStep{};
 }
 
@@ -98,10 +99,10 @@ std::string describe_float_steps(
         return "";
     }
     return fmt::format(
-        "its coordinates are in single precision, which has steps of {:.2g} near {} = {:.7g}, and "
-        "its median triangle is {:.2g} high: shapes and areas are wrong by that rounding; subtract "
-        "an origin before the file is written, or write it in double precision (PLY with property "
-        "double, OBJ with all digits)",
+        "its coordinates are in single precision, with steps of {:.2g} near {} = {:.7g}, and its "
+        "median triangle is {:.2g} high: rounding changes shapes and areas; subtract an origin "
+        "before writing the file, or write it in double precision (PLY with property double, OBJ "
+        "with all digits)",
         worst.step, kAxes[worst_axis], worst.at, height);
 }
 

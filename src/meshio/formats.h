@@ -24,7 +24,7 @@ struct MeshPart {
     std::vector<Face> faces;           ///< numbers of vertices of the file
     std::vector<std::uint32_t> lines;  ///< of each triangle: line, or number of the face, from 1
 
-    /// Adds the triangles of a face of 3 to kMostCorners corners.
+    /// Adds the triangles of a face of 3 to kMaxCorners corners.
     /// @param numbers  of the corners, among the vertices of the file
     /// @returns whether its sides cross, so that it became a fan from its first corner
     bool add_face(
@@ -42,9 +42,9 @@ struct CrossedFaces {
 };
 
 /// Faces and lists have no more corners than this.
-inline constexpr std::size_t kMostCorners = 1024;
+inline constexpr std::size_t kMaxCorners = 1024;
 
-/// The triangles of a face of 3 to kMostCorners corners. @throws InputError  if its sides cross
+/// The triangles of a face of 3 to kMaxCorners corners. @throws InputError  if its sides cross
 [[nodiscard]] std::vector<Triangle> face_triangles(std::span<const Vec3> corners);
 
 /// What a file puts together: a group, an object.
@@ -105,7 +105,7 @@ struct FormatContext {
     [[nodiscard]] double units_per_metre();
 };
 
-/// One row of the table of geometry formats, the only place where a format is entered.
+/// One row of the table of geometry formats, the only list of them.
 struct FormatEntry {
     std::string_view name;               ///< as in `format = "..."`
     std::string_view extensions;         ///< ".tri", lower case, separated by blanks

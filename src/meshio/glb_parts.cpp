@@ -31,14 +31,14 @@ std::size_t GlbParts::add_view(const GlbNumbers& kind) {
 }
 
 std::size_t GlbParts::add_list(std::size_t view, std::string_view bytes, const Bounds* bounds) {
-    View& place = views_[view];
+    View& target = views_[view];
     Json accessor = {
         {"bufferView", view},
-        {"byteOffset", place.size},
-        {"componentType", place.kind.component_type},
-        {"count", bytes.size() / place.kind.bytes},
-        {"type", place.kind.type}};
-    if (place.kind.is_normalized) {
+        {"byteOffset", target.size},
+        {"componentType", target.kind.component_type},
+        {"count", bytes.size() / target.kind.bytes},
+        {"type", target.kind.type}};
+    if (target.kind.is_normalized) {
         accessor["normalized"] = true;
     }
     if (bounds != nullptr && !bounds->empty()) {
@@ -47,8 +47,8 @@ std::size_t GlbParts::add_list(std::size_t view, std::string_view bytes, const B
         accessor["max"] = {high.x, high.y, high.z};
     }
     append_json(accessors_, accessor);
-    place.bytes->add(bytes);
-    place.size += bytes.size();
+    target.bytes->add(bytes);
+    target.size += bytes.size();
     return lists_++;
 }
 
@@ -95,7 +95,7 @@ void GlbParts::write(
     json += ",\"accessors\":[" + accessors_ + "]}";
     json.resize(padded(json.size()), ' ');
     if (kGlbHeaders + json.size() + bytes > kMost) {
-        throw InputError({{"GLB", "the file would have 4 GiB or more", "no GLB file can", ""}});
+        throw InputError({{"GLB", "the file would have 4 GiB or more", "GLB files have less", ""}});
     }
     std::string head = "glTF";
     append_little_endian(head, std::uint32_t{2});

@@ -34,7 +34,7 @@ inline constexpr GlbNumbers kGlbIndices{5125, "SCALAR", 4, true};
 /// until they are written.
 class GlbParts {
   public:
-    /// A place for lists of one kind. @returns its number
+    /// Adds a buffer view for lists of one kind. @returns its number
     std::size_t add_view(const GlbNumbers& kind);
     /// A list in a view. @returns the number of its accessor
     /// @param bounds  of points; null for other numbers

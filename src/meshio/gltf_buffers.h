@@ -51,9 +51,9 @@ class GltfBuffers {
   private:
     void find_buffer(const Node& json, std::size_t number, FormatContext& context);
     void read_buffer(const Node& json, std::size_t number, FormatContext& context);
-    bool find_bytes(const Node& json, GltfAccessor& accessor, const std::string& place);
+    bool find_bytes(const Node& json, GltfAccessor& accessor, const std::string& where);
     std::optional<std::pair<std::string_view, std::uint64_t>> view_bytes(
-        const Node& view, std::uint64_t offset, const std::string& place);
+        const Node& view, std::uint64_t offset, const std::string& where);
 
     const Node& root_;
     GltfValues values_;

@@ -89,15 +89,15 @@ class GltfDocumentReader {
         const std::string version = asset != nullptr ? gltf_text(*asset, "version") : "";
         if (!version.starts_with("2.")) {
             values_.fault(
-                "it is no glTF 2.0",
-                version.empty() ? "it has no asset with a version" : "its version is " + version,
+                "it is not glTF 2.0",
+                version.empty() ? "its asset.version is missing" : "its version is " + version,
                 "export it as glTF 2.0");
             return;
         }
         const std::string least = gltf_text(*asset, "minVersion");
         if (!least.empty() && least != "2.0") {
             values_.fault(
-                "it needs a reader of glTF " + least, "its minVersion says so; 2.0 is read",
+                "it needs a reader of glTF " + least, "minVersion; version 2.0 is supported",
                 "export it as glTF 2.0");
         }
     }
@@ -107,8 +107,8 @@ class GltfDocumentReader {
             const auto* name = extension.as<std::string>();
             if (name != nullptr && !is_harmless(*name)) {
                 values_.fault(
-                    fmt::format("it requires the extension {}", shown(*name)), "that is not read",
-                    "export it without that, or without compression");
+                    fmt::format("it requires the extension {}", shown(*name)),
+                    "it is not supported", "export without it, or without compression");
             }
         }
     }
@@ -116,15 +116,17 @@ class GltfDocumentReader {
     void read_materials() {
         for (const Node& json : gltf_list(root_, "materials")) {
             GltfMaterial material;
-            const std::string place = fmt::format("material {}", file_.materials.size());
+            const std::string where = fmt::format("material {}", file_.materials.size());
             material.name = one_line(gltf_text(json, "name"));
-            material.name = material.name.empty() ? place : material.name;
+            material.name = material.name.empty() ? where : material.name;
             const std::string alpha = gltf_text(json, "alphaMode");
             material.is_cut_out = alpha == "MASK" || alpha == "BLEND";
-            const Node* look = json.find("pbrMetallicRoughness");
-            if (look != nullptr && look->find("baseColorTexture") == nullptr) {
+            const Node* metallic_roughness = json.find("pbrMetallicRoughness");
+            if (metallic_roughness != nullptr &&
+                metallic_roughness->find("baseColorTexture") == nullptr) {
                 constexpr std::size_t kColor = 4;
-                const auto color = values_.numbers(*look, "baseColorFactor", kColor, place);
+                const auto color =
+                    values_.numbers(*metallic_roughness, "baseColorFactor", kColor, where);
                 material.reflectance =
                     color ? std::optional(((*color)[0] + (*color)[1] + (*color)[2]) / 3)
                           : std::nullopt;
@@ -135,33 +137,33 @@ class GltfDocumentReader {
 
     void read_meshes() {
         for (const Node& json : gltf_list(root_, "meshes")) {
-            const std::string place = fmt::format("mesh {}", file_.meshes.size());
-            check_weights(json, place);
+            const std::string where = fmt::format("mesh {}", file_.meshes.size());
+            check_weights(json, where);
             GltfMesh mesh{one_line(gltf_text(json, "name")), {}};
             for (const Node& primitive : gltf_list(json, "primitives")) {
-                mesh.primitives.push_back(read_primitive(primitive, place));
+                mesh.primitives.push_back(read_primitive(primitive, where));
             }
             file_.meshes.push_back(std::move(mesh));
         }
     }
 
-    GltfPrimitive read_primitive(const Node& json, const std::string& place) {
+    GltfPrimitive read_primitive(const Node& json, const std::string& where) {
         constexpr std::uint64_t kUsual = 4;
         GltfPrimitive primitive;
-        primitive.mode = mode_of(values_.whole(json, "mode", place).value_or(kUsual));
-        primitive.material = values_.index(json, "material", file_.materials.size(), place);
+        primitive.mode = mode_of(values_.whole(json, "mode", where).value_or(kUsual));
+        primitive.material = values_.index(json, "material", file_.materials.size(), where);
         const std::size_t accessors = gltf_list(root_, "accessors").size();
-        primitive.indices = values_.index(json, "indices", accessors, place);
+        primitive.indices = values_.index(json, "indices", accessors, where);
         if (const Node* attributes = json.find("attributes")) {
-            primitive.positions = values_.index(*attributes, "POSITION", accessors, place);
+            primitive.positions = values_.index(*attributes, "POSITION", accessors, where);
         }
         if (!primitive.positions) {
-            values_.fault(place + " has a part without positions", "");
+            values_.fault(where + " has a part without positions", "");
         }
         return primitive;
     }
 
-    void check_weights(const Node& json, const std::string& place) {
+    void check_weights(const Node& json, const std::string& where) {
         const Node::List& weights = gltf_list(json, "weights");
         const bool is_blended = std::any_of(weights.begin(), weights.end(), [](const Node& weight) {
             const auto* whole = weight.as<std::int64_t>();
@@ -170,37 +172,37 @@ class GltfDocumentReader {
         });
         if (is_blended) {
             values_.fault(
-                place + " blends several shapes (weights)", "such meshes are not read",
-                "apply the shape keys and export it anew");
+                where + " has morph targets (weights)", "they are not supported",
+                "apply the shape keys and export again");
         }
     }
 
     void read_nodes() {
         const Node::List& nodes = gltf_list(root_, "nodes");
         for (const Node& json : nodes) {
-            const std::string place = fmt::format("node {}", file_.nodes.size());
+            const std::string where = fmt::format("node {}", file_.nodes.size());
             GltfNode node;
             node.name = one_line(gltf_text(json, "name"));
-            node.mesh = values_.index(json, "mesh", file_.meshes.size(), place);
-            node.children = values_.indices(json, "children", nodes.size(), place);
-            node.transform = values_.transform(json, place);
-            check_weights(json, place);
-            refuse_deformed(json, place);
+            node.mesh = values_.index(json, "mesh", file_.meshes.size(), where);
+            node.children = values_.indices(json, "children", nodes.size(), where);
+            node.transform = values_.transform(json, where);
+            check_weights(json, where);
+            refuse_deformed(json, where);
             read_extras(json, node);
             file_.nodes.push_back(std::move(node));
         }
     }
 
-    void refuse_deformed(const Node& json, const std::string& place) {
+    void refuse_deformed(const Node& json, const std::string& where) {
         if (json.find("skin") != nullptr && json.find("mesh") != nullptr) {
             values_.fault(
-                place + " has a skin", "meshes that bones deform are not read",
-                "apply the armature and export it anew");
+                where + " has a skin", "skinned meshes are not supported",
+                "apply the armature and export again");
         }
         const Node* extensions = json.find("extensions");
         if (extensions != nullptr && extensions->find("EXT_mesh_gpu_instancing") != nullptr) {
             values_.fault(
-                place + " has the extension 'EXT_mesh_gpu_instancing'", "that is not read",
+                where + " has the extension 'EXT_mesh_gpu_instancing'", "it is not supported",
                 "export each copy as a node");
         }
     }
@@ -234,8 +236,9 @@ class GltfDocumentReader {
             for (const std::size_t number : numbers) {
                 if (++parents[number] == 2) {
                     values_.fault(
-                        fmt::format("node {} is below two nodes, or twice in the scene", number),
-                        "nodes are trees");
+                        fmt::format(
+                            "node {} has two parents, or appears twice in the scene", number),
+                        "nodes must form trees");
                 }
             }
         };

@@ -42,21 +42,21 @@ std::array<Vec3, 3> rotation_rows(const std::vector<double>& q, const Vec3& scal
 }  // namespace
 
 std::optional<std::uint64_t> GltfValues::whole(
-    const Node& object, std::string_view key, const std::string& place) {
+    const Node& object, std::string_view key, const std::string& where) {
     const Node* value = object.find(key);
     const auto number = value != nullptr ? whole_of(*value) : std::nullopt;
     if (value != nullptr && !number) {
-        fault(fmt::format("{}: {} is no whole number", place, key), "it must be 0 or more");
+        fault(fmt::format("{}: {} is not a whole number", where, key), "it must be 0 or more");
     }
     return number;
 }
 
 std::optional<std::size_t> GltfValues::index_of(
-    const Node& value, std::string_view key, std::size_t count, const std::string& place) {
+    const Node& value, std::string_view key, std::size_t count, const std::string& where) {
     const auto number = whole_of(value);
     if (!number || *number >= count) {
         fault(
-            fmt::format("{}: {} names nothing that is there", place, key),
+            fmt::format("{}: {} refers to a missing item", where, key),
             fmt::format("there are {}, counted from 0", count));
         return std::nullopt;
     }
@@ -64,16 +64,16 @@ std::optional<std::size_t> GltfValues::index_of(
 }
 
 std::optional<std::size_t> GltfValues::index(
-    const Node& object, std::string_view key, std::size_t count, const std::string& place) {
+    const Node& object, std::string_view key, std::size_t count, const std::string& where) {
     const Node* value = object.find(key);
-    return value != nullptr ? index_of(*value, key, count, place) : std::nullopt;
+    return value != nullptr ? index_of(*value, key, count, where) : std::nullopt;
 }
 
 std::vector<std::size_t> GltfValues::indices(
-    const Node& object, std::string_view key, std::size_t count, const std::string& place) {
+    const Node& object, std::string_view key, std::size_t count, const std::string& where) {
     std::vector<std::size_t> all;
     for (const Node& value : gltf_list(object, key)) {
-        if (const auto number = index_of(value, key, count, place)) {
+        if (const auto number = index_of(value, key, count, where)) {
             all.push_back(*number);
         }
     }
@@ -81,43 +81,45 @@ std::vector<std::size_t> GltfValues::indices(
 }
 
 std::optional<std::vector<double>> GltfValues::numbers(
-    const Node& object, std::string_view key, std::size_t count, const std::string& place) {
+    const Node& object, std::string_view key, std::size_t count, const std::string& where) {
     if (object.find(key) == nullptr) {
         return std::nullopt;
     }
     std::vector<double> all = gltf_numbers(object, key);
     if (all.size() != count || gltf_list(object, key).size() != count) {
-        fault(fmt::format("{}: {} is no list of {} finite numbers", place, key, count), "");
+        fault(fmt::format("{}: {} is not a list of {} finite numbers", where, key, count), "");
         return std::nullopt;
     }
     return all;
 }
 
-Affine GltfValues::matrix(const std::vector<double>& m, const std::string& place) {
+Affine GltfValues::matrix(const std::vector<double>& m, const std::string& where) {
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
-        fault(place + ": its matrix is none of scale, rotation and shift", "", "apply it");
+        fault(
+            where + ": its matrix is not composed of scale, rotation and translation", "",
+            "apply it");
     }
     return {
         {Vec3{m[0], m[4], m[8]}, Vec3{m[1], m[5], m[9]}, Vec3{m[2], m[6], m[10]}},
         Vec3{m[12], m[13], m[14]}};
 }
 
-Affine GltfValues::transform(const Node& node, const std::string& place) {
+Affine GltfValues::transform(const Node& node, const std::string& where) {
     constexpr std::size_t kMatrix = 16, kQuaternion = 4;
-    if (const auto m = numbers(node, "matrix", kMatrix, place)) {
-        return matrix(*m, place);
+    if (const auto m = numbers(node, "matrix", kMatrix, where)) {
+        return matrix(*m, where);
     }
     Affine result;
-    if (const auto shift = numbers(node, "translation", 3, place)) {
+    if (const auto shift = numbers(node, "translation", 3, where)) {
         result.shift = {(*shift)[0], (*shift)[1], (*shift)[2]};
     }
-    const auto scale = numbers(node, "scale", 3, place).value_or(std::vector<double>(3, 1));
+    const auto scale = numbers(node, "scale", 3, where).value_or(std::vector<double>(3, 1));
     const auto turn =
-        numbers(node, "rotation", kQuaternion, place).value_or(std::vector<double>{0, 0, 0, 1});
+        numbers(node, "rotation", kQuaternion, where).value_or(std::vector<double>{0, 0, 0, 1});
     const double size =
         turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3];
     if (!(size > 0) || !std::isfinite(2 / size)) {
-        fault(place + ": its rotation is no unit quaternion", "");
+        fault(where + ": its rotation is not a unit quaternion", "");
         return result;
     }
     result.rows = rotation_rows(turn, {scale[0], scale[1], scale[2]});

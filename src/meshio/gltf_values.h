@@ -14,7 +14,7 @@
 namespace quasimc {
 
 /// Reads the values of a glTF file. What is wrong with one is reported, and it is then absent. A
-/// `place` says whose it is: "node 3".
+/// `where` says whose it is: "node 3".
 class GltfValues {
   public:
     explicit GltfValues(Reporter& reporter) : reporter_(reporter) {}
@@ -24,23 +24,23 @@ class GltfValues {
     }
     /// An integer that is not negative.
     std::optional<std::uint64_t> whole(
-        const Node& object, std::string_view key, const std::string& place);
+        const Node& object, std::string_view key, const std::string& where);
     /// The number of a part of the file, of which there are `count`.
     std::optional<std::size_t> index(
-        const Node& object, std::string_view key, std::size_t count, const std::string& place);
+        const Node& object, std::string_view key, std::size_t count, const std::string& where);
     /// The list of such numbers that is the value of a key; empty if it is absent.
     std::vector<std::size_t> indices(
-        const Node& object, std::string_view key, std::size_t count, const std::string& place);
+        const Node& object, std::string_view key, std::size_t count, const std::string& where);
     /// So many finite numbers.
     std::optional<std::vector<double>> numbers(
-        const Node& object, std::string_view key, std::size_t count, const std::string& place);
+        const Node& object, std::string_view key, std::size_t count, const std::string& where);
     /// Of a node: its matrix, or its scale, rotation and translation.
-    Affine transform(const Node& node, const std::string& place);
+    Affine transform(const Node& node, const std::string& where);
 
   private:
     std::optional<std::size_t> index_of(
-        const Node& value, std::string_view key, std::size_t count, const std::string& place);
-    Affine matrix(const std::vector<double>& m, const std::string& place);
+        const Node& value, std::string_view key, std::size_t count, const std::string& where);
+    Affine matrix(const std::vector<double>& m, const std::string& where);
 
     Reporter& reporter_;
 };

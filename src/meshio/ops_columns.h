@@ -11,16 +11,16 @@
 
 namespace quasimc {
 
-/// The numbers of a line that places a plant.
+/// The numbers of a plant's line.
 struct OpsNumbers {
-    Vec3 place;  ///< metres
+    Vec3 position;  ///< metres
     double scale = 1;
     double azimuth = 0, angle = 0, twist = 0;  ///< of the inclination; about the stem; radians
 };
 
 /// Where a line puts its plant: turned by its twist, scaled, inclined towards the azimuth and
 /// shifted, as PlantGeom.jl does it.
-/// @param unit  of the scene, in one of the places; @param size  in one of the plant
+/// @param unit  of the scene, in one of the positions; @param size  in one of the plant
 [[nodiscard]] Affine ops_transform(const OpsNumbers& numbers, double unit, double size);
 
 /// The fields of a line, between tabs if there are any: names of files may hold blanks.

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-const std::string kCanLine = "a line holds: p 1 LABEL 3 and x y z of three corners";
+const std::string kCanLine = "a line contains p 1 LABEL 3 and x y z of three corners";
 
 /// What the lines of a file have built so far: a group for each label.
 class CanReader {
@@ -36,16 +36,15 @@ class CanReader {
         }
         const auto attributes = parse_integer(take_word(line));
         const std::string_view label = take_word(line);
-        if (type != "p" || !attributes || *attributes < 1 || *attributes > kMostAttributes) {
-            fault(shown(type) + " is no polygon with a label");
+        if (type != "p" || !attributes || *attributes < 1 || *attributes > kMaxAttributes) {
+            fault(shown(type) + " is not a polygon with a label");
             return;
         }
         const std::optional<std::int64_t> number = can_label_number(label);
         if (!number) {
             reporter_.fault(
-                line_, shown(label) + " is no label",
-                "a label has up to 15 digits: species, 5 of the plant, 3 of the leaf, 3 of the "
-                "element");
+                line_, shown(label) + " is not a label",
+                "a label has up to 15 digits: species, plant (5), leaf (3), element (3)");
             return;
         }
         for (std::int64_t i = 1; i < *attributes; ++i) {
@@ -56,7 +55,7 @@ class CanReader {
         if (!numbers) {
             return;
         }
-        if (!corners || *corners < 3 || *corners > static_cast<std::int64_t>(kMostCorners) ||
+        if (!corners || *corners < 3 || *corners > static_cast<std::int64_t>(kMaxCorners) ||
             numbers->size() != 3 * static_cast<std::size_t>(*corners)) {
             fault(
                 fmt::format("{} coordinates of {} corners", numbers->size(), corners.value_or(0)));
@@ -96,7 +95,7 @@ class CanReader {
 
     void fault(std::string problem) { reporter_.fault(line_, std::move(problem), kCanLine); }
 
-    static constexpr std::int64_t kMostAttributes = 64;
+    static constexpr std::int64_t kMaxAttributes = 64;
 
     Reporter& reporter_;
     MeshFile mesh_{{}, {}, "line", {}};

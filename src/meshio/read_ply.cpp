@@ -48,10 +48,9 @@ class PlyReader {
         if (const std::string rest = values_.rest();
             !rest.empty() && !context_.reporter.is_full()) {
             context_.reporter.warn(fmt::format(
-                "after the last element that its header names there is more ({}), which is not "
-                "read: "
-                "the header's counts or the lengths of lists are wrong, and faces may be missing; "
-                "write the file anew",
+                "there is more data after the last element of the header ({}), which is not read: "
+                "counts in the header or lengths of lists are wrong, and faces may be missing; "
+                "write the file again",
                 rest));
         }
     }
@@ -80,7 +79,7 @@ class PlyReader {
             [](const PlyProperty& property) { return property.role == PlyRole::corners; });
         if (element.name != "face" && has_corners && element.count > 0) {
             context_.reporter.warn(fmt::format(
-                "elements {} have corners and are left out ({} in all): only 'face' is read",
+                "elements {} have corners and are left out ({} in total): only 'face' is read",
                 shown(element.name), element.count));
         }
     }
@@ -89,8 +88,8 @@ class PlyReader {
         const std::optional<double> number = values_.next(type);
         if (!number) {
             throw Broken{
-                fmt::format("{} {} is cut short or no number", element.name, number_),
-                fmt::format("the header says that there are {}", element.count)};
+                fmt::format("{} {} is incomplete or not a number", element.name, number_),
+                fmt::format("the header says {}", element.count)};
         }
         return *number;
     }
@@ -116,10 +115,10 @@ class PlyReader {
             return value(element, property.type);
         }
         const double count = value(element, property.count_type);
-        if (!(count >= 0) || count > static_cast<double>(kMostCorners)) {
+        if (!(count >= 0) || count > static_cast<double>(kMaxCorners)) {
             throw Broken{
                 fmt::format("{} {} has a list of {}", element.name, number_, count),
-                fmt::format("a list has 0 to {}", kMostCorners)};
+                fmt::format("a list has 0 to {}", kMaxCorners)};
         }
         items_.clear();
         const auto items = static_cast<std::size_t>(std::ceil(count));
@@ -166,7 +165,7 @@ class PlyReader {
             if (!(item >= 0 && item < static_cast<double>(vertices_.size())) ||
                 item != std::floor(item)) {
                 throw Broken{
-                    fmt::format("face {} names vertex {}", number_, item),
+                    fmt::format("face {} refers to vertex {}", number_, item),
                     fmt::format("there are {}, counted from 0", vertices_.size())};
             }
             numbers_.push_back(static_cast<std::uint32_t>(item));
@@ -235,7 +234,7 @@ class PlyReader {
             }
         }
         std::set<std::string> unnamed;
-        for (const auto& [key, place] : parts_) {
+        for (const auto& [key, index] : parts_) {
             if (key.material && !names.contains(std::to_string(*key.material))) {
                 unnamed.insert(std::to_string(*key.material));
             }
@@ -254,17 +253,17 @@ class PlyReader {
     /// several share.
     void name_materials() {
         const std::map<std::string, std::string> names = clear_names();
-        for (const auto& [key, place] : parts_) {
-            MeshPart& part = mesh_.groups[groups_.at(key.organ)].parts[place];
-            const auto stated =
+        for (const auto& [key, index] : parts_) {
+            MeshPart& part = mesh_.groups[groups_.at(key.organ)].parts[index];
+            const auto given =
                 key.material ? header_.materials.find(*key.material) : header_.materials.end();
             if (const auto named = names.find(part.material); named != names.end()) {
                 mesh_.aliases.emplace(named->second, part.material);
                 part.material = named->second;
             } else if (
-                stated != header_.materials.end() && !stated->second.empty() &&
-                !parse_integer(stated->second)) {
-                mesh_.aliases.emplace(part.material, stated->second);
+                given != header_.materials.end() && !given->second.empty() &&
+                !parse_integer(given->second)) {
+                mesh_.aliases.emplace(part.material, given->second);
             }
             if (header_.has_texture) {
                 mesh_.masks.emplace(part.material, "TextureFile");
@@ -279,10 +278,10 @@ class PlyReader {
                 return property.role == PlyRole::organ || property.role == PlyRole::material;
             });
         if (is_one && element.count > 0) {
-            constexpr std::uint64_t kFewestBytes = 4;
+            constexpr std::uint64_t kMinBytes = 4;
             MeshPart& part = part_of({});
             part.faces.reserve(
-                std::min<std::uint64_t>(element.count, values_.bytes_left() / kFewestBytes));
+                std::min<std::uint64_t>(element.count, values_.bytes_left() / kMinBytes));
             part.lines.reserve(part.faces.capacity());
         }
     }

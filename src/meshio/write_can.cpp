@@ -20,14 +20,14 @@ bool ids_are_labels(const Scene& scene) {
 
 /// A label for an organ that has none: its material is the species, leaves are counted.
 std::int64_t made_label(const Scene& scene, std::size_t organ, std::uint32_t triangle) {
-    constexpr std::size_t kMostLeaves = 999;
+    constexpr std::size_t kMaxLeaves = 999;
     if (scene.organs()[organ].is_ground) {
         return 0;
     }
     CanLabel label;
     label.species = scene.regions()[data_of(scene).region_of(triangle).value].material.value + 1;
-    label.plant = static_cast<std::int64_t>(organ / kMostLeaves) + 1;
-    label.leaf = static_cast<std::int64_t>(organ % kMostLeaves) + 1;
+    label.plant = static_cast<std::int64_t>(organ / kMaxLeaves) + 1;
+    label.leaf = static_cast<std::int64_t>(organ % kMaxLeaves) + 1;
     label.element = 1;
     return label.number();
 }

@@ -17,7 +17,7 @@ namespace quasimc {
 /// A mesh of an XML file, in coordinates of its own.
 struct XmlMesh {
     std::vector<Vec3> points;
-    std::vector<std::vector<std::uint32_t>> faces;  ///< of 3 to kMostCorners points
+    std::vector<std::vector<std::uint32_t>> faces;  ///< of 3 to kMaxCorners points
 
     /// Its faces, as a part of `file`. @param placed  the points, where they are put
     [[nodiscard]] MeshPart part(

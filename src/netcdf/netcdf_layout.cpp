@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "resultio/series_words.h"
+#include "resultio/describe_series.h"
 #include "results/evaluate.h"
 #include "results/groups.h"
 #include "results/units.h"
@@ -130,7 +130,7 @@ void NetcdfLayout::define_times() {
     std::vector<double> begin, bounds;
     std::vector<std::string> texts;
     for (const std::size_t row : rows_) {
-        const MomentNotes& notes = run_.series->notes[row];
+        const TimeStepNotes& notes = run_.series->notes[row];
         begin.push_back(netcdf_seconds(notes.time));
         bounds.push_back(begin.back());
         bounds.push_back(
@@ -139,7 +139,7 @@ void NetcdfLayout::define_times() {
         texts.push_back(notes.time);
     }
     NetcdfAttributes attributes = kTimeAttributes;
-    attributes.emplace_back("long_name", "where the time begins that numbers are the mean of");
+    attributes.emplace_back("long_name", "beginning of the averaging interval");
     attributes.emplace_back("bounds", "time_bounds");
     file_.put(file_.add_variable("time", NetcdfType::real, {*time_}, attributes), begin);
     file_.put(
@@ -148,7 +148,7 @@ void NetcdfLayout::define_times() {
     file_.put(
         file_.add_variable(
             "time_text", NetcdfType::text, {*time_},
-            {{"long_name", "the same by the clock, with its difference from UTC"}}),
+            {{"long_name", "local time with its offset from UTC"}}),
         texts);
 }
 
@@ -159,7 +159,7 @@ void NetcdfLayout::define_days() {
     file_.put(
         file_.add_variable(
             "day", NetcdfType::text, {*day_},
-            {{"long_name", "day, or first and last of a period"}}),
+            {{"long_name", "day, or first and last day of a period"}}),
         run_.series->days);
 }
 
@@ -195,7 +195,7 @@ void NetcdfLayout::define_areas() {
     sizes.push_back(run_.scene.organs().size());
     area_ = file_.add_variable(
         "area", NetcdfType::real, dimensions,
-        {{"long_name", "area of one side"}, {"units", run_.scene.length_unit() + "2"}},
+        {{"long_name", "one-sided area"}, {"units", run_.scene.length_unit() + "2"}},
         chunk_of(sizes));
     put_areas(run_);
 }
@@ -210,7 +210,7 @@ void NetcdfLayout::put_areas(const RunFile& run) {
     }
     NetcdfBlock block;
     if (sweep_.changes_geometry()) {
-        block.start = place_of(run);
+        block.start = indices_of(run);
         block.count.assign(block.start.size(), 1);
     }
     block.start.push_back(0);
@@ -254,8 +254,7 @@ NetcdfEstimates NetcdfLayout::define_estimates(
         }
     }
     const std::string mean = free_name(name), error = free_name(name + "_standard_error"),
-                      low = free_name(name + "_interval_low"),
-                      high = free_name(name + "_interval_high");
+                      low = free_name(name + "_ci95_low"), high = free_name(name + "_ci95_high");
     const auto add = [&](const std::string& variable, const std::string& words,
                          const std::string& ancillary) {
         NetcdfAttributes attributes{{"long_name", words}, {"units", unit}};
@@ -301,18 +300,18 @@ void NetcdfLayout::define_light() {
     }
     if (columns.has_sunlit) {
         sunlit = define(
-            "sunlit_fraction", "1", "part of the area lit straight by directional sources",
+            "sunlit_fraction", "1", "fraction of the area lit directly by directional sources",
             {time, organ});
     }
     if (ratio_) {
         ratios = define(
-            "light_ratio", "1", "of the light that falls on the organ, both sides",
+            "light_ratio", "1", "ratio of incident light, both sides of the organ",
             {time, ratio, organ});
     }
 }
 
 void NetcdfLayout::define_detectors() {
-    for (const DetectorResult& detector : dark_detectors(run_.scene)) {
+    for (const DetectorResult& detector : zero_detectors(run_.scene)) {
         const std::string axis = free_name(detector.name + "_bin");
         const int bin = file_.add_dimension(axis, detector.bins.size());
         file_.put(

@@ -39,8 +39,8 @@ class NetcdfLayout {
     /// Puts the areas of the organs of a run, where they may change from point to point.
     void put_areas(const RunFile& run);
     /// Where the numbers of a run stand, along the axes of the sweep.
-    [[nodiscard]] std::vector<std::size_t> place_of(const RunFile& run) const {
-        return sweep_.place_of(run.point);
+    [[nodiscard]] std::vector<std::size_t> indices_of(const RunFile& run) const {
+        return sweep_.indices_of(run.point);
     }
     /// Where a time step stands; nothing of one that is not in the file.
     [[nodiscard]] std::optional<std::size_t> row_of(std::size_t time_step) const;

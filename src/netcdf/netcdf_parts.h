@@ -21,7 +21,7 @@ struct NetcdfBands {
     const RunFile& run, const WrittenColumns& columns);
 
 /// Seconds since 1970 began, UTC; rounded to the millisecond that a Julian day tells.
-/// @param time  as MomentNotes has it
+/// @param time  as TimeStepNotes has it
 [[nodiscard]] double netcdf_seconds(const std::string& time);
 
 /// The time steps that are in the file: those with light, or all with `night`, within the hours.

@@ -47,13 +47,13 @@ void NetcdfSweep::add_keys(const SweepPlan& plan) {
     }
 }
 
-std::vector<std::size_t> NetcdfSweep::place_of(std::size_t point) const {
-    std::vector<std::size_t> place(axes_.size());
+std::vector<std::size_t> NetcdfSweep::indices_of(std::size_t point) const {
+    std::vector<std::size_t> indices(axes_.size());
     for (std::size_t i = axes_.size(); i-- > 0;) {
-        place[i] = point % axes_[i].size;
+        indices[i] = point % axes_[i].size;
         point /= axes_[i].size;
     }
-    return place;
+    return indices;
 }
 
 }  // namespace quasimc

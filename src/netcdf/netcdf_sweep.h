@@ -30,7 +30,7 @@ class NetcdfSweep {
     [[nodiscard]] const std::vector<Axis>& axes() const { return axes_; }
     [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
     /// Where a point stands, along each axis.
-    [[nodiscard]] std::vector<std::size_t> place_of(std::size_t point) const;
+    [[nodiscard]] std::vector<std::size_t> indices_of(std::size_t point) const;
     /// Whether organs may change from point to point, though they stay the same organs.
     [[nodiscard]] bool changes_geometry() const { return changes_geometry_; }
     /// Whether times with light may have none at other points.

@@ -29,7 +29,7 @@ double peak_brightness(const Bsdf& lobe) {
     return std::numbers::pi * lobe.pdf(n, -n, away * n);
 }
 
-bool is_sharp(const Bsdf& lobe) {
+bool is_narrow(const Bsdf& lobe) {
     return peak_brightness(lobe) >= kSharpPeak;
 }
 

@@ -72,6 +72,6 @@ inline constexpr double kSharpPeak = 25;
 
 /// Whether a lobe is so narrow that one of many directions to a light that are drawn without regard
 /// to it hardly ever lies within it. Such lobes are followed, not looked through.
-[[nodiscard]] bool is_sharp(const Bsdf& lobe);
+[[nodiscard]] bool is_narrow(const Bsdf& lobe);
 
 }  // namespace quasimc

@@ -29,8 +29,7 @@ struct BsdfEntry {
     [[nodiscard]] const BsdfParameter* find_parameter(std::string_view parameter) const;
 };
 
-/// All lobe models, in the order of the manual: lambertian, phong, blinn_phong, mirror. A mirror's
-/// transmitted lobe goes straight on.
+/// All lobe models, in the order of the manual. A mirror's transmitted lobe goes straight on.
 [[nodiscard]] std::span<const BsdfEntry> bsdf_catalogue();
 
 /// The row of that name, or null.
@@ -43,9 +42,9 @@ struct BsdfEntry {
 /// The values of a model's parameters in the order of its row: those stated, or else the usual
 /// ones; NaN for one that has neither. What the model does not take is passed over.
 [[nodiscard]] std::vector<double> parameter_values(
-    const BsdfEntry& model, const BsdfParameters& stated);
+    const BsdfEntry& model, const BsdfParameters& given);
 
 /// "exponent 0 ... 1000000" for the manual; "" for a model without parameters.
-[[nodiscard]] std::string parameter_words(const BsdfEntry& model);
+[[nodiscard]] std::string describe_parameters(const BsdfEntry& model);
 
 }  // namespace quasimc

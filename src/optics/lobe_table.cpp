@@ -88,7 +88,7 @@ LobeTable::LobeTable(std::span<const Lobe> lobes, std::size_t bands) : bands_(ba
              .delta = lobe.shape->is_delta(),
              .lambertian = lobe.shape->is_lambertian(),
              .reciprocal = lobe.shape->is_reciprocal(),
-             .sharp = is_sharp(*lobe.shape),
+             .sharp = is_narrow(*lobe.shape),
              .peak = peak_brightness(*lobe.shape),
              .alone = true,
              .constant = lobe.shape->has_constant_albedo()});
@@ -121,21 +121,21 @@ LobeTable::Choice LobeTable::choose_among(double u0, double total, const Power& 
     if (rows_.empty()) {
         return {};
     }
-    const double place = u0 * total;
+    const double target = u0 * total;
     std::size_t chosen = 0;
     double share = power_of(rows_[0]);
     double start = 0;
     double end = share;
     for (std::size_t k = 1; k < rows_.size(); ++k) {
         const double power = power_of(rows_[k]);
-        const bool beyond = place >= end;
+        const bool beyond = target >= end;
         chosen = beyond ? k : chosen;
         share = beyond ? power : share;
         start = beyond ? end : start;
         end += power;
     }
-    const double rest = place - start;
-    const bool is_certain = total <= end && share > 0;  // whatever the rounding of `place`
+    const double rest = target - start;
+    const bool is_certain = total <= end && share > 0;  // whatever the rounding of `target`
     if (!(rest < share || is_certain)) {
         return {};
     }

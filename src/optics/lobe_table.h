@@ -29,7 +29,7 @@ struct Draw {
 
 /// The lobes among which the light of a hit is divided, laid out for speed: the arithmetic of
 /// weights that Side (light followed forwards) and Material (backwards) have in common. See
-/// docs/theory/many-bands.md. Immutable.
+/// docs/theory/what-is-computed.md. Immutable.
 class LobeTable {
   public:
     /// @param lobes  each with an albedo above 0 in some band
@@ -41,7 +41,7 @@ class LobeTable {
         std::size_t offset;      ///< of its albedos, one for every band
         double sign;             ///< 1 reflected, -1 transmitted
         bool delta, lambertian, reciprocal;
-        bool sharp;     ///< see is_sharp()
+        bool sharp;     ///< see is_narrow()
         double peak;    ///< see peak_brightness()
         bool alone;     ///< no other lobe can give the same direction
         bool constant;  ///< the albedo is the same at every angle

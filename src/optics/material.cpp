@@ -120,12 +120,12 @@ void Material::add_reflected(
     double factor,
     std::span<const double> weights,
     std::span<double> out,
-    double sharp_from) const {
+    double narrow_from) const {
     const LobeTable& table = side == SurfaceSide::upper ? to_upper_ : to_lower_;
     const double cosine = dot(wi, n);
     const double sign = cosine < 0 ? 1 : -1;
     for (const LobeTable::Row& row : table.rows()) {
-        if (row.peak >= sharp_from || row.sign != sign) {
+        if (row.peak >= narrow_from || row.sign != sign) {
             continue;
         }
         const double bsdf =

@@ -52,7 +52,7 @@ class Material {
         std::span<double> weights) const;
 
     /// BSDF_b(wi, wo) * |dot(wi, n)| for each band, sharp lobes left out (those whose
-    /// peak_brightness() is `sharp_from` or more): the radiance along `wo` on the side with normal
+    /// peak_brightness() is `narrow_from` or more): the radiance along `wo` on the side with normal
     /// `n` (`side` tells which) per irradiance on a plane facing light that travels along `wi`,
     /// from either side. Adds factor * that * weights[b] to out[b].
     void add_reflected(
@@ -63,7 +63,7 @@ class Material {
         double factor,
         std::span<const double> weights,
         std::span<double> out,
-        double sharp_from = kSharpPeak) const;
+        double narrow_from = kSharpPeak) const;
 
   private:
     std::string name_;

@@ -14,10 +14,10 @@
 namespace quasimc {
 namespace {
 
-void check_fraction(double value, std::string_view name, const std::string& place, Faults& faults) {
+void check_fraction(double value, std::string_view name, const std::string& where, Faults& faults) {
     if (!(value >= 0 && value <= 1)) {
         faults.add(
-            {.place = place,
+            {.where = where,
              .problem = fmt::format("{} is {}", name, shortest(value)),
              .why = "a fraction of the light, 0 ... 1",
              .suggestion = value >= 2 && value <= 100
@@ -44,16 +44,16 @@ std::optional<BsdfParameter> domain_of(const BsdfEntry* model, std::string_view 
 void check_parameter(
     std::string_view what,
     const BsdfEntry* model,
-    const BsdfParameters::value_type& stated,
-    const std::string& place,
+    const BsdfParameters::value_type& given,
+    const std::string& where,
     Faults& faults) {
-    const auto& [name, value] = stated;
+    const auto& [name, value] = given;
     const std::optional<BsdfParameter> domain = domain_of(model, name);
     if (!domain) {
         faults.add(
-            {.place = place,
+            {.where = where,
              .problem = fmt::format("{} {} is given", what, name),
-             .why = "no model takes it",
+             .why = "no model has this parameter",
              .suggestion = ""});
         return;
     }
@@ -61,7 +61,7 @@ void check_parameter(
         const BsdfParameter* own = model == nullptr ? nullptr : model->find_parameter(name);
         const double high = own == nullptr ? domain->high : own->high;
         faults.add(
-            {.place = place,
+            {.where = where,
              .problem = fmt::format("{} {} is {}", what, name, shortest(value)),
              .why = fmt::format("{} ... {}", shortest(domain->low), shortest(high)),
              .suggestion = std::isnan(value) ? "" : std::string(domain->suggestion)});
@@ -72,7 +72,7 @@ void check_model(
     std::string_view what,
     const std::string& model,
     const BsdfParameters& parameters,
-    const std::string& place,
+    const std::string& where,
     Faults& faults) {
     const BsdfEntry* entry = find_bsdf(model);
     if (entry == nullptr) {
@@ -81,21 +81,21 @@ void check_model(
             names.push_back(known.name);
         }
         faults.add(
-            {.place = place,
+            {.where = where,
              .problem = fmt::format("no {} model '{}'", what, model),
              .why = "",
              .suggestion = did_you_mean(model, names)});
     }
-    for (const auto& stated : parameters) {
-        check_parameter(what, entry, stated, place, faults);
+    for (const auto& given : parameters) {
+        check_parameter(what, entry, given, where, faults);
     }
     for (const BsdfParameter& p :
          entry == nullptr ? std::span<const BsdfParameter>{} : entry->parameters) {
         if (!p.usual && !parameters.contains(p.name)) {
             faults.add(
-                {.place = place,
+                {.where = where,
                  .problem = fmt::format("{} {} is missing", what, p.name),
-                 .why = fmt::format("model '{}' takes one", model),
+                 .why = fmt::format("model '{}' has it", model),
                  .suggestion = ""});
         }
     }
@@ -104,28 +104,28 @@ void check_model(
 void check_side(
     const std::vector<SideOptics>& side,
     std::size_t bands,
-    const std::string& place,
+    const std::string& where,
     Faults& faults) {
     if (side.size() != bands) {
         faults.add(
-            {.place = place,
+            {.where = where,
              .problem = fmt::format("optics for {} of the bands", side.size()),
              .why = fmt::format("there are {}", bands),
              .suggestion = ""});
     }
     for (std::size_t b = 0; b < side.size(); ++b) {
         const SideOptics& optics = side[b];
-        const std::string band = fmt::format("{}, band {}", place, b + 1);
+        const std::string band = fmt::format("{}, band {}", where, b + 1);
         check_fraction(optics.reflectance, "reflectance", band, faults);
         check_fraction(optics.transmittance, "transmittance", band, faults);
         const double sum = optics.reflectance + optics.transmittance;
         if (optics.reflectance <= 1 && optics.transmittance <= 1 && sum > 1) {
             faults.add(
-                {.place = band,
+                {.where = band,
                  .problem = fmt::format(
                      "reflectance {} + transmittance {} = {}", shortest(optics.reflectance),
                      shortest(optics.transmittance), shortest(sum)),
-                 .why = "more than 1 makes light",
+                 .why = "the surface would create light",
                  .suggestion = ""});
         }
         check_model(
@@ -148,10 +148,10 @@ Term term_of(const SideOptics& optics, Hemisphere hemisphere) {
     const BsdfEntry* model =
         find_bsdf(is_reflected ? optics.reflection_model : optics.transmission_model);
     EXPECT(model != nullptr);
-    const BsdfParameters& stated =
+    const BsdfParameters& given =
         is_reflected ? optics.reflection_parameters : optics.transmission_parameters;
     return {
-        model, parameter_values(*model, stated),
+        model, parameter_values(*model, given),
         is_reflected ? optics.reflectance : optics.transmittance};
 }
 
@@ -167,13 +167,13 @@ void append_lobes(
         const auto same = std::find_if(distinct.begin(), distinct.end(), [&](const Term& other) {
             return other.model == term.model && other.parameters == term.parameters;
         });
-        const std::size_t place = first + static_cast<std::size_t>(same - distinct.begin());
+        const std::size_t index = first + static_cast<std::size_t>(same - distinct.begin());
         if (same == distinct.end()) {
             distinct.push_back(term);
             lobes.push_back(
                 {term.model->make(hemisphere, term.parameters), std::vector<double>(side.size())});
         }
-        lobes[place].albedo[b] = term.albedo;
+        lobes[index].albedo[b] = term.albedo;
     }
 }
 
@@ -193,7 +193,7 @@ MaterialSpec lambertian(
         throw InputError(
             {{fmt::format("material '{}'", name),
               fmt::format("has {} reflectances and {} transmittances", bands, transmittance.size()),
-              "each band has one of both", ""}});
+              "give one of each for every band", ""}});
     }
     std::vector<SideOptics> side;
     for (std::size_t b = 0; b < bands; ++b) {
@@ -205,8 +205,8 @@ MaterialSpec lambertian(
 }
 
 void check_material(
-    const MaterialSpec& spec, std::size_t bands, const std::string& place, Faults& faults) {
-    const std::string start = place.empty() ? fmt::format("material '{}'", spec.name) : place;
+    const MaterialSpec& spec, std::size_t bands, const std::string& where, Faults& faults) {
+    const std::string start = where.empty() ? fmt::format("material '{}'", spec.name) : where;
     check_side(spec.upper, bands, start + ", upper side", faults);
     check_side(spec.lower, bands, start + ", lower side", faults);
 }

@@ -114,11 +114,11 @@ void Side::add_scattered(
     const Vec3& n,
     const Vec3& wi,
     const Vec3& wo,
-    double sharp_from,
+    double narrow_from,
     std::span<const double> weights,
     std::span<double> out) const {
     for (const LobeTable::Row& row : table_.rows()) {
-        if (row.peak < sharp_from) {
+        if (row.peak < narrow_from) {
             table_.add(row, row.relative_albedo(n, wi) * row.shape->pdf(n, wi, wo), weights, out);
         }
     }

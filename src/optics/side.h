@@ -16,7 +16,7 @@ namespace quasimc {
 /// followed with probability q_k = sum_b w_b a_kb / sum_b w_b (so the path survives with the mean
 /// albedo, and the mean of the weights never changes), and the weights become
 /// w_b sum_k a_kb p_k(wo) / sum_k q_k p_k(wo), the sums over the lobes that can give `wo` (balance
-/// heuristic, Veach and Guibas 1995): unbiased in every band. See docs/theory/many-bands.md.
+/// heuristic, Veach and Guibas 1995): unbiased in every band. See docs/theory/what-is-computed.md.
 class Side {
   public:
     /// @param lobes  of which the sum of albedos is at most 1 in each band, at every angle. Those
@@ -84,12 +84,12 @@ class Side {
         std::span<double> weights) const;
 
     /// Adds to out[b] the light that is sent in a direction `wo`, per steradian, of weights[b] that
-    /// travels along `wi`: by lobes whose peak_brightness() is below `sharp_from`.
+    /// travels along `wi`: by lobes whose peak_brightness() is below `narrow_from`.
     void add_scattered(
         const Vec3& n,
         const Vec3& wi,
         const Vec3& wo,
-        double sharp_from,
+        double narrow_from,
         std::span<const double> weights,
         std::span<double> out) const;
 

@@ -85,7 +85,7 @@ Named<Method> names_of_methods() {
 //
 // To add an option of a run: add a field with its default to RunSpec (quasimc/run_spec.h) and a row
 // here. The key in [run], the flag of the program, the range check with its message,
-// --dump-default, the table in docs/guide/options.md (copy it from `quasimc list options
+// --dump-default, the table in docs/reference/options.md (copy it from `quasimc list options
 // -markdown`; a test compares), the keyword in Python and the echo in the JSON result follow from
 // the row. python/quasimc/__init__.pyi lists it too, for who types (a test compares).
 std::vector<Option> rows_of_sampling() {
@@ -102,14 +102,14 @@ std::vector<Option> rows_of_sampling() {
             &RunSpec::method, names_of_methods()),
         integer_option(
             {"paths", "", "sampling effort of one replicate, in paths; best a power of two"},
-            &RunSpec::paths, {1, kMostPaths}),
+            &RunSpec::paths, {1, kMaxPaths}),
         integer_option(
             {"replicates", "", "independent repetitions that give the standard errors"},
-            &RunSpec::replicates, {1, kMostReplicates}),
+            &RunSpec::replicates, {1, kMaxReplicates}),
         integer_option({"seed", "", "seed of the random numbers"}, &RunSpec::seed, {0, kAnySeed}),
         integer_option(
             {"threads", "", "threads (0: all cores); results do not depend on it"},
-            &RunSpec::threads, {0, kMostThreads}),
+            &RunSpec::threads, {0, kMaxThreads}),
     };
 }
 
@@ -130,7 +130,7 @@ std::vector<Option> rows_of_stopping() {
         integer_option(
             {"max_paths", "",
              "limit on paths per replicate (0: 2^30 with target_error, otherwise paths)"},
-            &RunSpec::max_paths, {0, kMostPaths}),
+            &RunSpec::max_paths, {0, kMaxPaths}),
     };
 }
 
@@ -153,20 +153,20 @@ std::vector<Option> rows_of_time() {
 }
 
 std::vector<Option> rows_of_results() {
-    constexpr std::int64_t kMostLayers = 100000;
+    constexpr std::int64_t kMaxLayers = 100000;
     return {
         plain_option(
             {"ratios", "", "ratios of incident light in two bands, \"R:FR\""}, &RunSpec::ratios,
-            WordsDomain{"BAND:BAND"}),
+            ListDomain{"BAND:BAND"}),
         plain_option(
             {"groups", "",
              "sum results over organs with equal labels, \"plant\" or \"plant+kind\""},
-            &RunSpec::groups, WordsDomain{"LABEL"}),
+            &RunSpec::groups, ListDomain{"LABEL"}),
         integer_option(
             {"layers", "",
              "sum results in this many layers of equal height, from the ground to the top "
              "(0: none)"},
-            &RunSpec::layers, {0, kMostLayers}),
+            &RunSpec::layers, {0, kMaxLayers}),
         plain_option(
             {"layer_heights", "",
              "boundaries of the layers, ascending, in the length unit, instead of their number"},

@@ -23,7 +23,7 @@ std::string in_quotes(std::string_view text) {
     return result + '"';
 }
 
-std::string value_words(const OptionValue& value) {
+std::string format_value(const OptionValue& value) {
     const auto* text = std::get_if<std::string>(&value);
     return text ? "'" + *text + "'" : option_toml(value);
 }
@@ -140,7 +140,7 @@ std::string domain_text(const Option& option) {
     if (std::holds_alternative<RealsDomain>(option.domain)) {
         return "list of finite numbers";
     }
-    return fmt::format("list of \"{}\"", std::get<WordsDomain>(option.domain).form);
+    return fmt::format("list of \"{}\"", std::get<ListDomain>(option.domain).form);
 }
 
 OptionValue whole_if_integer(const Option& option, OptionValue value) {
@@ -161,15 +161,15 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     if (const auto* choice = std::get_if<ChoiceDomain>(&option.domain)) {
         const auto* word = std::get_if<std::string>(&value);
         return Fault{
-            "", fmt::format("{} is not {}", value_words(value), domain_text(option)), "",
+            "", fmt::format("{} is not {}", format_value(value), domain_text(option)), "",
             word != nullptr ? near_word_text(*word, choice->names) : ""};
     }
     if (has_type && is_number(option.domain)) {
         return Fault{
-            "", fmt::format("{} is out of range", value_words(value)), domain_text(option), ""};
+            "", fmt::format("{} is out of range", format_value(value)), domain_text(option), ""};
     }
     return Fault{
-        "", fmt::format("{} is not {}", value_words(value), domain_kind(option.domain)),
+        "", fmt::format("{} is not {}", format_value(value), domain_kind(option.domain)),
         std::holds_alternative<RealsDomain>(option.domain) ? "" : domain_text(option), ""};
 }
 
@@ -182,7 +182,7 @@ std::string method_name(Method from) {
 namespace {
 
 /// What stands between commas.
-std::vector<std::string> listed_words(std::string_view text) {
+std::vector<std::string> split_list(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find(','), text.size());
@@ -194,7 +194,7 @@ std::vector<std::string> listed_words(std::string_view text) {
 
 /// The numbers between commas, or the words if one of them is none.
 OptionValue listed_numbers(std::string_view text) {
-    const std::vector<std::string> words = listed_words(text);
+    const std::vector<std::string> words = split_list(text);
     std::vector<double> numbers;
     for (const std::string& word : words) {
         if (const auto number = parse_real(word)) {
@@ -217,8 +217,8 @@ OptionValue parse_option(const Option& option, std::string_view text) {
             return whole_if_integer(option, *real);
         }
     }
-    if (std::holds_alternative<WordsDomain>(option.domain)) {
-        return listed_words(text);
+    if (std::holds_alternative<ListDomain>(option.domain)) {
+        return split_list(text);
     }
     if (std::holds_alternative<RealsDomain>(option.domain)) {
         return listed_numbers(text);

@@ -28,12 +28,11 @@ struct RealDomain {
 struct ChoiceDomain {
     std::vector<std::string_view> names;
 };
-struct WordsDomain {
+struct ListDomain {
     std::string_view form;  ///< how a word looks, "BAND:BAND"
 };
 struct RealsDomain {};  ///< a list of finite numbers
-using OptionDomain =
-    std::variant<IntegerDomain, RealDomain, ChoiceDomain, WordsDomain, RealsDomain>;
+using OptionDomain = std::variant<IntegerDomain, RealDomain, ChoiceDomain, ListDomain, RealsDomain>;
 
 /// The words of a row.
 struct OptionWords {
@@ -77,7 +76,7 @@ struct Option : OptionWords {
 [[nodiscard]] OptionValue whole_if_integer(const Option& option, OptionValue value);
 
 /// What is wrong with a value for this option; nothing if it may be set. An integer passes for a
-/// real. The fault has no place.
+/// real. The fault has no location.
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
 /// How run files name a method: "first_hits".

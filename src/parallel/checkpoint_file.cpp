@@ -27,8 +27,8 @@ constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 4\
 constexpr std::size_t kSha256Digits = 64;
 /// What may change when a run goes on: where it ends.
 constexpr std::array<std::string_view, 5> kEnds{
-    "run.run.paths", "run.run.target_error", "run.run.target_fraction", "run.run.max_paths",
-    "run.run.max_seconds"};
+    "run_file.run.paths", "run_file.run.target_error", "run_file.run.target_fraction",
+    "run_file.run.max_paths", "run_file.run.max_seconds"};
 
 std::string block_of(std::string_view bytes) {
     return number_bytes(bytes.size()).append(bytes);
@@ -85,8 +85,7 @@ CheckpointFile::CheckpointFile(
     std::error_code error;
     was_there_ = std::filesystem::exists(path_, error);
     if (was_there_ && start == CheckpointStart::anew) {
-        throw InputError(
-            {{path_, "exists", "", "use --resume to continue it, or delete it"}});
+        throw InputError({{path_, "exists", "", "use --resume to continue it, or delete it"}});
     }
     if (!was_there_ && std::filesystem::exists(done_path(path_), error)) {
         throw InputError(
@@ -106,11 +105,11 @@ void CheckpointFile::refuse(const std::string& problem, const std::string& why) 
 void CheckpointFile::read() {
     const std::string bytes = read_file(path_);
     if (!bytes.starts_with(kFirstCheckpointLine)) {
-        refuse("is no checkpoint", "a file that `quasimc run --checkpoint` wrote is needed");
+        refuse("is not a checkpoint", "it must be a file written by `quasimc run --checkpoint`");
     }
     const std::size_t size = bytes.size() - std::min(bytes.size(), kSha256Digits);
     if (sha256_hex(std::string_view(bytes).substr(0, size)) != bytes.substr(size)) {
-        refuse("is damaged", "its checksum is not that of its bytes");
+        refuse("is damaged", "its checksum is wrong");
     }
     ByteReader reader(std::string_view(bytes).substr(0, size));
     static_cast<void>(reader.take(kFirstCheckpointLine.size()));
@@ -118,84 +117,84 @@ void CheckpointFile::read() {
     if (!difference.empty()) {
         refuse("belongs to another run", difference);
     }
-    read_places(reader);
+    read_locations(reader);
     for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
-        const std::uint64_t moment = reader.number();
+        const std::uint64_t time_step = reader.number();
         const bool is_done = reader.number() != 0;
-        states_[moment] = {std::string(reader.block()), is_done};
+        states_[time_step] = {std::string(reader.block()), is_done};
     }
     if (!reader.is_at_end()) {
-        refuse("is damaged", "it has more or fewer bytes than it names");
+        refuse("is damaged", "its length is wrong");
     }
 }
 
-void CheckpointFile::read_places(ByteReader& reader) {
+void CheckpointFile::read_locations(ByteReader& reader) {
     done_bytes_ = reader.number();
     for (std::uint64_t left = reader.number(); left > 0 && !reader.is_cut_off(); --left) {
-        const std::uint64_t moment = reader.number();
+        const std::uint64_t time_step = reader.number();
         const std::uint64_t offset = reader.number();
         const std::uint64_t size = reader.number();
-        places_[moment] = {offset, size, std::string(reader.take(kSha256Digits))};
+        locations_[time_step] = {offset, size, std::string(reader.take(kSha256Digits))};
     }
-    if (!places_.empty()) {
+    if (!locations_.empty()) {
         open_done();
-        for (const auto& [moment, place] : places_) {
-            static_cast<void>(read_done(place));
+        for (const auto& [time_step, location] : locations_) {
+            static_cast<void>(read_done(location));
         }
     }
 }
 
 void CheckpointFile::open_done() {
-    const int create = places_.empty() ? O_CREAT | O_TRUNC : 0;
+    const int create = locations_.empty() ? O_CREAT | O_TRUNC : 0;
     constexpr mode_t kReadable = 0666;  // less the process's umask
     done_ = std::make_unique<Descriptor>(
         ::open(done_path(path_).c_str(), O_RDWR | O_CLOEXEC | create, kReadable));
     if (!done_->is_open()) {
         throw InputError(
-            {{done_path(path_), places_.empty() ? "can't be written" : "can't be read",
+            {{done_path(path_), locations_.empty() ? "can't be written" : "can't be read",
               std::generic_category().message(errno), "it belongs to " + path_}});
     }
 }
 
-std::string CheckpointFile::read_done(const Place& place) const {
-    std::string bytes(std::min(place.size, done_bytes_), '\0');
+std::string CheckpointFile::read_done(const Location& location) const {
+    std::string bytes(std::min(location.size, done_bytes_), '\0');
     std::size_t count = 0;
     ssize_t more = 1;
     while (count < bytes.size() && more > 0) {
         more = ::pread(
             done_->number(), bytes.data() + count, bytes.size() - count,
-            static_cast<off_t>(place.offset + count));
+            static_cast<off_t>(location.offset + count));
         count += static_cast<std::size_t>(std::max<ssize_t>(more, 0));
     }
     bytes.resize(count);
-    if (sha256_hex(bytes) != place.sha256) {
+    if (sha256_hex(bytes) != location.sha256) {
         throw InputError(
-            {{done_path(path_), "is damaged", "a checksum is not that of its bytes",
-              "it belongs to " + path_}});
+            {{done_path(path_), "is damaged", "a checksum is wrong", "it belongs to " + path_}});
     }
     return bytes;
 }
 
-std::optional<RunState> CheckpointFile::state_of(std::size_t moment) {
-    const auto state = states_.find(moment);
-    const auto place = places_.find(moment);
-    if (state == states_.end() && place == places_.end()) {
+std::optional<RunState> CheckpointFile::state_of(std::size_t time_step) {
+    const auto state = states_.find(time_step);
+    const auto location = locations_.find(time_step);
+    if (state == states_.end() && location == locations_.end()) {
         return std::nullopt;
     }
     try {
-        return load_state(state != states_.end() ? state->second.bytes : read_done(place->second));
+        return load_state(
+            state != states_.end() ? state->second.bytes : read_done(location->second));
     } catch (const std::invalid_argument& error) {
-        refuse("is damaged, or of another version", error.what());
+        refuse("is damaged or has another version", error.what());
     }
 }
 
-void CheckpointFile::save(std::size_t moment, const RunSnapshot& state) {
-    keep(moment, {save_state(state), false});
+void CheckpointFile::save(std::size_t time_step, const RunSnapshot& state) {
+    keep(time_step, {save_state(state), false});
     write();
 }
 
-void CheckpointFile::finish(std::size_t moment, const RunSnapshot& state) {
-    keep(moment, {save_state(state), true});
+void CheckpointFile::finish(std::size_t time_step, const RunSnapshot& state) {
+    keep(time_step, {save_state(state), true});
     if (is_due()) {
         write();
     }
@@ -208,21 +207,21 @@ void CheckpointFile::flush() {
 }
 
 /// Runs end in the order of their numbers: what is done of those before goes to the second file.
-void CheckpointFile::keep(std::size_t moment, State state) {
-    const auto place = places_.find(moment);
-    if (state.is_done && place != places_.end() &&
-        place->second.sha256 == sha256_hex(state.bytes)) {
+void CheckpointFile::keep(std::size_t time_step, State state) {
+    const auto location = locations_.find(time_step);
+    if (state.is_done && location != locations_.end() &&
+        location->second.sha256 == sha256_hex(state.bytes)) {
         return;
     }
-    states_[moment] = std::move(state);
+    states_[time_step] = std::move(state);
     is_saved_ = false;
-    while (states_.begin()->first < moment && states_.begin()->second.is_done) {
+    while (states_.begin()->first < time_step && states_.begin()->second.is_done) {
         move_to_done(states_.begin()->first, states_.begin()->second.bytes);
         states_.erase(states_.begin());
     }
 }
 
-void CheckpointFile::move_to_done(std::size_t moment, const std::string& bytes) {
+void CheckpointFile::move_to_done(std::size_t time_step, const std::string& bytes) {
     if (!done_) {
         open_done();
     }
@@ -230,7 +229,7 @@ void CheckpointFile::move_to_done(std::size_t moment, const std::string& bytes) 
         throw InputError(
             {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
     }
-    places_[moment] = {done_bytes_, bytes.size(), sha256_hex(bytes)};
+    locations_[time_step] = {done_bytes_, bytes.size(), sha256_hex(bytes)};
     done_bytes_ += bytes.size();
 }
 
@@ -241,14 +240,15 @@ void CheckpointFile::write() {
             {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});
     }
     std::string bytes(kFirstCheckpointLine);
-    bytes += block_of(head_) + number_bytes(done_bytes_) + number_bytes(places_.size());
-    for (const auto& [moment, place] : places_) {
-        bytes += number_bytes(moment) + number_bytes(place.offset) + number_bytes(place.size) +
-                 place.sha256;
+    bytes += block_of(head_) + number_bytes(done_bytes_) + number_bytes(locations_.size());
+    for (const auto& [time_step, location] : locations_) {
+        bytes += number_bytes(time_step) + number_bytes(location.offset) +
+                 number_bytes(location.size) + location.sha256;
     }
     bytes += number_bytes(states_.size());
-    for (const auto& [moment, state] : states_) {
-        bytes += number_bytes(moment) + number_bytes(state.is_done ? 1 : 0) + block_of(state.bytes);
+    for (const auto& [time_step, state] : states_) {
+        bytes +=
+            number_bytes(time_step) + number_bytes(state.is_done ? 1 : 0) + block_of(state.bytes);
     }
     AtomicFile file(path_);
     file.write(bytes);

@@ -1,6 +1,6 @@
 #pragma once
 
-// The states of the runs of a file while it is computed: docs/guide/many-machines.md. Binary, of
+// The states of the runs of a file while it is computed: docs/guide/long-runs.md. Binary, of
 // one byte order.
 //
 // The file itself has what the runs are made from, the state of the run at hand, and which part of
@@ -60,22 +60,22 @@ class CheckpointFile {
 
     /// Whether there was one to go on from.
     [[nodiscard]] bool was_there() const { return was_there_; }
-    [[nodiscard]] std::optional<RunState> state_of(std::size_t moment);
-    [[nodiscard]] bool has_state(std::size_t moment) const {
-        return states_.contains(moment) || places_.contains(moment);
+    [[nodiscard]] std::optional<RunState> state_of(std::size_t time_step);
+    [[nodiscard]] bool has_state(std::size_t time_step) const {
+        return states_.contains(time_step) || locations_.contains(time_step);
     }
     /// Whether it is time to save.
     [[nodiscard]] bool is_due() const { return Clock::now() >= next_save_; }
     /// Saves the state of a run on the way.
-    void save(std::size_t moment, const RunSnapshot& state);
+    void save(std::size_t time_step, const RunSnapshot& state);
     /// Takes note of the state of a run that is done; saves it when it is time, or in flush().
-    void finish(std::size_t moment, const RunSnapshot& state);
+    void finish(std::size_t time_step, const RunSnapshot& state);
     /// Saves what was not saved yet.
     void flush();
 
   private:
     using Clock = std::chrono::steady_clock;
-    struct Place {  ///< in the second file
+    struct Location {  ///< in the second file
         std::uint64_t offset = 0, size = 0;
         std::string sha256;
     };
@@ -86,11 +86,11 @@ class CheckpointFile {
 
     [[noreturn]] void refuse(const std::string& problem, const std::string& why) const;
     void read();
-    void read_places(ByteReader& reader);
+    void read_locations(ByteReader& reader);
     void open_done();
-    [[nodiscard]] std::string read_done(const Place& place) const;
-    void move_to_done(std::size_t moment, const std::string& bytes);
-    void keep(std::size_t moment, State state);
+    [[nodiscard]] std::string read_done(const Location& location) const;
+    void move_to_done(std::size_t time_step, const std::string& bytes);
+    void keep(std::size_t time_step, State state);
     void write();
 
     std::string path_;
@@ -98,7 +98,7 @@ class CheckpointFile {
     std::string head_;
     std::chrono::duration<double> every_;
     bool was_there_ = false;
-    std::map<std::size_t, Place> places_;  // of runs that are done
+    std::map<std::size_t, Location> locations_;  // of runs that are done
     /// Of the run at hand, and when a run goes on of two.
     std::map<std::size_t, State> states_;
     std::uint64_t done_bytes_ = 0;

@@ -32,8 +32,9 @@ bool is_dealt(const RunSpec& spec) {
            spec.time_method == TimeMethod::independent;
 }
 
-DealtRuns::DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t moment) : team_(team) {
-    static_cast<void>(team.order({.kind = TeamOrder::kDealt, .point = point, .moment = moment}));
+DealtRuns::DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t time_step) : team_(team) {
+    static_cast<void>(
+        team.order({.kind = TeamOrder::kDealt, .point = point, .time_step = time_step}));
 }
 
 DealtRuns::~DealtRuns() {

@@ -21,7 +21,7 @@ namespace quasimc {
 class DealtRuns {
   public:
     /// Lets the others trace theirs, from a time of a point on.
-    DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t moment);
+    DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t time_step);
     /// Ends the work of the others, whatever they are at.
     ~DealtRuns();
     DealtRuns(const DealtRuns&) = delete;

@@ -13,7 +13,7 @@ namespace {
 
 /// What may differ between machines: it changes no result.
 constexpr std::array<std::string_view, 3> kFree{
-    "run.run.threads", "run.run.tally_memory_mb", "run.output"};
+    "run_file.run.threads", "run_file.run.tally_memory_mb", "run_file.output"};
 
 std::string in_short(const Json& value) {
     constexpr std::size_t kLongest = 40;
@@ -24,10 +24,10 @@ std::string in_short(const Json& value) {
 /// What decides the numbers: the program, the run file but for what is free, and what the other
 /// inputs hold, wherever they are.
 Json deciding(const Json& head, std::span<const std::string_view> free) {
-    Json run = {{"run", head.value("run", Json())}};
-    for (const auto& places : {std::span<const std::string_view>(kFree), free}) {
-        for (const std::string_view place : places) {
-            std::string path = fmt::format("/{}", place);
+    Json run = {{"run_file", head.value("run_file", Json())}};
+    for (const auto& keys : {std::span<const std::string_view>(kFree), free}) {
+        for (const std::string_view key : keys) {
+            std::string path = fmt::format("/{}", key);
             std::replace(path.begin(), path.end(), '.', '/');
             const Json::json_pointer at(path);
             if (run.contains(at)) {
@@ -43,7 +43,7 @@ Json deciding(const Json& head, std::span<const std::string_view> free) {
     }
     return {
         {"program_version", head.value("program_version", Json())},
-        {"run", run["run"]},
+        {"run_file", run["run_file"]},
         {"inputs", inputs}};
 }
 
@@ -61,17 +61,17 @@ std::string difference_of_runs(
         return "";
     }
     const Json& first = changes.front();
-    std::string place = first.at("path");
-    const Json::json_pointer at(place);
-    std::replace(place.begin(), place.end(), '/', '.');
+    std::string where = first.at("path");
+    const Json::json_pointer at(where);
+    std::replace(where.begin(), where.end(), '/', '.');
     for (const auto& [escape, character] : {std::pair("~1", "/"), std::pair("~0", "~")}) {
-        for (std::size_t i = 0; (i = place.find(escape, i)) != std::string::npos; ++i) {
-            place.replace(i, 2, character);
+        for (std::size_t i = 0; (i = where.find(escape, i)) != std::string::npos; ++i) {
+            where.replace(i, 2, character);
         }
     }
-    constexpr std::string_view kOptions = ".run.run.";
+    constexpr std::string_view kOptions = ".run_file.run.";
     return fmt::format(
-        "{} {}, here {}", place.substr(place.starts_with(kOptions) ? kOptions.size() : 1),
+        "{} {}, here {}", where.substr(where.starts_with(kOptions) ? kOptions.size() : 1),
         in_short(before.contains(at) ? before.at(at) : Json()),
         in_short(first.value("value", Json())));
 }

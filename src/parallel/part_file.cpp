@@ -19,18 +19,17 @@ namespace quasimc {
 namespace {
 
 constexpr std::string_view kFirstLine = "QuasiMC part, format 2\n";
-constexpr std::uint64_t kMostParts = 1'000'000;
+constexpr std::uint64_t kMaxParts = 1'000'000;
 /// Stands for the number of a moment behind the last one.
 constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::max();
 
 Fault missing_part(std::uint64_t part, std::uint64_t parts) {
-    return {
-        "PART", fmt::format("part {} of {} is missing", part, parts), "", "name its file as well"};
+    return {"PART", fmt::format("part {} of {} is missing", part, parts), "", "add its file"};
 }
 
 }  // namespace
 
-PartNumber read_part_number(const std::string& text, const std::string& place) {
+PartNumber read_part_number(const std::string& text, const std::string& where) {
     PartNumber number;
     const char* end = text.data() + text.size();
     const auto [slash, wrong] = std::from_chars(text.data(), end, number.part);
@@ -39,12 +38,11 @@ PartNumber read_part_number(const std::string& text, const std::string& place) {
         const auto [last, bad] = std::from_chars(slash + 1, end, number.parts);
         is_read = bad == std::errc() && last == end;
     }
-    if (!is_read || number.part < 1 || number.part > number.parts || number.parts > kMostParts) {
+    if (!is_read || number.part < 1 || number.part > number.parts || number.parts > kMaxParts) {
         throw InputError(
-            {{place, fmt::format("'{}' is no part of a run", text),
-              fmt::format(
-                  "it is K/N, the K-th of N parts, K from 1 to N, N at most {}", kMostParts),
-              "state 3/16 for the third of sixteen"}});
+            {{where, fmt::format("'{}' is not a part of a run", text),
+              fmt::format("write K/N for part K of N, 1 <= K <= N <= {}", kMaxParts),
+              "3/16 is the third of sixteen"}});
     }
     return number;
 }
@@ -63,9 +61,9 @@ void PartWriter::write(const std::string& bytes) {
     sink_(bytes);
 }
 
-void PartWriter::add(std::size_t moment, const Sums& sums) {
+void PartWriter::add(std::size_t time_step, const Sums& sums) {
     const std::string bytes = save_sums(sums);
-    write(number_bytes(moment) + number_bytes(bytes.size()));
+    write(number_bytes(time_step) + number_bytes(bytes.size()));
     write(bytes);
     write_digest();
 }
@@ -84,14 +82,14 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
     std::string line(kFirstLine.size(), '\0');
     file_.read(line.data(), static_cast<std::streamsize>(line.size()));
     if (!file_ || line != kFirstLine) {
-        refuse("is no part of a run", "a file that `quasimc run --part` wrote is needed");
+        refuse("is not a part of a run", "it must be a file written by `quasimc run --part`");
     }
     digest_.add(line);
     const std::string numbers = read_bytes(2 * sizeof(std::uint64_t));
     std::memcpy(&number_.part, numbers.data(), sizeof number_.part);
     std::memcpy(&number_.parts, numbers.data() + sizeof number_.part, sizeof number_.parts);
-    if (number_.part < 1 || number_.part > number_.parts || number_.parts > kMostParts) {
-        refuse("is damaged", "its number among the parts can't be");
+    if (number_.part < 1 || number_.part > number_.parts || number_.parts > kMaxParts) {
+        refuse("is damaged", "its part number is impossible");
     }
     head_ = read_block();
     check_digest();
@@ -100,7 +98,7 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
 void PartReader::check_digest() {
     const std::string expected = digest_.hex();
     if (read_bytes(expected.size()) != expected) {
-        refuse("is damaged", "its checksum is another one");
+        refuse("is damaged", "its checksum is wrong");
     }
 }
 
@@ -110,7 +108,7 @@ void PartReader::refuse(const std::string& problem, const std::string& why) cons
 
 std::string PartReader::read_bytes(std::uint64_t count) {
     if (count > bytes_) {
-        refuse("is cut off or damaged", "it names more bytes than it has");
+        refuse("is cut off or damaged", "its length is wrong");
     }
     std::string bytes(count, '\0');
     file_.read(bytes.data(), static_cast<std::streamsize>(count));
@@ -132,9 +130,9 @@ std::string PartReader::read_block() {
     return read_bytes(read_number());
 }
 
-Sums PartReader::next(std::size_t moment) {
-    if (read_number() != moment) {
-        refuse("is damaged, or of another run", "it has the sums of other times");
+Sums PartReader::next(std::size_t time_step) {
+    if (read_number() != time_step) {
+        refuse("is damaged or belongs to another run", "it has the sums of other time steps");
     }
     const std::string block = read_block();
     check_digest();
@@ -147,11 +145,11 @@ Sums PartReader::next(std::size_t moment) {
 
 void PartReader::expect_end() {
     if (read_number() != kEnd) {
-        refuse("is damaged, or of another run", "it has more times than the run");
+        refuse("is damaged or belongs to another run", "it has more time steps than the run");
     }
     check_digest();
     if (file_.peek() != std::ifstream::traits_type::eof()) {
-        refuse("is damaged", "there is more behind its end");
+        refuse("is damaged", "it has extra bytes at its end");
     }
 }
 
@@ -179,11 +177,12 @@ void PartFiles::check_complete() const {
                  fmt::format("{} is one of {}", parts_.front().path(), count), ""});
         } else if (!difference.empty()) {
             faults.add(
-                {part.path(), "belongs to another run than " + parts_.front().path(), difference, ""});
+                {part.path(), "belongs to another run than " + parts_.front().path(), difference,
+                 ""});
         } else if (number.part < expected) {
             faults.add(
-                {part.path(), fmt::format("part {} of {} is there twice", number.part, count),
-                 "its light would count twice", "leave one of them out"});
+                {part.path(), fmt::format("part {} of {} is given twice", number.part, count),
+                 "its paths would count twice", "remove one of them"});
         }
         for (; expected < number.part; ++expected) {
             faults.add(missing_part(expected, count));
@@ -202,11 +201,11 @@ StoredSweep PartFiles::read_runs() const {
         parts_.front().head(), path, std::filesystem::absolute(path).parent_path());
 }
 
-Sums PartFiles::next(std::size_t moment) {
-    Sums sums = parts_.front().next(moment);
+Sums PartFiles::next(std::size_t time_step) {
+    Sums sums = parts_.front().next(time_step);
     for (std::size_t i = 1; i < parts_.size(); ++i) {
         try {
-            sums.add_share(parts_[i].next(moment));
+            sums.add_share(parts_[i].next(time_step));
         } catch (const std::invalid_argument& error) {
             throw InputError(
                 {{parts_[i].path(), "does not fit " + parts_.front().path(), error.what(), ""}});

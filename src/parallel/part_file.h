@@ -1,7 +1,7 @@
 #pragma once
 
 // A part of a run's sums as a file, which other parts are put together with. Binary, of one byte
-// order: docs/guide/many-machines.md.
+// order: docs/guide/long-runs.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,9 +22,9 @@ namespace quasimc {
 struct PartNumber {
     std::uint64_t part = 1, parts = 1;
 };
-/// @param place  of the text, for messages
+/// @param where  location of the text, for messages
 /// @throws InputError
-[[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& place);
+[[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& where);
 
 /// Writes the sums of a part, moment by moment.
 class PartWriter {
@@ -33,7 +33,7 @@ class PartWriter {
     /// bytes before.
     PartWriter(const RunFile& run, const PartNumber& number, TextSink sink);
     /// @param moment  counted through all points of a sweep, ascending
-    void add(std::size_t moment, const Sums& sums);
+    void add(std::size_t time_step, const Sums& sums);
     void finish();
 
   private:
@@ -56,7 +56,7 @@ class PartReader {
     [[nodiscard]] const std::string& head() const { return head_; }
     /// The sums of a moment, which must be the next there.
     /// @throws InputError  if it isn't, or the file is cut off or damaged
-    [[nodiscard]] Sums next(std::size_t moment);
+    [[nodiscard]] Sums next(std::size_t time_step);
     /// @throws InputError  if there are more
     void expect_end();
 
@@ -86,7 +86,7 @@ class PartFiles {
     [[nodiscard]] StoredSweep read_runs() const;
     /// The sums of a moment, of all parts together. Moments in their order.
     /// @throws InputError
-    [[nodiscard]] Sums next(std::size_t moment);
+    [[nodiscard]] Sums next(std::size_t time_step);
     /// @throws InputError  if there are sums of more moments
     void expect_end();
     /// The files themselves, which no output may be.

@@ -46,14 +46,15 @@ TeamOrder TeamHelper::help(
     const std::uint64_t point = order.point;
     while (order.kind == TeamOrder::kTrace && order.point == point) {
         const auto trace = std::find_if(traces.begin(), traces.end(), [&](const Trace& each) {
-            return each.time_step == order.moment;
+            return each.time_step == order.time_step;
         });
-        order = help_moment(scene, time_steps[order.moment].sources, trace->spec, team, order);
+        order =
+            help_time_step(scene, time_steps[order.time_step].sources, trace->spec, team, order);
     }
     return order;
 }
 
-TeamOrder TeamHelper::help_moment(
+TeamOrder TeamHelper::help_time_step(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
@@ -68,7 +69,7 @@ TeamOrder TeamHelper::help_moment(
     StopByTeam stop(team);
     RoundSolver solver(prepared, *sampler, planned, stop.token(), {.team = &team});
     while (order.kind == TeamOrder::kTrace && order.point == first.point &&
-           order.moment == first.moment) {
+           order.time_step == first.time_step) {
         try {
             help_round(solver, prepared, order, stop);
         } catch (const StopRequested&) {  // the first process ends the run

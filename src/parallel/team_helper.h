@@ -4,7 +4,7 @@
 
 #include "quasimc/run_spec.h"
 #include "quasimc/series.h"
-#include "run/kept_caster.h"
+#include "run/cached_ray_caster.h"
 #include "run/run_team.h"
 
 namespace quasimc {
@@ -22,14 +22,14 @@ class TeamHelper {
         TeamOrder order);
 
   private:
-    [[nodiscard]] TeamOrder help_moment(
+    [[nodiscard]] TeamOrder help_time_step(
         const Scene& scene,
         const Sources& sources,
         const RunSpec& spec,
         RunTeam& team,
         TeamOrder order);
 
-    KeptCaster caster_;
+    CachedRayCaster caster_;
 };
 
 }  // namespace quasimc

@@ -62,8 +62,8 @@ Camera::Camera(
     }
 }
 
-Camera::SightLine Camera::through(const PixelPlace& place) const {
-    const double x = (place.x - half_width_) / scale_, y = (half_height_ - place.y) / scale_;
+Camera::CameraRay Camera::through(const PixelPoint& pixel) const {
+    const double x = (pixel.x - half_width_) / scale_, y = (half_height_ - pixel.y) / scale_;
     const Vec3 aim = middle_ + x * right_ + y * up_;
     if (is_parallel()) {
         return {aim + start_ * back_, -1.0 * back_};
@@ -72,7 +72,7 @@ Camera::SightLine Camera::through(const PixelPlace& place) const {
     return {eye, normalized(aim - eye)};
 }
 
-PixelPlace Camera::place_of(const Vec3& point) const {
+PixelPoint Camera::pixel_of(const Vec3& point) const {
     const Vec3 p = seen(point - middle_);
     const double zoom = is_parallel() ? scale_ : scale_ * distance_ / (distance_ - p.z);
     return {half_width_ + zoom * p.x, half_height_ - zoom * p.y};

@@ -9,8 +9,8 @@ namespace quasimc {
 
 /// Where a scene is looked at from: always towards the middle of what is shown.
 struct ViewSpec {
-    double azimuth_deg = 200;   ///< of the place of the eye, from north over east
-    double elevation_deg = 20;  ///< of that place, -90 to 90
+    double azimuth_deg = 200;   ///< of the camera, from north over east
+    double elevation_deg = 20;  ///< of the camera, -90 to 90
     double opening_deg = 0;     ///< angle that the longer side of the picture spans; 0: parallel
                                 ///< lines of sight, at most 150
 };
@@ -23,8 +23,8 @@ struct NamedView {
 [[nodiscard]] const std::array<NamedView, 6>& view_table();
 [[nodiscard]] const NamedView* find_view(std::string_view name);
 
-/// A place in a picture, pixels from its top left corner.
-struct PixelPlace {
+/// A point in a picture, pixels from its top left corner.
+struct PixelPoint {
     double x = 0, y = 0;
 };
 
@@ -40,11 +40,11 @@ class Camera {
         double width,
         double height);
 
-    struct SightLine {
+    struct CameraRay {
         Vec3 origin, direction;  ///< unit; all the scene is ahead
     };
-    [[nodiscard]] SightLine through(const PixelPlace& place) const;
-    [[nodiscard]] PixelPlace place_of(const Vec3& point) const;
+    [[nodiscard]] CameraRay through(const PixelPoint& pixel) const;
+    [[nodiscard]] PixelPoint pixel_of(const Vec3& point) const;
     /// A direction of the world as it is seen: to the right, upwards, towards the eye.
     [[nodiscard]] Vec3 seen(const Vec3& direction) const;
     /// Pixels to a unit of length, in the plane through the middle of what is shown.

@@ -11,11 +11,11 @@
 namespace quasimc {
 namespace {
 
-/// Whether a place is inside a polygon, by the even-odd rule.
-bool is_inside(std::span<const PixelPlace> corners, double x, double y) {
+/// Whether a point is inside a polygon, by the even-odd rule.
+bool is_inside(std::span<const PixelPoint> corners, double x, double y) {
     bool inside = false;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
-        const PixelPlace &a = corners[i], &b = corners[j];
+        const PixelPoint &a = corners[i], &b = corners[j];
         if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x)) {
             inside = !inside;
         }
@@ -25,9 +25,9 @@ bool is_inside(std::span<const PixelPlace> corners, double x, double y) {
 
 /// Pixels that the corners span along an axis.
 std::pair<std::size_t, std::size_t> range(
-    std::span<const PixelPlace> corners, double PixelPlace::*axis, std::size_t size) {
+    std::span<const PixelPoint> corners, double PixelPoint::*axis, std::size_t size) {
     double low = corners[0].*axis, high = low;
-    for (const PixelPlace& corner : corners) {
+    for (const PixelPoint& corner : corners) {
         low = std::min(low, corner.*axis);
         high = std::max(high, corner.*axis);
     }
@@ -37,8 +37,8 @@ std::pair<std::size_t, std::size_t> range(
         static_cast<std::size_t>(std::clamp(std::ceil(high), 0.0, most))};
 }
 
-/// The covered part of a pixel, by 16 places in it.
-double coverage(std::span<const PixelPlace> corners, std::size_t x, std::size_t y) {
+/// The covered fraction of a pixel, by 16 points in it.
+double coverage(std::span<const PixelPoint> corners, std::size_t x, std::size_t y) {
     int count = 0;
     for (int j = 0; j < 4; ++j) {
         for (int i = 0; i < 4; ++i) {
@@ -54,7 +54,7 @@ double coverage(std::span<const PixelPlace> corners, std::size_t x, std::size_t 
 
 }  // namespace
 
-void Canvas::put(const PixelPlace& corner, const Image& picture) {
+void Canvas::put(const PixelPoint& corner, const Image& picture) {
     const auto x0 = static_cast<std::size_t>(corner.x), y0 = static_cast<std::size_t>(corner.y);
     for (std::size_t y = 0; y < picture.height && y0 + y < image_.height; ++y) {
         for (std::size_t x = 0; x < picture.width && x0 + x < image_.width; ++x) {
@@ -63,9 +63,9 @@ void Canvas::put(const PixelPlace& corner, const Image& picture) {
     }
 }
 
-void Canvas::polygon(std::span<const PixelPlace> corners, const Rgb& fill) {
-    const auto [left, right] = range(corners, &PixelPlace::x, image_.width);
-    const auto [top, bottom] = range(corners, &PixelPlace::y, image_.height);
+void Canvas::polygon(std::span<const PixelPoint> corners, const Rgb& fill) {
+    const auto [left, right] = range(corners, &PixelPoint::x, image_.width);
+    const auto [top, bottom] = range(corners, &PixelPoint::y, image_.height);
     for (std::size_t y = top; y < bottom; ++y) {
         for (std::size_t x = left; x < right; ++x) {
             blend(x, y, fill, coverage(corners, x, y));
@@ -73,13 +73,13 @@ void Canvas::polygon(std::span<const PixelPlace> corners, const Rgb& fill) {
     }
 }
 
-void Canvas::line(const PixelPlace& a, const PixelPlace& b, const Rgb& color, double width) {
+void Canvas::line(const PixelPoint& a, const PixelPoint& b, const Rgb& color, double width) {
     const double length = std::hypot(b.x - a.x, b.y - a.y);
     if (length > 0) {
         const double dx = 0.5 * width * (b.x - a.x) / length;
         const double dy = 0.5 * width * (b.y - a.y) / length;
         polygon(
-            std::array<PixelPlace, 4>{
+            std::array<PixelPoint, 4>{
                 {{a.x - dy, a.y + dx},
                  {b.x - dy, b.y + dx},
                  {b.x + dy, b.y - dx},
@@ -88,14 +88,14 @@ void Canvas::line(const PixelPlace& a, const PixelPlace& b, const Rgb& color, do
     }
 }
 
-void Canvas::rectangle(const PixelPlace& corner, double width, double height, const Rgb& fill) {
-    const PixelPlace far{corner.x + width, corner.y + height};
+void Canvas::rectangle(const PixelPoint& corner, double width, double height, const Rgb& fill) {
+    const PixelPoint far{corner.x + width, corner.y + height};
     polygon(
-        std::array{corner, PixelPlace{far.x, corner.y}, far, PixelPlace{corner.x, far.y}}, fill);
+        std::array{corner, PixelPoint{far.x, corner.y}, far, PixelPoint{corner.x, far.y}}, fill);
 }
 
-void Canvas::disk(const PixelPlace& center, double radius, const Rgb& fill) {
-    std::array<PixelPlace, 40> corners;
+void Canvas::disk(const PixelPoint& center, double radius, const Rgb& fill) {
+    std::array<PixelPoint, 40> corners;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const double angle =
             2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(corners.size());
@@ -104,14 +104,14 @@ void Canvas::disk(const PixelPlace& center, double radius, const Rgb& fill) {
     polygon(corners, fill);
 }
 
-void Canvas::text(const PixelPlace& place, std::string_view utf8, const TextStyle& style) {
+void Canvas::text(const PixelPoint& position, std::string_view utf8, const TextStyle& style) {
     const TextMask mask = draw_text(utf8, style.size);
     const double before =
         style.anchor == TextAnchor::start ? 0 : 0.5 * static_cast<double>(mask.width);
     for (std::size_t j = 0; j < mask.height; ++j) {
         for (std::size_t i = 0; i < mask.width; ++i) {
-            const double x = place.x + (static_cast<double>(i) - before);
-            const double y = place.y + (static_cast<double>(j) - mask.baseline);
+            const double x = position.x + (static_cast<double>(i) - before);
+            const double y = position.y + (static_cast<double>(j) - mask.baseline);
             if (x >= 0 && y >= 0) {
                 blend(
                     static_cast<std::size_t>(x), static_cast<std::size_t>(y), style.color,

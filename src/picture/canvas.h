@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// Where a text stands beside its place.
+/// The alignment of a text at its position.
 enum class TextAnchor { start, middle };
 
 /// How a text looks.
@@ -18,21 +18,22 @@ struct TextStyle {
     Rgb color{30, 30, 30};
 };
 
-/// An image that is drawn on. Places are pixels from the top left corner, also between them.
+/// An image that is drawn on. Points are in pixels from the top left corner, and may lie between
+/// pixels.
 class Canvas {
   public:
     Canvas(std::size_t width, std::size_t height) : image_(width, height, {255, 255, 255}) {}
 
     [[nodiscard]] const Image& image() const { return image_; }
 
-    /// Puts a picture on a place of whole pixels, which its top left corner has.
-    void put(const PixelPlace& corner, const Image& picture);
-    void polygon(std::span<const PixelPlace> corners, const Rgb& fill);
-    void line(const PixelPlace& a, const PixelPlace& b, const Rgb& color, double width);
-    void rectangle(const PixelPlace& corner, double width, double height, const Rgb& fill);
-    void disk(const PixelPlace& center, double radius, const Rgb& fill);
-    /// Needs has_png(). @param place  on the line that letters stand on
-    void text(const PixelPlace& place, std::string_view utf8, const TextStyle& style);
+    /// Copies a picture with its top left corner at a whole pixel.
+    void put(const PixelPoint& corner, const Image& picture);
+    void polygon(std::span<const PixelPoint> corners, const Rgb& fill);
+    void line(const PixelPoint& a, const PixelPoint& b, const Rgb& color, double width);
+    void rectangle(const PixelPoint& corner, double width, double height, const Rgb& fill);
+    void disk(const PixelPoint& center, double radius, const Rgb& fill);
+    /// Needs has_png(). @param position  on the baseline
+    void text(const PixelPoint& position, std::string_view utf8, const TextStyle& style);
 
   private:
     void blend(std::size_t x, std::size_t y, const Rgb& color, double part);

@@ -39,7 +39,7 @@ double usual_most(const std::vector<double>& values, const std::vector<double>& 
 }
 
 void draw_bar(
-    Canvas& canvas, const Legend& legend, const PixelPlace& corner, double height, double s) {
+    Canvas& canvas, const Legend& legend, const PixelPoint& corner, double height, double s) {
     const int steps = static_cast<int>(height);
     for (int i = 0; i < steps; ++i) {
         const double part = 1 - (i + 0.5) / steps;
@@ -52,7 +52,7 @@ void draw_bar(
     if (legend.is_exceeded) {
         const Rgb last = color_at(*legend.map, 1);
         canvas.polygon(
-            std::array<PixelPlace, 3>{
+            std::array<PixelPoint, 3>{
                 {{corner.x, corner.y},
                  {bar, corner.y},
                  {0.5 * (corner.x + bar), corner.y - 12 * s}}},
@@ -68,7 +68,7 @@ void draw_bar(
 }
 
 void draw_category(
-    Canvas& canvas, const PixelPlace& corner, const std::string& name, const Rgb& color, double s) {
+    Canvas& canvas, const PixelPoint& corner, const std::string& name, const Rgb& color, double s) {
     canvas.rectangle(corner, kBarWidth * s, 12 * s, color);
     canvas.text({corner.x + 26 * s, corner.y + 11 * s}, name, {.size = kTextSize * s});
 }
@@ -138,7 +138,7 @@ std::vector<Rgb> colors_of(const std::vector<double>& values, const Legend& lege
 }
 
 void draw_legend(
-    Canvas& canvas, const Legend& legend, const PixelPlace& corner, double height, double scale) {
+    Canvas& canvas, const Legend& legend, const PixelPoint& corner, double height, double scale) {
     double y = corner.y;
     if (legend.map != nullptr) {
         draw_bar(canvas, legend, {corner.x, y}, height, scale);

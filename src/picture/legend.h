@@ -42,6 +42,6 @@ struct Legend {
 
 /// Draws a legend into a column. @param scale  how large: 1 for letters 13 pixels high
 void draw_legend(
-    Canvas& canvas, const Legend& legend, const PixelPlace& corner, double height, double scale);
+    Canvas& canvas, const Legend& legend, const PixelPoint& corner, double height, double scale);
 
 }  // namespace quasimc

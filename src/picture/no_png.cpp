@@ -1,4 +1,4 @@
-// In place of png.cpp and font.cpp where libpng, stb_truetype or the font is not installed.
+// Replaces png.cpp and font.cpp where libpng, stb_truetype or the font is not installed.
 
 #include <stdexcept>
 

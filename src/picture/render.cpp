@@ -16,12 +16,12 @@ namespace {
 constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
 
 /// What a line of sight meets.
-struct Sight {
+struct PixelHit {
     std::uint32_t organ = kNothing;
     float facing = 1;  // cosine between normal and line of sight
 
     /// Whether it looks like what the next pixel sees, so that nothing can be missed between them.
-    [[nodiscard]] bool is_like(const Sight& other) const {
+    [[nodiscard]] bool is_like(const PixelHit& other) const {
         return organ == other.organ && std::abs(facing - other.facing) < 0.1F;
     }
 };
@@ -32,32 +32,32 @@ class Renderer {
         : scene_(scene),
           spec_(spec),
           sight_caster_(scene, camera, spec.cuts),
-          sights_(spec.width * spec.height) {}
+          hits_(spec.width * spec.height) {}
 
     Image image() {
         const unsigned threads = thread_count(spec_.threads);
         parallel_blocks(spec_.height, threads, [this](std::uint64_t y, unsigned) {
             for (std::size_t x = 0; x < spec_.width; ++x) {
-                sight(x, y) = look(center(x, y));
+                hit_at(x, y) = trace(center(x, y));
             }
         });
         Image image(spec_.width, spec_.height, spec_.background);
         parallel_blocks(spec_.height, threads, [&](std::uint64_t y, unsigned) {
             for (std::size_t x = 0; x < spec_.width; ++x) {
-                image.at(x, y) = is_edge(x, y) ? smooth_color(x, y) : color(sight(x, y));
+                image.at(x, y) = is_edge(x, y) ? smooth_color(x, y) : color(hit_at(x, y));
             }
         });
         return image;
     }
 
   private:
-    static PixelPlace center(std::size_t x, std::size_t y) {
+    static PixelPoint center(std::size_t x, std::size_t y) {
         return {static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5};
     }
-    Sight& sight(std::size_t x, std::size_t y) { return sights_[y * spec_.width + x]; }
+    PixelHit& hit_at(std::size_t x, std::size_t y) { return hits_[y * spec_.width + x]; }
 
-    [[nodiscard]] Sight look(const PixelPlace& place) const {
-        const std::optional<SeenHit> seen = sight_caster_.look(place);
+    [[nodiscard]] PixelHit trace(const PixelPoint& pixel) const {
+        const std::optional<PrimaryHit> seen = sight_caster_.trace(pixel);
         if (!seen) {
             return {};
         }
@@ -67,28 +67,28 @@ class Renderer {
     }
 
     bool is_edge(std::size_t x, std::size_t y) {
-        const Sight& own = sight(x, y);
-        return (x > 0 && !own.is_like(sight(x - 1, y))) ||
-               (y > 0 && !own.is_like(sight(x, y - 1))) ||
-               (x + 1 < spec_.width && !own.is_like(sight(x + 1, y))) ||
-               (y + 1 < spec_.height && !own.is_like(sight(x, y + 1)));
+        const PixelHit& own = hit_at(x, y);
+        return (x > 0 && !own.is_like(hit_at(x - 1, y))) ||
+               (y > 0 && !own.is_like(hit_at(x, y - 1))) ||
+               (x + 1 < spec_.width && !own.is_like(hit_at(x + 1, y))) ||
+               (y + 1 < spec_.height && !own.is_like(hit_at(x, y + 1)));
     }
 
-    [[nodiscard]] Rgb color(const Sight& seen) const {
+    [[nodiscard]] Rgb color(const PixelHit& seen) const {
         if (seen.organ == kNothing) {
             return spec_.background;
         }
         return mixed(spec_.colors[seen.organ], Rgb{}, spec_.shading * (1 - double{seen.facing}));
     }
 
-    /// The mean of the middle of a pixel and four places about it, a rotated grid.
+    /// The mean over the middle of a pixel and four points about it, a rotated grid.
     Rgb smooth_color(std::size_t x, std::size_t y) {
-        constexpr std::array<PixelPlace, 4> kAbout{
+        constexpr std::array<PixelPoint, 4> kAbout{
             {{-0.375, -0.125}, {0.125, -0.375}, {0.375, 0.125}, {-0.125, 0.375}}};
-        std::array<Rgb, 1 + kAbout.size()> colors{color(sight(x, y))};
+        std::array<Rgb, 1 + kAbout.size()> colors{color(hit_at(x, y))};
         for (std::size_t k = 0; k < kAbout.size(); ++k) {
-            const PixelPlace at = center(x, y);
-            colors[k + 1] = color(look({at.x + kAbout[k].x, at.y + kAbout[k].y}));
+            const PixelPoint at = center(x, y);
+            colors[k + 1] = color(trace({at.x + kAbout[k].x, at.y + kAbout[k].y}));
         }
         return mean(colors);
     }
@@ -110,8 +110,8 @@ class Renderer {
 
     const Scene& scene_;
     const RenderSpec& spec_;
-    SightCaster sight_caster_;
-    std::vector<Sight> sights_;
+    CameraRayCaster sight_caster_;
+    std::vector<PixelHit> hits_;
 };
 
 }  // namespace

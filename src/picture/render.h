@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "picture/camera.h"
+#include "picture/camera_ray_caster.h"
 #include "picture/image.h"
-#include "picture/sight_caster.h"
 #include "quasimc/scene.h"
 
 namespace quasimc {

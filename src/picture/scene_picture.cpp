@@ -34,7 +34,7 @@ struct Layout {
           view_width(width),
           view_height(height),
           view_top(0) {
-        if (picture.with_words) {
+        if (picture.has_annotations) {
             view_width = std::max(1.0, std::floor(width - kLegendWidth * scale));
             view_top = std::floor(kTitleHeight * scale);
             view_height = std::max(1.0, height - view_top);
@@ -43,13 +43,13 @@ struct Layout {
 };
 
 void draw_arrow(
-    Canvas& canvas, const PixelPlace& from, const PixelPlace& to, const Rgb& color, double s) {
+    Canvas& canvas, const PixelPoint& from, const PixelPoint& to, const Rgb& color, double s) {
     const double length = std::hypot(to.x - from.x, to.y - from.y);
     canvas.line(from, to, color, 2 * s);
     if (length > 6 * s) {
         const double dx = (to.x - from.x) / length * 9 * s, dy = (to.y - from.y) / length * 9 * s;
         canvas.polygon(
-            std::array<PixelPlace, 3>{
+            std::array<PixelPoint, 3>{
                 {to,
                  {to.x - dx - 0.4 * dy, to.y - dy + 0.4 * dx},
                  {to.x - dx + 0.4 * dy, to.y - dy - 0.4 * dx}}},
@@ -57,13 +57,13 @@ void draw_arrow(
     }
 }
 
-/// A place for a letter as near as possible to `at` that leaves the marks of suns free.
-PixelPlace beside_suns(PixelPlace at, const std::vector<PixelPlace>& suns, double room) {
-    for (const PixelPlace& sun : suns) {
+/// The position for a letter, as near as possible to `at`, that leaves the marks of suns free.
+PixelPoint beside_suns(PixelPoint at, const std::vector<PixelPoint>& suns, double room) {
+    for (const PixelPoint& sun : suns) {
         const double dx = at.x - sun.x, dy = at.y - sun.y, far = std::hypot(dx, dy);
         if (far < room) {
-            at = far > 0 ? PixelPlace{sun.x + room * dx / far, sun.y + room * dy / far}
-                         : PixelPlace{sun.x, sun.y + room};
+            at = far > 0 ? PixelPoint{sun.x + room * dx / far, sun.y + room * dy / far}
+                         : PixelPoint{sun.x, sun.y + room};
         }
     }
     return at;
@@ -77,22 +77,22 @@ void draw_directions(
     const ScenePicture& picture,
     const Layout& layout) {
     const double s = layout.scale, radius = 46 * s;
-    const PixelPlace middle{layout.view_width + 70 * s, layout.height - 78 * s};
+    const PixelPoint middle{layout.view_width + 70 * s, layout.height - 78 * s};
     canvas.disk(middle, radius + s, {225, 225, 225});
     canvas.disk(middle, radius - s, {255, 255, 255});
-    const auto place = [&](const Vec3& direction, double part) {
+    const auto point_towards = [&](const Vec3& direction, double part) {
         const Vec3 seen = camera.seen(direction);
-        return PixelPlace{middle.x + part * radius * seen.x, middle.y - part * radius * seen.y};
+        return PixelPoint{middle.x + part * radius * seen.x, middle.y - part * radius * seen.y};
     };
-    constexpr std::size_t kMostSuns = 40;
-    std::vector<PixelPlace> suns;
+    constexpr std::size_t kMaxSuns = 40;
+    std::vector<PixelPoint> suns;
     for (const Vec3& sun : picture.to_suns) {
-        suns.push_back(place(sun, 0.9));
+        suns.push_back(point_towards(sun, 0.9));
     }
-    suns.resize(suns.size() <= kMostSuns ? suns.size() : 0);
+    suns.resize(suns.size() <= kMaxSuns ? suns.size() : 0);
     const auto arrow = [&](const Vec3& direction, const char* name, const Rgb& color) {
-        draw_arrow(canvas, middle, place(direction, 0.8), color, s);
-        const PixelPlace at = beside_suns(place(direction, 1.22), suns, 15 * s);
+        draw_arrow(canvas, middle, point_towards(direction, 0.8), color, s);
+        const PixelPoint at = beside_suns(point_towards(direction, 1.22), suns, 15 * s);
         const Vec3 seen = camera.seen(direction);
         if (std::hypot(seen.x, seen.y) > 0.2) {
             canvas.text(
@@ -102,7 +102,7 @@ void draw_directions(
     };
     arrow({0, 0, 1}, "up", kFaint);
     arrow(scene.orientation().towards(0, 0), "N", kDark);
-    for (const PixelPlace& sun : suns) {
+    for (const PixelPoint& sun : suns) {
         canvas.disk(sun, 5 * s, kSunMark);
     }
     if (!suns.empty()) {
@@ -117,7 +117,7 @@ void draw_scale_bar(
     const double s = layout.scale;
     const double length = round_number_below(0.25 * layout.view_width / camera.scale());
     const double pixels = length * camera.scale();
-    const PixelPlace left{18 * s, layout.height - 18 * s};
+    const PixelPoint left{18 * s, layout.height - 18 * s};
     canvas.rectangle({left.x - 6 * s, left.y - 22 * s}, pixels + 12 * s, 32 * s, {255, 255, 255});
     canvas.rectangle({left.x, left.y - 3 * s}, pixels, 5 * s, kDark);
     canvas.text(
@@ -155,7 +155,7 @@ std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
     const Bounds shown = shown_bounds(scene, picture.render.cuts);
     if (shown.empty()) {
         throw InputError(
-            {{"--clip", "nothing of the scene is left", "it lies on the other side", ""}});
+            {{"--clip", "nothing of the scene is left", "the scene is on the other side", ""}});
     }
     const Layout layout(picture);
     const Camera camera(
@@ -166,7 +166,7 @@ std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
         image_of(
             scene, camera, picture, static_cast<std::size_t>(layout.view_width),
             static_cast<std::size_t>(layout.view_height)));
-    if (!picture.with_words) {
+    if (!picture.has_annotations) {
         return to_png(canvas.image());
     }
     const double s = layout.scale;

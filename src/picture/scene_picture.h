@@ -18,8 +18,8 @@ struct ScenePicture {
     std::optional<TrueLightSpec>
         true_light;  ///< instead of colours; size, cuts and threads are set
     Legend legend;
-    std::vector<Vec3> to_suns;  ///< unit, z up; drawn if there are few
-    bool with_words = true;     ///< title, legend, scale bar, directions
+    std::vector<Vec3> to_suns;    ///< unit, z up; drawn if there are few
+    bool has_annotations = true;  ///< title, legend, scale bar, directions
     std::size_t width = 1200, height = 900;
 };
 

@@ -40,14 +40,14 @@ std::vector<double> shades_of(const Source& sky, std::size_t size, double radius
 }
 
 void draw_ring(
-    Canvas& canvas, const PixelPlace& middle, double radius, const Rgb& color, double width) {
+    Canvas& canvas, const PixelPoint& middle, double radius, const Rgb& color, double width) {
     constexpr int kSides = 120;
-    const auto place = [&](int i) {
+    const auto point = [&](int i) {
         const double angle = 2 * std::numbers::pi * i / kSides;
-        return PixelPlace{middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)};
+        return PixelPoint{middle.x + radius * std::cos(angle), middle.y + radius * std::sin(angle)};
     };
     for (int i = 0; i < kSides; ++i) {
-        canvas.line(place(i), place(i + 1), color, width);
+        canvas.line(point(i), point(i + 1), color, width);
     }
 }
 
@@ -57,7 +57,7 @@ Image plot_sky(const Source& sky, const Vec3& to_sun, std::size_t size) {
     EXPECT(size >= 64 && size <= 4096);
     const double s = static_cast<double>(size) / 256;
     const double center = 128 * s, radius = center - kSkyMargin * s;
-    const PixelPlace middle{center, center};
+    const PixelPoint middle{center, center};
     Image colors(size, size, {255, 255, 255});
     const std::vector<double> shades = shades_of(sky, size, radius);
     double brightest = 0;
@@ -84,7 +84,7 @@ Image plot_sky(const Source& sky, const Vec3& to_sun, std::size_t size) {
         const double flat = std::hypot(to_sun.x, to_sun.y);
         const double off =
             flat > 0 ? radius * std::acos(to_sun.z) / (0.5 * std::numbers::pi) / flat : 0;
-        const PixelPlace sun{center - off * to_sun.x, center - off * to_sun.y};
+        const PixelPoint sun{center - off * to_sun.x, center - off * to_sun.y};
         draw_ring(canvas, sun, 4.5 * s, kSun, s);
         canvas.disk(sun, 1.5 * s, kSun);
     }

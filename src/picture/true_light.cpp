@@ -11,7 +11,7 @@
 #include "light/daylight/spectrum.h"
 #include "light/models/source.h"
 #include "optics/material.h"
-#include "picture/sight_caster.h"
+#include "picture/camera_ray_caster.h"
 #include "samplers/hash.h"
 #include "scene/scene.h"
 
@@ -30,20 +30,20 @@ double overlap(double from, double to, double low, double high) {
 }
 
 /// What a matt surface sends back and lets through, per band and side on which the light falls.
-struct MattSide {
+struct DiffuseSide {
     std::vector<double> reflected, transmitted;
 };
 
-MattSide matt_side(const Side& side, std::size_t bands) {
-    MattSide matt{std::vector<double>(bands), std::vector<double>(bands)};
+DiffuseSide matt_side(const Side& side, std::size_t bands) {
+    DiffuseSide diffuse{std::vector<double>(bands), std::vector<double>(bands)};
     for (const Lobe& lobe : side.lobes()) {
-        auto& sum =
-            lobe.shape->hemisphere() == Hemisphere::reflected ? matt.reflected : matt.transmitted;
+        auto& sum = lobe.shape->hemisphere() == Hemisphere::reflected ? diffuse.reflected
+                                                                      : diffuse.transmitted;
         for (std::size_t b = 0; b < bands; ++b) {
             sum[b] += lobe.albedo[b];
         }
     }
-    return matt;
+    return diffuse;
 }
 
 /// Light of all sources on a plane that faces it, as red, green and blue: what a white surface
@@ -76,7 +76,7 @@ class TrueLight {
     TrueLight(const Scene& scene, const Camera& camera, const TrueLightSpec& spec)
         : scene_(scene),
           spec_(spec),
-          sights_(scene, camera, spec.cuts),
+          hits_(scene, camera, spec.cuts),
           white_(white_of(spec)),
           light_(spec.width * spec.height),
           seen_(spec.width * spec.height) {
@@ -106,52 +106,52 @@ class TrueLight {
     }
 
   private:
-    /// The mean of four places of a pixel, a rotated grid.
+    /// The mean over four points of a pixel, a rotated grid.
     void look_at(std::size_t x, std::size_t y) {
-        constexpr std::array<PixelPlace, 4> kPlaces{
+        constexpr std::array<PixelPoint, 4> kOffsets{
             {{.375, .125}, {.875, .375}, {.625, .875}, {.125, .625}}};
         const std::size_t pixel = y * spec_.width + x;
         LinearRgb sum{};
         double count = 0;
-        for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-            const PixelPlace place{
-                static_cast<double>(x) + kPlaces[i].x, static_cast<double>(y) + kPlaces[i].y};
-            if (const auto seen = sights_.look(place)) {
-                sum += light_from(*seen, mix64(kPlaces.size() * pixel + i));
+        for (std::size_t i = 0; i < kOffsets.size(); ++i) {
+            const PixelPoint at{
+                static_cast<double>(x) + kOffsets[i].x, static_cast<double>(y) + kOffsets[i].y};
+            if (const auto seen = hits_.trace(at)) {
+                sum += light_from(*seen, mix64(kOffsets.size() * pixel + i));
                 ++count;
             }
         }
         for (std::size_t c = 0; c < sum.size() && count > 0; ++c) {
             light_[pixel][c] = sum[c] / count / white_[c];
         }
-        seen_[pixel] = count / kPlaces.size();
+        seen_[pixel] = count / kOffsets.size();
     }
 
     /// Pi times the radiance towards the eye.
-    [[nodiscard]] LinearRgb light_from(const SeenHit& seen, std::uint64_t key) const {
+    [[nodiscard]] LinearRgb light_from(const PrimaryHit& seen, std::uint64_t key) const {
         const Region& region = scene_.regions()[seen.region];
         const auto& sides = materials_[region.material.value];
         const Vec3 normal =
             normalized(Vec3{seen.hit.normal[0], seen.hit.normal[1], seen.hit.normal[2]});
         const bool sees_upper = dot(normal, seen.direction) < 0;
         LinearRgb light = scattered_by(region.organ.value, sides);
-        const LocalMesh& mesh = sights_.caster().mesh();
+        const LocalMesh& mesh = hits_.caster().mesh();
         const Vec3 local = mesh.point(seen.hit.triangle, seen.hit.u, seen.hit.v);
-        const Vec3 place = mesh.to_world(local);
+        const Vec3 p = mesh.to_world(local);
         for (const auto& source : *spec_.sources) {
             constexpr int kOfExtended = 8;
             const int draws = source->is_directional() ? 1 : kOfExtended;
             for (int i = 0; i < draws; ++i) {
                 const auto [u0, u1] = point_of(key, i);
-                const Illumination from = model_of(*source).illuminate(place, u0, u1);
+                const Illumination from = model_of(*source).illuminate(p, u0, u1);
                 const double cosine = dot(normal, from.to_light);
                 if (cosine == 0 ||
-                    sights_.caster().occluded(
+                    hits_.caster().occluded(
                         local, from.to_light, seen.hit.triangle, from.distance * mesh.scale)) {
                     continue;
                 }
                 const bool lights_upper = cosine > 0;
-                const MattSide& side = sides[lights_upper ? 0 : 1];
+                const DiffuseSide& side = sides[lights_upper ? 0 : 1];
                 const auto& part = lights_upper == sees_upper ? side.reflected : side.transmitted;
                 add(source->spectrum(), part, from.weight * std::abs(cosine) / draws, light);
             }
@@ -161,13 +161,13 @@ class TrueLight {
 
     /// Light that falls on an organ from other surfaces: as if as much fell on both sides.
     [[nodiscard]] LinearRgb scattered_by(
-        std::uint32_t organ, const std::array<MattSide, 2>& sides) const {
+        std::uint32_t organ, const std::array<DiffuseSide, 2>& sides) const {
         constexpr double kQuarter = 0.25;  // two sides that it falls on, two that it leaves
         const std::size_t bands = spec_.bands.size();
         const std::span<const double> falls =
             std::span(spec_.scattered).subspan(organ * bands, bands);
         LinearRgb light{};
-        for (const MattSide& side : sides) {
+        for (const DiffuseSide& side : sides) {
             add(falls, side.reflected, kQuarter, light);
             add(falls, side.transmitted, kQuarter, light);
         }
@@ -220,9 +220,9 @@ class TrueLight {
 
     const Scene& scene_;
     const TrueLightSpec& spec_;
-    SightCaster sights_;
+    CameraRayCaster hits_;
     LinearRgb white_;
-    std::vector<std::array<MattSide, 2>> materials_;
+    std::vector<std::array<DiffuseSide, 2>> materials_;
     std::vector<LinearRgb> light_;
     std::vector<double> seen_;  // part of each pixel
 };

@@ -28,8 +28,8 @@ std::string strange_size(const Scene& scene) {
     }
     const double organ = median_size(survey) * *metres;
     const double plant = 2 * survey.canopy.radius() * *metres;
-    return organ > kLargeOrgan   ? fmt::format("the median organ measures {:.3g} m", organ)
-           : plant < kSmallPlant ? fmt::format("all organs together measure {:.3g} m", plant)
+    return organ > kLargeOrgan   ? fmt::format("the median organ is {:.3g} m large", organ)
+           : plant < kSmallPlant ? fmt::format("all organs together are {:.3g} m large", plant)
                                  : "";
 }
 
@@ -42,8 +42,8 @@ std::optional<Vec3> find_lamp(const Source& source, const Bounds& bounds) {
     const double far = 1000 * bounds.radius();
     for (const Vec3& direction : kDirections) {
         const Vec3 point = bounds.center() + far * direction;
-        if (const std::optional<Vec3> place = place_of_lamp(source, {point, point})) {
-            return place;
+        if (const std::optional<Vec3> position = position_of_lamp(source, {point, point})) {
+            return position;
         }
     }
     return std::nullopt;
@@ -58,38 +58,36 @@ std::vector<Warning> lint_lamp_unit(const Scene& scene, const Sources& sources, 
     const std::string size = strange_size(scene);
     if (origin == UnitOrigin::assumed) {
         return {
-            {"length_unit", fmt::format(
-                                "is not given, so that coordinates are taken as metres{}; the "
-                                "irradiance that lamps give depends on it: set length_unit to "
-                                "\"m\", \"cm\" or what the coordinates are in",
-                                size.empty() ? "" : " (" + size + ")")}};
+            {"length_unit",
+             fmt::format(
+                 "is missing, and metres are assumed{}; the irradiance from lamps depends on it; "
+                 "set length_unit to the unit of the coordinates, \"m\" or \"cm\"",
+                 size.empty() ? "" : " (" + size + ")")}};
     }
     if (size.empty()) {
         return {};
     }
     return {
-        {"length_unit",
-         fmt::format(
-             "{} if coordinates are in {}; the irradiance that lamps give depends on it: is "
-             "length_unit right?",
-             size, scene.length_unit())}};
+        {"length_unit", fmt::format(
+                            "{} if coordinates are in {}, and the irradiance from lamps depends on "
+                            "it: is length_unit right?",
+                            size, scene.length_unit())}};
 }
 
-std::vector<Warning> lint_lamp_places(const Scene& scene, const Sources& sources) {
+std::vector<Warning> lint_lamp_positions(const Scene& scene, const Sources& sources) {
     if (ground_of(scene) == nullptr || !has_lamp(sources)) {
         return {};
     }
     const Bounds ground = survey_of(scene).organ_bounds.back();
-    WarningKind below("lamps are below the ground");
+    WarningKind below("lamp is below the ground", "lamps are below the ground");
     for (const auto& source : sources) {
-        const std::optional<Vec3> place = find_lamp(*source, scene.bounds());
-        if (place && ground.size().z == 0 && place->z < ground.low.z) {
+        const std::optional<Vec3> position = find_lamp(*source, scene.bounds());
+        if (position && ground.size().z == 0 && position->z < ground.low.z) {
             below.add(
                 "source '" + source->name() + "'",
                 fmt::format(
-                    "is a lamp {:.3g} below the ground, which keeps its light from all that is "
-                    "above: check its position",
-                    ground.low.z - place->z));
+                    "is a lamp {:.3g} below the ground, which blocks its light; check its position",
+                    ground.low.z - position->z));
         }
     }
     return std::move(below).finish();

@@ -17,6 +17,6 @@ enum class UnitOrigin { given, assumed };
     const Scene& scene, const Sources& sources, UnitOrigin origin);
 
 /// Lamps below a horizontal ground.
-[[nodiscard]] std::vector<Warning> lint_lamp_places(const Scene& scene, const Sources& sources);
+[[nodiscard]] std::vector<Warning> lint_lamp_positions(const Scene& scene, const Sources& sources);
 
 }  // namespace quasimc

@@ -9,8 +9,8 @@
 
 namespace quasimc {
 
-/// Of lamps within 1e-4 of the scene of a place where surfaces touch at a small angle: where they
-/// are brightest these are nearer to each other than rays reach.
+/// Warns of lamps within 1e-4 of the scene size of a point where surfaces touch at a small angle:
+/// where these are brightest, they are closer to each other than rays resolve.
 [[nodiscard]] std::vector<Warning> lint_wedges(const Scene& scene, const Sources& sources);
 
 }  // namespace quasimc

@@ -9,9 +9,9 @@ namespace quasimc {
 
 namespace {
 
-Illumination light_of(const Source& source, const Vec3& place) {
+Illumination light_of(const Source& source, const Vec3& position) {
     constexpr double kMiddle = 0.5;
-    return model_of(source).illuminate(place, kMiddle, kMiddle);
+    return model_of(source).illuminate(position, kMiddle, kMiddle);
 }
 
 /// On the middle of the box and half way from `nearest` to its corners, of those that are lit.
@@ -26,7 +26,7 @@ double dimmest_light(const Source& source, const Bounds& bounds, const Vec3& nea
 
 }  // namespace
 
-std::optional<Vec3> place_of_lamp(const Source& source, const Bounds& bounds) {
+std::optional<Vec3> position_of_lamp(const Source& source, const Bounds& bounds) {
     if (!source.is_lamp()) {
         return std::nullopt;
     }
@@ -42,16 +42,16 @@ bool is_near_lamp(const Source& source, const Bounds& bounds) {
         return false;
     }
     constexpr double kMuchBrighter = 16;
-    const std::optional<Vec3> known = place_of_lamp(source, bounds);
+    const std::optional<Vec3> known = position_of_lamp(source, bounds);
     if (!known) {
         return true;
     }
-    const Vec3 place = *known;
+    const Vec3 position = *known;
     const Vec3 nearest{
-        std::clamp(place.x, bounds.low.x, bounds.high.x),
-        std::clamp(place.y, bounds.low.y, bounds.high.y),
-        std::clamp(place.z, bounds.low.z, bounds.high.z)};
-    const Vec3 gap = place - nearest;
+        std::clamp(position.x, bounds.low.x, bounds.high.x),
+        std::clamp(position.y, bounds.low.y, bounds.high.y),
+        std::clamp(position.z, bounds.low.z, bounds.high.z)};
+    const Vec3 gap = position - nearest;
     return dot(gap, gap) == 0 || light_of(source, nearest).weight >
                                      kMuchBrighter * dimmest_light(source, bounds, nearest);
 }

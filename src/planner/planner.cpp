@@ -1,5 +1,5 @@
 // Which way of tracing has the smallest errors for its time: rules of thumb, each from a
-// measurement (docs/theory/choosing.md; `./dev bench planner` repeats them).
+// measurement (docs/develop/notebook/choosing.md; `./dev bench planner` repeats them).
 
 #include "planner/planner.h"
 
@@ -48,7 +48,7 @@ constexpr double kMuchSharpLight = 0.3;
 constexpr double kFewPaths = 5;
 /// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
 /// has paths of its own.
-constexpr double kMostLostToGloss = 12;
+constexpr double kMaxLostToGloss = 12;
 
 /// What the sources are, dark ones left out.
 struct Lighting {
@@ -79,7 +79,7 @@ struct Scattering {
 };
 
 Scattering scattering_of(const Scene& scene) {
-    const double sharp_from = followed_peak(scene);
+    const double narrow_from = followed_peak(scene);
     double area = 0, sharp = 0;
     std::vector<double> scattered(scene.bands().size());
     for (const Region& region : scene.regions()) {
@@ -93,7 +93,7 @@ Scattering scattering_of(const Scene& scene) {
                 scattered[b] += region.area * material.side(side).albedo()[b];
             }
             for (const Lobe& lobe : material.side(side).lobes()) {
-                const bool is_followed = peak_brightness(*lobe.shape) >= sharp_from;
+                const bool is_followed = peak_brightness(*lobe.shape) >= narrow_from;
                 sharp += is_followed ? region.area * mean_of(lobe.albedo) : 0;
             }
         }
@@ -107,22 +107,15 @@ Scattering scattering_of(const Scene& scene) {
         all > 0 ? sharp / all : 0};
 }
 
-double brightest_peak(const Side& side, double sharp_from) {
+double brightest_peak(const Side& side, double narrow_from) {
     double brightest = 0;
     for (const Lobe& lobe : side.lobes()) {
         const double peak = peak_brightness(*lobe.shape);
         brightest = std::max(
-            brightest, peak < sharp_from ? peak * mean_of(lobe.albedo)
-                                         : std::numeric_limits<double>::infinity());
+            brightest, peak < narrow_from ? peak * mean_of(lobe.albedo)
+                                          : std::numeric_limits<double>::infinity());
     }
     return brightest;
-}
-
-std::string_view name_of(const Lighting& lighting) {
-    if (lighting.sun && lighting.sky) {
-        return "sun and sky";
-    }
-    return lighting.sun ? "the sun" : "the sky";
 }
 
 bool has_paths_to_spare(const Scene& scene, const RunSpec& spec, double for_each) {
@@ -161,13 +154,13 @@ double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& s
         scattering.brightest_band < kBright) {
         gain = kDarkBelowFarLamps;
     }
-    return is_small ? gain * std::clamp(std::sqrt(peak), 1.0, kMostLostToGloss) : gain;
+    return is_small ? gain * std::clamp(std::sqrt(peak), 1.0, kMaxLostToGloss) : gain;
 }
 
 /// About how many of the scan lines across the scene meet a typical organ.
 double lines_per_organ(const Scene& scene, std::uint64_t paths) {
-    constexpr double kPathsPerLine = 80, kFewestLines = 128;
-    const double lines = std::max(kFewestLines, static_cast<double>(paths) / kPathsPerLine);
+    constexpr double kPathsPerLine = 80, kMinLines = 128;
+    const double lines = std::max(kMinLines, static_cast<double>(paths) / kPathsPerLine);
     return lines * std::sqrt(median_measured_area(scene)) / length(scene.bounds().size());
 }
 
@@ -204,21 +197,21 @@ double gain_of_equal_shares(const Scene& scene) {
 
 double brightest_peak(const Scene& scene) {
     double brightest = 0;
-    const double sharp_from = followed_peak(scene);
+    const double narrow_from = followed_peak(scene);
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         const Material& material = data_of(scene).materials[m];
         if (is_used[m] && !material.is_transparent()) {
             brightest = std::max(
-                {brightest, brightest_peak(material.side(SurfaceSide::upper), sharp_from),
-                 brightest_peak(material.side(SurfaceSide::lower), sharp_from)});
+                {brightest, brightest_peak(material.side(SurfaceSide::upper), narrow_from),
+                 brightest_peak(material.side(SurfaceSide::lower), narrow_from)});
         }
     }
     return brightest;
 }
 
 /// Copies of meshes may be more triangles than memory could hold; rasters keep something of each.
-constexpr std::size_t kMostForRasters = 100'000'000;
+constexpr std::size_t kMaxForRasters = 100'000'000;
 
 ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     return plan_method(scene, sources, spec, [] { return false; });
@@ -230,7 +223,7 @@ ChosenMethod plan_method(
     const RunSpec& spec,
     const std::function<bool()>& refuse_bundles) {
     if (spec.method != Method::automatic) {
-        return {spec.method, "asked for"};
+        return {spec.method, "requested"};
     }
     const Lighting lighting = lighting_of(scene, sources);
     const bool is_far = lighting.sun || lighting.sky;
@@ -246,34 +239,28 @@ ChosenMethod plan_method(
         if (gain < kLamps.dark) {
             return {
                 Method::from_organs,
-                "each organ has paths to spare to look for the lamps, which stand apart from all"};
+                "every organ can have many paths, and the lamps are far from all organs"};
         }
         return {
             Method::from_organs,
             fmt::format(
-                "the organs measured are a small part of the scene, equal shares of paths for each "
-                "gain a factor of {:.2g}",
-                gain)};
+                "few measured organs: starting paths on them is {:.2g} times as efficient", gain)};
     }
     if (!lighting.sun && !lighting.sky) {
         return {Method::light_tracing, "all light comes from lamps"};
     }
-    if (scene.triangle_count() > kMostForRasters) {
+    if (scene.triangle_count() > kMaxForRasters) {
         return {
             Method::light_tracing,
-            fmt::format("pictures of {} triangles would take too long", scene.triangle_count())};
+            fmt::format("projecting {} triangles would take too long", scene.triangle_count())};
     }
     if (takes_bundles) {
-        return {
-            Method::ray_bundles,
-            "surfaces are matt: what they scatter goes along bundles of lines, all at once"};
+        return {Method::ray_bundles, "all surfaces are Lambertian"};
     }
     return {
-        Method::first_hits,
-        fmt::format(
-            "what {} {} is found without random paths, where that pays{}", name_of(lighting),
-            lighting.sun && lighting.sky ? "light" : "lights",
-            lighting.lamp ? "; lamps are traced from themselves" : "")};
+        Method::first_hits, fmt::format(
+                                "direct light by projection{}",
+                                lighting.lamp ? "; paths from lamps start at the lamps" : "")};
 }
 
 }  // namespace quasimc

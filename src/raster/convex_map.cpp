@@ -136,15 +136,15 @@ Borders borders_of(const std::vector<Point2>& hull) {
 ConvexMap::ConvexMap(const std::vector<Point2>& hull) {
     EXPECT(hull.size() >= 3);
     const Borders borders = borders_of(hull);
-    std::vector<double> places;
-    places.reserve(hull.size());
+    std::vector<double> coordinates;
+    coordinates.reserve(hull.size());
     for (const Point2& corner : hull) {
-        places.push_back(corner.s);
+        coordinates.push_back(corner.s);
     }
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
-        const double s = places[i], next = places[i + 1];
+    std::sort(coordinates.begin(), coordinates.end());
+    coordinates.erase(std::unique(coordinates.begin(), coordinates.end()), coordinates.end());
+    for (std::size_t i = 0; i + 1 < coordinates.size(); ++i) {
+        const double s = coordinates[i], next = coordinates[i + 1];
         const double low = border_at(borders.lower, s), low_next = border_at(borders.lower, next);
         const double chord = std::max(0.0, border_at(borders.upper, s) - low);
         const double chord_next = std::max(0.0, border_at(borders.upper, next) - low_next);
@@ -157,8 +157,8 @@ ConvexMap::ConvexMap(const std::vector<Point2>& hull) {
             area_ += area;
         }
     }
-    constexpr std::size_t kMostSlabs = 60000;
-    EXPECT(!slabs_.empty() && slabs_.size() < kMostSlabs);
+    constexpr std::size_t kMaxSlabs = 60000;
+    EXPECT(!slabs_.empty() && slabs_.size() < kMaxSlabs);
     slabs_.back().area_after = INFINITY;
 
     std::size_t slab = 0;
@@ -171,7 +171,7 @@ ConvexMap::ConvexMap(const std::vector<Point2>& hull) {
     }
 }
 
-Point2 ConvexMap::place(double u0, double u1) const {
+Point2 ConvexMap::point(double u0, double u1) const {
     const double area = u0 * area_;
     std::size_t i = guide_[static_cast<std::size_t>(u0 * static_cast<double>(kGuides))];
     i += slabs_[i].area_after < area ? 1U : 0U;  // without a branch: often so, by chance

@@ -25,7 +25,7 @@ class ConvexMap {
     explicit ConvexMap(const std::vector<Point2>& hull);
 
     [[nodiscard]] double area() const { return area_; }
-    [[nodiscard]] Point2 place(double u0, double u1) const;
+    [[nodiscard]] Point2 point(double u0, double u1) const;
 
   private:
     /// The part of the polygon between two neighbouring corners along s: a trapezium. One cache

@@ -12,15 +12,15 @@ Point2 between(const Point2& a, const Point2& b, double f) {
 
 /// What of `other` runs along `stretch`, as parts of its length.
 std::optional<std::pair<double, double>> part_along(
-    const PlaneStretch& stretch, const PlaneStretch& other, double tolerance) {
-    const double length = length_of(stretch);
-    const double s = (stretch.to.s - stretch.from.s) / length;
-    const double t = (stretch.to.t - stretch.from.t) / length;
+    const PlaneSegment& segment, const PlaneSegment& other, double tolerance) {
+    const double length = length_of(segment);
+    const double s = (segment.to.s - segment.from.s) / length;
+    const double t = (segment.to.t - segment.from.t) / length;
     const auto beside = [&](const Point2& p) {
-        return s * (p.t - stretch.from.t) - t * (p.s - stretch.from.s);
+        return s * (p.t - segment.from.t) - t * (p.s - segment.from.s);
     };
     const auto along = [&](const Point2& p) {
-        return (s * (p.s - stretch.from.s) + t * (p.t - stretch.from.t)) / length;
+        return (s * (p.s - segment.from.s) + t * (p.t - segment.from.t)) / length;
     };
     const auto [low, high] = std::minmax({along(other.from), along(other.to)});
     const double begin = std::max(low, 0.0);
@@ -87,16 +87,16 @@ std::pair<ConvexPiece, ConvexPiece> parts_beside(
     return {right, left};
 }
 
-std::optional<PlaneStretch> common_border(
+std::optional<PlaneSegment> common_border(
     const ConvexPiece& a, const ConvexPiece& b, double tolerance) {
     for (std::size_t i = 0; i < a.size(); ++i) {
-        const PlaneStretch own{a[i], a[(i + 1) % a.size()]};
+        const PlaneSegment own{a[i], a[(i + 1) % a.size()]};
         const double length = length_of(own);
         for (std::size_t j = 0; length > tolerance && j < b.size(); ++j) {
-            const PlaneStretch other{b[j], b[(j + 1) % b.size()]};
+            const PlaneSegment other{b[j], b[(j + 1) % b.size()]};
             const auto part = part_along(own, other, tolerance);
             if (part && (part->second - part->first) * length > tolerance) {
-                return PlaneStretch{
+                return PlaneSegment{
                     between(own.from, own.to, part->first),
                     between(own.from, own.to, part->second)};
             }
@@ -106,10 +106,10 @@ std::optional<PlaneStretch> common_border(
 }
 
 double share_along(
-    const PlaneStretch& stretch, std::span<const PlaneStretch> others, double tolerance) {
+    const PlaneSegment& segment, std::span<const PlaneSegment> others, double tolerance) {
     std::vector<std::pair<double, double>> parts;
-    for (const PlaneStretch& other : others) {
-        if (const auto part = part_along(stretch, other, tolerance)) {
+    for (const PlaneSegment& other : others) {
+        if (const auto part = part_along(segment, other, tolerance)) {
             parts.push_back(*part);
         }
     }

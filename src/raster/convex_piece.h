@@ -23,11 +23,11 @@ using ConvexPiece = std::vector<Point2>;
 
 /// What two pieces that lie beside each other have in common, if it is longer than `tolerance`,
 /// the distance of sides that count as one.
-[[nodiscard]] std::optional<PlaneStretch> common_border(
+[[nodiscard]] std::optional<PlaneSegment> common_border(
     const ConvexPiece& a, const ConvexPiece& b, double tolerance);
 
 /// Of a stretch, the part that lies along any of others, 0..1.
 [[nodiscard]] double share_along(
-    const PlaneStretch& stretch, std::span<const PlaneStretch> others, double tolerance);
+    const PlaneSegment& segment, std::span<const PlaneSegment> others, double tolerance);
 
 }  // namespace quasimc

@@ -13,7 +13,7 @@ namespace quasimc {
 namespace {
 
 /// Of a part's area: less is not cut off.
-constexpr double kLeastPiece = 1e-3;
+constexpr double kMinPiece = 1e-3;
 /// Of a part's side: lines no farther apart count as one.
 constexpr double kOneLine = 2e-3;
 /// Of a part's area: smaller patches go to a neighbour, for few lines meet them.
@@ -21,7 +21,7 @@ constexpr double kSmallPatch = 0.25;
 /// Pieces are kept apart if so much of what is between them is a surface.
 constexpr double kSeparated = 0.25;
 /// Pieces of one part, and what crosses it of which is known, at most: the longest.
-constexpr std::size_t kMostPieces = 40, kMostKnown = 64;
+constexpr std::size_t kMaxPieces = 40, kMaxKnown = 64;
 
 /// Pieces that grow together, but for those that must stay apart.
 class Unions {
@@ -108,7 +108,7 @@ class TriangleCutter {
 
     void cut_family(const std::vector<std::uint32_t>& parts) {
         std::vector<Piece> pieces;
-        std::vector<PlaneStretch> surfaces;
+        std::vector<PlaneSegment> surfaces;
         for (const std::uint32_t part : parts) {
             cut_part(part, pieces);
             surfaces.insert(surfaces.end(), crossings_[part].begin(), crossings_[part].end());
@@ -146,25 +146,25 @@ class TriangleCutter {
         const ConvexPiece whole = pieces.back().corners;
         std::stable_sort(
             crossings_[part].begin(), crossings_[part].end(),
-            [&](const PlaneStretch& a, const PlaneStretch& b) {
+            [&](const PlaneSegment& a, const PlaneSegment& b) {
                 return length_within(whole, a.from, a.to) > length_within(whole, b.from, b.to);
             });
-        crossings_[part].resize(std::min(crossings_[part].size(), kMostKnown));
-        for (const PlaneStretch& crossing : crossings_[part]) {
+        crossings_[part].resize(std::min(crossings_[part].size(), kMaxKnown));
+        for (const PlaneSegment& crossing : crossings_[part]) {
             for (std::size_t i = pieces.size(); i-- > first;) {
-                if (pieces.size() - first < kMostPieces) {
+                if (pieces.size() - first < kMaxPieces) {
                     cut_piece(crossing, i, pieces);
                 }
             }
         }
     }
 
-    void cut_piece(const PlaneStretch& crossing, std::size_t i, std::vector<Piece>& pieces) {
+    void cut_piece(const PlaneSegment& crossing, std::size_t i, std::vector<Piece>& pieces) {
         if (length_within(pieces[i].corners, crossing.from, crossing.to) < kOneLine * side_) {
             return;
         }
         auto [right, left] = parts_beside(pieces[i].corners, crossing.from, crossing.to);
-        if (std::min(area_of(right), area_of(left)) < kLeastPiece * part_area()) {
+        if (std::min(area_of(right), area_of(left)) < kMinPiece * part_area()) {
             return;
         }
         const auto line = static_cast<std::uint32_t>(to_.lines_.size());
@@ -180,7 +180,7 @@ class TriangleCutter {
 
     /// Of all pieces that lie beside each other, the longest first.
     [[nodiscard]] std::vector<Border> find_borders(
-        const std::vector<Piece>& pieces, std::span<const PlaneStretch> surfaces) const {
+        const std::vector<Piece>& pieces, std::span<const PlaneSegment> surfaces) const {
         const double tolerance = kOneLine * side_;
         std::vector<Border> borders;
         for (std::size_t a = 0; a < pieces.size(); ++a) {
@@ -265,7 +265,7 @@ class TriangleCutter {
     int level_;
     double side_;  // of a part
     CutTriangle& to_;
-    std::vector<std::vector<PlaneStretch>> crossings_;  // by part
+    std::vector<std::vector<PlaneSegment>> crossings_;  // by part
 };
 
 CutTriangle::CutTriangle(int level, std::span<const SurfaceCrossing> crossings)

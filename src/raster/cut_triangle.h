@@ -27,7 +27,7 @@ class CutTriangle {
     /// crosses it.
     [[nodiscard]] std::uint32_t group(std::uint32_t patch) const { return groups_[patch]; }
 
-    /// The patch in which a place of a part lies.
+    /// The patch that contains a point of a part.
     [[nodiscard]] std::uint32_t patch(std::uint32_t part, double u, double v) const {
         std::uint32_t at = links_[part];
         while ((at & kPatch) == 0) {

@@ -7,8 +7,8 @@
 
 namespace quasimc {
 
-/// A segment that a scan line cuts out of a surface, or a stretch of it: from place `low` to `high`
-/// along the line, in any unit; of depths the smaller is nearer.
+/// A segment that a scan line cuts out of a surface, or a part of it: from `low` to `high` along
+/// the line, in any unit; smaller depths are nearer.
 struct VisibleSegment {
     double low = 0, high = 0;   ///< along the line
     double at_low = 0;          ///< depth there
@@ -54,7 +54,7 @@ class Envelope {
     void go_on();
     void put(double until);
 
-    const VisibleSegment* front_ = nullptr;      // the nearest at the place at hand
+    const VisibleSegment* front_ = nullptr;      // the nearest at the current position
     double from_ = 0, until_ = 0;                // where it is known to be so
     const VisibleSegment* crossing_ = nullptr;   // what passes it at until_; none: it ends there
     std::vector<const VisibleSegment*> behind_;  // what may yet come to the front

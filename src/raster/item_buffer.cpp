@@ -48,7 +48,7 @@ Barycentric ItemBuffer::point(std::uint32_t pixel) const {
     const Image& image = images_[static_cast<std::size_t>(ids_[pixel])];
     const std::uint32_t row = pixel / columns_;
     return moved(seen(image.triangle), image)
-        .place(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
+        .barycentric(static_cast<double>(pixel - row * columns_), static_cast<double>(row));
 }
 
 /// Draws one image.
@@ -103,7 +103,7 @@ class ItemDrawing {
             .rows = y.count,
             .repeats_x = plane.repeats_s,
             .repeats_y = plane.repeats_t,
-            .has_places = view_.with_points};
+            .has_barycentric = view_.with_points};
         image_.columns_ = x.count;
         image_.pixel_area_ = x.pitch * y.pitch * plane.area;
     }

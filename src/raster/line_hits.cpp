@@ -8,7 +8,7 @@ namespace quasimc {
 namespace {
 
 /// Lines of a beam, at most: they are numbered, and no scene needs more.
-constexpr double kMostLines = 1U << 30U;
+constexpr double kMaxLines = 1U << 30U;
 /// Where lines are so many for each fragment, they are not counted one by one.
 constexpr std::size_t kSparse = 16;
 
@@ -154,7 +154,7 @@ class LineHitFinder {
         grid_.repeats_x = plane.repeats_s;
         grid_.repeats_y = plane.repeats_t;
         const double area = plane.size_s * plane.size_t * plane.area;
-        const double lines = std::clamp(area / spec.line_area, 1.0, kMostLines);
+        const double lines = std::clamp(area / spec.line_area, 1.0, kMaxLines);
         if (grid_.repeats_x && grid_.repeats_y) {
             set_square_rows(plane, spec, lines);
             return;
@@ -216,12 +216,12 @@ class LineHitFinder {
         }
         const std::uint32_t plain = triangles_.plain[block];
         while (loops_.next(grid_, spans)) {
-            std::size_t places = 0;
+            std::size_t hits = 0;
             spans.for_each([&](std::size_t lane, std::size_t span) {
                 const LineTriangle& triangle = each[lane];
                 const auto count = static_cast<std::uint32_t>(spans.last[span] - spans.first[span]);
                 if ((plain >> lane & 1U) != 0) {
-                    places += count;
+                    hits += count;
                 } else if (
                     !(triangle.least_cosine > 0) ||
                     is_in_view(corners, lane, double{triangle.least_cosine}, direction_)) {
@@ -231,8 +231,8 @@ class LineHitFinder {
                 }
                 counts[lane] += count;
             });
-            reserve(places);
-            found_.size_ += loops_.place(
+            reserve(hits);
+            found_.size_ += loops_.write_hits(
                 grid_, spans, patches, plain,
                 {scratch_.lines_.data() + found_.size_, scratch_.keys_.data() + found_.size_});
         }

@@ -43,7 +43,7 @@ class Patches {
     }
     /// How many are cut.
     [[nodiscard]] std::size_t cut_triangles() const { return cuts_.size(); }
-    /// The patch in which a place of a triangle lies.
+    /// The patch that contains a point of a triangle.
     [[nodiscard]] std::uint32_t at(std::uint32_t triangle, double u, double v) const {
         const std::uint32_t part = TriangleParts(level(triangle)).at(u, v);
         const CutTriangle* cut = cut_of(triangle);

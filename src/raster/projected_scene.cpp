@@ -39,7 +39,7 @@ Vec3 sheared(const Vec3& v, const Vec3& across, const Vec3& direction) {
 
 }  // namespace
 
-Barycentric ProjectedTriangle::place(double at_x, double at_y) const {
+Barycentric ProjectedTriangle::barycentric(double at_x, double at_y) const {
     const double ax = x[1] - x[0];
     const double ay = y[1] - y[0];
     const double bx = x[2] - x[0];
@@ -168,8 +168,9 @@ Periods periods_of(double low, double high, double period, bool repeats) {
         return {};
     }
     constexpr double kMost = 100000;
-    const auto at = [&](double place) {
-        return static_cast<std::int32_t>(std::floor(std::clamp(place / period, -kMost, kMost)));
+    const auto at = [&](double coordinate) {
+        return static_cast<std::int32_t>(
+            std::floor(std::clamp(coordinate / period, -kMost, kMost)));
     };
     return {at(low), at(high)};
 }

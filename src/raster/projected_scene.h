@@ -17,16 +17,16 @@ namespace quasimc {
 /// How a beam meets a triangle.
 enum class VisibilityRole : std::uint8_t {
     opaque,
-    sensor,    ///< receives light and lets it pass
-    left_out,  ///< another image of the same triangle stands for it (RayCaster::source)
+    sensor,   ///< receives light and lets it pass
+    omitted,  ///< another image of the same triangle stands for it (RayCaster::source)
 };
 
-/// A place v0 + u (v1 - v0) + v (v2 - v0) on a triangle.
+/// The point v0 + u (v1 - v0) + v (v2 - v0) of a triangle.
 struct Barycentric {
     float u = 0, v = 0;
 };
 
-/// A triangle on the plane of a beam: places x and y and depth z of its corners.
+/// A triangle on the plane of a beam: coordinates x and y and depth z of its corners.
 struct ProjectedTriangle {
     double x[3], y[3], z[3];
 
@@ -47,8 +47,8 @@ struct ProjectedTriangle {
         order(low, middle);
         return {low, middle, high};
     }
-    /// What of it is seen at a place. Its picture must have an area.
-    [[nodiscard]] Barycentric place(double at_x, double at_y) const;
+    /// The point of the triangle that projects to (x, y). Its projection must have an area.
+    [[nodiscard]] Barycentric barycentric(double at_x, double at_y) const;
 };
 
 /// One coordinate of the plane of a beam: point p is seen at dot(along, p) + offset.
@@ -91,7 +91,7 @@ struct ProjectedScene {
 /// what stands in line with the cell.
 enum class AlongPeriods { straight, slanted };
 
-/// The plane on which a beam sees a scene: points of one ray have the same place (s, t), and their
+/// The plane on which a beam sees a scene: points of one ray have the same (s, t), and their
 /// depth grows along the beam. In an open scene s and t are perpendicular to the beam and turned by
 /// a chosen angle. In a periodic one they are such that the scene repeats itself along s, t or
 /// both, so that one period holds an image of every ray.
@@ -128,7 +128,7 @@ struct Periods {
 };
 /// @param low, high  of the stretch, from the beginning of the first period
 /// @param period  > 0. Not more than 100,000 to either side are counted: light that flies past as
-///        many is lost (RayCaster::kMostCells)
+///        many is lost (RayCaster::kMaxCells)
 [[nodiscard]] Periods periods_of(double low, double high, double period, bool repeats);
 
 /// The periods of x that a triangle reaches into within one period of y; the last before the first

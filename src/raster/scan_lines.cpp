@@ -15,8 +15,8 @@ bool begins_before(const VisibleSegment& a, const VisibleSegment& b) {
 /// Sorts what is nearly sorted; what turns out not to be, as where light comes in low and lines are
 /// far apart, in the same order, in n log n.
 void sort_again(std::vector<VisibleSegment>& cuts) {
-    constexpr std::size_t kMostMovesEach = 16;
-    std::size_t moves_left = kMostMovesEach * cuts.size();
+    constexpr std::size_t kMaxMovesEach = 16;
+    std::size_t moves_left = kMaxMovesEach * cuts.size();
     for (std::size_t i = 1; i < cuts.size(); ++i) {
         if (!begins_before(cuts[i], cuts[i - 1])) {
             continue;
@@ -54,7 +54,7 @@ void ScanLines::find_images() {
     images_.reserve(scene_.mesh->triangle_count());
     for (std::uint32_t i = 0; i < scene_.mesh->triangle_count(); ++i) {
         scene_.check_stop();
-        if (scene_.role(i) == VisibilityRole::left_out) {
+        if (scene_.role(i) == VisibilityRole::omitted) {
             continue;
         }
         const auto [from, to] = scene_.extent(i, plane_.t);
@@ -98,7 +98,7 @@ void ScanLines::add_images_along(Image image) {
     }
 }
 
-/// Adds an image that is seen from place to place across the lines.
+/// Adds an image that reaches from `from` to `to` across the lines.
 void ScanLines::add_image(Image image, double from, double to) {
     if (!may_be_cut(from, to)) {
         return;
@@ -118,7 +118,7 @@ double ScanLines::line_at(double number) const {
     return plane_.low_t + (number + spec_.shift) * pitch_;
 }
 
-/// Whether a line runs between two places; in doubt it may.
+/// Whether a line may run between two coordinates across the lines.
 bool ScanLines::may_be_cut(double from, double to) const {
     const double below = std::floor((from - plane_.low_t) / pitch_ - spec_.shift);
     return line_at(below) > from || line_at(below + 1) <= to;
@@ -136,11 +136,11 @@ void ScanLines::sort_into_strips() {
         first_in_strip_[strip] += first_in_strip_[strip - 1];
     }
     in_strip_.resize(first_in_strip_.back());
-    std::vector<std::size_t> place(first_in_strip_.begin(), first_in_strip_.end() - 1);
+    std::vector<std::size_t> next(first_in_strip_.begin(), first_in_strip_.end() - 1);
     for (std::uint32_t i = 0; i < images_.size(); ++i) {
         scene_.check_stop();
         for (std::uint32_t s = images_[i].first_strip; s <= images_[i].last_strip; ++s) {
-            in_strip_[place[s]++] = i;
+            in_strip_[next[s]++] = i;
         }
     }
 }
@@ -200,7 +200,8 @@ std::span<const LineStrip::Visible> LineStrip::visible() const {
 }
 
 Barycentric LineStrip::point(const Line& line, const VisibleSegment& segment, double f) const {
-    return scratch_.seen_[segment.surface].place((1 - f) * segment.low + f * segment.high, line.t);
+    return scratch_.seen_[segment.surface].barycentric(
+        (1 - f) * segment.low + f * segment.high, line.t);
 }
 
 void LineStrip::clear_cuts() const {

@@ -13,8 +13,8 @@ namespace quasimc {
 
 namespace {
 
-/// By how much windows and boxes are larger than the scene, local units: places are rounded to
-/// single precision when they are traced.
+/// The margin of windows and boxes about the scene, local units: points are rounded to single
+/// precision when they are traced.
 constexpr double kMargin = 0x1p-20;
 /// A beam nearer than this to a periodic axis, or to the layer's plane, never meets the scene.
 constexpr double kGrazing = 0x1p-30;
@@ -47,9 +47,9 @@ double radius_of(const std::vector<Vec3>& points) {
 /// A sphere that holds all points, hardly larger than the smallest: steps towards the furthest
 /// point, each shorter (Badoiu and Clarkson 2003): after n of them the radius is within 1/sqrt(n)
 /// of the smallest, in practice within 1/n.
-Ball small_ball(const std::vector<Vec3>& points) {
+BoundingSphere small_ball(const std::vector<Vec3>& points) {
     constexpr int kSteps = 1000;
-    Ball best{{}, radius_of(points)};
+    BoundingSphere best{{}, radius_of(points)};
     Vec3 center;
     for (int i = 1; i <= kSteps; ++i) {
         const auto distance = [&](const Vec3& p) { return dot(p - center, p - center); };
@@ -65,16 +65,16 @@ Ball small_ball(const std::vector<Vec3>& points) {
     return best;
 }
 
-/// A window that makes several places at once by its own place(), called directly.
+/// A window that makes several points at once by its own point(), called directly.
 template <typename Derived>
 class CrossSectionOf : public BeamCrossSection {
   public:
-    void places(std::span<const double> u0, std::span<const double> u1, std::span<Vec3> places)
+    void points(std::span<const double> u0, std::span<const double> u1, std::span<Vec3> points)
         const final {
-        EXPECT(u0.size() == places.size() && u1.size() == places.size());
+        EXPECT(u0.size() == points.size() && u1.size() == points.size());
         const auto& window = static_cast<const Derived&>(*this);
-        for (std::size_t i = 0; i < places.size(); ++i) {
-            places[i] = window.Derived::place(u0[i], u1[i]);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            points[i] = window.Derived::point(u0[i], u1[i]);
         }
     }
 };
@@ -82,12 +82,12 @@ class CrossSectionOf : public BeamCrossSection {
 /// Nothing of the scene is seen along the beam.
 class EmptyCrossSection final : public CrossSectionOf<EmptyCrossSection> {
   public:
-    explicit EmptyCrossSection(const Vec3& place) : place_(place) {}
+    explicit EmptyCrossSection(const Vec3& point) : point_(point) {}
     [[nodiscard]] double area() const override { return 0; }
-    [[nodiscard]] Vec3 place(double, double) const override { return place_; }
+    [[nodiscard]] Vec3 point(double, double) const override { return point_; }
 
   private:
-    Vec3 place_;
+    Vec3 point_;
 };
 
 class SilhouetteCrossSection final : public CrossSectionOf<SilhouetteCrossSection> {
@@ -97,8 +97,8 @@ class SilhouetteCrossSection final : public CrossSectionOf<SilhouetteCrossSectio
         const AcrossBeam& plane, const Vec3& center, const std::vector<Point2>& hull)
         : s_(plane.s), t_(plane.t), center_(center), map_(hull) {}
     [[nodiscard]] double area() const override { return map_.area(); }
-    [[nodiscard]] Vec3 place(double u0, double u1) const override {
-        const Point2 p = map_.place(u0, u1);
+    [[nodiscard]] Vec3 point(double u0, double u1) const override {
+        const Point2 p = map_.point(u0, u1);
         return center_ + p.s * s_ + p.t * t_;
     }
 
@@ -113,7 +113,7 @@ class ParallelogramCrossSection final : public CrossSectionOf<ParallelogramCross
     ParallelogramCrossSection(const Vec3& corner, const Vec3& side0, const Vec3& side1, double area)
         : corner_(corner), side0_(side0), side1_(side1), area_(area) {}
     [[nodiscard]] double area() const override { return area_; }
-    [[nodiscard]] Vec3 place(double u0, double u1) const override {
+    [[nodiscard]] Vec3 point(double u0, double u1) const override {
         return corner_ + u0 * side0_ + u1 * side1_;
     }
 
@@ -170,7 +170,7 @@ std::unique_ptr<BeamCrossSection> silhouette_window(
 
 /// The disc across the bounding sphere, as a polygon around it of hardly larger area: the map of a
 /// silhouette tears neighbours apart less than one about the disc's centre.
-std::unique_ptr<BeamCrossSection> sphere_window(const Ball& ball, const Vec3& direction) {
+std::unique_ptr<BeamCrossSection> sphere_window(const BoundingSphere& ball, const Vec3& direction) {
     constexpr int kCorners = 1024;
     const AcrossBeam plane(direction);
     const double radius = ball.radius / std::cos(std::numbers::pi / kCorners);

@@ -20,12 +20,12 @@ class BeamCrossSection {
     virtual ~BeamCrossSection() = default;
     /// Area perpendicular to the beam, local units squared.
     [[nodiscard]] virtual double area() const = 0;
-    /// A place in the window, outside the scene on the beam's side: an area-preserving, continuous
+    /// A point in the window, outside the scene on the beam's side: an area-preserving, continuous
     /// map of the unit square. Local coordinates.
-    [[nodiscard]] virtual Vec3 place(double u0, double u1) const = 0;
-    /// place() of several points, faster.
-    virtual void places(
-        std::span<const double> u0, std::span<const double> u1, std::span<Vec3> places) const = 0;
+    [[nodiscard]] virtual Vec3 point(double u0, double u1) const = 0;
+    /// point() of several points of the unit square, faster.
+    virtual void points(
+        std::span<const double> u0, std::span<const double> u1, std::span<Vec3> points) const = 0;
 };
 
 /// The faces of the box around the scene that light from far away enters through. Of a periodic
@@ -44,7 +44,7 @@ struct EntryBox {
 };
 
 /// A sphere in local coordinates.
-struct Ball {
+struct BoundingSphere {
     Vec3 center;
     double radius = 0;
 };
@@ -82,7 +82,7 @@ class SceneProjection {
         const LocalMesh& mesh, const Cell& cell, std::vector<Vec3> outline, StartArea start_area);
 
     std::vector<Vec3> outline_;  // the points that windows must cover; none in a layer
-    Ball ball_;                  // holds the scene; for windows of that shape only
+    BoundingSphere ball_;        // holds the scene; for windows of that shape only
     Cell cell_;                  // local coordinates
     StartArea start_area_;
     EntryBox box_;

@@ -6,7 +6,7 @@ namespace quasimc {
 namespace {
 
 /// 36 bytes each; where there are more, what they take at once is not worth it.
-constexpr std::uint32_t kMostTriangles = 1U << 17U;
+constexpr std::uint32_t kMaxTriangles = 1U << 17U;
 constexpr std::size_t kNumbers = std::size_t{3} * 3 * kBlockLanes;
 
 TriangleBlock from_mesh(const ProjectedScene& scene, std::uint32_t first) {
@@ -25,7 +25,7 @@ TriangleBlock from_mesh(const ProjectedScene& scene, std::uint32_t first) {
 std::vector<StoredBlock> stored_blocks(const ProjectedScene& scene) {
     const std::uint32_t triangles = scene.mesh->triangle_count();
     std::vector<StoredBlock> blocks;
-    if (triangles > kMostTriangles || scene.mesh->instance_triangles > 0 || scene.cell.periodic()) {
+    if (triangles > kMaxTriangles || scene.mesh->instance_triangles > 0 || scene.cell.periodic()) {
         return blocks;
     }
     blocks.reserve(triangles / kBlockLanes + 1);

@@ -83,7 +83,7 @@ void set_depths(
     hn::Store(hn::Max(depths[0], hn::Max(depths[1], depths[2])), kNumbers, spans.high_depth + lane);
 }
 
-void set_places(const Plane& plane, std::size_t lane, BlockSpans& spans) {
+void set_barycentric(const Plane& plane, std::size_t lane, BlockSpans& spans) {
     const auto zero = hn::Zero(kNumbers);
     const auto one = hn::Set(kNumbers, 1.0);
     plane.store(zero, one, zero, lane, spans.u);
@@ -126,8 +126,8 @@ bool set_lanes(
     const Plane plane{
         ax, ay, bx, by, at[0].x, at[0].y, hn::Div(hn::Set(kNumbers, 1.0), twice_area)};
     set_depths(plane, depths, lane, spans);
-    if (grid.has_places) {
-        set_places(plane, lane, spans);
+    if (grid.has_barycentric) {
+        set_barycentric(plane, lane, spans);
     }
     return true;
 }
@@ -286,12 +286,12 @@ hn::Vec<Words> to_words(Vector whole) {
     return hn::BitCast(Words(), hn::DemoteTo(Wholes(), whole));
 }
 
-/// Spans of some lanes, and what is computed of a column of each.
-struct SpanPlaces {
+/// The hits of one line on each of some lanes.
+struct SpanHits {
     alignas(64) std::uint32_t lines[kBlockLanes], depths[kBlockLanes], passed[kBlockLanes];
 
     /// Appends those of the lanes whose bit is set.
-    std::size_t append(std::uint32_t lanes, std::size_t size, const LinePlaces& to) const {
+    std::size_t append(std::uint32_t lanes, std::size_t size, const LineHitArrays& to) const {
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
             to.lines[size] = lines[lane];
@@ -302,14 +302,14 @@ struct SpanPlaces {
     }
 };
 
-/// Writes the places on rows of a block, one after the other.
-class RowPlaces {
+/// Writes the hits on the rows of a block.
+class RowHits {
   public:
-    RowPlaces(
+    RowHits(
         const RasterGrid& grid,
         const BlockSpans& spans,
         const BlockPatches& patches,
-        const LinePlaces& to)
+        const LineHitArrays& to)
         : grid_(grid), spans_(spans), patches_(patches), to_(to) {}
 
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -332,19 +332,18 @@ class RowPlaces {
         const auto begin =
             hn::Mul(hn::Load(kNumbers, spans_.in_row + at), hn::Set(kNumbers, columns));
         auto column = hn::Load(kNumbers, spans_.first + at);
-        SpanPlaces places;
+        SpanHits hits;
         while (lanes != 0) {
             const auto x = hn::Add(column, shift);
             const auto part = part_at(u.at(x), v.at(x), n);
             const auto in_grid = grid_.repeats_x ? wrapped(column, columns) : column;
-            hn::Store(to_words(hn::Add(begin, in_grid)), Words(), places.lines + lane);
+            hn::Store(to_words(hn::Add(begin, in_grid)), Words(), hits.lines + lane);
             hn::Store(
                 ordered_bits(hn::Min(hn::Max(depth.at(x), low), high)), Words(),
-                places.depths + lane);
+                hits.depths + lane);
             hn::Store(
-                hn::Add(first_passed, to_words(hn::Add(part, part))), Words(),
-                places.passed + lane);
-            size_ = places.append(lanes << lane, size_, to_);
+                hn::Add(first_passed, to_words(hn::Add(part, part))), Words(), hits.passed + lane);
+            size_ = hits.append(lanes << lane, size_, to_);
             column = hn::Add(column, hn::Set(kNumbers, 1.0));
             std::uint8_t bits[8] = {};
             hn::StoreMaskBits(kNumbers, hn::Lt(column, last), bits);
@@ -356,28 +355,28 @@ class RowPlaces {
     const RasterGrid& grid_;
     const BlockSpans& spans_;
     const BlockPatches& patches_;
-    LinePlaces to_;
+    LineHitArrays to_;
     std::size_t size_ = 0;
 };
 
-std::size_t place_spans(
+std::size_t write_hits(
     const RasterGrid& grid,
     const BlockSpans& spans,
     const BlockPatches& patches,
     std::uint32_t wanted,
-    const LinePlaces& to) {
+    const LineHitArrays& to) {
     const std::uint32_t all = (1U << hn::Lanes(kNumbers)) - 1;
-    RowPlaces places(grid, spans, patches, to);
+    RowHits hits(grid, spans, patches, to);
     for (std::size_t row = 0; row < spans.rows; ++row) {
         for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
-            places.add(row, lane, (spans.covered[row] & wanted) >> lane & all);
+            hits.add(row, lane, (spans.covered[row] & wanted) >> lane & all);
         }
     }
-    return places.size();
+    return hits.size();
 }
 
 SpanLoops span_loops() {
-    return {&set_block, &block_cosines, &next_rows, &place_spans};
+    return {&set_block, &block_cosines, &next_rows, &write_hits};
 }
 
 }  // namespace

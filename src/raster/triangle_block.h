@@ -30,11 +30,11 @@ struct alignas(64) TriangleBlock {
 
 /// Parallel lines, on a grid across the beam.
 struct RasterGrid {
-    BeamAxis x, y, z;  ///< place on the grid, and depth
+    BeamAxis x, y, z;  ///< position on the grid, and depth
     std::int64_t columns = 0, rows = 0;
     bool repeats_x = false, repeats_y = false;
-    double row_shift = 0;    ///< how far a row stands beside the last, in columns
-    bool has_places = true;  ///< whether `u` and `v` of a block are asked for
+    double row_shift = 0;         ///< how far a row stands beside the last, in columns
+    bool has_barycentric = true;  ///< whether `u` and `v` of a block are asked for
 };
 
 /// A number as it changes over the grid, by triangle: at + by_x x + by_y y.
@@ -62,7 +62,7 @@ struct alignas(64) BlockSpans {
     std::uint32_t covered[kBlockRows];
     alignas(64) double y[kMost], in_row[kMost], first[kMost], last[kMost], shift[kMost];
 
-    /// Calls visit(lane, place of the span) row by row, and in each triangle by triangle.
+    /// Calls visit(lane, index of the span) row by row, and in each triangle by triangle.
     template <typename Visit>
     void for_each(const Visit& visit) const {
         for (std::size_t i = 0; i < rows; ++i) {
@@ -80,9 +80,9 @@ struct alignas(64) BlockPatches {
     std::uint32_t passed[kBlockLanes];  ///< what a line passes in the first of them
 };
 
-/// Places where lines pass triangles, in no order: the line, and a key that is larger for what is
-/// deeper and tells what is passed there (depth_key()).
-struct LinePlaces {
+/// Hits of lines on triangles, in no order: the line, and a key that grows with depth and holds the
+/// surface that is hit (depth_key()).
+struct LineHitArrays {
     std::uint32_t* lines;
     std::uint64_t* keys;
 };
@@ -105,14 +105,14 @@ struct SpanLoops {
     /// Finds the spans of the next kBlockRows rows of each triangle; false if there are no more
     /// rows.
     bool (*next)(const RasterGrid& grid, BlockSpans& spans);
-    /// Writes the places on the spans at hand of the lanes whose bit is set in `wanted`. There must
+    /// Writes the hits on the current spans of the lanes whose bit is set in `wanted`. There must
     /// be room for all. @returns how many
-    std::size_t (*place)(
+    std::size_t (*write_hits)(
         const RasterGrid& grid,
         const BlockSpans& spans,
         const BlockPatches& patches,
         std::uint32_t wanted,
-        const LinePlaces& to);
+        const LineHitArrays& to);
 };
 
 /// Those for the vector unit of this machine. All variants compute the same bits.

@@ -7,13 +7,13 @@
 namespace quasimc {
 namespace {
 
-/// Where a part lies in its triangle.
-struct PartPlace {
+/// The position of a part in its triangle.
+struct PartPosition {
     std::uint32_t column = 0, row = 0;
     bool is_turned = false;
 };
 
-PartPlace place_of(int level, std::uint32_t part) {
+PartPosition position_of(int level, std::uint32_t part) {
     const std::uint32_t n = 1U << static_cast<unsigned>(level);
     std::uint32_t row = 0;
     for (std::uint32_t in_row = 2 * n - 1; part >= in_row; in_row -= 2) {
@@ -23,12 +23,12 @@ PartPlace place_of(int level, std::uint32_t part) {
     return {part / 2, row, part % 2 != 0};
 }
 
-/// A place in the middle of a part.
+/// A point in the middle of a part.
 std::pair<double, double> center_of(int level, std::uint32_t part) {
     const double n = 1 << level;
-    const PartPlace place = place_of(level, part);
-    const double third = (place.is_turned ? 2 : 1) / 3.0;
-    return {(place.column + third) / n, (place.row + third) / n};
+    const PartPosition position = position_of(level, part);
+    const double third = (position.is_turned ? 2 : 1) / 3.0;
+    return {(position.column + third) / n, (position.row + third) / n};
 }
 
 /// Where a coordinate that goes from a to b passes whole numbers, one after the other, as parts of
@@ -58,11 +58,11 @@ class WholeNumbers {
 
 ConvexPiece TriangleParts::corners(std::uint32_t part) const {
     const double n = 1 << level_;
-    const PartPlace place = place_of(level_, part);
-    const double u = place.column / n;
-    const double v = place.row / n;
+    const PartPosition position = position_of(level_, part);
+    const double u = position.column / n;
+    const double v = position.row / n;
     const double side = 1 / n;
-    if (place.is_turned) {
+    if (position.is_turned) {
         return {{u + side, v + side}, {u, v + side}, {u + side, v}};
     }
     return {{u, v}, {u + side, v}, {u, v + side}};

@@ -9,7 +9,7 @@
 namespace quasimc {
 
 /// Where rows cut the sides of a triangle. Each side is walked from its lower end up, so that
-/// triangles which share one cut it at the same places.
+/// triangles which share one cut it at the same points.
 class SidesByRow {
   public:
     explicit SidesByRow(const ProjectedTriangle& seen) {

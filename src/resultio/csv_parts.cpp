@@ -8,8 +8,8 @@
 
 #include "options/options.h"
 #include "quasimc/version.h"
-#include "resultio/result_words.h"
-#include "resultio/series_words.h"
+#include "resultio/describe_result.h"
+#include "resultio/describe_series.h"
 #include "results/groups.h"
 #include "results/units.h"
 #include "text/line_scanner.h"
@@ -37,7 +37,7 @@ std::string source_comments(const RunFile& run) {
     }
     for (std::size_t i = 0; i < run.sweep->size(); ++i) {
         const SweepPoint& point = (*run.sweep)[i];
-        out += fmt::format("# point {}: {}\n", i + 1, one_line(point_words(point)));
+        out += fmt::format("# point {}: {}\n", i + 1, one_line(describe_point(point)));
         for (const std::string& note : point.source_notes) {
             out += fmt::format("# point {}: source: {}\n", i + 1, one_line(note));
         }
@@ -56,7 +56,7 @@ std::string header_line(
     for (const std::string& column : columns) {
         add(column);
         add(column + "_se");
-        add(column + "_high");
+        add(column + "_ci95_high");
     }
     return line + "\n";
 }
@@ -85,7 +85,7 @@ void append_csv(std::string& out, const Estimate& estimate) {
     const Estimate e = reported(estimate);
     append_csv(out, e.mean);
     append_csv(out, e.standard_error);
-    append_csv(out, e.high);
+    append_csv(out, e.ci95_high);
 }
 
 std::vector<std::string> label_columns(const Scene& scene) {
@@ -100,7 +100,7 @@ std::string csv_organ_header(
     std::vector<std::string> taken = first;
     taken.insert(taken.end(), {"id", "name", "area"});
     for (const std::string& column : columns) {
-        taken.insert(taken.end(), {column, column + "_se", column + "_high"});
+        taken.insert(taken.end(), {column, column + "_se", column + "_ci95_high"});
     }
     std::vector<std::string> names = first;
     names.insert(names.end(), {"id", "name"});
@@ -116,8 +116,8 @@ std::string csv_group_header(
     const std::vector<std::string>& first, const std::vector<std::string>& columns) {
     std::vector<std::string> names = first;
     names.insert(
-        names.end(), {"by", "value", "organs", "area", "low", "high", "plant_area_index",
-                      "cumulative_plant_area_index"});
+        names.end(), {"by", "value", "organs", "area", "height_min", "height_max",
+                      "plant_area_index", "cumulative_plant_area_index"});
     return header_line(names, columns);
 }
 
@@ -138,7 +138,7 @@ void append_group(std::string& out, const OrganGroup& group) {
         std::back_inserter(out), "{},{},{}", csv_field(group.by), csv_field(group.value),
         group.organs.size());
     for (const double x :
-         {group.area, group.low, group.high, group.plant_area_index,
+         {group.area, group.height_min, group.height_max, group.plant_area_index,
           group.cumulative_plant_area_index}) {
         append_csv(out, x);
     }
@@ -191,9 +191,9 @@ std::string csv_result_comments(const RunFile& run, const Result& result) {
     std::string out = fmt::format(
         "# method: {}, {}\n", method_name(result.chosen.method), one_line(result.chosen.reason));
     out += fmt::format(
-        "# done: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
+        "# completed: {} paths x {} replicates, {} rays\n", result.paths, result.replicates,
         result.rays);
-    const std::string stopped = stop_words(run.spec, result);
+    const std::string stopped = describe_stop(run.spec, result);
     out += stopped.empty() ? "" : "# stopped: " + stopped + "\n";
     for (const std::string& words : audit_lines(run, result)) {
         out += "# audit: " + one_line(words) + "\n";
@@ -229,23 +229,19 @@ std::string csv_organ_columns(const RunFile& run) {
 
 std::string csv_group_columns(const RunFile& run) {
     return fmt::format(
-        "# column by: what the organs of a row have in common: all, a key of labels, layer\n"
-        "# column value: of the label; of a layer its number from below\n"
-        "# column organs: how many; those that are measured, without the ground\n"
-        "# column area [{0}2]: of one side of all of them\n"
-        "# column low, high [{0}]: of a layer, whose organs have the centroids of their areas in "
-        "it\n"
-        "# column plant_area_index, cumulative_plant_area_index [1]: of a layer, of this one and "
-        "those above: area / horizontal area of cell or ground\n",
+        "# column by: all, the key of a label, or layer\n# column value: value of the label, or "
+        "number of the layer from below\n# column organs: number of measured organs, without the "
+        "ground\n# column area [{0}2]: their one-sided area\n# column height_min, height_max "
+        "[{0}]: ends of the layer; it contains organs by the centroid of their area\n# column "
+        "plant_area_index, cumulative_plant_area_index [1]: area / horizontal area of cell or "
+        "ground, for this layer, and for it and those above\n",
         one_line(run.scene.length_unit()));
 }
 
 std::string csv_error_columns() {
-    return "# column ..._se: standard error of the number before it; empty where it can't be told "
-           "(nothing was hit)\n"
-           "# column ..._high: upper end of the 95 % confidence interval; a bound where nothing "
-           "was "
-           "hit\n";
+    return "# column ..._se: standard error of the number before it; empty where it is unknown (no "
+           "light sampled)\n# column ..._ci95_high: upper end of the 95 % confidence interval; an "
+           "upper limit where no light was sampled\n";
 }
 
 }  // namespace quasimc

@@ -29,7 +29,7 @@ struct FieldScene {
     std::string colors_of = {};  ///< what they show, with the ends of the scale; "" for none
 };
 
-/// One row of the table of formats for a scene with numbers, the only place where one is entered.
+/// One row of the table of formats for a scene with numbers, the only list of them.
 struct FieldFormat {
     std::string_view name;
     std::string_view extension;

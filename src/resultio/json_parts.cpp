@@ -13,7 +13,10 @@ namespace {
 Json estimate_of(const Estimate& estimate) {
     const Estimate e = reported(estimate);
     return {
-        {"mean", e.mean}, {"standard_error", e.standard_error}, {"low", e.low}, {"high", e.high}};
+        {"mean", e.mean},
+        {"standard_error", e.standard_error},
+        {"ci95_low", e.ci95_low},
+        {"ci95_high", e.ci95_high}};
 }
 
 Json inputs_of(const std::vector<InputFile>& inputs) {
@@ -21,7 +24,7 @@ Json inputs_of(const std::vector<InputFile>& inputs) {
     for (const InputFile& input : inputs) {
         list.push_back(
             {{"path", input.path},
-             {"resolved", input.resolved},
+             {"absolute_path", input.absolute_path},
              {"sha256", input.sha256},
              {"bytes", input.bytes},
              {"is_run_file", input.is_run_file}});
@@ -78,7 +81,7 @@ Json energy_of(std::span<const Band> bands, const std::string& length_unit, cons
             {"absorbed_by_ground", estimate_of(budget.absorbed_by_ground)},
             {"escaped", estimate_of(budget.escaped)},
             {"cut_off", estimate_of(budget.cut_off)},
-            {"roulette", estimate_of(budget.roulette)},
+            {"imbalance", estimate_of(budget.imbalance)},
             {"closure_error", budget.closure_error}};
     }
     return object;
@@ -96,12 +99,12 @@ Json audit_of(const Scene& scene, const std::optional<Audit>& audit) {
             {"unit", flux_unit(band.unit, scene.length_unit())},
             {"reduced_chi_square", found.reduced_chi_square},
             {"degrees_of_freedom", found.freedom},
-            {"chi_square_chance", found.chi_chance},
+            {"chi_square_p_value", found.chi_square_p_value},
             {"difference", found.difference},
             {"standard_error", found.standard_error},
-            {"difference_chance", found.difference_chance}};
+            {"difference_p_value", found.difference_p_value}};
     }
-    return {{"paths", audit->paths}, {"replicates", audit->replicates}, {"chance", audit->chance},
+    return {{"paths", audit->paths}, {"replicates", audit->replicates}, {"p_value", audit->p_value},
             {"level", kAuditLevel},  {"agrees", audit->agrees()},       {"bands", bands}};
 }
 
@@ -146,18 +149,12 @@ Json detectors_of(const Scene& scene, const Result& result) {
 }  // namespace
 
 Json json_head(const RunFile& run) {
-    return {
-        {"format", "quasimc-result"},
-        {"format_version", kResultVersion},
-        {"program_version", version()},
-        {"title", run.title},
-        {"run_file", run.path},
-        {"folder", run.folder},
-        {"inputs", inputs_of(run.inputs)},
-        {"run", json_value(*run.document)},
-        {"scene", scene_of(run.scene)},
-        {"sources", run.source_notes},
-        {"quantities", quantities_of(run)}};
+    return {{"format", "quasimc-result"},      {"format_version", kResultVersion},
+            {"program_version", version()},    {"title", run.title},
+            {"run_file_path", run.path},       {"directory", run.folder},
+            {"inputs", inputs_of(run.inputs)}, {"run_file", json_value(*run.document)},
+            {"scene", scene_of(run.scene)},    {"sources", run.source_notes},
+            {"quantities", quantities_of(run)}};
 }
 
 Json json_value(const Node& node) {
@@ -193,7 +190,7 @@ Json json_value(const Node& node) {
 Json json_warnings(const RunFile& run) {
     Json list = Json::array();
     for (const Warning& warning : run.warnings) {
-        list.push_back({{"place", warning.place}, {"text", warning.text}});
+        list.push_back({{"where", warning.where}, {"text", warning.text}});
     }
     return {{"warnings", list}};
 }
@@ -202,8 +199,8 @@ std::string_view stop_name(StopReason stop) {
     switch (stop) {
         case StopReason::target_reached:
             return "target_reached";
-        case StopReason::time_is_up:
-            return "time_is_up";
+        case StopReason::time_limit:
+            return "time_limit";
         case StopReason::path_limit:
             return "path_limit";
         case StopReason::interrupted:
@@ -211,21 +208,21 @@ std::string_view stop_name(StopReason stop) {
         case StopReason::no_light:
             return "no_light";
         default:
-            return "paths_done";
+            return "finished";
     }
 }
 
 Json json_light(std::span<const Band> bands, const std::string& length_unit, const Result& result) {
     Json light = {
         {"method", {{"used", method_name(result.chosen.method)}, {"reason", result.chosen.reason}}},
-        {"done",
+        {"completed",
          {{"paths", result.paths},
           {"replicates", result.replicates},
           {"rays", result.rays},
           {"stop", stop_name(result.stop)},
           {"fraction_at_target", result.fraction_at_target}}},
         {"energy", energy_of(bands, length_unit, result)},
-        {"escaped_is_remainder", result.escaped_is_remainder}};
+        {"escaped_by_difference", result.escaped_by_difference}};
     if (!result.rounds.empty()) {
         light["rounds"] = rounds_of(result);
     }
@@ -234,7 +231,7 @@ Json json_light(std::span<const Band> bands, const std::string& length_unit, con
 
 Json json_light(const RunFile& run, const Result& result) {
     Json light = json_light(run.scene.bands(), run.scene.length_unit(), result);
-    light["method"]["asked"] = method_name(run.spec.method);
+    light["method"]["requested"] = method_name(run.spec.method);
     light["audit"] = audit_of(run.scene, result.audit);
     if (!result.canopy.empty()) {
         light["canopy"] = canopy_of(run.scene, result);

@@ -26,7 +26,7 @@ inline constexpr int kResultVersion = 2;
 /// A value of a run file.
 [[nodiscard]] Json json_value(const Node& node);
 
-/// "time_is_up".
+/// "time_limit".
 [[nodiscard]] std::string_view stop_name(StopReason stop);
 /// What is known of one result beside groups and organs: method, what was done, rounds, energy.
 [[nodiscard]] Json json_light(

@@ -28,7 +28,7 @@ void append_estimate(std::string& row, std::string_view quoted, const Estimate& 
     row += '{';
     for (const auto& [key, value] :
          {std::pair(R"("mean")", e.mean), std::pair(R"("standard_error")", e.standard_error),
-          std::pair(R"("low")", e.low), std::pair(R"("high")", e.high)}) {
+          std::pair(R"("ci95_low")", e.ci95_low), std::pair(R"("ci95_high")", e.ci95_high)}) {
         append_key(row, key);
         append_number(row, value);
     }
@@ -127,9 +127,9 @@ std::string json_group(const GroupResults& groups, std::size_t index, const Json
         {"value", group.value},
         {"organs", group.organs.size()},
         {"area", group.area}};
-    if (group.by == kLayer && !std::isnan(group.low)) {
-        object["low"] = group.low;
-        object["high"] = group.high;
+    if (group.by == kLayer && !std::isnan(group.height_min)) {
+        object["height_min"] = group.height_min;
+        object["height_max"] = group.height_max;
         object["plant_area_index"] = group.plant_area_index;
         object["cumulative_plant_area_index"] = group.cumulative_plant_area_index;
     }

@@ -13,7 +13,7 @@ struct OutputInput {
     const RunFile& run;      ///< the first of a sweep
     TextSink sink;           ///< of the file
     std::string path = {};   ///< of the file
-    std::string place = {};  ///< where the path was given, for messages: "--csv"
+    std::string where = {};  ///< where the path was given, for messages: "--csv"
 };
 
 }  // namespace quasimc

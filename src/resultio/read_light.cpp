@@ -106,11 +106,11 @@ const Node* item_at(const Node* list, std::size_t index) {
 /// What detectors saw, NaN where the result does not say it.
 /// @param rest  of the result
 std::vector<DetectorResult> read_detectors(
-    const Node& rest, const RowsPlace& place, const RunFile& run) {
-    const Node* at = run.sweep ? item_at(rest.find("points"), place.point) : &rest;
-    at = at != nullptr && run.series ? item_at(at->find("moments"), place.index) : at;
+    const Node& rest, const RowsPosition& position, const RunFile& run) {
+    const Node* at = run.sweep ? item_at(rest.find("points"), position.point) : &rest;
+    at = at != nullptr && run.series ? item_at(at->find("time_steps"), position.index) : at;
     const Node* list = at != nullptr ? at->find("detectors") : nullptr;
-    std::vector<DetectorResult> detectors = dark_detectors(run.scene);
+    std::vector<DetectorResult> detectors = zero_detectors(run.scene);
     const std::size_t bands = run.scene.bands().size();
     for (std::size_t d = 0; d < detectors.size(); ++d) {
         const Node* detector = item_at(list, d);
@@ -123,7 +123,7 @@ std::vector<DetectorResult> read_detectors(
             detectors[d].values[i] =
                 of_band != nullptr
                     ? Estimate{number_in(*of_band, "mean"), number_in(*of_band, "standard_error"),
-                               number_in(*of_band, "low"), number_in(*of_band, "high")}
+                               number_in(*of_band, "ci95_low"), number_in(*of_band, "ci95_high")}
                     : kUnknownEstimate;
         }
     }
@@ -134,14 +134,15 @@ std::vector<DetectorResult> read_detectors(
 std::size_t find_label(
     const std::vector<std::string>& labels,
     std::size_t from,
-    const RowsPlace& place,
+    const RowsPosition& position,
     const std::string& path) {
     const auto found =
-        std::find(labels.begin() + static_cast<std::ptrdiff_t>(from), labels.end(), place.label);
+        std::find(labels.begin() + static_cast<std::ptrdiff_t>(from), labels.end(), position.label);
     if (found == labels.end()) {
         throw InputError(
-            {{path, shown(place.label) + " in " + place.part + " is not next in the run",
-              "its times are in the order of the run", ""}});
+            {{path,
+              shown(position.label) + " in " + position.part + " is not the next one in the run",
+              "time steps must be in the order of the run", ""}});
     }
     return static_cast<std::size_t>(found - labels.begin());
 }
@@ -163,37 +164,38 @@ void read_light(
     const auto light_at = [&](PlacedRows& rows) {
         Result result = columns.result(rows.columns);
         if (rest) {
-            result.detectors = read_detectors(*rest, rows.place, run);
+            result.detectors = read_detectors(*rest, rows.position, run);
         }
         return result;
     };
     std::optional<std::size_t> point;
     std::size_t next_time = 0, next_day = 0;  // of the point; two times may be called the same
     const auto take = [&](PlacedRows rows) {
-        const RowsPlace& place = rows.place;
-        if (point != place.point) {
-            point = place.point;
+        const RowsPosition& position = rows.position;
+        if (point != position.point) {
+            point = position.point;
             next_time = next_day = 0;
             events.on_point(*point);
         }
-        if (place.part == "days" && series) {
+        if (position.part == "days" && series) {
             SeriesSum sum;
             sum.bands = columns.bands();
             sum.values = columns.light(rows.columns);
-            const std::size_t day = find_label(series->days, next_day, place, path);
+            const std::size_t day = find_label(series->days, next_day, position, path);
             next_day = day + 1;
             events.on_day(day, sum);
-        } else if (place.part == "moments" && series) {
-            const std::size_t time = find_label(times, next_time, place, path);
+        } else if (position.part == "time_steps" && series) {
+            const std::size_t time = find_label(times, next_time, position, path);
             next_time = time + 1;
             events.on_time_step(time, light_at(rows));
-        } else if (place.part.empty() && !series) {
+        } else if (position.part.empty() && !series) {
             events.on_time_step(0, light_at(rows));
         }
     };
     read_rows(text, path, {.columns = columns.names()}, take);
     if (!point) {
-        throw InputError({{path, "holds no light of organs", "the run did not get so far", ""}});
+        throw InputError(
+            {{path, "contains no light of organs", "the run ended before the first result", ""}});
     }
 }
 

@@ -21,22 +21,24 @@ namespace fs = std::filesystem;
 
 void check_format(const Node& head, const std::string& path) {
     if (text_in(head, "format") != "quasimc-result") {
-        refuse(path, "is no result of QuasiMC", "a file that `quasimc run --json` wrote is needed");
+        refuse(
+            path, "is not a result of QuasiMC",
+            "it must be a file written by `quasimc run --json`");
     }
     const Node* version = head.find("format_version");
     const auto* number = version == nullptr ? nullptr : version->as<std::int64_t>();
     if (number == nullptr || *number != kResultVersion) {
         refuse(
-            path, "its format_version is not known",
-            fmt::format("this program knows version {}", kResultVersion));
+            path, "its format_version is unknown",
+            fmt::format("this program reads version {}", kResultVersion));
     }
 }
 
 /// Whether the run ended before its paths were done, by time or Ctrl-C.
 bool is_cut_short(const Node& head) {
-    const Node* done = head.find("done");
-    const std::string stop = done != nullptr ? text_in(*done, "stop") : "";
-    return stop == stop_name(StopReason::interrupted) || stop == stop_name(StopReason::time_is_up);
+    const Node* completed = head.find("completed");
+    const std::string stop = completed != nullptr ? text_in(*completed, "stop") : "";
+    return stop == stop_name(StopReason::interrupted) || stop == stop_name(StopReason::time_limit);
 }
 
 std::vector<InputFile> stored_inputs(const Node& head) {
@@ -48,7 +50,7 @@ std::vector<InputFile> stored_inputs(const Node& head) {
         const auto* is_run_file = mark == nullptr ? nullptr : mark->as<bool>();
         const auto* bytes = size == nullptr ? nullptr : size->as<std::int64_t>();
         inputs.push_back(
-            {text_in(item, "path"), text_in(item, "resolved"), text_in(item, "sha256"),
+            {text_in(item, "path"), text_in(item, "absolute_path"), text_in(item, "sha256"),
              bytes != nullptr && *bytes > 0 ? static_cast<std::uint64_t>(*bytes) : 0,
              is_run_file != nullptr && *is_run_file});
     }
@@ -65,7 +67,7 @@ fs::path input_folder(
         return input.is_run_file || access.exists(beside / input.path);
     };
     const bool all_there = std::all_of(inputs.begin(), inputs.end(), is_there);
-    return all_there ? beside : fs::path(text_in(head, "folder"));
+    return all_there ? beside : fs::path(text_in(head, "directory"));
 }
 
 /// Reads inputs, and refuses those that are no longer what they were.
@@ -79,8 +81,8 @@ InputFiles::Reader checking_reader(
             if (!input.is_run_file && names.resolved(input.path) == file &&
                 input.sha256 != sha256_hex(bytes)) {
                 throw InputError(
-                    {{file.string(), "has changed",
-                      "it has changed since the result was made (another SHA-256)", ""}});
+                    {{file.string(), "has changed", "its SHA-256 differs from that in the result",
+                      ""}});
             }
         }
         return bytes;
@@ -114,9 +116,9 @@ StoredSweep read_result_text(
     const std::vector<Override>& overrides) {
     const Node head = read_rows(text, name, {.rest = RowsQuery::Rest::head}, {});
     check_format(head, name);
-    const Node* run = head.find("run");
+    const Node* run = head.find("run_file");
     if (run == nullptr || run->as<Node::Table>() == nullptr) {
-        refuse(name, "holds no run");
+        refuse(name, "contains no run file");
     }
     Node document = *run;
     forget_outputs(std::get<Node::Table>(document.value));

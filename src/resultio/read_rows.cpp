@@ -59,24 +59,24 @@ class RowsBuilder : public JsonNodeBuilder {
   private:
     enum class Entry { build, skip, take };
 
-    /// What becomes of a table or a list that begins. Sets the place of the rows.
+    /// Decides how a table or a list that begins is read. Sets the position of the rows.
     Entry entry() {
         using Rest = RowsQuery::Rest;
         std::vector<std::string_view> steps = steps_to_next();
-        place_ = {};
+        position_ = {};
         std::size_t at = 0;
         const auto has_item = [&] {
             return at + 1 < steps.size() && open()[at + 1]->as<Node::List>() != nullptr;
         };
         if (has_item() && steps[0] == "points") {
-            place_.point = number_at(0);
+            position_.point = number_at(0);
             at = 2;
         }
         if (at < steps.size() && steps[at] == "total") {
-            place_.part = steps[at++];
-        } else if (has_item() && (steps[at] == "moments" || steps[at] == "days")) {
-            place_.part = steps[at];
-            place_.index = number_at(at);
+            position_.part = steps[at++];
+        } else if (has_item() && (steps[at] == "time_steps" || steps[at] == "days")) {
+            position_.part = steps[at];
+            position_.index = number_at(at);
             at += 2;
         }
         const std::size_t behind = steps.size() - at;
@@ -84,20 +84,20 @@ class RowsBuilder : public JsonNodeBuilder {
             return entry_of_rows(steps[at]);
         }
         const bool leads_to_rows =
-            behind == 0 ||
-            (behind == 1 && place_.part.empty() &&
-             ((at == 0 && steps[at] == "points") || steps[at] == "moments" || steps[at] == "days"));
+            behind == 0 || (behind == 1 && position_.part.empty() &&
+                            ((at == 0 && steps[at] == "points") || steps[at] == "time_steps" ||
+                             steps[at] == "days"));
         const bool is_built = steps.empty() || query_.rest == Rest::all ||
                               (query_.rest == Rest::labels) == leads_to_rows;
         return is_built ? Entry::build : Entry::skip;
     }
 
     Entry entry_of_rows(std::string_view list) {
-        place_.label = text_in(*open().back(), place_.part == "days" ? "date" : "time");
+        position_.label = text_in(*open().back(), position_.part == "days" ? "date" : "time");
         const bool is_wanted = list == query_.list &&
-                               place_.part == query_.part.value_or(place_.part) &&
-                               place_.point == query_.point.value_or(place_.point) &&
-                               place_.label.starts_with(query_.label);
+                               position_.part == query_.part.value_or(position_.part) &&
+                               position_.point == query_.point.value_or(position_.point) &&
+                               position_.label.starts_with(query_.label);
         if (is_wanted && !columns_.empty()) {
             return Entry::take;
         }
@@ -162,7 +162,7 @@ class RowsBuilder : public JsonNodeBuilder {
         }
         row_ += depth_ == 1 ? 1 : 0;
         if (depth_ == 0 && takes_ && row_ > 0) {
-            take_({place_, std::move(rows_)});
+            take_({position_, std::move(rows_)});
         }
         return true;
     }
@@ -172,8 +172,8 @@ class RowsBuilder : public JsonNodeBuilder {
         if (wanted_ != nullptr) {
             (row_key_ == "mean"             ? estimate_.mean
              : row_key_ == "standard_error" ? estimate_.standard_error
-             : row_key_ == "low"            ? estimate_.low
-             : row_key_ == "high"           ? estimate_.high
+             : row_key_ == "ci95_low"       ? estimate_.ci95_low
+             : row_key_ == "ci95_high"      ? estimate_.ci95_high
                                             : other_) = value;
         }
         return depth_ > 0;
@@ -186,7 +186,7 @@ class RowsBuilder : public JsonNodeBuilder {
     std::map<std::string, std::vector<std::size_t>> columns_;  // by the names that lead to them
     std::size_t depth_ = 0;                                    // of what is not built; 0: it is
     bool takes_ = false;                                       // rows of what is not built
-    RowsPlace place_;
+    RowsPosition position_;
     RowColumns rows_;
     std::size_t row_ = 0;
     std::string row_key_, path_;
@@ -224,7 +224,7 @@ std::string text_in(const Node& table, std::string_view key) {
 Node only_point(Node document, std::optional<std::size_t> point, const std::string& path) {
     auto* members = std::get_if<Node::Table>(&document.value);
     if (members == nullptr) {
-        refuse_json(path, "is no result");
+        refuse_json(path, "is not a result");
     }
     if (!point) {
         return document;
@@ -232,7 +232,7 @@ Node only_point(Node document, std::optional<std::size_t> point, const std::stri
     const Node* found = document.find("points");
     const auto* points = found == nullptr ? nullptr : found->as<Node::List>();
     if (points == nullptr || *point >= points->size()) {
-        refuse_json(path, "the point of the sweep is not there");
+        refuse_json(path, "it does not contain this point of the sweep");
     }
     const Node one = (*points)[*point];
     const auto erase = [&](std::string_view key) {

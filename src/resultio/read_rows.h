@@ -12,10 +12,10 @@
 
 namespace quasimc {
 
-/// Where a list of organs or groups stands in a JSON result.
-struct RowsPlace {
+/// The position of a list of organs or groups in a JSON result.
+struct RowsPosition {
     std::size_t point = 0;   ///< of a sweep
-    std::string part = {};   ///< "moments", "days" or "total"; empty without [time]
+    std::string part = {};   ///< "time_steps", "days" or "total"; empty without [time]
     std::size_t index = 0;   ///< of the moment or the day
     std::string label = {};  ///< its time or date, which stands before the list
 };
@@ -26,8 +26,8 @@ struct RowsQuery {
     /// What leads to each kind of estimates: a quantity and a band, "ratios" and a ratio,
     /// "sunlit_fraction".
     std::vector<std::vector<std::string>> columns = {};
-    std::optional<std::string> part = {};   ///< RowsPlace::part; any by default
-    std::string label = {};                 ///< how RowsPlace::label begins
+    std::optional<std::string> part = {};   ///< RowsPosition::part; any by default
+    std::string label = {};                 ///< how RowsPosition::label begins
     std::optional<std::size_t> point = {};  ///< any by default
 
     /// What is kept beside the lists: the members of the outermost object but for points, times and
@@ -40,7 +40,7 @@ struct RowsQuery {
 using RowColumns = std::vector<std::vector<Estimate>>;
 
 struct PlacedRows {
-    RowsPlace place;
+    RowsPosition position;
     RowColumns columns;
 };
 

@@ -8,9 +8,9 @@
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "quasimc/version.h"
+#include "resultio/describe_result.h"
+#include "resultio/describe_series.h"
 #include "resultio/fraction_table.h"
-#include "resultio/result_words.h"
-#include "resultio/series_words.h"
 #include "resultio/summary_parts.h"
 #include "results/units.h"
 #include "runfile/written.h"
@@ -20,7 +20,7 @@ namespace quasimc {
 namespace {
 
 std::string line(std::string_view subject, const std::string& text) {
-    return fmt::format("{:<10}{}\n", subject, text);
+    return fmt::format("{:<9} {}\n", subject, text);
 }
 
 std::string scene_line(const Scene& scene) {
@@ -29,14 +29,17 @@ std::string scene_line(const Scene& scene) {
         bands += fmt::format("{}{} [{}]", bands.empty() ? "" : ", ", band.name, band.unit);
     }
     const Cell& cell = scene.cell();
-    const std::string_view repeated = !cell.periodic() ? ""
-                                      : cell.along_x && cell.along_y
-                                          ? ", repeated along both horizontal axes"
-                                          : ", repeated along one horizontal axis";
+    const std::string_view second = scene.orientation().up() == UpAxis::z ? "y" : "z";
+    const std::string periodic =
+        !cell.periodic()
+            ? ""
+            : fmt::format(
+                  "; periodic in {}{}{}", cell.along_x ? "x" : "",
+                  cell.along_x && cell.along_y ? " and " : "", cell.along_y ? second : "");
     return line(
         "scene", fmt::format(
                      "{}, {}{}; {} {}", counted(scene.organs().size(), "organ"),
-                     counted(scene.triangle_count(), "triangle"), repeated,
+                     counted(scene.triangle_count(), "triangle"), periodic,
                      scene.bands().size() == 1 ? "band" : "bands", bands));
 }
 
@@ -52,61 +55,65 @@ std::string title_lines(const RunFile& run) {
 std::string subject_lines(const RunFile& run) {
     std::string text = title_lines(run);
     for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
+        text += line("source", one_line(note));
     }
     return text;
 }
 
-std::string run_line(const RunSpec& spec, const Result& result) {
+std::string sampling_line(const RunSpec& spec, const std::string& effort) {
     return line(
-        "run",
+        "sampling", fmt::format(
+                        "{}, {}, seed {}, {}", spec.sampler, effort, spec.seed,
+                        counted(thread_count(spec.threads), "thread")));
+}
+
+std::string sampling_line(const RunSpec& spec, const Result& result) {
+    return sampling_line(
+        spec,
         fmt::format(
-            "{} points, {}, {} x {}, seed {}, {}", spec.sampler, method_name(result.chosen.method),
-            counted(result.paths, "path"), counted(result.replicates, "replicate"), spec.seed,
-            counted(thread_count(spec.threads), "thread")));
+            "{} x {}", counted(result.paths, "path"), counted(result.replicates, "replicate")));
 }
 
-/// Why the run was traced so, if that was not what the run file said.
+/// How light was followed, and why.
 std::string method_line(const RunSpec& spec, const Result& result) {
-    if (spec.method != Method::automatic && result.stop != StopReason::no_light) {
-        return "";
-    }
+    const bool is_automatic = spec.method == Method::automatic;
+    const bool has_reason = is_automatic || result.stop == StopReason::no_light;
     return line(
-        "method", fmt::format("{}: {}", method_name(result.chosen.method), result.chosen.reason));
+        "method", fmt::format(
+                      "{} ({}){}", method_name(result.chosen.method),
+                      is_automatic ? "automatic" : "requested",
+                      has_reason ? ": " + result.chosen.reason : ""));
 }
 
-/// Whether light was traced elsewhere: the sums come from parts of a run.
-bool is_merged(std::uint64_t rays, double trace_seconds) {
-    return rays > 0 && trace_seconds == 0;
+/// Whether light was computed elsewhere: the sums come from parts of a run.
+bool is_merged(std::uint64_t rays, double solve_seconds) {
+    return rays > 0 && solve_seconds == 0;
 }
 
 std::string time_line(const Result& result) {
-    if (is_merged(result.rays, result.trace_seconds)) {
-        return line("time", fmt::format("traced in parts, {}", counted(result.rays, "ray")));
+    if (is_merged(result.rays, result.solve_seconds)) {
+        return line("time", "computed in parts");
     }
     const auto paths = static_cast<double>(result.paths);
     const double own = paths - result.paths_before;
-    const double all = paths * result.replicates;
-    const double rays_per_path = static_cast<double>(result.rays) / std::max(all, 1.0);
     if (result.paths > 0 && own <= 0) {
-        return line("time", fmt::format("traced before, {:.3g} rays per path", rays_per_path));
+        return line("time", "all paths are from the checkpoint");
     }
     const std::string before =
         result.paths_before > 0
-            ? fmt::format("; {:.3g} % of the paths were traced before", 100 * (1 - own / paths))
+            ? fmt::format(
+                  "; {:.3g} % of the paths are from the checkpoint", 100 * (1 - own / paths))
             : "";
     return line(
         "time", fmt::format(
-                    "{:.3g} s ({:.3g} s of CPU) after {:.3g} s of preparation, {:.3g} million "
-                    "paths/s, {:.3g} rays per path{}",
-                    result.trace_seconds, result.trace_cpu_seconds, result.build_seconds,
-                    own * result.replicates / std::max(result.trace_seconds, 1e-9) / 1e6,
-                    rays_per_path, before));
+                    "{:.3g} s ({:.3g} s CPU), preparation {:.3g} s; {:.3g} million paths/s{}",
+                    result.solve_seconds, result.solve_cpu_seconds, result.preparation_seconds,
+                    own * result.replicates / std::max(result.solve_seconds, 1e-9) / 1e6, before));
 }
 
 std::string error_line(const RunFile& run, const ErrorStatistics& errors) {
     const std::string advice = advice_on_error(run, errors.median);
-    return line("errors", error_words(errors)) + (advice.empty() ? "" : line("advice", advice));
+    return line("errors", describe_errors(errors)) + (advice.empty() ? "" : line("advice", advice));
 }
 
 std::string fraction_with_error(const Estimate& e) {
@@ -121,19 +128,19 @@ template <typename UnitOfBand>
 std::string energy_lines(
     const Scene& scene,
     const std::vector<BandBudget>& budgets,
-    bool escaped_is_remainder,
+    bool escaped_by_difference,
     const UnitOfBand& unit_of_band) {
-    constexpr std::size_t kMostBands = 4;
+    constexpr std::size_t kMaxBands = 4;
     std::string text;
-    for (std::size_t b = 0; b < std::min(budgets.size(), kMostBands); ++b) {
+    for (std::size_t b = 0; b < std::min(budgets.size(), kMaxBands); ++b) {
         const Band& band = scene.bands()[b];
         text += line(
-            "energy",
-            band.name + " " + energy_words(budgets[b], unit_of_band(band), escaped_is_remainder));
+            "energy", band.name + " " +
+                          describe_energy(budgets[b], unit_of_band(band), escaped_by_difference));
     }
-    if (budgets.size() > kMostBands) {
+    if (budgets.size() > kMaxBands) {
         text +=
-            line("", fmt::format("... and {}", counted(budgets.size() - kMostBands, "more band")));
+            line("", fmt::format("... and {}", counted(budgets.size() - kMaxBands, "more band")));
     }
     return text;
 }
@@ -142,13 +149,13 @@ std::string energy_lines(
 void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
     for (Estimate BandBudget::*part :
          {&BandBudget::emitted, &BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
-          &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::roulette}) {
+          &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::imbalance}) {
         (sum.*part).mean += seconds * (flux.*part).mean;
     }
 }
 
 /// "reflectance .08 +- .001, ..."; "" of what can't be told.
-std::string fraction_words(const CanopyFractions& fractions) {
+std::string describe_fractions(const CanopyFractions& fractions) {
     std::string text;
     for (const FractionEntry& entry : fraction_table()) {
         const Estimate& part = fractions.*entry.part;
@@ -161,10 +168,10 @@ std::string fraction_words(const CanopyFractions& fractions) {
 }
 
 std::string canopy_lines(const Scene& scene, const Result& result) {
-    constexpr std::size_t kMostBands = 4;
+    constexpr std::size_t kMaxBands = 4;
     std::string text;
-    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMostBands); ++b) {
-        const std::string words = fraction_words(result.canopy[b]);
+    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMaxBands); ++b) {
+        const std::string words = describe_fractions(result.canopy[b]);
         if (!words.empty()) {
             text += line("canopy", fmt::format("{}: {}", scene.bands()[b].name, words));
         }
@@ -178,9 +185,10 @@ std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
     for (const auto& [from, times] : summary.methods) {
         text += fmt::format(
             "{}{}{}", text.empty() ? "" : ", ", method_name(from),
-            summary.methods.size() > 1 ? fmt::format(" ({})", counted(times, "time")) : "");
+            summary.methods.size() > 1 ? fmt::format(" at {}", counted(times, "time step")) : "");
     }
-    return text.empty() ? method_name(spec.method) : text;
+    return (text.empty() ? method_name(spec.method) : text) +
+           (spec.method == Method::automatic ? " (automatic)" : " (requested)");
 }
 
 std::string target_line(const RunSpec& spec, const Result& result) {
@@ -191,10 +199,9 @@ std::string target_line(const RunSpec& spec, const Result& result) {
         result.stop == StopReason::target_reached || result.stop == StopReason::no_light;
     return line(
         "target", fmt::format(
-                      "{:.6g} % error or less: {} ({:.3g} % of the organs have it, {:.3g} % were "
-                      "asked for)",
-                      100 * spec.target_error, is_reached ? "reached" : "NOT reached",
-                      100 * result.fraction_at_target, 100 * spec.target_fraction));
+                      "{}: {:.3g} % of the organs are within {:.6g} % ({:.3g} % required)",
+                      is_reached ? "reached" : "not reached", 100 * result.fraction_at_target,
+                      100 * spec.target_error, 100 * spec.target_fraction));
 }
 
 std::string written_line(const std::vector<std::string>& written) {
@@ -204,25 +211,26 @@ std::string written_line(const std::vector<std::string>& written) {
     return line("written", fmt::format("{}", fmt::join(written, ", ")));
 }
 
-/// How many times there are, and in how many traces.
-std::string times_words(const TimeSeries& series, const SeriesSummary& summary) {
-    const MomentNotes& first = series.notes.front();
-    const MomentNotes& last = series.notes.back();
+/// How many time steps there are, and how many were computed.
+std::string describe_times(const TimeSeries& series, const SeriesSummary& summary) {
+    const TimeStepNotes& first = series.notes.front();
+    const TimeStepNotes& last = series.notes.back();
     if (series.cumulative_sky == CumulativeSky::none) {
         return fmt::format(
-            "{} from {} to {}, {}; {} traced, the others dark or like one of them",
+            "{} from {} to {}, {}: {} computed, {} at night or scaled from another",
             series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
-            summary.traced);
+            summary.computed, summary.completed - std::min(summary.computed, summary.completed));
     }
     std::size_t times = 0;
     std::size_t suns = 0;
-    for (const MomentNotes& notes : series.notes) {
+    for (const TimeStepNotes& notes : series.notes) {
         times += notes.cumulated->times;
         suns += notes.suns;
     }
     return fmt::format(
-        "{} from {} to {}, collapsed into {} of {} in all", times, first.time,
-        last.cumulated->until, counted(summary.traced, "trace"), counted(suns, "sun"));
+        "{} from {} to {}, in {} with {}: {} computed", times, first.time, last.cumulated->until,
+        counted(series.notes.size(), "cumulative sky", "cumulative skies"),
+        counted(suns, "sun position"), summary.computed);
 }
 
 std::string stopped_line(const std::string& words) {
@@ -230,17 +238,15 @@ std::string stopped_line(const std::string& words) {
 }
 
 std::string series_time_line(const SeriesSummary& summary) {
-    if (is_merged(summary.rays, summary.trace_seconds)) {
-        return line("time", fmt::format("{:.3g} s to put the parts together", summary.seconds));
+    if (is_merged(summary.rays, summary.solve_seconds)) {
+        return line("time", fmt::format("{:.3g} s to merge the parts", summary.seconds));
     }
     return line(
         "time",
         fmt::format(
-            "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU), results and "
-            "files {:.3g}",
-            summary.seconds, summary.build_seconds, summary.trace_seconds,
-            summary.trace_cpu_seconds,
-            std::max(0.0, summary.seconds - summary.build_seconds - summary.trace_seconds)));
+            "{:.3g} s ({:.3g} s CPU), preparation {:.3g} s, results and files {:.3g} s",
+            summary.solve_seconds, summary.solve_cpu_seconds, summary.preparation_seconds,
+            std::max(0.0, summary.seconds - summary.preparation_seconds - summary.solve_seconds)));
 }
 
 /// How the times of a series were computed.
@@ -248,24 +254,24 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     const TimeSeries& series = *run.series;
     std::string text;
     for (const std::string& words : series.words) {
-        text += line("time", one_line(words));
+        const std::size_t end = words.find(": ");
+        text += line(words.substr(0, end), one_line(words.substr(end + 2)));
     }
-    text += line("times", times_words(series, summary));
-    text += line(
-        "run", fmt::format(
-                   "{} points, {}, {} x {} at a time{}; {}", run.spec.sampler,
-                   series_method(run.spec, summary), counted(run.spec.paths, "path"),
-                   counted(run.spec.replicates, "replicate"),
-                   run.spec.path_allocation == PathAllocation::proportional ? " on average" : "",
-                   counted(summary.rays, "ray")));
-    text += stopped_line(stop_words(run, summary));
+    text += line("time steps", describe_times(series, summary));
+    text += sampling_line(
+        run.spec,
+        fmt::format(
+            "{} x {} per time step{}", counted(run.spec.paths, "path"),
+            counted(run.spec.replicates, "replicate"),
+            run.spec.path_allocation == PathAllocation::proportional ? " on average" : ""));
+    text += line("method", series_method(run.spec, summary));
+    text += stopped_line(describe_stop(run, summary));
     text += series_time_line(summary);
     if (run.spec.target_error > 0) {
         text += line(
-            "target",
-            fmt::format(
-                "{:.6g} % error or less: reached at {} of {}", 100 * run.spec.target_error,
-                summary.at_target, counted(summary.traced, "time")));
+            "target", fmt::format(
+                          "{:.6g} %: reached at {} of {}", 100 * run.spec.target_error,
+                          summary.at_target, counted(summary.computed, "time step")));
     }
     if (summary.audited > 0) {
         text += line("audit", audit_line(summary));
@@ -276,10 +282,10 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
     std::string text =
-        run_line(run.spec, result) + stopped_line(stop_words(run.spec, result)) +
+        sampling_line(run.spec, result) + stopped_line(describe_stop(run.spec, result)) +
         method_line(run.spec, result) + time_line(result) + target_line(run.spec, result) +
         energy_lines(
-            run.scene, result.budget, result.escaped_is_remainder,
+            run.scene, result.budget, result.escaped_by_difference,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
         canopy_lines(run.scene, result) + error_line(run, error_statistics(run.scene, result));
     for (const std::string& words : audit_lines(run, result)) {
@@ -292,34 +298,33 @@ std::string result_lines(const RunFile& run, const Result& result) {
 std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::size_t points) {
     std::string text = title_lines(run);
     text += line(
-        "sweep", fmt::format(
-                     "{} of {} {} done{}; {} by {}, {}", points,
-                     counted(run.sweep->size(), "point"), run.sweep->size() == 1 ? "is" : "are",
-                     summary.cut_short > 0
-                         ? fmt::format(", {} with fewer paths", counted(summary.cut_short, "trace"))
-                         : "",
-                     counted(summary.traced, "trace"), series_method(run.spec, summary),
-                     counted(summary.rays, "ray")));
+        "sweep",
+        fmt::format(
+            "{} of {} completed; {} by {}{}", points, counted(run.sweep->size(), "point"),
+            counted(summary.computed, "computation"), series_method(run.spec, summary),
+            summary.with_fewer_paths > 0
+                ? fmt::format("; {} with fewer paths than requested", summary.with_fewer_paths)
+                : ""));
     if (run.spec.target_error > 0) {
         text += line(
-            "target",
-            fmt::format(
-                "reached by {} of {}", summary.at_target, counted(summary.traced, "trace")));
+            "target", fmt::format(
+                          "reached by {} of {}", summary.at_target,
+                          counted(summary.computed, "computation")));
     }
     return text + series_time_line(summary);
 }
 
 /// The first and the last points, if there are many.
 std::string point_text(const std::vector<std::string>& points) {
-    constexpr std::size_t kMostLines = 20;
+    constexpr std::size_t kMaxLines = 20;
     std::string text;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const bool is_shown =
-            points.size() <= kMostLines || i + 1 < kMostLines || i + 1 == points.size();
+            points.size() <= kMaxLines || i + 1 < kMaxLines || i + 1 == points.size();
         text += is_shown ? points[i] : "";
         if (!is_shown && i + 2 == points.size()) {
             text +=
-                line("", fmt::format("... {}", counted(points.size() - kMostLines, "more point")));
+                line("", fmt::format("... {}", counted(points.size() - kMaxLines, "more point")));
         }
     }
     return text;
@@ -333,8 +338,8 @@ void Summary::on_time_step(const TimeStepResult& step) {
         result_lines_ = result_lines(*run_, result);
         return;
     }
-    const std::size_t moment = moments_++;
-    const double seconds = run_->series ? run_->series->time_steps[moment].seconds : 0;
+    const std::size_t time_step = time_steps_++;
+    const double seconds = run_->series ? run_->series->time_steps[time_step].seconds : 0;
     energy_.resize(result.budget.size());
     for (std::size_t b = 0; b < energy_.size(); ++b) {
         const Band& band = run_->scene.bands()[b];
@@ -342,10 +347,10 @@ void Summary::on_time_step(const TimeStepResult& step) {
         add_energy(result.budget[b], factor * seconds, energy_[b]);
     }
     seconds_ += seconds;
-    escaped_is_remainder_ = escaped_is_remainder_ || result.escaped_is_remainder;
+    escaped_by_difference_ = escaped_by_difference_ || result.escaped_by_difference;
     const ErrorStatistics errors = error_statistics(run_->scene, result);
     if (errors.median > 0) {
-        medians_.emplace_back(errors.median, moment);
+        medians_.emplace_back(errors.median, time_step);
         badly_known_ = std::max(badly_known_, errors.badly_known);
     }
 }
@@ -353,30 +358,29 @@ void Summary::on_time_step(const TimeStepResult& step) {
 std::string Summary::series_quality() const {
     std::string text;
     if (seconds_ > 0) {
-        text += energy_lines(run_->scene, energy_, escaped_is_remainder_, [&](const Band& band) {
+        text += energy_lines(run_->scene, energy_, escaped_by_difference_, [&](const Band& band) {
             return summed_unit(flux_unit(band.unit, run_->scene.length_unit())).name;
         });
     }
     if (medians_.empty()) {
-        return text + line("errors", "at no time has an organ a standard error of what it absorbs");
+        return text + line("errors", "absorbed flux: no standard error could be estimated");
     }
     auto medians = medians_;
     std::sort(medians.begin(), medians.end());
     const double middle = medians[medians.size() / 2].first;
-    const auto& [worst, moment] = medians.back();
+    const auto& [worst, time_step] = medians.back();
     text += line(
         "errors",
         fmt::format(
-            "relative standard error of the absorbed flux, median of the organs: {} at "
-            "the middle time, {} at the worst ({})",
-            percent_words(middle), percent_words(worst), run_->series->notes[moment].time));
+            "absorbed flux, relative standard error, median of the organs: {} at the median time "
+            "step, {} at the worst ({})",
+            format_percent(middle), format_percent(worst), run_->series->notes[time_step].time));
     if (badly_known_ > 0) {
         text += line(
             "errors",
             fmt::format(
-                "up to {} of {} are known to no better than {:.0f} % at a time; sums over days are "
-                "better known",
-                badly_known_, counted(run_->scene.organs().size(), "organ"), 100 * kBadlyKnown));
+                "above {:.0f} % for up to {} at a time step; sums over days have smaller errors",
+                100 * kBadlyKnown, counted(badly_known_, "organ")));
     }
     const std::string advice = advice_on_error(*run_, middle);
     return text + (advice.empty() ? "" : line("advice", advice));
@@ -386,16 +390,16 @@ std::string Summary::series_quality() const {
 std::string Summary::point_line() const {
     const std::string words = fmt::format(
         "{} of {}: {}", run_->point + 1, run_->sweep->size(),
-        one_line(point_words((*run_->sweep)[run_->point])));
+        one_line(describe_point((*run_->sweep)[run_->point])));
     auto medians = medians_;
     std::sort(medians.begin(), medians.end());
     const std::string errors =
-        medians.empty() ? "none known" : percent_words(medians[medians.size() / 2].first);
+        medians.empty() ? "unknown" : format_percent(medians[medians.size() / 2].first);
     return line("point", fmt::format("{}; median error {}", words, errors));
 }
 
 void Summary::next_run(const RunFile& run, const SeriesSummary& /*summary*/) {
-    if (run_->sweep && moments_ > 0) {
+    if (run_->sweep && time_steps_ > 0) {
         point_lines_.push_back(point_line());
     }
     *this = Summary(run, std::move(point_lines_));
@@ -409,7 +413,7 @@ std::string Summary::text(
                written_line(written);
     }
     std::vector<std::string> points = point_lines_;
-    if (moments_ > 0) {
+    if (time_steps_ > 0) {
         points.push_back(point_line());
     }
     return sweep_head(*run_, summary, points.size()) + point_text(points) + written_line(written);

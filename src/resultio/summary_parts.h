@@ -14,7 +14,7 @@ namespace quasimc {
 
 /// How well the light that organs absorb is known.
 struct ErrorStatistics {
-    std::size_t organs = 0;
+    std::size_t organs = 0;   ///< that are measured, without the ground
     std::size_t unknown = 0;  ///< organs of which some band has no standard error
     std::size_t badly_known =
         0;              ///< of the others: with a relative standard error above kBadlyKnown
@@ -28,15 +28,15 @@ inline constexpr double kBadlyKnown = 0.5;
 
 [[nodiscard]] ErrorStatistics error_statistics(const Scene& scene, const Result& result);
 /// The errors in words, and how to get them down if they are large.
-[[nodiscard]] std::string error_words(const ErrorStatistics& errors);
+[[nodiscard]] std::string describe_errors(const ErrorStatistics& errors);
 /// A part of 1 as percent, in words: "0.52 %", "43 %", "120 %".
-[[nodiscard]] std::string percent_words(double part);
+[[nodiscard]] std::string format_percent(double part);
 /// How to get a median error down; empty if it is small, or a target was set.
 [[nodiscard]] std::string advice_on_error(const RunFile& run, double median);
 
 /// Flux or energy in words. What was emitted and the parts where it went add up.
 /// @param unit  of the numbers
-[[nodiscard]] std::string energy_words(
-    const BandBudget& budget, const std::string& unit, bool escaped_is_remainder);
+[[nodiscard]] std::string describe_energy(
+    const BandBudget& budget, const std::string& unit, bool escaped_by_difference);
 
 }  // namespace quasimc

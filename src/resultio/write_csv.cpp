@@ -9,9 +9,9 @@
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "resultio/csv_parts.h"
+#include "resultio/describe_series.h"
 #include "resultio/fraction_table.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "runfile/written.h"
 #include "text/line_scanner.h"
 
@@ -46,24 +46,25 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
 }
 
 /// The comments on the columns that a time has and a day has not.
-std::string moment_columns(const RunFile& run, CsvRows rows) {
+std::string time_step_columns(const RunFile& run, CsvRows rows) {
     const bool is_of_groups = rows == CsvRows::groups;
     std::string out;
     if (written_columns(run).has_sunlit) {
         out += fmt::format(
-            "# column sunlit_fraction [1]{}: part of the area lit straight by directional sources; "
-            "empty without any\n",
+            "# column sunlit_fraction [1]{}: fraction of the area lit directly by directional "
+            "sources; empty without them\n",
             is_of_groups ? fmt::format(", sunlit_area [{}2]", one_line(run.scene.length_unit()))
                          : "");
     }
     for (const std::string& ratio : run.spec.ratios) {
         out += fmt::format(
-            "# column ratio_{} [1]: of the light that falls on the {}, both sides\n",
+            "# column ratio_{} [1]: ratio of incident light, both sides of the {}\n",
             one_line(ratio), is_of_groups ? "organs" : "organ");
     }
     for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
         out += fmt::format(
-            "# column {}_BAND [1]: {}; in the row of all organs, over a ground or in a cell\n",
+            "# column {}_BAND [1]: {}; only in the row of all organs, above a ground or in a "
+            "cell\n",
             fraction_table()[i].name, fraction_table()[i].summary);
     }
     return out;
@@ -122,12 +123,12 @@ void CsvWriter::write_head(const Result* result) {
     if (result == nullptr) {
         what += " and days";
         times =
-            "# column date: of the day that the row is the sum over, or first and last day\n"
-            "# column seconds: of the times that were summed; of a whole day 86400\n";
+            "# column date: day of the sum, or first and last day\n# column seconds: duration of "
+            "the time steps that were summed; 86400 for a whole day\n";
         first.insert(first.end(), {"date", "seconds"});
     } else if (run.series) {
         what += " and times";
-        times = "# column time: where the time that the row is the mean of begins\n";
+        times = "# column time: beginning of the time step; values are means over it\n";
         first.emplace_back("time");
     } else {
         origin = csv_result_comments(run, *result);
@@ -136,7 +137,7 @@ void CsvWriter::write_head(const Result* result) {
     sink_(csv_point_columns(run) + times);
     sink_(is_of_organs ? csv_organ_columns(run) : csv_group_columns(run));
     sink_(csv_light_columns(run, result == nullptr ? LightAmount::sum : LightAmount::rate));
-    sink_((result == nullptr ? "" : moment_columns(run, rows_)) + csv_error_columns());
+    sink_((result == nullptr ? "" : time_step_columns(run, rows_)) + csv_error_columns());
     const std::vector<std::string> columns = estimate_columns(run, rows_, times_);
     sink_(
         is_of_organs ? csv_organ_header(first, labels_, columns)

@@ -1,4 +1,4 @@
-// The table of detectors: docs/formats/detectors.md.
+// The table of detectors: docs/reference/detectors.md.
 
 #include <string>
 #include <utility>
@@ -7,8 +7,8 @@
 #include <fmt/ranges.h>
 
 #include "resultio/csv_parts.h"
+#include "resultio/describe_series.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "text/line_scanner.h"
 
@@ -54,16 +54,16 @@ class DetectorTable final : public OutputWriter {
         }
         if (run.series) {
             names.emplace_back("time");
-            out += "# column time: where the time that the row is the mean of begins\n";
+            out += "# column time: beginning of the time step; values are means over it\n";
         }
         out +=
-            "# column mean: flux in the bin\n"
-            "# column standard_error: of the mean; empty where it is unknown (nothing was seen)\n"
-            "# column low, high: ends of the 95 % confidence interval\n";
+            "# column mean: flux in the bin\n# column standard_error: of the mean; empty where it "
+            "is unknown (no light sampled)\n# column ci95_low, ci95_high: ends of the 95 % "
+            "confidence interval\n";
         for (std::string& name : names) {
             name = csv_field(name);
         }
-        names.emplace_back("detector,bin,band,unit,mean,standard_error,low,high");
+        names.emplace_back("detector,bin,band,unit,mean,standard_error,ci95_low,ci95_high");
         sink_(out + fmt::format("{}\n", fmt::join(names, ",")));
     }
 
@@ -78,7 +78,7 @@ class DetectorTable final : public OutputWriter {
                 "{}{},{},{},{}", first, csv_field(detector.name), csv_field(detector.bins[bin]),
                 csv_field(band.name), csv_field(flux_unit(band.unit, run_->scene.length_unit())));
             const Estimate e = reported(detector.at(bin, b));
-            for (const double x : {e.mean, e.standard_error, e.low, e.high}) {
+            for (const double x : {e.mean, e.standard_error, e.ci95_low, e.ci95_high}) {
                 append_csv(out, x);
             }
             out += '\n';

@@ -15,7 +15,7 @@ namespace quasimc {
 namespace {
 
 /// Organs are named by numbers in single precision: more can't be told apart.
-constexpr std::size_t kMostGlbOrgans = std::size_t{1} << 24U;
+constexpr std::size_t kMaxGlbOrgans = std::size_t{1} << 24U;
 
 /// A name of an attribute of one's own begins with '_'; custom is capital letters.
 std::string attribute_name(const std::string& name, std::set<std::string>& taken) {
@@ -44,9 +44,9 @@ class FieldGlbWriter {
     explicit FieldGlbWriter(const FieldScene& shown) : shown_(shown) {}
 
     void write(const TextSink& sink) {
-        if (shown_.scene.organs().size() > kMostGlbOrgans) {
+        if (shown_.scene.organs().size() > kMaxGlbOrgans) {
             throw InputError(
-                {{"GLB", fmt::format("the scene has more than {} organs", kMostGlbOrgans), "",
+                {{"GLB", fmt::format("the scene has more than {} organs", kMaxGlbOrgans), "",
                   "write VTP"}});
         }
         gather();

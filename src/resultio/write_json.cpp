@@ -5,9 +5,9 @@
 #include "files/sha256.h"
 #include "files/spool.h"
 #include "quasimc/result_file.h"
+#include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
 #include "resultio/output_input.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
 
@@ -26,14 +26,14 @@ Json series_head(const RunFile& run) {
 }
 
 /// When a moment is, and where its light comes from.
-Json moment_head(const MomentNotes& notes) {
+Json time_step_head(const TimeStepNotes& notes) {
     Json head = {{"time", notes.time}, {"seconds", notes.seconds}};
     if (notes.cumulated) {
         head["until"] = notes.cumulated->until;
         head["cumulative_sky"] = {
             {"times", notes.cumulated->times},
             {"with_daylight", notes.cumulated->with_light},
-            {"suns", notes.suns},
+            {"sun_positions", notes.suns},
             {"skies", notes.cumulated->skies}};
     } else {
         head["sun"] = {
@@ -106,7 +106,7 @@ class JsonWriter::State {
     std::size_t time_steps_ = 0;  // of the point
     std::size_t points_ = 0;      // of a sweep, that are done
     bool is_point_open_ = false;
-    StopReason stop_ = StopReason::paths_done;
+    StopReason stop_ = StopReason::finished;
 };
 
 JsonWriter::State::State(const RunFile& run, TextSink sink)
@@ -126,7 +126,7 @@ JsonWriter::State::State(const RunFile& run, TextSink sink)
 
 void JsonWriter::State::begin_series() {
     json_.members(series_head(*run_));
-    json_.begin('[', "moments");
+    json_.begin('[', "time_steps");
     days_text_ = std::make_unique<Spool>();
     days_ = std::make_unique<JsonLines>([this](std::string_view text) { days_text_->add(text); });
     days_->begin('[');
@@ -204,16 +204,16 @@ void JsonWriter::State::add_time_step(const TimeStepResult& step) {
     }
     if (!run_->series) {
         json_.members(
-            {{"seconds",
-              {{"build", result.build_seconds},
-               {"trace", result.trace_seconds},
-               {"trace_cpu", result.trace_cpu_seconds}}}});
+            {{"timing",
+              {{"preparation_s", result.preparation_seconds},
+               {"solve_s", result.solve_seconds},
+               {"solve_cpu_s", result.solve_cpu_seconds}}}});
         write_light(result);
         return;
     }
     json_.begin('{');
-    json_.members(moment_head(run_->series->notes[time_step]));
-    json_.members({{"traced", run_->series->notes[computed].time}});
+    json_.members(time_step_head(run_->series->notes[time_step]));
+    json_.members({{"computed", run_->series->notes[computed].time}});
     write_light(result);
     json_.end('}');
 }
@@ -238,16 +238,20 @@ void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
     write_sum(json_, *run_, summary.total);
     json_.end('}');
     json_.members(
-        {{"done",
-          {{"moments", time_steps_},
-           {"moments_asked", run_->series->time_steps.size()},
+        {{"completed",
+          {{"time_steps", time_steps_},
+           {"time_steps_requested", run_->series->time_steps.size()},
            {"stop", stop_name(summary.stop)},
-           {"cut_short", summary.cut_short},
-           {"traced", summary.traced},
+           {"with_fewer_paths", summary.with_fewer_paths},
+           {"computed", summary.computed},
            {"rays", summary.rays},
            {"audited", summary.audited},
-           {"audit_chance", summary.audit_chance}}},
-         {"seconds", summary.seconds}});
+           {"audit_p_value", summary.audit_p_value}}},
+         {"timing",
+          {{"total_s", summary.seconds},
+           {"preparation_s", summary.preparation_seconds},
+           {"solve_s", summary.solve_seconds},
+           {"solve_cpu_s", summary.solve_cpu_seconds}}}});
 }
 
 void JsonWriter::State::finish(const SeriesSummary& summary) {
@@ -258,9 +262,9 @@ void JsonWriter::State::finish(const SeriesSummary& summary) {
         end_point(summary);
         json_.end(']');
         json_.members(
-            {{"done",
+            {{"completed",
               {{"points", points_},
-               {"points_asked", run_->sweep->size()},
+               {"points_requested", run_->sweep->size()},
                {"stop", stop_name(stop_)}}}});
     } else if (run_->series) {
         write_series_end(summary);

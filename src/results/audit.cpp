@@ -9,17 +9,18 @@
 namespace quasimc {
 namespace {
 
-/// Triangles are traced in single precision, and windows are larger than the scene by 2^-20: what
-/// scatters by less counts as if it scattered so much.
+/// Triangles are traced in single precision, and start areas are larger than the scene by 2^-20:
+/// smaller differences count as a standard deviation of this size.
 constexpr double kRounding = 1e-6;
 
-/// Of the mean of an estimate. What was never seen did not scatter.
+/// Variance of the mean of an estimate; 0 where no light was sampled.
 double variance(const Estimate& e) {
     const double error = std::isfinite(e.standard_error) ? e.standard_error : 0;
     return error * error + kRounding * kRounding * e.mean * e.mean;
 }
 
-/// Degrees of freedom of a sum of variances, each of so many replicates (Satterthwaite 1946).
+/// Degrees of freedom of a sum of variances of means of `replicates` values each (Satterthwaite
+/// 1946).
 class Freedom {
   public:
     void add(double variance, std::uint32_t replicates) {
@@ -32,7 +33,7 @@ class Freedom {
     double sum_ = 0, spread_ = 0;
 };
 
-/// The squares of the differences on the sides of the organs, summed.
+/// Sum of squared differences over the sides of the organs.
 class Scatter {
   public:
     Scatter(const Result& a, const Result& b) : a_(a), b_(b) {}
@@ -51,13 +52,14 @@ class Scatter {
 
     /// A sum of squares of normal numbers over an estimate of its mean: F, with the degrees of
     /// freedom of a sum of unequal variances.
-    void tell(BandAudit& audit) const {
+    void send(BandAudit& audit) const {
         if (!(variances_ > 0)) {
             return;
         }
         audit.reduced_chi_square = squares_ / variances_;
         audit.freedom = variances_ * variances_ / spread_;
-        audit.chi_chance = f_tail(audit.reduced_chi_square, audit.freedom, error_.degrees());
+        audit.chi_square_p_value =
+            f_tail(audit.reduced_chi_square, audit.freedom, error_.degrees());
     }
 
   private:
@@ -77,7 +79,7 @@ void compare_totals(const Result& a, const Result& b, std::size_t band, BandAudi
         Freedom freedom;
         freedom.add(variance(x), a.replicates);
         freedom.add(variance(y), b.replicates);
-        audit.difference_chance =
+        audit.difference_p_value =
             f_tail(audit.difference * audit.difference / sum, 1, freedom.degrees());
     }
 }
@@ -96,11 +98,11 @@ Audit compare_results(const Scene& scene, const Result& a, const Result& b) {
             }
         }
         BandAudit& own = audit.bands[band];
-        scatter.tell(own);
+        scatter.send(own);
         compare_totals(a, b, band, own);
-        least = std::min({least, own.chi_chance, own.difference_chance});
+        least = std::min({least, own.chi_square_p_value, own.difference_p_value});
     }
-    audit.chance = std::min(1.0, least * 2 * static_cast<double>(a.bands));
+    audit.p_value = std::min(1.0, least * 2 * static_cast<double>(a.bands));
     return audit;
 }
 

@@ -24,7 +24,7 @@ std::vector<BandBudget> evaluate_budget(const BandFlows& all_flows) {
         double worst = 0;
         for (const Flows& f : flows) {
             const double open =
-                f.emitted + f.roulette - f.organs - f.ground - f.escaped - f.cut_off;
+                f.emitted + f.imbalance - f.organs - f.ground - f.escaped - f.cut_off;
             worst = std::max(worst, f.emitted > 0 ? std::abs(open) / f.emitted : 0);
         }
         const auto amount = [&](double Flows::*part) {
@@ -36,7 +36,7 @@ std::vector<BandBudget> evaluate_budget(const BandFlows& all_flows) {
              .absorbed_by_ground = amount(&Flows::ground),
              .escaped = amount(&Flows::escaped),
              .cut_off = amount(&Flows::cut_off),
-             .roulette = estimate_of(flows, &Flows::roulette),
+             .imbalance = estimate_of(flows, &Flows::imbalance),
              .closure_error = worst});
     }
     return budget;

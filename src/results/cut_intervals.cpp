@@ -24,7 +24,7 @@ void cut(const OrganLimits& most, double area, std::size_t bands, std::span<Esti
 }
 
 void cut_organs(
-    const LightLimits& limits, const Scene& scene, const EvaluationSpec& spec, Result& result) {
+    const PhysicalBounds& limits, const Scene& scene, const EvaluationSpec& spec, Result& result) {
     const std::size_t values = kQuantities * result.bands;
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
         OrganLimits most = limits.none();
@@ -41,8 +41,8 @@ void cut_organs(
     });
 }
 
-/// The most that all organs of a group can get.
-OrganLimits limits_of(const LightLimits& limits, const Scene& scene, const OrganGroup& group) {
+/// Upper limits of the light of all organs of a group.
+OrganLimits limits_of(const PhysicalBounds& limits, const Scene& scene, const OrganGroup& group) {
     OrganLimits sum = limits.none(), own = sum;
     for (const std::uint32_t index : group.organs) {
         limits.find(scene.organs()[index], own);
@@ -52,7 +52,10 @@ OrganLimits limits_of(const LightLimits& limits, const Scene& scene, const Organ
 }
 
 void cut_groups(
-    const LightLimits& limits, const Scene& scene, const EvaluationSpec& spec, GroupResults& all) {
+    const PhysicalBounds& limits,
+    const Scene& scene,
+    const EvaluationSpec& spec,
+    GroupResults& all) {
     const std::size_t values = kQuantities * all.bands;
     parallel_blocks(all.groups.size(), spec.threads, [&](std::uint64_t g, unsigned) {
         const OrganGroup& group = all.groups[g];
@@ -66,15 +69,15 @@ void cut_groups(
     });
 }
 
-/// Under a cell that repeats along both axes all light that is emitted falls on the horizontal, and
-/// no part of it can be more.
+/// In a scene that is periodic along both axes all emitted light crosses the horizontal plane, and
+/// no fraction exceeds it.
 void cut_fractions(const Scene& scene, std::vector<CanopyFractions>& canopy) {
-    const bool is_endless = scene.cell().along_x && scene.cell().along_y;
+    const bool is_infinite = scene.cell().along_x && scene.cell().along_y;
     for (CanopyFractions& band : canopy) {
         for (Estimate CanopyFractions::*part :
              {&CanopyFractions::reflectance, &CanopyFractions::absorptance,
               &CanopyFractions::ground_absorptance}) {
-            band.*part = is_endless ? not_above(band.*part, 1) : band.*part;
+            band.*part = is_infinite ? not_above(band.*part, 1) : band.*part;
         }
     }
 }
@@ -82,7 +85,7 @@ void cut_fractions(const Scene& scene, std::vector<CanopyFractions>& canopy) {
 }  // namespace
 
 void cut_intervals(
-    const LightLimits& limits, const Scene& scene, const EvaluationSpec& spec, Result& result) {
+    const PhysicalBounds& limits, const Scene& scene, const EvaluationSpec& spec, Result& result) {
     cut_organs(limits, scene, spec, result);
     cut_groups(limits, scene, spec, result.groups);
     cut_fractions(scene, result.canopy);

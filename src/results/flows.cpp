@@ -15,7 +15,7 @@ class FlowReader {
     FlowReader(const Sums& sums, const Scene& scene, std::size_t band)
         : sums_(*sums), blocks_(sums_.layout), scene_(scene), band_(band) {}
 
-    /// Of each replicate.
+    /// Flows per replicate.
     [[nodiscard]] std::vector<Flows> flows() const {
         std::vector<Flows> flows(sums_.replicates.size());
         for (std::size_t region = 0; region < sums_.layout.regions(); ++region) {
@@ -35,7 +35,7 @@ class FlowReader {
                static_cast<double>(sums_.samples);
     }
 
-    /// What falls on a region, and what it absorbs and may scatter of it.
+    /// Adds the light that falls on a region and that it absorbs or may scatter.
     void add_region(std::size_t index, std::vector<Flows>& flows) const {
         const Region& region = scene_.regions()[index];
         const Material& material = data_of(scene_).material(region);
@@ -49,7 +49,7 @@ class FlowReader {
                                 bins.value(blocks_.absorbed_scattered(index) + band_)) *
                                unit;
             flows[r].*absorbed += own;
-            flows[r].roulette += !material.is_transparent() ? own : 0;
+            flows[r].imbalance += !material.is_transparent() ? own : 0;
         }
         for (const SurfaceSide which : kSurfaceSides) {
             const double absorptance = material.side(which).absorptance()[band_];
@@ -58,7 +58,7 @@ class FlowReader {
                 const double light = incident(sums_.replicates[r], index, which) * unit;
                 flows[r].on_ground += is_ground ? light : 0;
                 flows[r].*absorbed += is_summed ? 0 : light * absorptance;
-                flows[r].roulette -= material.is_transparent() ? 0 : light * albedo;
+                flows[r].imbalance -= material.is_transparent() ? 0 : light * albedo;
             }
         }
     }
@@ -74,10 +74,10 @@ class FlowReader {
         return sum;
     }
 
-    /// Where escaped light is what is left.
+    /// Sets escaped light to the remainder of the budget.
     [[nodiscard]] Flows with_remainder(Flows flows) const {
         flows.emitted = sums_.emitted_flux[band_];
-        flows.roulette = 0;
+        flows.imbalance = 0;
         const std::vector<Organ>& all = scene_.organs();
         const bool is_all =
             sums_.measured == MeasuredOrgans::all ||
@@ -100,7 +100,7 @@ class FlowReader {
         flows.escaped_scattered = bins.value(blocks_.escaped_scattered() + band_) * unit;
         flows.escaped += flows.escaped_scattered;
         flows.cut_off = bins.value(blocks_.cut_off() + band_) * unit;
-        flows.roulette += bins.value(blocks_.scattered_out() + band_) * unit;
+        flows.imbalance += bins.value(blocks_.scattered_out() + band_) * unit;
         return flows;
     }
 

@@ -103,11 +103,11 @@ void add_groups_of_labels(
         if (!value) {
             continue;
         }
-        const auto [place, is_new] = known.try_emplace(*value, groups.size());
+        const auto [found, is_new] = known.try_emplace(*value, groups.size());
         if (is_new) {
             groups.push_back({.by = by, .value = *value});
         }
-        add_to_group(groups[place->second], scene, i);
+        add_to_group(groups[found->second], scene, i);
     }
 }
 
@@ -121,7 +121,7 @@ struct OrganHeight {
 OrganHeight height_of(const Scene& scene, const Organ& organ) {
     OrganHeight height;
     double area_sum = 0;
-    double moment = 0;
+    double time_step = 0;
     double plain = 0;  // for an organ of no area
     for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
         const Triangle triangle = data_of(scene).triangles()[std::size_t{organ.first_triangle} + i];
@@ -129,12 +129,12 @@ OrganHeight height_of(const Scene& scene, const Organ& organ) {
         const double middle = (a.z + b.z + c.z) / 3;
         const double own = area(triangle);
         area_sum += own;
-        moment += own * middle;
+        time_step += own * middle;
         plain += middle / organ.triangle_count;
         height.low = std::min({height.low, a.z, b.z, c.z});
         height.high = std::max({height.high, a.z, b.z, c.z});
     }
-    height.centroid = area_sum > 0 ? moment / area_sum : plain;
+    height.centroid = area_sum > 0 ? time_step / area_sum : plain;
     return height;
 }
 
@@ -170,8 +170,8 @@ void add_layers(
     for (std::size_t i = 0; i < layers.size(); ++i) {
         layers[i].by = kLayer;
         layers[i].value = std::to_string(i + 1);
-        layers[i].low = heights[i];
-        layers[i].high = heights[i + 1];
+        layers[i].height_min = heights[i];
+        layers[i].height_max = heights[i + 1];
     }
     for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
         const Organ& organ = scene.organs()[i];
@@ -204,7 +204,7 @@ void check_labels(const Scene& scene, const GroupSpec& spec, Faults& faults) {
                 faults.add(
                     {"groups", fmt::format("no organ has a label '{}'", key),
                      known.empty() ? "no organ has any label"
-                                   : "groups are made of the values of a label",
+                                   : "groups are formed by the values of a label",
                      known.empty() ? "give organs labels = { plant = 1 }"
                                    : did_you_mean(key, known)});
             }
@@ -216,15 +216,14 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     const std::vector<double>& heights = spec.layer_heights;
     if (spec.layers > 0 && !heights.empty()) {
         faults.add(
-            {"layers", "layers and layer_heights are both there",
-             "the one is a number of equal layers, the other the heights between them",
-             "leave one of them out"});
+            {"layers", "both layers and layer_heights are given",
+             "one is a number of equal layers, the other their boundaries", "remove one of them"});
         return;
     }
     if (heights.size() == 1) {
         faults.add(
             {"layer_heights", fmt::format("[{}]", shortest(heights.front())),
-             "a layer has a lower and an upper height", "state two heights or more"});
+             "a layer needs a lower and an upper boundary", "give at least two heights"});
     }
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const bool ascends = i == 0 || heights[i - 1] < heights[i];
@@ -232,9 +231,9 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
             faults.add(
                 {"layer_heights",
                  i == 0
-                     ? fmt::format("{} is no height", shortest(heights[i]))
+                     ? fmt::format("{} is not a height", shortest(heights[i]))
                      : fmt::format("{} follows {}", shortest(heights[i]), shortest(heights[i - 1])),
-                 "heights are finite numbers that ascend", "state them from below to above"});
+                 "heights must be finite and ascending", "give them in ascending order"});
             return;
         }
     }
@@ -242,9 +241,10 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
         const std::vector<double> equal = equal_layers(scene, spec.layers);
         if (!(equal.front() < equal.back())) {
             faults.add(
-                {"layers", fmt::format("{} layers of organs without height", spec.layers),
-                 "they lie in one horizontal plane, or there are none",
-                 "state layer_heights = [...]"});
+                {"layers",
+                 fmt::format("{} layers, but organs have no vertical extent", spec.layers),
+                 "they are in one horizontal plane, or there are none",
+                 "set layer_heights = [...]"});
         }
     }
 }

@@ -12,7 +12,7 @@ namespace quasimc {
 struct LightParts {
     bool upper = true, lower = true;
     bool direct = true, scattered = true;
-    bool is_absorbed = false;  ///< what of it the organ absorbs
+    bool is_absorbed = false;  ///< the absorbed part
 };
 
 /// All light that falls on an organ.
@@ -31,17 +31,14 @@ inline constexpr std::array<QuantityRow, kQuantities> kQuantityRows{{
     {{Quantity::absorbed_flux_density, "absorbed_flux_density", "light absorbed per one-sided area",
       false},
      {.is_absorbed = true}},
-    {{Quantity::incident_upper, "incident_upper", "light falling on the upper side per area",
-      false},
+    {{Quantity::incident_upper, "incident_upper", "light on the upper side per area", false},
      {.lower = false}},
-    {{Quantity::incident_lower, "incident_lower", "light falling on the lower side per area",
-      false},
+    {{Quantity::incident_lower, "incident_lower", "light on the lower side per area", false},
      {.upper = false}},
-    {{Quantity::incident_direct, "incident_direct",
-      "light falling on both sides straight from the sources per area", false},
+    {{Quantity::incident_direct, "incident_direct", "direct light on both sides per area", false},
      {.scattered = false}},
     {{Quantity::incident_scattered, "incident_scattered",
-      "light falling on both sides after other surfaces per area", false},
+      "light on both sides that other surfaces scattered, per area", false},
      {.direct = false}},
 }};
 

@@ -39,21 +39,21 @@ void check_sampler(const RunSpec& spec, Faults& faults) {
 }
 
 void check_numbers(const RunSpec& spec, Faults& faults) {
-    const auto require = [&](bool good, std::string_view place, std::string problem,
+    const auto require = [&](bool good, std::string_view where, std::string problem,
                              std::string why) {
         if (!good) {
-            faults.add({std::string(place), std::move(problem), std::move(why), ""});
+            faults.add({std::string(where), std::move(problem), std::move(why), ""});
         }
     };
     require(
-        spec.paths >= 1 && spec.paths <= kMostPaths, "paths", fmt::format("{}", spec.paths),
+        spec.paths >= 1 && spec.paths <= kMaxPaths, "paths", fmt::format("{}", spec.paths),
         "1 to 2^30");
     require(
-        spec.replicates >= 1 && spec.replicates <= kMostReplicates, "replicates",
-        fmt::format("{}", spec.replicates), fmt::format("1 to {}", kMostReplicates));
+        spec.replicates >= 1 && spec.replicates <= kMaxReplicates, "replicates",
+        fmt::format("{}", spec.replicates), fmt::format("1 to {}", kMaxReplicates));
     require(
-        spec.threads <= kMostThreads, "threads", fmt::format("{}", spec.threads),
-        fmt::format("0 to {}", kMostThreads));
+        spec.threads <= kMaxThreads, "threads", fmt::format("{}", spec.threads),
+        fmt::format("0 to {}", kMaxThreads));
     require(
         spec.target_error >= 0 && spec.target_error < 1, "target_error",
         shortest(spec.target_error), "0 to 1, 0 for none");
@@ -71,14 +71,14 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         shortest(spec.roulette_threshold), "above 0, at most 1");
     require(
         spec.target_error == 0 || spec.replicates >= 2, "target_error",
-        "needs at least 2 replicates", "one replicate has no standard error");
+        "at least 2 replicates are needed", "one replicate has no standard error");
     require(
         spec.audit >= 0 && spec.audit <= 1, "audit", shortest(spec.audit), "0 to 1, 0 for none");
     require(
-        !(spec.audit > 0) || spec.replicates >= 2, "audit", "needs at least 2 replicates",
+        !(spec.audit > 0) || spec.replicates >= 2, "audit", "at least 2 replicates are needed",
         "one replicate has no standard error");
     require(
-        spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMostPaths),
+        spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMaxPaths),
         "max_paths", fmt::format("{}", spec.max_paths), "0, or from paths to 2^30");
 }
 
@@ -118,8 +118,8 @@ void check_group_names(const Scene& scene, const RunSpec& spec, Faults& faults) 
         };
         if (is_taken && std::any_of(scene.organs().begin(), scene.organs().end(), has_label)) {
             faults.add(
-                {"groups", fmt::format("'{}' is a label that has the name of other groups", key),
-                 "its rows could not be told from theirs", "call the label otherwise"});
+                {"groups", fmt::format("'{}' is a label with the name of other groups", key),
+                 "their rows could not be distinguished", "rename the label"});
         }
     }
 }
@@ -129,15 +129,15 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
     if (spec.method == Method::from_organs &&
         std::none_of(scene.organs().begin(), scene.organs().end(), is_measured)) {
         faults.add(
-            {"method", "no organ is measured", "there is nothing to trace from",
-             "leave measured = false out for the organs whose light you want"});
+            {"method", "no organ is measured", "paths have no organs to start from",
+             "remove measured = false from the organs whose light you need"});
     }
 }
 
 void check_irradiance(const Source& source, double x, Faults& faults) {
-    const std::string place = fmt::format("source '{}'", source.name());
+    const std::string where = fmt::format("source '{}'", source.name());
     if (!(x >= 0) || !std::isfinite(x)) {
-        faults.add({place, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
+        faults.add({where, fmt::format("irradiance {}", shortest(x)), "0 or more", ""});
     }
 }
 
@@ -162,7 +162,7 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (dark) {
         faults.add(
             {"sources", "no source gives light",
-             fmt::format("irradiances below {} count as 0", shortest(kLeastIrradiance)), ""});
+             fmt::format("irradiances below {} count as 0", shortest(kMinIrradiance)), ""});
     }
 }
 
@@ -172,8 +172,8 @@ void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
     if (has_lamp && scene.cell().periodic() && spec.method == Method::from_organs) {
         faults.add(
-            {"method", "from_organs, with a lamp in a periodic scene",
-             "the lamp repeats with the cell; its light is traced from the sources only",
+            {"method", "from_organs does not support lamps in a periodic scene",
+             "paths would have to choose one of infinitely many copies of the lamp",
              "use method = \"light_tracing\""});
     }
 }
@@ -184,8 +184,8 @@ void check_detected_light(const Scene& scene, const RunSpec& spec, Faults& fault
     if (solver != nullptr && solver->escaped == EscapedLight::remainder &&
         need_escaped_light(scene.detectors())) {
         faults.add(
-            {"method", fmt::format("{} does not follow light that escapes", solver->name),
-             "a detector waits for that light", "use method = \"light_tracing\""});
+            {"method", fmt::format("{} does not follow escaping light", solver->name),
+             "a detector needs it", "use method = \"light_tracing\""});
     }
 }
 
@@ -202,7 +202,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {
-        check_matt(scene, faults);
+        check_diffuse(scene, faults);
         check_bundle_memory(scene, spec, faults);
     }
 }

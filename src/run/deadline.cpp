@@ -13,14 +13,14 @@ Deadline::Clock::duration duration_of(double seconds) {
         std::chrono::duration<double>(std::min(seconds, kForever)));
 }
 
-constexpr double kLeastGrace = 0.25;
+constexpr double kMinGrace = 0.25;
 
 }  // namespace
 
 Deadline Deadline::after(double seconds, std::optional<double> grace) {
     constexpr double kPart = 0.03;
     const Clock::time_point at = Clock::now() + duration_of(seconds);
-    return {at, at + duration_of(grace.value_or(std::max(kLeastGrace, kPart * seconds)))};
+    return {at, at + duration_of(grace.value_or(std::max(kMinGrace, kPart * seconds)))};
 }
 
 double Deadline::seconds_left(Clock::time_point now) const {
@@ -35,7 +35,7 @@ Deadline Deadline::share(double part) const {
     constexpr double kLeast = 1e-3;
     const Clock::time_point now = Clock::now();
     const double left = std::max(seconds_left(now), kLeast);
-    return {now + duration_of(part * left), now + duration_of(left + kLeastGrace)};
+    return {now + duration_of(part * left), now + duration_of(left + kMinGrace)};
 }
 
 Deadline deadline_of(const RunControl& control, const RunSpec& spec) {

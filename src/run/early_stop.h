@@ -23,7 +23,7 @@ class EarlyStop {
     [[nodiscard]] bool is_possible() const { return has_limit_ || asked_.stop_possible(); }
     /// Why it came.
     [[nodiscard]] StopReason why() const {
-        return asked_.stop_requested() ? StopReason::interrupted : StopReason::time_is_up;
+        return asked_.stop_requested() ? StopReason::interrupted : StopReason::time_limit;
     }
 
   private:

@@ -24,12 +24,11 @@ Fault fault_of(std::int64_t id, std::string problem, std::string why, std::strin
 
 Fault no_such_organ(std::int64_t id) {
     return fault_of(
-        id, "the session has no such organ", "",
-        "add it before it is changed, removed or asked for");
+        id, "the session has no such organ", "", "add it before you change, remove or read it");
 }
 
 Fault twice(std::int64_t id) {
-    return fault_of(id, "is stated twice", "ids are unique", "");
+    return fault_of(id, "is given twice", "ids must be unique", "");
 }
 
 /// Refuses ids of which the session has no organ, or which are stated twice.
@@ -45,8 +44,8 @@ void check_known(
             faults.add(twice(id));
         } else if (of_frame.contains(id)) {
             faults.add(fault_of(
-                id, "is an organ of the scene of the session",
-                "organs that were added to the session can be changed and removed",
+                id, "belongs to the scene of the session",
+                "only organs that were added to the session can be changed or removed",
                 "change the scene"));
         } else if (!has(id)) {
             faults.add(no_such_organ(id));
@@ -78,8 +77,8 @@ struct GrowthSession::State {
 
     SceneBuilder frame;
     std::unordered_set<std::int64_t> frame_ids;
-    std::map<std::uint64_t, OrganSpec> organs;  // in the order in which they were added
-    std::unordered_map<std::int64_t, std::uint64_t> places;  // of ids among them
+    std::map<std::uint64_t, OrganSpec> organs;             // in the order in which they were added
+    std::unordered_map<std::int64_t, std::uint64_t> keys;  // of ids among them
     std::uint64_t next = 0;
     std::int64_t largest_id = 0;
     std::shared_ptr<const Scene> scene;            // null: something changed
@@ -96,7 +95,7 @@ GrowthSession::GrowthSession(GrowthSession&& other) noexcept = default;
 GrowthSession& GrowthSession::operator=(GrowthSession&& other) noexcept = default;
 
 bool GrowthSession::has(std::int64_t id) const {
-    return state_->places.contains(id);
+    return state_->keys.contains(id);
 }
 
 std::size_t GrowthSession::size() const {
@@ -117,8 +116,8 @@ void GrowthSession::set_frame(SceneBuilder frame) {
     for (const std::int64_t id : ids) {
         if (has(id)) {
             faults.add(fault_of(
-                id, "the session has an organ of this id", "ids are unique",
-                "give that of the scene another id"));
+                id, "the session has an organ with this id", "ids must be unique",
+                "give the organ of the scene another id"));
         }
     }
     faults.throw_if_any();
@@ -144,14 +143,14 @@ std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
         const std::int64_t id = ids.back();
         if (id >= kLastId) {
             faults.add(fault_of(
-                id, "the id is too large", "ids end at " + std::to_string(kLastId - 1), ""));
+                id, "the id is too large", "the largest id is " + std::to_string(kLastId - 1), ""));
         } else if (has(id)) {
             faults.add(fault_of(
-                id, "the session has an organ of this id", "ids are unique",
+                id, "the session has an organ with this id", "ids must be unique",
                 "change it, or remove it first"));
         } else if (state_->frame_ids.contains(id)) {
             faults.add(fault_of(
-                id, "the scene of the session has an organ of this id", "ids are unique",
+                id, "the scene of the session has an organ with this id", "ids must be unique",
                 "take another"));
         } else if (!seen.insert(id).second) {
             faults.add(twice(id));
@@ -164,7 +163,7 @@ std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
     state_->frame.check_organs(organs);
     state_->largest_id = largest;
     for (std::size_t i = 0; i < organs.size(); ++i) {
-        state_->places.emplace(ids[i], state_->next);
+        state_->keys.emplace(ids[i], state_->next);
         state_->organs.emplace(state_->next++, std::move(organs[i]));
     }
     state_->forget_scene();
@@ -182,7 +181,7 @@ void GrowthSession::change(std::vector<OrganSpec> organs) {
     for (const OrganSpec& organ : organs) {
         if (!organ.id) {
             throw InputError(
-                {{"change", "an organ has no id", "it tells which organ is changed", ""}});
+                {{"change", "an organ has no id", "the id selects the organ that is changed", ""}});
         }
         ids.push_back(*organ.id);
     }
@@ -190,7 +189,7 @@ void GrowthSession::change(std::vector<OrganSpec> organs) {
         ids, [this](std::int64_t id) { return has(id); }, state_->frame_ids);
     state_->frame.check_organs(organs);
     for (std::size_t i = 0; i < organs.size(); ++i) {
-        state_->organs.at(state_->places.at(ids[i])) = std::move(organs[i]);
+        state_->organs.at(state_->keys.at(ids[i])) = std::move(organs[i]);
     }
     state_->forget_scene();
 }
@@ -205,9 +204,9 @@ void GrowthSession::remove(std::span<const std::int64_t> ids) {
     check_known(
         ids, [this](std::int64_t id) { return has(id); }, state_->frame_ids);
     for (const std::int64_t id : ids) {
-        const auto place = state_->places.find(id);
-        state_->organs.erase(place->second);
-        state_->places.erase(place);
+        const auto found = state_->keys.find(id);
+        state_->organs.erase(found->second);
+        state_->keys.erase(found);
     }
     state_->forget_scene();
 }
@@ -219,7 +218,7 @@ void GrowthSession::remove(std::int64_t id) {
 std::shared_ptr<const Scene> GrowthSession::scene() {
     if (!state_->scene) {
         SceneBuilder builder = state_->frame;
-        for (const auto& [place, organ] : state_->organs) {
+        for (const auto& [key, organ] : state_->organs) {
             builder.add_organ(organ);
         }
         state_->scene =
@@ -241,19 +240,19 @@ Result GrowthSession::run(const Sources& sources, const RunSpec& spec, const Run
     return state_->simulator.run(*scene(), sources, spec, control);
 }
 
-std::vector<std::size_t> GrowthSession::places_of(std::span<const std::int64_t> ids) {
+std::vector<std::size_t> GrowthSession::indices_of(std::span<const std::int64_t> ids) {
     const std::shared_ptr<const Scene> now = scene();
-    std::unordered_map<std::int64_t, std::size_t> places;
+    std::unordered_map<std::int64_t, std::size_t> indices;
     for (std::size_t i = 0; i < now->organs().size(); ++i) {
-        places.emplace(now->organs()[i].id, i);
+        indices.emplace(now->organs()[i].id, i);
     }
     std::vector<std::size_t> result;
     for (const std::int64_t id : ids) {
-        const auto place = places.find(id);
-        if (place == places.end()) {
+        const auto found = indices.find(id);
+        if (found == indices.end()) {
             throw InputError({no_such_organ(id)});
         }
-        result.push_back(place->second);
+        result.push_back(found->second);
     }
     return result;
 }

@@ -9,7 +9,7 @@ ChosenMethod plan_run(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
-    KeptCaster& caster,
+    CachedRayCaster& caster,
     const std::stop_token& stop) {
     return plan_method(scene, sources, spec, [&] {
         const auto ready = caster.caster_for(scene, spec.accelerator, stop);

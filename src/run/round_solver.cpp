@@ -63,7 +63,7 @@ void RoundSolver::order(const RoundStart& start) const {
     if (team_.team != nullptr && team_.team->is_first()) {
         static_cast<void>(team_.team->order(
             {.point = team_.point,
-             .moment = team_.time_step,
+             .time_step = team_.time_step,
              .first_paths = start.first_paths,
              .round = start.round,
              .tasks = start.tasks}));

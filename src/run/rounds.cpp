@@ -6,7 +6,7 @@ namespace quasimc {
 namespace {
 
 /// Points a replicate may have when nothing else ends a run.
-constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 30U;
+constexpr std::uint64_t kMaxPoints = std::uint64_t{1} << 30U;
 /// A trial has so many times the paths of the one before.
 constexpr std::uint64_t kTrialGrowth = 4;
 /// What is begun anew should be done by this part of the time left: predictions have errors.
@@ -25,7 +25,7 @@ constexpr std::uint64_t kInsuredPart = 64;
 
 }  // namespace
 
-void Pace::add(std::uint64_t paths, double seconds) {
+void CostModel::add(std::uint64_t paths, double seconds) {
     const auto count = static_cast<double>(paths);
     if (count > last.paths) {
         before = last;
@@ -33,7 +33,7 @@ void Pace::add(std::uint64_t paths, double seconds) {
     last = {count, seconds};
 }
 
-double Pace::seconds_for(std::uint64_t paths) const {
+double CostModel::seconds_for(std::uint64_t paths) const {
     const double mean = last.seconds / last.paths;
     if (before.paths == 0 || before.paths >= last.paths) {
         return mean * static_cast<double>(paths);
@@ -48,13 +48,13 @@ double Pace::seconds_for(std::uint64_t paths) const {
 }
 
 bool Rounds::fits(std::uint64_t paths) const {
-    return state_.pace.seconds_for(paths) <= kSureOfTime * seconds_left();
+    return state_.cost.seconds_for(paths) <= kSureOfTime * seconds_left();
 }
 
 /// Whether all paths may be begun straight after a trial.
 bool Rounds::may_leap() const {
     return spec_.paths <= kFarthestLeap * state_.done &&
-           state_.pace.seconds_for(spec_.paths) <= kSureOfLeap * seconds_left();
+           state_.cost.seconds_for(spec_.paths) <= kSureOfLeap * seconds_left();
 }
 
 Round Rounds::begin(std::uint64_t paths) {
@@ -103,14 +103,14 @@ std::optional<Round> Rounds::as_many_again() {
         stop_ = StopReason::target_reached;
         return std::nullopt;
     }
-    const std::uint64_t limit = spec_.max_paths > 0 ? spec_.max_paths : kMostPoints;
+    const std::uint64_t limit = spec_.max_paths > 0 ? spec_.max_paths : kMaxPoints;
     if (asks_for_more() && state_.done * 2 > limit) {
         stop_ = StopReason::path_limit;
         return std::nullopt;
     }
     const bool is_too_much = !asks_for_more() && state_.done * 2 > spec_.paths;
-    if (is_too_much || (has_limit() && state_.pace.seconds_for(state_.done) > seconds_left())) {
-        stop_ = StopReason::time_is_up;
+    if (is_too_much || (has_limit() && state_.cost.seconds_for(state_.done) > seconds_left())) {
+        stop_ = StopReason::time_limit;
         return std::nullopt;
     }
     count_ = state_.done;
@@ -118,7 +118,7 @@ std::optional<Round> Rounds::as_many_again() {
 }
 
 void Rounds::finish(Deadline::Clock::time_point now, double fraction_at_target) {
-    state_.pace.add(count_, std::chrono::duration<double>(now - now_).count());
+    state_.cost.add(count_, std::chrono::duration<double>(now - now_).count());
     state_.done += count_;
     now_ = now;
     at_target_ = fraction_at_target;

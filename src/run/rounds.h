@@ -15,7 +15,7 @@ namespace quasimc {
 
 /// How long rounds have taken, and from that how long others will: so much for each, and so much
 /// for each path.
-struct Pace {
+struct CostModel {
     void add(std::uint64_t paths, double seconds);
     /// For a round of so many paths. At least one must have been added.
     [[nodiscard]] double seconds_for(std::uint64_t paths) const;
@@ -30,7 +30,7 @@ struct Pace {
 struct RoundsState {
     std::uint64_t done = 0;  ///< paths
     bool is_trial = false;   ///< what is done
-    Pace pace;
+    CostModel cost;
 };
 
 /// When rounds end, and how they begin.
@@ -105,7 +105,7 @@ class Rounds {
     std::uint64_t count_ = 0;          // paths of the round at hand
     Deadline::Clock::time_point now_;  // the end of the last round
     double at_target_ = 0;
-    StopReason stop_ = StopReason::paths_done;
+    StopReason stop_ = StopReason::finished;
 };
 
 /// The bands of RunSpec::ratios, which must name bands of the scene.

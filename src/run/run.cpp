@@ -14,7 +14,6 @@
 #include "base/stop.h"
 #include "base/text.h"
 #include "results/evaluate.h"
-#include "run/dark_result.h"
 #include "run/digest.h"
 #include "run/evaluation_of.h"
 #include "run/plan_run.h"
@@ -23,6 +22,7 @@
 #include "run/simulator.h"
 #include "run/trace_plan.h"
 #include "run/trace_rounds.h"
+#include "run/zero_result.h"
 #include "samplers/hash.h"
 #include "sums/sum_data.h"
 #include "transport/prepared_scene.h"
@@ -38,12 +38,12 @@ double seconds_since(Clock::time_point start) {
 
 /// The plainest run there is, with random numbers of its own.
 TracePlan audit_plan(const RunSpec& spec, std::uint64_t paths_done) {
-    constexpr double kFewestPaths = 64;
+    constexpr double kMinPaths = 64;
     return {
         .method = Method::light_tracing,
         .seed = mix64(spec.seed ^ 0x6a09e667f3bcc908U),
         .paths = static_cast<std::uint64_t>(
-            std::max(kFewestPaths, std::round(spec.audit * static_cast<double>(paths_done)))),
+            std::max(kMinPaths, std::round(spec.audit * static_cast<double>(paths_done)))),
         .max_paths = 0,
         .target_error = 0,
         .sampler = "monte_carlo",
@@ -57,7 +57,7 @@ void order_to_prepare(const SumsOrigin& origin, std::size_t time_step, const Run
         static_cast<void>(origin.team->order(
             {.is_prepare = 1,
              .point = origin.point,
-             .moment = time_step,
+             .time_step = time_step,
              .first_paths = spec.paths}));
     }
 }
@@ -69,7 +69,8 @@ void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec&
                              sums->replicates.size() == spec.replicates;
     if (!is_this_run) {
         throw InputError(
-            {{"sums", "they are of another run", "scene, sources, options or version differ", ""}});
+            {{"sums", "they belong to another run", "scene, sources, options or version differ",
+              ""}});
     }
 }
 
@@ -77,22 +78,21 @@ void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec&
 void report_given(const Sums& sums, const RunFacts& facts, const RunControl& control) {
     RoundsState state;
     state.done = sums.paths();
-    state.pace.add(sums.paths(), 0);
+    state.cost.add(sums.paths(), 0);
     report(control, &RunListener::on_last_round, {facts, sums, state, sums.paths()});
 }
 
 Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
     if (why == StopReason::interrupted) {
-        return {why, "stopped before the first round of paths was complete: there is no result"};
+        return {why, "stopped before the first round of paths was complete; there is no result"};
     }
     const std::string limit =
         spec.max_seconds > 0 ? fmt::format("max_seconds: {} s were", shortest(spec.max_seconds))
                              : "the time was";
     return {
-        why,
-        limit +
-            " over before a few paths were traced: there is no result; allow more time, or, where "
-            "light is caught in a closed space that absorbs little, set max_depth"};
+        why, limit +
+                 " over before a few paths were complete; there is no result; allow more time or, "
+                 "for a closed space that absorbs little, set max_depth"};
 }
 
 }  // namespace
@@ -131,7 +131,7 @@ Result Simulator::State::run(
         Result result =
             trace({scene, sources, planned, control, work, deadline, role, start}, early);
         if (result.stop == StopReason::no_light) {
-            chosen.reason = "no light reaches the scene, nothing was traced";
+            chosen.reason = "no light reaches the scene; nothing was computed";
         }
         result.chosen = std::move(chosen);
         add_sunlit_of_hidden_suns(scene, sources, result);
@@ -192,9 +192,9 @@ Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     result.fraction_at_target = traced.at_target;
     result.paths_before = traced.paths_before;
     result.rounds = std::move(traced.errors);
-    result.build_seconds = std::chrono::duration<double>(first_round - in.start).count();
-    result.trace_seconds = seconds_since(first_round);
-    result.trace_cpu_seconds = process_cpu_seconds() - cpu_before + traced.cpu_seconds_of_others;
+    result.preparation_seconds = std::chrono::duration<double>(first_round - in.start).count();
+    result.solve_seconds = seconds_since(first_round);
+    result.solve_cpu_seconds = process_cpu_seconds() - cpu_before + traced.cpu_seconds_of_others;
     return result;
 }
 

@@ -45,8 +45,8 @@ template <typename Visit, typename PositionOrConst>
 void visit_numbers(const Visit& visit, PositionOrConst& position) {
     auto& rounds = position.rounds;
     visit(rounds.done), visit(rounds.is_trial);
-    visit(rounds.pace.last.paths), visit(rounds.pace.last.seconds);
-    visit(rounds.pace.before.paths), visit(rounds.pace.before.seconds);
+    visit(rounds.cost.last.paths), visit(rounds.cost.last.seconds);
+    visit(rounds.cost.before.paths), visit(rounds.cost.before.seconds);
     visit(position.first_paths), visit(position.asked_paths);
     visit(position.target_error), visit(position.target_fraction);
     visit(position.round.first), visit(position.round.count);
@@ -69,7 +69,7 @@ RunState load_state(std::string_view bytes) {
     state.done = read_block(bytes);
     state.partial = read_block(bytes);
     if (!bytes.empty()) {
-        throw std::invalid_argument("the state of a run has something behind it");
+        throw std::invalid_argument("the state of a run has extra bytes at its end");
     }
     return state;
 }

@@ -23,7 +23,7 @@ struct TeamOrder {
     std::uint64_t kind = kTrace;
     std::uint64_t is_prepare = 0;  ///< orders for this moment and these first paths follow
     std::uint64_t point = 0;       ///< of a sweep
-    std::uint64_t moment = 0;      ///< of its times
+    std::uint64_t time_step = 0;   ///< of its times
     std::uint64_t first_paths = 0;
     Round round = {};
     TaskPosition tasks = {};  ///< done before

@@ -32,7 +32,7 @@ RunPosition position_of(
 }  // namespace
 
 std::uint64_t RunFacts::digest() const {
-    return kept_digest.get([&] { return digest_of(prepared, spec); });
+    return cached_digest.get([&] { return digest_of(prepared, spec); });
 }
 
 Result RunBetweenRounds::result() const {

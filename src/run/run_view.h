@@ -19,7 +19,7 @@ struct RunFacts {
     const RunSpec& spec;  ///< planned
     const EvaluationSpec& asked;
     std::size_t time_step = 0;
-    Lazy<std::uint64_t> kept_digest = {};
+    Lazy<std::uint64_t> cached_digest = {};
 
     [[nodiscard]] std::uint64_t digest() const;
 };

@@ -9,8 +9,8 @@
 
 #include "quasimc/result.h"
 #include "quasimc/run.h"
+#include "run/cached_ray_caster.h"
 #include "run/early_stop.h"
-#include "run/kept_caster.h"
 #include "samplers/sampler.h"
 #include "scene/scene.h"
 
@@ -43,7 +43,7 @@ class Simulator::State {
         const Share& share,
         const RunControl& control);
     [[nodiscard]] std::size_t builds() const { return caster_.builds(); }
-    /// Kept for the next run: as KeptCaster::caster_for().
+    /// Kept for the next run: as CachedRayCaster::caster_for().
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
         const Scene& scene, Accelerator accelerator, const std::stop_token& stop) {
         return caster_.caster_for(scene, accelerator, stop);
@@ -72,7 +72,7 @@ class Simulator::State {
         const RunControl& control,
         Result& result);
 
-    KeptCaster caster_;
+    CachedRayCaster caster_;
     std::map<std::string, std::unique_ptr<Sampler>> samplers_;
 };
 

@@ -25,7 +25,7 @@ struct RoundsInput {
 /// What the rounds of a run have brought.
 struct TracedRounds {
     Sums sums;
-    StopReason stop = StopReason::paths_done;
+    StopReason stop = StopReason::finished;
     double at_target = 0;     ///< fraction of the organs
     double paths_before = 0;  ///< traced by the run that this one went on from
     double cpu_seconds_of_others = 0;

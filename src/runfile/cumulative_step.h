@@ -29,7 +29,7 @@ class CumulativeStep {
 
     struct Made {
         TimeStep time_step;
-        MomentNotes notes;
+        TimeStepNotes notes;
     };
     /// The moment of what was added, which must not be nothing. @param lamps  shine all the time
     [[nodiscard]] Made make(const Sources& lamps, std::size_t day) const;

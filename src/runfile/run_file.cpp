@@ -32,8 +32,8 @@ Orientation read_orientation(TableReader& top) {
     const bool is_horizontal = inward.z == 0 && std::isfinite(length(inward)) && length(inward) > 0;
     if (!is_horizontal) {
         top.fault_at(
-            "north", "north is no horizontal direction",
-            "it must have a length and no part along the up axis");
+            "north", "north is not a horizontal direction",
+            "it must have a length and be perpendicular to the up axis");
     }
     return {up, is_horizontal ? north : usual};
 }
@@ -43,7 +43,7 @@ void read_format_version(TableReader& top) {
     if (version && *version > kRunFileVersion) {
         top.fault_at(
             "format", fmt::format("format is {}", *version),
-            fmt::format("this program knows formats up to {}", kRunFileVersion),
+            fmt::format("this program reads formats up to {}", kRunFileVersion),
             "use a newer program");
     }
 }
@@ -56,8 +56,8 @@ std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Report
     } catch (const InputError& error) {
         for (Fault fault : error.faults()) {
             // What has no line of a file is of the run file.
-            const bool has_line = fault.place.find(':') != std::string::npos;
-            fault.place = has_line ? fault.place : reporter.file + ": " + fault.place;
+            const bool has_line = fault.where.find(':') != std::string::npos;
+            fault.where = has_line ? fault.where : reporter.file + ": " + fault.where;
             reporter.faults.add(std::move(fault));
         }
         return std::nullopt;
@@ -169,14 +169,13 @@ void check_path_allocation(const Sections& sections, Faults& faults) {
     }
     if (!sections.series) {
         faults.add(
-            {"path_allocation", "it is \"proportional\"", "the run has no [time]", "leave it out"});
+            {"path_allocation", "it is \"proportional\"", "the run has no [time]", "remove it"});
         return;
     }
     const auto& steps = sections.series->time_steps;
     if (std::any_of(steps.begin(), steps.end(), [](const auto& s) { return s.seconds == 0; })) {
         faults.add(
-            {"path_allocation", "it is \"proportional\"",
-             "instants have no part in the sum of a day",
+            {"path_allocation", "it is \"proportional\"", "instants do not count in daily sums",
              "give duration_minutes, or leave path_allocation out"});
     }
 }
@@ -188,11 +187,11 @@ void check_hours(const Sections& sections, Faults& faults) {
     } else if (spec.time_method == TimeMethod::daylight_coefficients) {
         faults.add(
             {"time_method", "it is \"daylight_coefficients\"", "the run has no [time]",
-             "leave it out"});
+             "remove it"});
     }
 }
 
-/// Nights need no source; all else is checked with one in its place.
+/// Nights need no source; everything else is checked with a substitute.
 void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const std::vector<double> one(scene.bands().size(), 1.0);
     check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
@@ -200,9 +199,10 @@ void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) 
 
 /// Checks the run with its sources, or those of a moment of its series that has light, if any.
 void check_with_sources(
-    const Sections& sections, const Scene& scene, Faults& faults, Darkness darkness) {
+    const Sections& sections, const Scene& scene, Faults& faults, NoLightPolicy no_light_policy) {
     const RunSpec& spec = sections.options.spec;
-    if (!sections.series && darkness == Darkness::allowed && is_dark(sections.sources.sources)) {
+    if (!sections.series && no_light_policy == NoLightPolicy::allowed &&
+        is_dark(sections.sources.sources)) {
         check_in_darkness(scene, spec, faults);
         return;
     }
@@ -217,15 +217,15 @@ void check_with_sources(
         check_in_darkness(scene, spec, faults);
         return;
     }
-    const auto moment = static_cast<std::size_t>(lit - plans.begin());
-    check_run(scene, sections.series->time_steps[moment].sources, spec, faults);
+    const auto time_step = static_cast<std::size_t>(lit - plans.begin());
+    check_run(scene, sections.series->time_steps[time_step].sources, spec, faults);
 }
 
 /// A sweep is several scenes, or several lights.
 void refuse_sweep(TableReader& top) {
     if (const Node* sweep = top.any("sweep")) {
         top.fault_at(
-            *sweep, "[sweep] states several runs", "a scene to work with is one",
+            *sweep, "[sweep] describes several runs", "a scene is one run",
             "run the file with the program, `quasimc run`, or take [sweep] out");
     }
 }
@@ -255,13 +255,13 @@ SceneBuilder read_builder(
     return builder;
 }
 
-/// The line of a place "file:line"; after all lines for other places.
-std::uint64_t line_of(const std::string& place, const std::string& file) {
+/// The line of a location "file:line"; other locations come after all lines.
+std::uint64_t line_of(const std::string& where, const std::string& file) {
     constexpr std::uint64_t kNowhere = std::numeric_limits<std::uint64_t>::max();
-    if (!place.starts_with(file + ":")) {
+    if (!where.starts_with(file + ":")) {
         return kNowhere;
     }
-    const std::string_view rest = std::string_view(place).substr(file.size() + 1);
+    const std::string_view rest = std::string_view(where).substr(file.size() + 1);
     const auto line = parse_integer(rest.substr(0, rest.find(':')));
     return line ? static_cast<std::uint64_t>(*line) : kNowhere;
 }
@@ -283,14 +283,14 @@ std::vector<Warning> lint_of(const Sections& sections) {
         sections.is_on_base ? std::vector<Warning>() : lint_geometry(scene);
     const Sources& sources = sections.sources.sources;
     for (auto& more :
-         {lint_lamp_unit(scene, sources, sections.unit_origin), lint_lamp_places(scene, sources),
+         {lint_lamp_unit(scene, sources, sections.unit_origin), lint_lamp_positions(scene, sources),
           lint_wedges(scene, sources), lint_bundles(scene, sources, sections.options.spec)}) {
         found.insert(found.end(), more.begin(), more.end());
     }
     return found;
 }
 
-/// Parses a run file. Another file, of geometry perhaps, given in its place is told as such.
+/// Parses a run file. A file of another kind, geometry perhaps, is reported as such.
 Node read_file_of_run(const std::string& text, const std::string& name) {
     const std::string extension = std::filesystem::path(name).extension().string();
     try {
@@ -298,7 +298,7 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
     } catch (const InputError& error) {
         if (const ForeignFormat* foreign = foreign_format_of_path(name)) {
             throw InputError(
-                {{name, fmt::format("is {}, not a run file", foreign->name), "it is not read",
+                {{name, fmt::format("is {}, not a run file", foreign->name), "it is not supported",
                   std::string(foreign->advice)}});
         }
         if (extension == ".json") {
@@ -322,8 +322,7 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
         }
         throw InputError(
             {{name, "is not a run file", error.faults().front().text(),
-              "give a run file, which is TOML and names files of geometry and weather; "
-              "`quasimc --dump-default` prints one"}});
+              "give a run file in TOML; `quasimc --dump-default` prints one"}});
     }
 }
 
@@ -336,7 +335,7 @@ bool is_dark(const Sources& sources) {
     });
 }
 
-std::vector<TimeStep> moments_of(const RunFile& run) {
+std::vector<TimeStep> time_steps_of(const RunFile& run) {
     if (run.series) {
         return run.series->time_steps;
     }
@@ -347,7 +346,7 @@ std::vector<TimeStep> moments_of(const RunFile& run) {
 
 void sort_by_line(std::vector<Fault>& faults, const std::string& file) {
     std::stable_sort(faults.begin(), faults.end(), [&](const Fault& a, const Fault& b) {
-        return line_of(a.place, file) < line_of(b.place, file);
+        return line_of(a.where, file) < line_of(b.where, file);
     });
 }
 
@@ -357,13 +356,13 @@ RunFile read_run_document(
     InputFiles& files,
     const std::vector<Override>& overrides,
     const KnownScene& known,
-    Darkness darkness) {
+    NoLightPolicy no_light_policy) {
     Reporter reporter{name, {}, {}};
     TableReader top(document, "", reporter);
     Sections sections = read_sections(top, files, overrides, known);
     if (reporter.faults.empty()) {
         Faults faults;
-        check_with_sources(sections, *sections.scene, faults, darkness);
+        check_with_sources(sections, *sections.scene, faults, no_light_policy);
         check_path_allocation(sections, faults);
         check_hours(sections, faults);
         add_run_faults(faults, sections.options, reporter);
@@ -420,13 +419,13 @@ LightOfRun read_light_document(
     top.finish();
     if (reporter.faults.empty()) {
         Faults faults;
-        check_with_sources(sections, scene, faults, Darkness::refused);
+        check_with_sources(sections, scene, faults, NoLightPolicy::refused);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);
     for (auto& more :
          {lint_lamp_unit(scene, sections.sources.sources, unit_origin(top)),
-          lint_lamp_places(scene, sections.sources.sources)}) {
+          lint_lamp_positions(scene, sections.sources.sources)}) {
         reporter.warnings.insert(reporter.warnings.end(), more.begin(), more.end());
     }
     return {

@@ -25,7 +25,7 @@ namespace quasimc {
 [[nodiscard]] bool is_dark(const Sources& sources);
 
 /// What is to be said of a run without any light: its numbers are zeros.
-enum class Darkness { refused, allowed };
+enum class NoLightPolicy { refused, allowed };
 
 class KnownOverlaps;
 class MeshCache;
@@ -45,14 +45,14 @@ struct KnownScene {
 using OnPointRead = std::function<void(std::size_t read, std::size_t points)>;
 
 /// The same from a document that is parsed already, and has no [sweep].
-/// @param darkness  of a run without [time]; nights of those with it are allowed
+/// @param no_light_policy  of a run without [time]; nights of those with it are allowed
 [[nodiscard]] RunFile read_run_document(
     Node document,
     const std::string& name,
     InputFiles& files,
     const std::vector<Override>& overrides = {},
     const KnownScene& known = {},
-    Darkness darkness = Darkness::refused);
+    NoLightPolicy no_light_policy = NoLightPolicy::refused);
 
 /// read_run_sweep() of files that are reached otherwise.
 [[nodiscard]] RunSweep read_run_sweep(

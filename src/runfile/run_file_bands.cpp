@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostWavebands = 10000;
+constexpr std::size_t kMaxWavebands = 10000;
 
 /// The nodes of a value, one per band; empty after a fault.
 std::vector<const Node*> nodes_of_value(
@@ -54,9 +54,9 @@ Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
     const auto from = table.real("from_nm", kWavelengths);
     const auto to = table.real("to_nm", kWavelengths);
     if (from && to && *from >= *to) {
-        table.fault_at("to_nm", "to_nm is not above from_nm");
+        table.fault_at("to_nm", "to_nm must be above from_nm");
     } else if (from.has_value() != to.has_value() && !table.failed()) {
-        table.fault("from_nm and to_nm go together");
+        table.fault("give both from_nm and to_nm");
     }
     band.from_nm = from.value_or(0);
     band.to_nm = to.value_or(0);
@@ -65,12 +65,12 @@ Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
 }
 
 /// What would break a column's name or a ratio "A:B". (The scene checks the rest.)
-void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& place) {
+void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& node) {
     for (const Band& band : bands) {
         if (band.name.find_first_of(":,\"\n\r#") != std::string::npos) {
             top.fault_at(
-                place, fmt::format("a band is named {}", shown(band.name)),
-                "a name holds no ':', ',', '#', quote or line break");
+                node, fmt::format("the name of a band is {}", shown(band.name)),
+                "a name must not contain ':', ',', '#', quotes or line breaks");
         }
     }
 }
@@ -106,10 +106,10 @@ std::vector<Band> read_bands(TableReader& top) {
     if (bands.empty() && !top.failed()) {
         top.fault("no band is given", "", "write bands = [\"PAR\"]");
     }
-    if (bands.size() > kMostWavebands) {
+    if (bands.size() > kMaxWavebands) {
         top.fault_at(
             named ? *named : *tables.front(), fmt::format("{} bands", bands.size()),
-            fmt::format("a run has {} at most", kMostWavebands), "compute them in several runs");
+            fmt::format("a run has {} at most", kMaxWavebands), "compute them in several runs");
         bands.resize(1);
     }
     if (!bands.empty()) {
@@ -132,8 +132,8 @@ std::optional<std::vector<double>> read_irradiances(
             table.warn_at(
                 *table.any(key),
                 fmt::format(
-                    "{} of band {} is {} {}: the sun brings 1361 W m-2 outside the atmosphere, "
-                    "some 6200 umol m-2 s-1; is the unit right?",
+                    "{} of band {} is {} {}, but the sun gives 1361 W m-2 (about 6200 umol m-2 "
+                    "s-1) outside the atmosphere: is the unit right?",
                     key, bands[b].name, shortest((*values)[b]), bands[b].unit));
             break;
         }

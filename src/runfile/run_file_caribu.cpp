@@ -120,8 +120,8 @@ void add_lights(
         irradiance *= sum;
     }
     list.notes.push_back(fmt::format(
-        "{}: {} directions, together {}", file, lights.size(),
-        irradiance_words("horizontal", whole, context.bands)));
+        "{}: {} directions; {} in all", file, lights.size(),
+        format_irradiance("the horizontal", whole, context.bands)));
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ void read_material_files(TableReader& top, RunFileContext& context, SceneBuilder
         if (bands && !table.failed()) {
             for (MaterialSpec& material : caribu_materials(*bands)) {
                 context.materials.insert(material.name);
-                builder.add_material(std::move(material), table.place());
+                builder.add_material(std::move(material), table.where());
             }
         }
     }

@@ -19,7 +19,7 @@ std::optional<std::array<double, kMost>> read_numbers(TableReader& table, const 
     const auto* list = node.as<Node::List>();
     if (list == nullptr || list->size() < kFewest || list->size() > kMost) {
         table.fault_at(
-            node, "a copy in at is no list of 3 to 5 numbers",
+            node, "a copy in at is not a list of 3 to 5 numbers",
             "it must be [x, y, z], [x, y, z, heading_deg] or [x, y, z, heading_deg, scale]");
         return std::nullopt;
     }
@@ -48,7 +48,7 @@ Affine copy_at(const std::array<double, kMost>& numbers, const Orientation& orie
     if (orientation.up() == UpAxis::z) {
         affine.rows = {Vec3{c, s, 0}, Vec3{-s, c, 0}, Vec3{0, 0, scale}};
     } else {
-        // y up: z and x take the places of x and y.
+        // y up: z and x become x and y.
         affine.rows = {Vec3{c, 0, -s}, Vec3{0, scale, 0}, Vec3{s, 0, c}};
     }
     affine.shift = {x, y, z};
@@ -65,7 +65,7 @@ std::optional<std::vector<Affine>> read_copies(TableReader& table, const Orienta
     const auto* list = node->as<Node::List>();
     const auto is_list = [](const Node& item) { return item.as<Node::List>() != nullptr; };
     if (list == nullptr || std::none_of(list->begin(), list->end(), is_list)) {
-        table.fault_at(*node, "at is no list of copies", "it must be [[x, y, z], ...]");
+        table.fault_at(*node, "at is not a list of copies", "it must be [[x, y, z], ...]");
         return std::nullopt;
     }
     std::vector<Affine> copies;

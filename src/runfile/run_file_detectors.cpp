@@ -34,7 +34,7 @@ void read_detector(const Node& node, Reporter& reporter, SceneBuilder& builder) 
     if (!type) {
         return;  // which keys are meant can't be told
     }
-    DetectorSpec detector{.type = *type, .name = name, .parameters = {}, .place = table.place()};
+    DetectorSpec detector{.type = *type, .name = name, .parameters = {}, .where = table.where()};
     for (const DetectorParameter& parameter : find_detector(*type)->parameters) {
         read_parameter(parameter, table, detector);
     }

@@ -123,7 +123,7 @@ class OrganAdder {
             OrganSpec organ =
                 make_organ({}, keys_.name.empty() ? "" : fmt::format("{} {}", keys_.name, count_));
             add_labels(labels, organ);
-            organ.place = place(part.lines[i]);
+            organ.where = where(part.lines[i]);
             std::vector<Triangle> triangle{file.triangle(part, i)};
             if (!keys_.copies.empty()) {
                 move_triangles(copy, triangle);
@@ -146,7 +146,7 @@ class OrganAdder {
         if (keys_.organs == "one") {
             ++count_;
             OrganSpec organ = make_organ({}, name_of(""));
-            organ.place = keys_.file;
+            organ.where = keys_.file;
             for (const MeshGroup& group : groups) {
                 add_parts(group, organ);
             }
@@ -156,7 +156,7 @@ class OrganAdder {
         for (const MeshGroup& group : groups) {
             ++count_;
             OrganSpec organ = make_organ(group.id, name_of(group.name));
-            organ.place = place(group.parts.front().lines.front());
+            organ.where = where(group.parts.front().lines.front());
             add_labels(group.labels, organ);
             add_parts(group, organ);
             builder_.add_organ(std::move(organ));
@@ -187,14 +187,14 @@ class OrganAdder {
     /// The labels of the file, but for those that the run file states.
     void add_labels(const Labels& labels, OrganSpec& organ) const {
         for (const auto& label : labels) {
-            const auto is_same = [&](const auto& stated) { return stated.first == label.first; };
+            const auto is_same = [&](const auto& given) { return given.first == label.first; };
             if (std::none_of(keys_.labels.begin(), keys_.labels.end(), is_same)) {
                 organ.labels.push_back(label);
             }
         }
     }
 
-    [[nodiscard]] std::string place(std::uint32_t line) const {
+    [[nodiscard]] std::string where(std::uint32_t line) const {
         return line_word_ == "line" ? fmt::format("{}:{}", keys_.file, line)
                                     : fmt::format("{}: {} {}", keys_.file, line_word_, line);
     }
@@ -213,14 +213,14 @@ struct Geometry {
     GeometryFile file;
 };
 
-/// Warns of a scale that was right as long as plants of a scene were taken in the unit of places.
+/// Warns of a scale that is right only if plants are in the unit of their positions.
 void warn_of_second_scale(const Affine& transform, const NamedMesh& named, TableReader& table) {
     constexpr double kRounding = 1e-6;
     const bool is_scaled = std::abs(std::abs(determinant(transform)) - 1) > kRounding;
     if (is_scaled && named.format->read == read_ops && table.any("plant_unit") == nullptr) {
         table.warn(fmt::format(
-            "transform scales the plants and places of {} once more: its plants have been "
-            "converted from centimetres; leave the scale out, or give plant_unit",
+            "transform scales the plants and positions of {} again: its plants have been converted "
+            "from centimetres; remove the scale or give plant_unit",
             named.file));
     }
 }

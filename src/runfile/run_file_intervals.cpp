@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMostMoments = 1000000;
+constexpr std::size_t kMaxTimeSteps = 1000000;
 /// Times are computed to 0.1 ms.
 constexpr double kSlack = 1e-3;
 
@@ -28,7 +28,7 @@ std::optional<CivilTime> read_date(TimeContext& context, std::string_view key) {
     const Node* node = context.table->any(key);
     Reporter& reporter = context.table->reporter();
     const auto time = parse_civil_time(
-        *text, context.utc_offset_hours.value_or(0), reporter.place(node->line), reporter.faults);
+        *text, context.utc_offset_hours.value_or(0), reporter.where(node->line), reporter.faults);
     if (time && (time->hour != 0 || time->minute != 0 || time->second != 0)) {
         context.table->fault_at(
             key, fmt::format("{} is a time", key), "it must be a date", "write it as 2024-06-21");
@@ -59,7 +59,7 @@ std::optional<std::vector<Reading>> read_amounts(TableReader& table, std::size_t
         if (list != nullptr && list->size() != count) {
             table.fault_at(
                 name, fmt::format("{} has {} values", name, list->size()),
-                fmt::format("there are {} times", count));
+                fmt::format("there are {} time steps", count));
             continue;
         }
         for (std::size_t i = 0; i < count; ++i) {
@@ -90,8 +90,8 @@ void warn_of_overlaps(const std::vector<Interval>& intervals, TableReader& table
         table.warn_at(
             *table.any("times"),
             fmt::format(
-                "{} of the times overlap, and sums over days count their light twice: {}", overlaps,
-                first));
+                "{} of the time steps overlap, and daily sums count their light twice: {}",
+                overlaps, first));
     }
 }
 
@@ -99,19 +99,19 @@ std::vector<Interval> read_times(TimeContext& context) {
     TableReader& table = *context.table;
     std::vector<Interval> intervals;
     const Node* node = table.any("times");
-    const std::string place = table.reporter().place(node->line);
+    const std::string where = table.reporter().where(node->line);
     const std::vector<std::string> texts =
         table.time_texts("times").value_or(std::vector<std::string>());
     const double minutes = table.real("duration_minutes", {0, 1440}).value_or(0);
     const auto readings = read_amounts(table, texts.size());
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const auto time =
-            parse_civil_time(texts[i], context.utc_offset_hours, place, table.reporter().faults);
+            parse_civil_time(texts[i], context.utc_offset_hours, where, table.reporter().faults);
         if (time) {
             intervals.push_back(
                 {*time, 60 * minutes,
                  readings ? std::optional((*readings)[i]) : std::optional<Reading>(),
-                 fmt::format("{}: time '{}'", place, texts[i])});
+                 fmt::format("{}: time '{}'", where, texts[i])});
         }
     }
     if (texts.empty() && !table.failed()) {
@@ -130,8 +130,8 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
     std::vector<Interval> intervals;
     const double days = std::round(seconds_from(span.first, span.last) / kSecondsADay);
     const double each = (span.to_hour - span.from_hour) * 3600 / step;
-    if (days * each > static_cast<double>(kMostMoments)) {
-        table.fault(fmt::format("{} times", days * each), fmt::format("at most {}", kMostMoments));
+    if (days * each > static_cast<double>(kMaxTimeSteps)) {
+        table.fault(fmt::format("{} times", days * each), fmt::format("at most {}", kMaxTimeSteps));
         return intervals;
     }
     const auto a_day = static_cast<int>(std::ceil(each - kSlack));
@@ -140,7 +140,7 @@ std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, doubl
         const double at = span.from_hour * 3600 + i % a_day * step;
         const CivilTime start = later(span.first, day * kSecondsADay + at);
         intervals.push_back(
-            {start, std::min(step, span.to_hour * 3600 - at), std::nullopt, table.place()});
+            {start, std::min(step, span.to_hour * 3600 - at), std::nullopt, table.where()});
     }
     return intervals;
 }
@@ -207,12 +207,14 @@ std::vector<Interval> read_intervals(TimeContext& context) {
         table.any("day") != nullptr || table.any("from") != nullptr || table.any("to") != nullptr;
     if (has_times == has_span) {
         table.fault(
-            has_times ? "times and a day or period are given" : "the times are missing", "",
+            has_times ? "both times and a day or period are given" : "the times are missing", "",
             "give times, or day, or from and to, or a weather file");
         return {};
     }
     if (!has_times && !context.utc_offset_hours) {
-        table.missing("utc_offset_hours", "write the clock's offset from UTC, 2 for central European summer time");
+        table.missing(
+            "utc_offset_hours",
+            "write the clock's offset from UTC, 2 for central European summer time");
         return {};
     }
     if (has_times) {

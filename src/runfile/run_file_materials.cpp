@@ -93,7 +93,7 @@ SideKeys read_side(TableReader& table, const RunFileContext& context) {
         if (auto optics = read(table, context)) {
             if (keys.reflection.amount || keys.transmission.amount) {
                 table.fault(
-                    "its optics are stated twice", "",
+                    "its optics are given twice", "",
                     "use one of spectrum, optics, and reflectance with transmittance");
             }
             keys.reflection.amount = std::move(optics->reflectance);
@@ -156,7 +156,7 @@ void check_parameters(TableReader& table, const LobeKeys& keys, std::string_view
         if (!is_taken && is_given) {
             table.fault(
                 fmt::format("{}_{} is given", word, p.name),
-                fmt::format("the model {} takes none", models.front()),
+                fmt::format("the model {} has no {}", models.front(), p.name),
                 fmt::format("set {}_model, or leave the {} out", word, p.name));
         }
     }
@@ -217,9 +217,7 @@ void warn_of_black(
     }
     if (is_black) {
         table.warn(fmt::format(
-            "{} is black in every band: its reflectance is not given, and "
-            "counts as 0",
-            table.what()));
+            "{} is black in every band: its reflectance is missing and 0 is used", table.what()));
     }
 }
 
@@ -265,7 +263,7 @@ void read_material(const Node& node, RunFileContext& context, SceneBuilder& buil
         return;
     }
     context.materials.insert(*name);
-    builder.add_material(std::move(spec), table.place());
+    builder.add_material(std::move(spec), table.where());
 }
 
 }  // namespace

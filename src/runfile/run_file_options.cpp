@@ -71,22 +71,22 @@ Node option_node(const OptionValue& value) {
 
 /// Reads one option.
 void read_option(TableReader& table, const Option& option, RunOptions& options) {
-    const Node* stated = table.any(option.key);
-    if (stated == nullptr) {
+    const Node* given = table.any(option.key);
+    if (given == nullptr) {
         return;
     }
-    options.places[option.key] = table.reporter().place(stated->line);
-    std::optional<OptionValue> value = option_value(*stated);
+    options.locations[option.key] = table.reporter().where(given->line);
+    std::optional<OptionValue> value = option_value(*given);
     if (!value) {
         table.fault_at(
-            *stated, fmt::format("{}: it is {}", option.key, stated->type_name()),
+            *given, fmt::format("{}: it is {}", option.key, given->type_name()),
             "it must be " + domain_text(option));
         return;
     }
     value = whole_if_integer(option, *value);
     if (const std::optional<Fault> fault = check_option(option, *value)) {
         table.fault_at(
-            *stated, fmt::format("{}: {}", option.key, fault->problem), fault->why,
+            *given, fmt::format("{}: {}", option.key, fault->problem), fault->why,
             fault->suggestion);
         return;
     }
@@ -109,18 +109,18 @@ void read_run_options(TableReader& top, RunOptions& options) {
 
 void apply_overrides(
     const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter) {
-    for (const Override& stated : overrides) {
-        const Option* option = find_option(stated.key);
+    for (const Override& given : overrides) {
+        const Option* option = find_option(given.key);
         if (option == nullptr) {
             reporter.faults.add(
-                {stated.place, fmt::format("there is no option '{}'", stated.key), "",
-                 did_you_mean(stated.key, option_keys())});
-        } else if (auto fault = check_option(*option, parse_option(*option, stated.text))) {
-            fault->place = stated.place;
+                {given.where, fmt::format("there is no option '{}'", given.key), "",
+                 did_you_mean(given.key, option_keys())});
+        } else if (auto fault = check_option(*option, parse_option(*option, given.text))) {
+            fault->where = given.where;
             reporter.faults.add(*fault);
         } else {
-            option->set(options.spec, parse_option(*option, stated.text));
-            options.places[option->key] = stated.place;
+            option->set(options.spec, parse_option(*option, given.text));
+            options.locations[option->key] = given.where;
         }
     }
 }
@@ -153,12 +153,12 @@ void refuse_options_at_the_top(TableReader& top) {
 
 void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter) {
     for (Fault fault : found.all()) {
-        const auto stated = options.places.find(fault.place);
-        if (stated != options.places.end()) {
-            fault.problem = fault.place + ": " + fault.problem;
-            fault.place = stated->second;
+        const auto given = options.locations.find(fault.where);
+        if (given != options.locations.end()) {
+            fault.problem = fault.where + ": " + fault.problem;
+            fault.where = given->second;
         } else {
-            fault.place = reporter.file + ": " + fault.place;
+            fault.where = reporter.file + ": " + fault.where;
         }
         reporter.faults.add(std::move(fault));
     }

@@ -46,7 +46,7 @@ std::array<Vec3, 3> read_rotation(const Node& node, TableReader& parent) {
     }
     const double size = std::max({std::abs(axis->x), std::abs(axis->y), std::abs(axis->z)});
     if (size == 0) {
-        table.fault_at("axis", "axis is [0, 0, 0]", "it points nowhere");
+        table.fault_at("axis", "axis is [0, 0, 0]", "it has no direction");
         return Affine{}.rows;
     }
     return rotation(normalized(*axis / size), *degrees * std::numbers::pi / 180);
@@ -55,7 +55,7 @@ std::array<Vec3, 3> read_rotation(const Node& node, TableReader& parent) {
 void read_organ(const Node& node, RunFileContext& context, SceneBuilder& builder) {
     TableReader table(node, "organ", *context.reporter);
     OrganSpec organ;
-    organ.place = table.place();
+    organ.where = table.where();
     organ.id = table.integer("id", kAnyId);
     organ.name = table.text("name").value_or("");
     if (!organ.name.empty() || organ.id) {
@@ -193,7 +193,7 @@ void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builde
     }
     TableReader table(*node, "ground", *context.reporter);
     GroundSpec ground;
-    ground.place = table.place();
+    ground.where = table.where();
     ground.name = table.text("name").value_or(ground.name);
     ground.material = table.required("material", table.text("material")).value_or("");
     if (table.any("file") != nullptr) {
@@ -226,7 +226,7 @@ void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& bu
     }
     if (!along_x && !along_y && !table.failed()) {
         table.fault(
-            "it repeats along no axis", "",
+            "it is not periodic along any axis", "",
             fmt::format("give {0} = [low, high], {1} = [low, high] or both", x, y));
     }
     table.finish();

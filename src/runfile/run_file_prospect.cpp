@@ -13,18 +13,18 @@ constexpr std::array<std::string_view, 1> kLeafModels{"prospect_d"};
 
 /// More than this of a constituent is a mistake in its unit.
 std::optional<LeafConstituents> read_constituents(TableReader& table) {
-    constexpr double kMostPlates = 10, kMostPigment = 500, kMostBrown = 10, kMostWater = 1,
-                     kMostDryMatter = 0.5;
-    const auto plates = table.required("structure", table.real("structure", {1, kMostPlates}));
+    constexpr double kMaxPlates = 10, kMaxPigment = 500, kMaxBrown = 10, kMaxWater = 1,
+                     kMaxDryMatter = 0.5;
+    const auto plates = table.required("structure", table.real("structure", {1, kMaxPlates}));
     const auto chlorophyll =
-        table.required("chlorophyll_ug_cm2", table.real("chlorophyll_ug_cm2", {0, kMostPigment}));
+        table.required("chlorophyll_ug_cm2", table.real("chlorophyll_ug_cm2", {0, kMaxPigment}));
     const auto carotenoids =
-        table.required("carotenoids_ug_cm2", table.real("carotenoids_ug_cm2", {0, kMostPigment}));
-    const auto anthocyanins = table.real("anthocyanins_ug_cm2", {0, kMostPigment});
-    const auto brown = table.real("brown_pigments", {0, kMostBrown});
-    const auto water = table.required("water_cm", table.real("water_cm", {0, kMostWater}));
+        table.required("carotenoids_ug_cm2", table.real("carotenoids_ug_cm2", {0, kMaxPigment}));
+    const auto anthocyanins = table.real("anthocyanins_ug_cm2", {0, kMaxPigment});
+    const auto brown = table.real("brown_pigments", {0, kMaxBrown});
+    const auto water = table.required("water_cm", table.real("water_cm", {0, kMaxWater}));
     const auto dry_matter =
-        table.required("dry_matter_g_cm2", table.real("dry_matter_g_cm2", {0, kMostDryMatter}));
+        table.required("dry_matter_g_cm2", table.real("dry_matter_g_cm2", {0, kMaxDryMatter}));
     table.finish();
     if (table.failed()) {
         return std::nullopt;

@@ -30,10 +30,10 @@ namespace quasimc {
 inline constexpr Triangle kStandIn{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
 
 /// Where the sun stands, as a run file states it.
-struct StatedSun {
+struct SunSpec {
     Vec3 to_sun;  ///< unit, world with z up
     double distance_au = 1;
-    std::string words;  ///< its time and place; "" if stated by angles
+    std::string words;  ///< its time and site; "" if stated by angles
 };
 
 /// What the sections know of each other.
@@ -44,7 +44,7 @@ struct RunFileContext {
     Orientation orientation;
     std::set<std::string> materials;  ///< names that the run file gives, not its files of geometry
     std::optional<Site> site;         ///< [site]
-    std::optional<StatedSun> sun;     ///< of the first source of type "sun"
+    std::optional<SunSpec> sun;       ///< of the first source of type "sun"
     std::string length_unit = "m";
     bool has_time = false;        ///< whether there is a [time]
     MeshCache* meshes = nullptr;  ///< files that are parsed already; or null
@@ -58,7 +58,7 @@ struct RunFileContext {
 /// The options of a run, and where each was stated.
 struct RunOptions {
     RunSpec spec;
-    std::map<std::string_view, std::string> places;
+    std::map<std::string_view, std::string> locations;
 };
 
 void read_run_options(TableReader& top, RunOptions& options);
@@ -66,7 +66,7 @@ void apply_overrides(
     const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter);
 /// Reports options that stand at the top by mistake.
 void refuse_options_at_the_top(TableReader& top);
-/// Adds the faults of check_run, which names keys only, with the places of the options.
+/// Adds the faults of check_run, which names keys only, with the locations of the options.
 void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter);
 /// The run file with every option of the run in it.
 [[nodiscard]] Node completed(Node document, const RunSpec& spec);

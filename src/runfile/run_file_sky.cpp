@@ -22,7 +22,7 @@ std::vector<std::string_view> model_names() {
 }
 
 /// Of a sky with model = "table"; nothing after a fault.
-std::optional<StatedShape> read_table_shape(TableReader& table, const RunFileContext& context) {
+std::optional<SkyShapeSpec> read_table_shape(TableReader& table, const RunFileContext& context) {
     constexpr std::array<std::string_view, 2> kFormats{"cells", "vlab"};
     constexpr std::array<std::string_view, 2> kValues{"radiance", "flux"};
     const auto file = table.required("file", table.text("file"));
@@ -42,7 +42,7 @@ std::optional<StatedShape> read_table_shape(TableReader& table, const RunFileCon
         sky.first_azimuth = std::atan2(north.y, north.x);
         const std::string words = fmt::format(
             "sky of {} ({} x {} cells, values: {})", *file, sky.azimuths, sky.elevations, *values);
-        return StatedShape{table_shape(std::move(sky)), words};
+        return SkyShapeSpec{table_shape(std::move(sky)), words};
     } catch (const InputError& error) {
         table.reporter().faults.add(error);
         return std::nullopt;
@@ -50,7 +50,7 @@ std::optional<StatedShape> read_table_shape(TableReader& table, const RunFileCon
 }
 
 /// The sun of a sky: its own, or else that of the first sun in the file.
-std::optional<StatedSun> read_sun_of_sky(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_sun_of_sky(TableReader& table, const RunFileContext& context) {
     const bool has_own = table.any("time") != nullptr || table.any("azimuth_deg") != nullptr ||
                          table.any("elevation_deg") != nullptr;
     if (has_own) {
@@ -58,7 +58,7 @@ std::optional<StatedSun> read_sun_of_sky(TableReader& table, const RunFileContex
     }
     if (!context.sun) {
         table.fault(
-            "where the sun stands is missing", "the sky of this model is brighter around it",
+            "the position of the sun is missing", "this sky model is brighter around the sun",
             "add a [[source]] of type = \"sun\", or give time (with [site]) or azimuth_deg and "
             "elevation_deg");
     }
@@ -89,7 +89,7 @@ bool read_state(TableReader& table, SkyNeeds needs, SkyState& state) {
     return true;
 }
 
-std::string state_words(SkyNeeds needs, const SkyState& state) {
+std::string describe_state(SkyNeeds needs, const SkyState& state) {
     switch (needs) {
         case SkyNeeds::sun_and_type:
             return fmt::format(" (type {})", state.cie_type);
@@ -104,35 +104,35 @@ std::string state_words(SkyNeeds needs, const SkyState& state) {
     }
 }
 
-std::optional<StatedShape> read_model(
+std::optional<SkyShapeSpec> read_model(
     TableReader& table, const SkyEntry& entry, const RunFileContext& context) {
     SkyState state;
     std::string sun_text;
     bool good = read_state(table, entry.needs, state);
     if (entry.needs != SkyNeeds::nothing) {
-        const std::optional<StatedSun> sun = read_sun_of_sky(table, context);
+        const std::optional<SunSpec> sun = read_sun_of_sky(table, context);
         if (sun && sun->to_sun.z <= 0) {
             table.fault(
                 fmt::format(
                     "the sun is below the horizon ({})",
-                    angles_words(-sun->to_sun, context.orientation)),
-                fmt::format("{} is a model of skies by day", entry.name),
+                    format_angles(-sun->to_sun, context.orientation)),
+                fmt::format("{} describes daytime skies", entry.name),
                 "use model = \"cie_overcast\" or \"uniform\"");
         }
         good = good && sun && sun->to_sun.z > 0;
         if (good) {
             state.to_sun = sun->to_sun;
             state.distance_au = sun->distance_au;
-            sun_text = ", " + sun_words(*sun, context.orientation);
+            sun_text = ", sun at " + describe_sun(*sun, context.orientation);
         }
     }
     if (!good) {
         return std::nullopt;
     }
     try {
-        return StatedShape{
+        return SkyShapeSpec{
             entry.make(state),
-            fmt::format("{} sky{}{}", entry.name, state_words(entry.needs, state), sun_text)};
+            fmt::format("{} sky{}{}", entry.name, describe_state(entry.needs, state), sun_text)};
     } catch (const InputError& error) {
         for (const Fault& fault : error.faults()) {
             table.fault(fault.problem, fault.why, fault.suggestion);
@@ -157,7 +157,7 @@ std::optional<NotedSource> read_sky(
         }
         return std::nullopt;
     }
-    std::optional<StatedShape> sky;
+    std::optional<SkyShapeSpec> sky;
     if (*model == kTable) {
         sky = read_table_shape(table, context);
     } else {
@@ -167,7 +167,8 @@ std::optional<NotedSource> read_sky(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, {}", name, sky->words, irradiance_words("horizontal", *values, context.bands));
+        "{}: {}; {}", name, sky->words,
+        format_irradiance("the horizontal", *values, context.bands));
     // Every path of the uniform sky's own source weighs the same.
     const bool is_uniform = *model == "uniform";
     return NotedSource{
@@ -186,7 +187,8 @@ std::optional<NotedSource> read_uniform_sky(
     return NotedSource{
         make_uniform_sky(name, *values),
         fmt::format(
-            "{}: uniform sky, {}", name, irradiance_words("horizontal", *values, context.bands))};
+            "{}: uniform sky; {}", name,
+            format_irradiance("the horizontal", *values, context.bands))};
 }
 
 }  // namespace quasimc

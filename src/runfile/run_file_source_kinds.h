@@ -18,17 +18,17 @@ namespace quasimc {
 struct NotedSource {
     std::shared_ptr<const Source> source;
     std::string note;
-    std::optional<StatedSun> sun = {};     ///< of a source of type "sun"
+    std::optional<SunSpec> sun = {};       ///< of a source of type "sun"
     std::optional<DailyHours> hours = {};  ///< within which it shines
 };
 
 /// "irradiance on the horizontal: PAR 400 W m-2, ..."
-[[nodiscard]] std::string irradiance_words(
+[[nodiscard]] std::string format_irradiance(
     std::string_view plane, const std::vector<double>& values, const std::vector<Band>& bands);
 /// A unit vector; what is but rounding is 0.
-[[nodiscard]] std::string vector_words(const Vec3& v);
+[[nodiscard]] std::string format_vector(const Vec3& v);
 /// Where light that travels along `travel` comes from: azimuth from north over east, elevation.
-[[nodiscard]] std::string angles_words(const Vec3& travel, const Orientation& orientation);
+[[nodiscard]] std::string format_angles(const Vec3& travel, const Orientation& orientation);
 
 /// The irradiance of a source, on exactly one plane.
 struct Irradiance {
@@ -48,13 +48,13 @@ struct Irradiance {
 [[nodiscard]] std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientation);
 /// Where the sun stands, by `time` (and [site]) or by `azimuth_deg` and `elevation_deg`; nothing
 /// after a fault. run_file_sun.cpp
-[[nodiscard]] std::optional<StatedSun> read_stated_sun(
+[[nodiscard]] std::optional<SunSpec> read_stated_sun(
     TableReader& table, const RunFileContext& context);
 /// "2024-06-21T12:00+02:00 at latitude 50, longitude 8, sun towards (...) (azimuth ...)"
-[[nodiscard]] std::string sun_words(const StatedSun& sun, const Orientation& orientation);
+[[nodiscard]] std::string describe_sun(const SunSpec& sun, const Orientation& orientation);
 
 /// The shape of a sky, and the words that tell it.
-struct StatedShape {
+struct SkyShapeSpec {
     SkyShape shape;
     std::string words;
 };

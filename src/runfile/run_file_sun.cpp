@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_timed_sun(TableReader& table, const RunFileContext& context) {
     const auto delta_t_s = table.real("delta_t_s", {-1e6, 1e6});
     const std::optional<std::string> text = table.time_text("time");
     if (!context.site) {
@@ -23,7 +23,7 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
     }
     Faults faults;
     const std::string where =
-        fmt::format("{}: {}: time", table.reporter().place(table.any("time")->line), table.what());
+        fmt::format("{}: {}: time", table.reporter().where(table.any("time")->line), table.what());
     const auto time = parse_civil_time(*text, std::nullopt, where, faults, OffsetKey::none);
     if (!time) {
         table.reporter().faults.add(faults);
@@ -33,7 +33,7 @@ std::optional<StatedSun> read_timed_sun(TableReader& table, const RunFileContext
     const std::string words = fmt::format(
         "{} at latitude {}, longitude {}", civil_time_text(*time),
         shortest(context.site->latitude_deg), shortest(context.site->longitude_deg));
-    return StatedSun{
+    return SunSpec{
         context.orientation.towards(sun.azimuth_deg, sun.elevation_deg), sun.distance_au, words};
 }
 
@@ -46,13 +46,14 @@ std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientat
                                 : std::nullopt;
 }
 
-std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext& context) {
     const bool has_time = table.any("time") != nullptr;
     const bool has_angles =
         table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
     if (has_time && has_angles) {
         table.fault(
-            "time and angles are given", "both tell where the sun stands", "leave one of them out");
+            "both time and angles are given", "each of them gives the position of the sun",
+            "remove one of them");
         return std::nullopt;
     }
     if (has_time) {
@@ -60,23 +61,22 @@ std::optional<StatedSun> read_stated_sun(TableReader& table, const RunFileContex
     }
     if (!has_angles) {
         table.fault(
-            "where the sun stands is missing", "",
+            "the position of the sun is missing", "",
             "give time (with [site]), or azimuth_deg and elevation_deg");
         return std::nullopt;
     }
     const auto to_sun = read_towards(table, context.orientation);
-    return to_sun ? std::optional(StatedSun{*to_sun, 1, ""}) : std::nullopt;
+    return to_sun ? std::optional(SunSpec{*to_sun, 1, ""}) : std::nullopt;
 }
 
-std::string sun_words(const StatedSun& sun, const Orientation& orientation) {
-    return fmt::format(
-        "{}sun towards {} ({})", sun.words.empty() ? "" : sun.words + ", ",
-        vector_words(orientation.outward(sun.to_sun)), angles_words(-sun.to_sun, orientation));
+std::string describe_sun(const SunSpec& sun, const Orientation& orientation) {
+    return format_angles(-sun.to_sun, orientation) +
+           (sun.words.empty() ? "" : fmt::format(" ({})", sun.words));
 }
 
 std::optional<NotedSource> read_sun(
     TableReader& table, const std::string& name, const RunFileContext& context) {
-    const std::optional<StatedSun> sun = read_stated_sun(table, context);
+    const std::optional<SunSpec> sun = read_stated_sun(table, context);
     const bool is_disk = table.boolean("disk").value_or(false);
     std::optional<Irradiance> irradiance = read_irradiance(table, context.bands);
     if (!sun || !irradiance) {
@@ -86,7 +86,7 @@ std::optional<NotedSource> read_sun(
     if (is_down) {
         table.warn(fmt::format(
             "{}: the sun is below the horizon and gives no light ({})", table.what(),
-            angles_words(-sun->to_sun, context.orientation)));
+            format_angles(-sun->to_sun, context.orientation)));
         irradiance = Irradiance{std::vector<double>(context.bands.size(), 0.0), false};
     }
     const auto values = facing_irradiance(table, *irradiance, sun->to_sun.z);
@@ -94,11 +94,10 @@ std::optional<NotedSource> read_sun(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, light travels along {}, {}{}", name, sun_words(*sun, context.orientation),
-        vector_words(context.orientation.outward(-sun->to_sun)),
-        is_disk ? fmt::format("disk of radius {:.4g} deg, ", solar_radius_deg(sun->distance_au))
+        "{}: {}{}; {}", name, describe_sun(*sun, context.orientation),
+        is_disk ? fmt::format("; disk of radius {:.4g} deg", solar_radius_deg(sun->distance_au))
                 : "",
-        irradiance_words("plane facing it", *values, context.bands));
+        format_irradiance("a plane facing it", *values, context.bands));
     NotedSource noted{nullptr, note, sun};
     noted.source =
         is_disk ? make_sun_disk(name, sun->to_sun, solar_radius_deg(sun->distance_au), *values)

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
-#include "optics/usual_optics.h"
+#include "optics/default_optics.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/run_file_time.h"
 
@@ -27,10 +27,10 @@ std::optional<std::vector<double>> by_band(
             table.fault_at(
                 "optics",
                 fmt::format(
-                    "band '{}' has {} to {} nm", context.bands[b].name, spans[b].from_nm,
+                    "band '{}' covers {} to {} nm", context.bands[b].name, spans[b].from_nm,
                     spans[b].to_nm),
-                "these optics are known below and above 700 nm",
-                "split the band, or state reflectance and transmittance");
+                "these optics are defined below and above 700 nm",
+                "split the band, or give reflectance and transmittance");
             return std::nullopt;
         }
         values.push_back(spans[b].to_nm <= kBorder ? optics.visible : optics.near_infrared);
@@ -65,7 +65,7 @@ std::optional<SpectralOptics> read_usual_optics(TableReader& table, const RunFil
     if (*name == kSoil) {
         return read_soil(table, context);
     }
-    const UsualOptics* usual = find_usual_optics(*name);
+    const DefaultOptics* usual = find_usual_optics(*name);
     if (usual == nullptr) {
         std::vector<std::string_view> names = names_in(usual_optics());
         names.insert(names.begin(), kSoil);

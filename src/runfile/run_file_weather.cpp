@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "runfile/run_file_time.h"
 #include "weather/check_clock.h"
@@ -49,7 +50,7 @@ WeatherColumns read_columns(TimeContext& context) {
     return columns;
 }
 
-/// Takes over what the file knows of its place.
+/// Takes site and time zone of the file where the run file has none.
 void settle_site(const WeatherFile& file, TimeContext& context) {
     TableReader& table = *context.table;
     if (file.utc_offset_hours && context.utc_offset_hours &&
@@ -60,7 +61,7 @@ void settle_site(const WeatherFile& file, TimeContext& context) {
             fmt::format(
                 "the weather file's clock is {} hours ahead of UTC",
                 shortest(*file.utc_offset_hours)),
-            "leave it out");
+            "remove it");
     }
     if (file.utc_offset_hours) {
         context.utc_offset_hours = file.utc_offset_hours;
@@ -76,7 +77,7 @@ void settle_site(const WeatherFile& file, TimeContext& context) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
-                    "the weather is of latitude {}, longitude {}, which is not [site]",
+                    "the weather file is for latitude {}, longitude {}, which differs from [site]",
                     shortest(file.site->latitude_deg), shortest(file.site->longitude_deg)));
         }
     } else if (file.site) {
@@ -93,7 +94,7 @@ std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) 
                                                     std::pair(span.first.month, span.first.day);
         record.start.year = span.first.year + (next_year ? 1 : 0);
     }
-    std::size_t left_out = 0;
+    std::size_t skipped = 0;
     std::erase_if(records, [&](const WeatherRecord& record) {
         if (record.start.day <= days_in_month(record.start.year, record.start.month)) {
             return false;
@@ -104,13 +105,13 @@ std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) 
         march.hour = march.minute = 0;
         march.second = 0;
         const double begin = julian_day(march);
-        left_out += begin > julian_day(span.first) && begin < julian_day(span.last) ? 1 : 0;
+        skipped += begin > julian_day(span.first) && begin < julian_day(span.last) ? 1 : 0;
         return true;
     });
     std::stable_sort(records.begin(), records.end(), [](const auto& a, const auto& b) {
         return julian_day(a.start) < julian_day(b.start);
     });
-    return left_out;
+    return skipped;
 }
 
 /// Whether a span of a typical year is of 365 days at most; it holds no others.
@@ -118,7 +119,7 @@ bool fits_a_year(TableReader& table, const TimeSpan& span) {
     if (julian_day(span.last) - julian_day(span.first) <= 366) {
         return true;
     }
-    table.fault("more than a year is asked for", "the weather file holds a typical year");
+    table.fault("more than a year is requested", "the weather file contains a typical year");
     return false;
 }
 
@@ -165,13 +166,11 @@ class Selection {
         if (cut_ > 0) {
             context_.table->warn_at(
                 *context_.table->any("hours"),
-                fmt::format(
-                    "{} records reach beyond these hours: each counts for its part within them",
-                    cut_));
+                fmt::format("{} beyond these hours, used in proportion", counted(cut_, "record")));
         }
         if (gaps_ > 0) {
             context_.table->reporter().warnings.push_back(
-                {first_gap_, fmt::format("{} gaps are left out, this is the first", gaps_)});
+                {first_gap_, fmt::format("{} left out; this is the first", counted(gaps_, "gap"))});
         }
     }
     [[nodiscard]] bool found() const { return found_; }
@@ -184,9 +183,9 @@ class Selection {
 
     /// Tells of steps that are asked for between the record before and `next`.
     void note_hole(const CivilTime& next, const WeatherRecord& record) {
-        constexpr double kMostSteps = 1e6;
+        constexpr double kMaxSteps = 1e6;
         const double length = end_ ? kSecondsADay * (julian_day(next) - julian_day(*end_)) : 0;
-        if (length > kMostSteps * record.seconds) {
+        if (length > kMaxSteps * record.seconds) {
             note_gap(record.line, "more than a million rows are missing");
             return;
         }
@@ -206,13 +205,12 @@ class Selection {
     }
 
     void note_gap(std::uint32_t line, const std::string& text) {
-        const std::string place = fmt::format("{}:{}", file_, line);
+        const std::string where = fmt::format("{}:{}", file_, line);
         if (!skips_) {
             context_.table->reporter().faults.add(
-                {place, text, "a sum over a day needs all of it",
-                 "gaps = \"skip\" leaves such times out"});
+                {where, text, "daily sums need every hour", "gaps = \"skip\" leaves them out"});
         } else if (gaps_++ == 0) {
-            first_gap_ = place + ": " + text;
+            first_gap_ = where + ": " + text;
         }
     }
 
@@ -238,8 +236,8 @@ std::optional<WeatherFile> read_file_of_weather(TimeContext& context, const std:
     const auto* unit_name = unit != nullptr ? unit->as<std::string>() : nullptr;
     if (is_epw && unit_name != nullptr && *unit_name != "full_spectrum") {
         table.fault_at(
-            "unit", "unit is stated for an EPW file", "its light is always in W m-2",
-            "leave it out");
+            "unit", "unit is given for an EPW file", "its irradiance is always in W m-2",
+            "remove it");
     }
     const WeatherColumns columns = is_epw ? WeatherColumns() : read_columns(context);
     Reporter own{path, {}, {}};
@@ -281,13 +279,13 @@ std::vector<Interval> read_weather(TimeContext& context) {
         return {};
     }
     if (span && file->is_typical_year) {
-        const std::size_t left_out = set_year(file->records, *span);
-        if (left_out > 0) {
+        const std::size_t skipped = set_year(file->records, *span);
+        if (skipped > 0) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
-                    "{} records of a 29 February are left out: the year asked for has none",
-                    left_out));
+                    "{} of 29 February left out: the requested year has none",
+                    counted(skipped, "record")));
         }
     }
     warn_of_clock(*file, context);
@@ -300,16 +298,14 @@ std::vector<Interval> read_weather(TimeContext& context) {
     }
     if (!selection.found()) {
         table.fault_at(
-            "weather", "the weather file has no light of the times asked for",
+            "weather", "the weather file has no light at the requested times",
             fmt::format(
-                "it goes from {} to {}", civil_time_text(file->records.front().start),
+                "it covers {} to {}", civil_time_text(file->records.front().start),
                 civil_time_text(file->records.back().start)));
     }
     selection.finish(file->records.back());
     if (selection.found() && selection.intervals().empty() && !table.failed()) {
-        table.fault_at(
-            "weather", "no time of those asked for has light",
-            "all of them are gaps: what they lack stands for missing values");
+        table.fault_at("weather", "no requested time has light", "all are gaps (missing values)");
     }
     return std::move(selection.intervals());
 }

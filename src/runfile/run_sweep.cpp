@@ -40,7 +40,7 @@ class FileCache {
 namespace {
 
 /// No more points are read once so many faults were found.
-constexpr std::size_t kMostPointFaults = 100;
+constexpr std::size_t kMaxPointFaults = 100;
 
 /// Every key of labels of the organs, in order: the columns that they make.
 std::set<std::string> label_keys_of(const Scene& scene) {
@@ -105,13 +105,13 @@ class RunSweep::State {
 
     /// A flag would undo a part of the sweep.
     void check_overrides() {
-        for (const Override& stated : overrides_) {
+        for (const Override& given : overrides_) {
             for (const SweptKey& key : plan_.keys()) {
-                if (key.from_top() == "run." + stated.key) {
+                if (key.from_top() == "run." + given.key) {
                     reporter_.faults.add(
-                        {stated.place, "is swept by the run file",
+                        {given.where, "is swept by the run file",
                          fmt::format("{} has {} values there", key.path, key.values.size()),
-                         "leave it out here, or there"});
+                         "remove it here or there"});
                 }
             }
         }
@@ -132,11 +132,11 @@ class RunSweep::State {
             .overlaps = plan_.keeps_geometry() ? nullptr : &overlaps_,
             .meshes = plan_.keeps_geometry() ? nullptr : &meshes_};
         return read_run_document(
-            std::move(document), reporter_.file, files, overrides_, known, Darkness::allowed);
+            std::move(document), reporter_.file, files, overrides_, known, NoLightPolicy::allowed);
     }
 
     [[nodiscard]] bool is_full() const {
-        return reporter_.is_full() || point_faults_.size() >= kMostPointFaults;
+        return reporter_.is_full() || point_faults_.size() >= kMaxPointFaults;
     }
 
     void read_all(const OnPointRead& on_point) {
@@ -160,7 +160,7 @@ class RunSweep::State {
     void add_new(std::size_t point, const InputError& error) {
         for (const Fault& fault : error.faults()) {
             const auto [known, is_new] =
-                places_of_faults_.try_emplace(fault.text(), point_faults_.size());
+                indices_of_faults_.try_emplace(fault.text(), point_faults_.size());
             if (is_new) {
                 point_faults_.push_back({fault, point, 1});
             } else {
@@ -172,37 +172,38 @@ class RunSweep::State {
     /// With the point, where a fault is of some points and has no line that would tell.
     [[nodiscard]] Fault named(PointFault each) const {
         const std::string line = reporter_.file + ":";
-        const bool has_line = each.fault.place.starts_with(line) &&
-                              each.fault.place.substr(line.size()).find_first_of("0123456789") == 0;
+        const bool has_line = each.fault.where.starts_with(line) &&
+                              each.fault.where.substr(line.size()).find_first_of("0123456789") == 0;
         if (is_swept() && !has_line && each.points < size()) {
-            each.fault.place += ", " + words_of(each.first);
+            each.fault.where += ", " + words_of(each.first);
         }
         return std::move(each.fault);
     }
 
     /// "point 3 (seed = 2)".
     [[nodiscard]] std::string words_of(std::size_t point) const {
-        return fmt::format("point {} ({})", point + 1, point_words({plan_.values_at(point), {}}));
+        return fmt::format(
+            "point {} ({})", point + 1, describe_point({plan_.values_at(point), {}}));
     }
 
     void warn_of_darkness() {
         if (dark_points_ > 0) {
             reporter_.warn(fmt::format(
-                "[sweep]: at {} of {} points no source has any light, and all numbers are 0: "
-                "first at {}",
+                "[sweep]: no source gives light at {} of {} points, and all results are 0; the "
+                "first is {}",
                 dark_points_, size(), words_of(first_dark_)));
         }
     }
 
     void note(std::size_t point, RunFile run) {
         for (const Warning& warning : run.warnings) {
-            if (told_.insert({warning.place, warning.text}).second) {
+            if (sent_.insert({warning.where, warning.text}).second) {
                 reporter_.warnings.push_back(warning);
             }
         }
         for (const InputFile& input : run.inputs) {
             const auto has_path = [&](const InputFile& each) {
-                return each.resolved == input.resolved;
+                return each.absolute_path == input.absolute_path;
             };
             if (std::none_of(inputs_.begin(), inputs_.end(), has_path)) {
                 inputs_.push_back(input);
@@ -218,7 +219,8 @@ class RunSweep::State {
         } else if (!plan_.keeps_geometry() && label_keys_of(run.scene) != labels_) {
             reporter_.faults.add(
                 {reporter_.file, fmt::format("point {}: its organs have other labels", point + 1),
-                 "labels are columns, the same for all points", "give all organs the same keys"});
+                 "labels are columns and must be the same for all points",
+                 "give all organs the same keys"});
         }
     }
 
@@ -253,10 +255,10 @@ class RunSweep::State {
     MeshCache meshes_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;
-    std::set<std::pair<std::string, std::string>> told_;
+    std::set<std::pair<std::string, std::string>> sent_;
     std::set<std::string> labels_;
     std::vector<PointFault> point_faults_;
-    std::unordered_map<std::string, std::size_t> places_of_faults_;  // by their texts
+    std::unordered_map<std::string, std::size_t> indices_of_faults_;  // by their texts
     std::size_t dark_points_ = 0, first_dark_ = 0;
     std::shared_ptr<std::vector<SweepPoint>> points_ = std::make_shared<std::vector<SweepPoint>>();
 };
@@ -278,7 +280,7 @@ RunFile RunSweep::only_run() && {
     if (state_->is_swept()) {
         throw InputError(
             {{state_->name(), fmt::format("it has a [sweep] of {} points", state_->size()),
-              "a single run is asked for", "leave [sweep] out"}});
+              "a single run is needed", "leave [sweep] out"}});
     }
     return state_->take(0);
 }

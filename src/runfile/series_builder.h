@@ -39,12 +39,12 @@ class SeriesBuilder {
         std::size_t count = 0;
         std::string first;
 
-        void add(const Interval& interval) { first = count++ == 0 ? interval.place : first; }
+        void add(const Interval& interval) { first = count++ == 0 ? interval.where : first; }
     };
 
     template <typename Share>
     [[nodiscard]] Sources dimmed_lamps(const Share& share) const;
-    void add_moment(
+    void add_time_step(
         const Interval& interval, const SunPath& path, const Daylight& daylight, HourParts parts);
     void gather(const Interval& interval, const Daylight& daylight, const HourParts& parts);
     void close_gathered();

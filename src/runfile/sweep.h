@@ -15,7 +15,7 @@
 namespace quasimc {
 
 /// The most points that a sweep may have.
-inline constexpr std::size_t kMostSweepPoints = 100000;
+inline constexpr std::size_t kMaxSweepPoints = 100000;
 
 /// A key of [sweep] and its values.
 struct SweptKey {
@@ -53,7 +53,7 @@ class SweepPlan {
     void read_keys(const Node& table, const std::string& prefix, Reporter& reporter);
     void read_combination(const Member& member, Reporter& reporter);
     void check_keys(Reporter& reporter) const;
-    void count_points(const Node& table, std::size_t stated, Reporter& reporter);
+    void count_points(const Node& table, std::size_t given, Reporter& reporter);
 
     std::vector<SweptKey> keys_;
     std::size_t points_ = 1;

@@ -21,13 +21,13 @@ bool is_named(const std::vector<std::string>& names, std::string_view name) {
 void check_names(
     const std::vector<std::string>& names,
     const std::vector<std::string_view>& known,
-    std::string_view place,
+    std::string_view where,
     std::string_view what,
     Faults& faults) {
     for (const std::string& name : names) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             faults.add(
-                {std::string(place), fmt::format("'{}' is not a {}", name, what), "",
+                {std::string(where), fmt::format("'{}' is not a {}", name, what), "",
                  did_you_mean(name, known)});
         }
     }
@@ -92,14 +92,14 @@ bool is_written(const RunFile& run, std::size_t time_step, const Result& result)
         return true;
     }
     const bool is_dark = result.paths == 0;
-    const MomentNotes& notes = run.series->notes[time_step];
+    const TimeStepNotes& notes = run.series->notes[time_step];
     const double clock = clock_hours(notes.time);
     const auto& hours = run.output.time_of_day;
     const bool is_asked_for = !hours || ((*hours)[0] <= clock && clock < (*hours)[1]);
     return (run.output.include_night || !is_dark) && is_asked_for;
 }
 
-std::string point_words(const SweepPoint& point) {
+std::string describe_point(const SweepPoint& point) {
     std::string text;
     for (const SweptValue& value : point.values) {
         text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", value.key, value.text);

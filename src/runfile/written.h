@@ -32,9 +32,9 @@ struct WrittenColumns {
 [[nodiscard]] bool is_written(const RunFile& run, std::size_t time_step, const Result& result);
 
 /// "paths = 1024, material.leaf.reflectance = 0.1".
-[[nodiscard]] std::string point_words(const SweepPoint& point);
+[[nodiscard]] std::string describe_point(const SweepPoint& point);
 
-/// Adds a fault for each quantity or band of that choice that there is not; their places are
+/// Adds a fault for each unknown quantity or band of that choice; their locations are
 /// "quantities" and "bands".
 void check_written(const OutputSpec& output, const std::vector<Band>& bands, Faults& faults);
 

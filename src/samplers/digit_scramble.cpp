@@ -9,7 +9,7 @@ namespace quasimc {
 namespace {
 
 constexpr std::uint64_t kLargestGroup = 2048;
-constexpr int kMostGroups = 7;
+constexpr int kMaxGroups = 7;
 constexpr int kFillBits = 20;
 
 /// p^e, or 0 if it does not fit 32 bits.
@@ -62,7 +62,7 @@ DigitScramble::DigitScramble(std::uint32_t base) : base_(base) {
     EXPECT(base >= 2 && base <= kLargestGroup);
     for (int length = 1; power32(base, length) != 0 && power32(base, length) <= kLargestGroup;
          ++length) {
-        for (int groups = 1; groups <= kMostGroups; ++groups) {
+        for (int groups = 1; groups <= kMaxGroups; ++groups) {
             const std::uint32_t period = power32(base, length * groups);
             if (period < period_ || (period == period_ && groups >= groups_)) {
                 continue;

@@ -139,10 +139,10 @@ class Faure final : public Sampler {
         std::uint32_t above = 0;
         std::uint32_t result = 0;
         for (int k = kFaureDigits - 1; k >= 0; --k) {
-            const std::uint64_t place =
+            const std::uint64_t node =
                 std::uint64_t{above} * kFaureDigits + static_cast<unsigned>(k);
             const std::uint64_t choice =
-                multiply_high(mix64(key + place), std::uint64_t{kBase} * (kBase - 1));
+                multiply_high(mix64(key + node), std::uint64_t{kBase} * (kBase - 1));
             const auto a = static_cast<std::uint32_t>(choice / kBase) + 1;
             const auto b = static_cast<std::uint32_t>(choice % kBase);
             result = result * kBase + (a * digits[k] + b) % kBase;

@@ -35,8 +35,8 @@ namespace quasimc {
     // The fractional parts of the square roots of 2, 3, 5, 7.
     const std::uint64_t run =
         fold(stream.seed ^ 0x6a09e667f3bcc909U, stream.sequence ^ 0xbb67ae8584caa73bU);
-    const std::uint64_t place = std::uint64_t{stream.replicate} << 32 | dimension;
-    return mix64(run ^ fold(part ^ 0x3c6ef372fe94f82bU, place ^ 0xa54ff53a5f1d36f1U));
+    const std::uint64_t coordinate = std::uint64_t{stream.replicate} << 32 | dimension;
+    return mix64(run ^ fold(part ^ 0x3c6ef372fe94f82bU, coordinate ^ 0xa54ff53a5f1d36f1U));
 }
 
 /// high * 2^-32 + low * 2^-53, exactly, for low < 2^21: 53 random bits as a number in [0, 1).

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// The factor of a transform that changes no shape; nothing if it shears or stretches.
+/// The factor of a transform that changes no shape; nothing if it shears or segments.
 std::optional<double> similarity(const Affine& a) {
     const double square = dot(a.rows[0], a.rows[0]);
     constexpr double kRounding = 1e-12;
@@ -62,7 +62,7 @@ std::vector<bool> choose_instances(const SceneDraft& draft) {
     std::vector<bool> chosen;
     for (const Instance& copy : draft.copies) {
         chosen.push_back(
-            uses[copy.mesh.get()] >= kFewestCopies && copy.mesh->size() >= kSmallestPrototype &&
+            uses[copy.mesh.get()] >= kMinCopies && copy.mesh->size() >= kSmallestPrototype &&
             is_well_conditioned(copy.transform));
     }
     return chosen;

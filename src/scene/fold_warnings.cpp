@@ -16,7 +16,7 @@ bool is_alnum(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Where a name that begins with a quotation mark ends; the same place if none begins there.
+/// The end of a name that begins with a quotation mark at `at`; `at` if none begins there.
 std::size_t end_of_quoted(const std::string& text, std::size_t at) {
     if (text[at] != '\'' || (at > 0 && is_alnum(text[at - 1]))) {
         return at;  // an apostrophe, or no mark
@@ -89,23 +89,23 @@ Warning folded(const std::vector<Warning>& all) {
     for (const Warning& warning : all) {
         count += without_count(warning.text).second;
     }
-    std::vector<std::string> places;
+    std::vector<std::string> locations;
     for (const Warning& warning : all) {
-        if (std::find(places.begin(), places.end(), warning.place) == places.end() &&
-            places.size() <= kShown) {
-            places.push_back(warning.place);
+        if (std::find(locations.begin(), locations.end(), warning.where) == locations.end() &&
+            locations.size() <= kShown) {
+            locations.push_back(warning.where);
         }
     }
-    const std::size_t shown = std::min(places.size(), kShown);
-    std::string place;
+    const std::size_t shown = std::min(locations.size(), kShown);
+    std::string where;
     for (std::size_t i = 0; i < shown; ++i) {
-        place += (i == 0 ? "" : ", ") + places[i];
+        where += (i == 0 ? "" : ", ") + locations[i];
     }
-    if (places.size() > shown) {
-        place += " and others";
+    if (locations.size() > shown) {
+        where += " and others";
     }
     return {
-        place, fmt::format("{} ({}{}", without_count(all.front().text).first, count, kEndOfFolded)};
+        where, fmt::format("{} ({}{}", without_count(all.front().text).first, count, kEndOfFolded)};
 }
 
 }  // namespace

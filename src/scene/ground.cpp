@@ -23,7 +23,7 @@ std::string text_of(const Interval& i) {
 struct AxisRules {
     char axis;
     std::optional<Interval> cell;    ///< if the scene is periodic along the axis
-    std::optional<Interval> stated;  ///< if an extent was given
+    std::optional<Interval> given;   ///< if an extent was given
     std::optional<Interval> organs;  ///< if there are any
 };
 
@@ -36,34 +36,34 @@ bool is_same(const Interval& a, const Interval& b) {
     return std::abs(a.low - b.low) <= rounding && std::abs(a.high - b.high) <= rounding;
 }
 
-Interval extent_along(const AxisRules& rules, const std::string& place, Faults& faults) {
-    const std::optional<Interval>& stated = rules.stated;
-    if (stated && !(is_usable(stated->low) && is_usable(stated->high) && stated->size() > 0)) {
+Interval extent_along(const AxisRules& rules, const std::string& where, Faults& faults) {
+    const std::optional<Interval>& given = rules.given;
+    if (given && !(is_usable(given->low) && is_usable(given->high) && given->size() > 0)) {
         faults.add(
-            {place, fmt::format("the extent along {} runs {}", rules.axis, text_of(*stated)),
-             "an extent is low x, low y, high x, high y, low less than high", ""});
+            {where, fmt::format("the extent along {} is {}", rules.axis, text_of(*given)),
+             "an extent is low x, low y, high x, high y, with low < high", ""});
         return {};
     }
-    if (rules.cell && stated && !is_same(*stated, *rules.cell)) {
+    if (rules.cell && given && !is_same(*given, *rules.cell)) {
         faults.add(
-            {place, fmt::format("the extent along {} runs {}", rules.axis, text_of(*stated)),
+            {where, fmt::format("the extent along {} is {}", rules.axis, text_of(*given)),
              "the scene is periodic along it " + text_of(*rules.cell),
-             "leave the extent out, or give the ground as triangles"});
+             "remove the extent, or give the ground as triangles"});
         return {};
     }
-    if (rules.cell || stated) {
-        return rules.cell ? *rules.cell : *stated;
+    if (rules.cell || given) {
+        return rules.cell ? *rules.cell : *given;
     }
     if (!rules.organs) {
         faults.add(
-            {place, fmt::format("its size along {} is not known", rules.axis),
-             "there are no organs above it", "state its extent"});
+            {where, fmt::format("its size along {} is unknown", rules.axis),
+             "there are no organs above it", "give its extent"});
         return {};
     }
     if (rules.organs->size() == 0) {
         faults.add(
-            {place, fmt::format("its size along {} would be 0", rules.axis),
-             "it reaches as far as the organs", "state its extent"});
+            {where, fmt::format("its size along {} would be 0", rules.axis),
+             "it extends as far as the organs", "give its extent"});
     }
     return *rules.organs;
 }
@@ -88,15 +88,15 @@ std::vector<Triangle> horizontal_ground(
     }
     if (ground.extent) {
         const auto& [low_x, low_y, high_x, high_y] = *ground.extent;
-        x.stated = {low_x, high_x};
-        y.stated = {low_y, high_y};
+        x.given = {low_x, high_x};
+        y.given = {low_y, high_y};
     }
     if (!organs.empty()) {
         x.organs = {organs.low.x, organs.high.x};
         y.organs = {organs.low.y, organs.high.y};
     }
-    const Interval along_x = extent_along(x, ground.place, faults);
-    const Interval along_y = extent_along(y, ground.place, faults);
+    const Interval along_x = extent_along(x, ground.where, faults);
+    const Interval along_y = extent_along(y, ground.where, faults);
     return rectangle(along_x, along_y, ground.height);
 }
 
@@ -104,10 +104,10 @@ std::vector<Triangle> horizontal_ground(
 void check_given_surface(const GroundSpec& ground, Faults& faults) {
     const std::string why = "it is given as triangles";
     if (ground.extent) {
-        faults.add({ground.place, "it has an extent too", why, "leave one of them out"});
+        faults.add({ground.where, "it has an extent too", why, "remove one of them"});
     }
     if (ground.height != 0) {
-        faults.add({ground.place, "it has a height too", why, "leave one of them out"});
+        faults.add({ground.where, "it has a height too", why, "remove one of them"});
     }
 }
 
@@ -119,12 +119,12 @@ OrganSpec make_ground_organ(
         check_given_surface(ground, faults);
     } else if (!is_usable(ground.height)) {
         faults.add(
-            {ground.place, fmt::format("its height is {}", shortest(ground.height)),
-             "heights are finite numbers", ""});
+            {ground.where, fmt::format("its height is {}", shortest(ground.height)),
+             "heights must be finite", ""});
     }
     OrganSpec organ;
     organ.name = ground.name.empty() ? "ground" : ground.name;
-    organ.place = ground.place;
+    organ.where = ground.where;
     Mesh triangles = ground.triangles.empty()
                          ? Mesh(horizontal_ground(ground, cell, organs, faults))
                          : std::move(ground.triangles);

@@ -20,7 +20,7 @@ class OrganMaker {
 
     [[nodiscard]] OrganSpec make(std::size_t organ) {
         OrganSpec spec;
-        spec.place = arrays_.place;
+        spec.where = arrays_.where;
         if (!arrays_.ids.empty()) {
             spec.id = arrays_.ids[organ];
         }
@@ -69,7 +69,7 @@ class OrganMaker {
 
     [[noreturn]] void refuse(std::size_t face, std::int64_t vertex) const {
         throw InputError(
-            {{arrays_.place,
+            {{arrays_.where,
               "face " + std::to_string(face) + " names vertex " + std::to_string(vertex),
               "there are " + std::to_string(vertex_count()) + " vertices, counted from 0", ""}});
     }
@@ -96,8 +96,8 @@ class OrganMaker {
         }
     }
 
-    [[nodiscard]] std::size_t face_at(std::size_t place) const {
-        return arrays_.order.empty() ? place : static_cast<std::size_t>(arrays_.order[place]);
+    [[nodiscard]] std::size_t face_at(std::size_t index) const {
+        return arrays_.order.empty() ? index : static_cast<std::size_t>(arrays_.order[index]);
     }
 
     [[nodiscard]] Mesh whole_mesh() const {

@@ -13,7 +13,7 @@ namespace quasimc {
 
 /// Organs as arrays, which must outlive it.
 struct MeshArrays {
-    std::string place;                 ///< for messages: "mesh 1"
+    std::string where;                 ///< for messages: "mesh 1"
     std::span<const double> vertices;  ///< x, y, z of each; the file's axes
     /// Three numbers of vertices for each face; empty: every three vertices are a face.
     std::variant<std::span<const std::int32_t>, std::span<const std::int64_t>> faces;

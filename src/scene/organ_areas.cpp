@@ -14,13 +14,13 @@ namespace quasimc {
 namespace {
 
 /// Where a number falls among sums that grow: which of them is the first beyond it, and how far.
-struct Place {
+struct CdfInterval {
     std::uint32_t number = 0;
     double before = 0;    ///< the sum before it
     double fraction = 0;  ///< of what it adds, 0 to 1
 };
 
-Place place_in(std::span<const double> until, double pick) {
+CdfInterval interval_at(std::span<const double> until, double pick) {
     const auto last = static_cast<std::ptrdiff_t>(until.size()) - 1;
     const auto i = static_cast<std::uint32_t>(std::min<std::ptrdiff_t>(
         std::upper_bound(until.begin(), until.end(), pick) - until.begin(), last));
@@ -29,16 +29,16 @@ Place place_in(std::span<const double> until, double pick) {
     return {i, before, own > 0 ? std::clamp((pick - before) / own, 0.0, 1.0) : 0};
 }
 
-/// How a map stretches: the products of its columns, as fractions of their sum of squares, in steps
+/// How a map segments: the products of its columns, as fractions of their sum of squares, in steps
 /// of 1e-12. Maps alike in this change the areas of all triangles by one factor, that of
 /// square_size().
-using Stretch = std::array<std::int64_t, 6>;
+using LinearPart = std::array<std::int64_t, 6>;
 
 double square_size(const Affine& a) {
     return dot(a.rows[0], a.rows[0]) + dot(a.rows[1], a.rows[1]) + dot(a.rows[2], a.rows[2]);
 }
 
-Stretch stretch_of(const Affine& a) {
+LinearPart linear_part_of(const Affine& a) {
     const auto product = [&](double Vec3::*i, double Vec3::*j) {
         double sum = 0;
         for (const Vec3& row : a.rows) {
@@ -73,10 +73,10 @@ OrganAreas::OrganAreas(
         until_.push_back(area(geometry_->mesh()[i]));
     }
     // Shares of triangles are the same in all copies of a mesh that were not stretched.
-    std::map<std::pair<const Mesh*, Stretch>, std::uint32_t> known;
+    std::map<std::pair<const Mesh*, LinearPart>, std::uint32_t> known;
     for (const Instance& instance : geometry_->instances()) {
         const auto [shape, is_new] = known.try_emplace(
-            {instance.mesh.get(), stretch_of(instance.transform)},
+            {instance.mesh.get(), linear_part_of(instance.transform)},
             static_cast<std::uint32_t>(mesh_until_.size()));
         if (is_new) {
             mesh_until_.push_back(sums_of(instance));
@@ -108,21 +108,21 @@ OrganAreas::Pick OrganAreas::pick(const Organ& organ, double area) const {
     if (organ.first_triangle >= until_.size()) {
         return pick_of_instances(organ, area);
     }
-    const Place place =
-        place_in(std::span(until_).subspan(organ.first_triangle, organ.triangle_count), area);
-    return {organ.first_triangle + place.number, place.fraction};
+    const CdfInterval interval =
+        interval_at(std::span(until_).subspan(organ.first_triangle, organ.triangle_count), area);
+    return {organ.first_triangle + interval.number, interval.fraction};
 }
 
 OrganAreas::Pick OrganAreas::pick_of_instances(const Organ& organ, double area) const {
     const RangeIndex& ranges = geometry_->ranges();
     const std::uint32_t first = ranges.find(organ.first_triangle);
     const std::uint32_t last = ranges.find(organ.first_triangle + organ.triangle_count - 1);
-    const Place instance =
-        place_in(std::span(instance_until_).subspan(first, last - first + 1), area);
+    const CdfInterval instance =
+        interval_at(std::span(instance_until_).subspan(first, last - first + 1), area);
     const std::uint32_t k = first + instance.number;
     const std::vector<double>& until = mesh_until_[sums_[k]];
-    const Place place = place_in(until, instance.fraction * until.back());
-    return {ranges.first(k) + place.number, place.fraction};
+    const CdfInterval interval = interval_at(until, instance.fraction * until.back());
+    return {ranges.first(k) + interval.number, interval.fraction};
 }
 
 const OrganAreas& organ_areas(const Scene& scene) {

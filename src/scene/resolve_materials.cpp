@@ -11,24 +11,25 @@
 namespace quasimc {
 namespace {
 
-using StatedMaterials = std::span<const std::pair<MaterialSpec, std::string>>;
+using GivenMaterials = std::span<const std::pair<MaterialSpec, std::string>>;
 using MaterialNumbers = std::unordered_map<std::string_view, std::uint32_t>;
 
 /// The number of each material; adds the faults of materials and names.
-MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, Faults& faults) {
+MaterialNumbers number_materials(GivenMaterials materials, std::size_t bands, Faults& faults) {
     MaterialNumbers numbers;
     for (std::uint32_t i = 0; i < materials.size(); ++i) {
-        const auto& [spec, place] = materials[i];
-        const std::string where = place_of(spec, place);
+        const auto& [spec, origin] = materials[i];
+        const std::string where = location_of(spec, origin);
         check_material(spec, bands, where, faults);
         const auto [other, is_new] = numbers.try_emplace(spec.name, i);
         if (spec.name.empty()) {
-            faults.add({where, "it has no name", "organs name their materials", ""});
+            faults.add({where, "it has no name", "organs refer to materials by name", ""});
         } else if (!is_utf8(spec.name)) {
             faults.add({where, "its name is not UTF-8", "", ""});
         } else if (!is_new) {
             const std::string& first = materials[other->second].second;
-            const std::string why = first.empty() ? "names are unique" : "the first is at " + first;
+            const std::string why =
+                first.empty() ? "names must be unique" : "the first is at " + first;
             faults.add({where, "it is defined twice", why, ""});
         }
     }
@@ -39,7 +40,7 @@ MaterialNumbers number_materials(StatedMaterials materials, std::size_t bands, F
 class Missing {
   public:
     void add(std::size_t organ, std::string_view material) {
-        const auto [at, is_new] = place_of_.try_emplace(material, rows_.size());
+        const auto [at, is_new] = row_of_.try_emplace(material, rows_.size());
         if (is_new) {
             rows_.push_back({organ, material});
         }
@@ -50,12 +51,12 @@ class Missing {
         const SceneDraft& draft, std::span<const std::string_view> known, Faults& faults) const {
         for (const Row& row : rows_) {
             faults.add(
-                {place_of(draft, row.first),
-                 row.material.empty() ? "no material is named"
+                {location_of(draft, row.first),
+                 row.material.empty() ? "the material is missing"
                                       : fmt::format("material '{}' is not defined", row.material),
-                 row.parts == 1 ? "organs name their materials"
-                                : fmt::format("{} parts of organs name it", row.parts),
-                 known.empty() ? "define a material of that name"
+                 row.parts == 1 ? "organs refer to materials by name"
+                                : fmt::format("{} parts of organs use it", row.parts),
+                 known.empty() ? "define a material with that name"
                                : did_you_mean(row.material, known)});
         }
     }
@@ -67,7 +68,7 @@ class Missing {
         std::size_t parts = 0;
     };
     std::vector<Row> rows_;
-    std::unordered_map<std::string_view, std::size_t> place_of_;
+    std::unordered_map<std::string_view, std::size_t> row_of_;
 };
 
 }  // namespace
@@ -94,7 +95,7 @@ std::vector<MaterialId> resolve_materials(
         }
     }
     std::vector<std::string_view> known;
-    for (const auto& [spec, place] : materials) {
+    for (const auto& [spec, origin] : materials) {
         known.push_back(spec.name);
     }
     missing.report(draft, known, faults);

@@ -21,23 +21,23 @@ namespace {
 /// Checks that concern all organs together.
 void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) {
     if (draft.organs.empty()) {
-        faults.add({"scene", "there are no organs", "light falls on organs", "add one"});
+        faults.add({"scene", "there are no organs", "results are computed for organs", "add one"});
     }
-    constexpr std::size_t kMostTriangles = std::numeric_limits<std::uint32_t>::max() - 1;
-    if (draft.triangle_count() > kMostTriangles) {
+    constexpr std::size_t kMaxTriangles = std::numeric_limits<std::uint32_t>::max() - 1;
+    if (draft.triangle_count() > kMaxTriangles) {
         faults.add({"scene", "there are more than 4294967294 triangles", "", "divide it"});
     }
     constexpr double kSmallestSize = 1 / kLargestCoordinate;
     if (!bounds.empty() && !(bounds.radius() > kSmallestSize)) {
         faults.add(
-            {"scene", "all corners lie in one point", "such a scene has no size",
+            {"scene", "all corners are one point", "the scene has no size",
              "check the coordinates"});
     }
 }
 
 std::vector<Material> make_materials(const BuilderData& given) {
     std::vector<Material> materials;
-    for (const auto& [material, place] : given.materials) {
+    for (const auto& [material, where] : given.materials) {
         materials.push_back(make_material(material, given.bands.size()));
     }
     return materials;
@@ -66,8 +66,8 @@ void SceneBuilder::set_length_unit(std::string unit) {
     data_->length_unit = std::move(unit);
 }
 
-void SceneBuilder::add_material(MaterialSpec material, std::string place) {
-    data_->materials.emplace_back(std::move(material), std::move(place));
+void SceneBuilder::add_material(MaterialSpec material, std::string where) {
+    data_->materials.emplace_back(std::move(material), std::move(where));
 }
 
 void SceneBuilder::add_organ(OrganSpec organ) {
@@ -126,8 +126,8 @@ bool can_build_on(const SceneBuilder& builder, const Scene& scene) {
     return given.bands == scene.bands() &&
            std::equal(
                given.materials.begin(), given.materials.end(), known.begin(), known.end(),
-               [](const auto& stated, const Material& of_scene) {
-                   const MaterialSpec& material = stated.first;
+               [](const auto& given, const Material& of_scene) {
+                   const MaterialSpec& material = given.first;
                    return material.name == of_scene.name() &&
                           passes_everything(material) == of_scene.is_transparent();
                });
@@ -207,8 +207,8 @@ Scene SceneAccess::assembled(
 
 Scene SceneAccess::build_on(const BuilderData& given, const Scene& scene) {
     Faults faults;
-    for (const auto& [material, place] : given.materials) {
-        check_material(material, given.bands.size(), place_of(material, place), faults);
+    for (const auto& [material, where] : given.materials) {
+        check_material(material, given.bands.size(), location_of(material, where), faults);
     }
     std::vector<DetectorSpec> detectors = check_detectors(given.detectors, faults);
     faults.throw_if_any();

@@ -23,7 +23,7 @@ inline constexpr double kLargestCoordinate = 1e30;
 class OrganFaults {
   public:
     explicit OrganFaults(Faults& faults) : faults_(faults) {}
-    /// Adds a fault at the place of an organ of the draft.
+    /// Adds a fault at the location of an organ of the draft.
     void add(const SceneDraft& draft, std::size_t organ, Fault fault);
     /// Adds one fault that counts those left out, if any.
     void finish();
@@ -34,10 +34,10 @@ class OrganFaults {
 };
 
 /// Where an organ was stated, and which it is: "leaves.toml:12: organ 'leaf 7'".
-[[nodiscard]] std::string place_of(const SceneDraft& draft, std::size_t organ);
+[[nodiscard]] std::string location_of(const SceneDraft& draft, std::size_t organ);
 
 /// Where a material was stated, and which it is: "leaves.toml:3: material 'leaf'".
-[[nodiscard]] std::string place_of(const MaterialSpec& material, const std::string& place);
+[[nodiscard]] std::string location_of(const MaterialSpec& material, const std::string& where);
 
 /// Adds the faults of wavebands: none, no name, names that are not unique.
 void check_bands(const std::vector<Band>& bands, Faults& faults);

@@ -18,9 +18,9 @@ std::shared_ptr<const Mesh> in_order(const std::shared_ptr<const Mesh>& mesh) {
 }  // namespace
 
 void SceneDraft::add(OrganSpec spec) {
-    DraftOrgan& draft = stated.emplace_back();
-    places += spec.place;
-    draft.place_end = places.size();
+    DraftOrgan& draft = given.emplace_back();
+    locations += spec.where;
+    draft.location_end = locations.size();
     draft.field_of_view_deg = spec.field_of_view_deg;
     draft.first_part = static_cast<std::uint32_t>(parts.size());
     draft.part_count = static_cast<std::uint32_t>(spec.parts.size());

@@ -22,14 +22,14 @@ struct OrganSpec;
 struct DraftPart {
     static constexpr std::uint32_t kNoCopy = std::numeric_limits<std::uint32_t>::max();
 
-    std::uint32_t material = 0;  ///< place among the names of the draft
+    std::uint32_t material = 0;  ///< index among the names of the draft
     std::uint32_t first_face = 0, face_count = 0;
     std::uint32_t copy = kNoCopy;
 };
 
 /// What was stated of an organ beside what the scene keeps.
 struct DraftOrgan {
-    std::size_t place_end = 0;  ///< of its place, in SceneDraft::places
+    std::size_t location_end = 0;  ///< end of its location in SceneDraft::locations
     double field_of_view_deg = 90;
     std::uint32_t first_part = 0, part_count = 0;
     bool has_id = false;
@@ -39,20 +39,20 @@ struct DraftOrgan {
 /// triangle.
 struct SceneDraft {
     std::vector<Organ> organs;
-    std::vector<DraftOrgan> stated;  ///< of each organ
+    std::vector<DraftOrgan> given;  ///< of each organ
     std::vector<DraftPart> parts;
     Mesh mesh;                     ///< the faces of all parts
     std::vector<Instance> copies;  ///< of meshes that parts share
     std::vector<std::string> material_names;
-    std::string places;  ///< where each organ was stated, one after the other
+    std::string locations;  ///< where each organ was stated, one after the other
 
     void add(OrganSpec spec);
     [[nodiscard]] std::span<const DraftPart> parts_of(std::size_t organ) const {
-        return std::span(parts).subspan(stated[organ].first_part, stated[organ].part_count);
+        return std::span(parts).subspan(given[organ].first_part, given[organ].part_count);
     }
-    [[nodiscard]] std::string_view place_of(std::size_t organ) const {
-        const std::size_t begin = organ == 0 ? 0 : stated[organ - 1].place_end;
-        return std::string_view(places).substr(begin, stated[organ].place_end - begin);
+    [[nodiscard]] std::string_view location_of(std::size_t organ) const {
+        const std::size_t begin = organ == 0 ? 0 : given[organ - 1].location_end;
+        return std::string_view(locations).substr(begin, given[organ].location_end - begin);
     }
     /// How many triangles a part has.
     [[nodiscard]] std::size_t size_of(const DraftPart& part) const {

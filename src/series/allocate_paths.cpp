@@ -16,7 +16,7 @@
 namespace quasimc {
 namespace {
 
-constexpr int kLeastExponent = -6;
+constexpr int kMinExponent = -6;
 
 /// What sources bring to a square unit of the horizontal, per band. Lamps: their flux over the
 /// horizontal extent of the scene, a rough guess.
@@ -25,8 +25,8 @@ std::vector<double> light_of(const Scene& scene, const Sources& sources) {
     const double disc = std::numbers::pi * radius * radius;
     std::vector<double> light(scene.bands().size());
     for (const auto& source : sources) {
-        const double stated = source->horizontal_irradiance();
-        const double amount = std::isnan(stated) ? 1 / disc : stated;
+        const double given = source->horizontal_irradiance();
+        const double amount = std::isnan(given) ? 1 / disc : given;
         for (std::size_t b = 0; b < light.size(); ++b) {
             light[b] += amount * source->spectrum()[b];
         }
@@ -92,7 +92,7 @@ void allocate_paths(
         }
     }
     for (const auto& [traced, claim] : claims) {
-        const double least = std::ldexp(1, kLeastExponent);
+        const double least = std::ldexp(1, kMinExponent);
         const double exponent = std::round(std::log2(std::max(claim.effort, least)));
         plans[traced].path_factor = std::exp2(exponent);
         plans[traced].target = 1 / std::sqrt(std::max(claim.share, least * least));

@@ -37,9 +37,8 @@ void check_order(const std::vector<TimeStep>& time_steps) {
         if (own.day < before.day) {
             faults.add(
                 {own.name.empty() ? fmt::format("time {}", i + 1) : own.name,
-                 fmt::format("it is of day {}, after one of day {}", own.day, before.day),
-                 "the sum of a day is made when its last time is done",
-                 "sort the times by their days"});
+                 fmt::format("it belongs to day {}, but follows day {}", own.day, before.day),
+                 "a daily sum is formed after its last time step", "sort the time steps by day"});
         }
     }
     faults.throw_if_any();
@@ -66,7 +65,7 @@ class SeriesRun final : public SeriesSteps {
 
     SeriesSummary run() {
         walk_series(in_, *this, summary_);
-        if (summary_.done < in_.time_steps.size()) {
+        if (summary_.completed < in_.time_steps.size()) {
             add_to_total(in_.time_steps.size());
         }
         if (wants_total_) {
@@ -74,7 +73,7 @@ class SeriesRun final : public SeriesSteps {
         }
         summary_.seconds = watch_.seconds();
         const auto audits = static_cast<double>(std::max<std::size_t>(summary_.audited, 1));
-        summary_.audit_chance = std::min(1.0, least_chance_ * audits);
+        summary_.audit_p_value = std::min(1.0, least_chance_ * audits);
         return std::move(summary_);
     }
 
@@ -89,7 +88,7 @@ class SeriesRun final : public SeriesSteps {
         const bool needs_trace = plans_[i].factor > 0 && plans_[i].traced == i;
         const bool is_stopped = in_.control.stop.stop_requested();
         if (i > 0 && (is_stopped || (needs_trace && deadline_.is_over()))) {
-            throw Stopped(is_stopped ? StopReason::interrupted : StopReason::time_is_up, "");
+            throw Stopped(is_stopped ? StopReason::interrupted : StopReason::time_limit, "");
         }
         trace(i);
     }
@@ -97,19 +96,19 @@ class SeriesRun final : public SeriesSteps {
     void trace(std::size_t i) {
         const TimeStepPlan& plan = plans_[i];
         if (plan.traced == i && plan.factor > 0) {
-            kept_[i].result = trace_one(i);
+            cached_[i].result = trace_one(i);
         }
         const TimeStep& time_step = in_.time_steps[i];
         day_.add_seconds(time_step.seconds);
         total_.add_seconds(time_step.seconds);
         if (plan.factor == 0) {
             if (!dark_) {
-                dark_ = dark_result(in_.scene, in_.spec);
+                dark_ = zero_result(in_.scene, in_.spec);
             }
             report_time_step(in_.control, {i, *dark_, i});
             return;
         }
-        Kept& kept = kept_[plan.traced];
+        Kept& kept = cached_[plan.traced];
         kept.day_weight += plan.factor * time_step.seconds;
         kept.total_weight += plan.factor * time_step.seconds;
         if (plan.traced == i) {
@@ -134,12 +133,12 @@ class SeriesRun final : public SeriesSteps {
     }
 
     Result trace_one(std::size_t i) {
-        const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.traced);
+        const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.computed);
         Result result = run_one(i, spec, control_of(plans_[i]));
         effort_left_ -= plans_[i].path_factor;
-        ++summary_.traced;
-        if (result.stop == StopReason::time_is_up || result.stop == StopReason::interrupted) {
-            ++summary_.cut_short;
+        ++summary_.computed;
+        if (result.stop == StopReason::time_limit || result.stop == StopReason::interrupted) {
+            ++summary_.with_fewer_paths;
             end_series(result.stop, summary_);
         }
         ++summary_.methods[result.chosen.method];
@@ -147,12 +146,12 @@ class SeriesRun final : public SeriesSteps {
         summary_.unlit += is_unlit ? 1 : 0;
         summary_.at_target += is_unlit || result.stop == StopReason::target_reached ? 1 : 0;
         summary_.rays += result.rays;
-        summary_.build_seconds += result.build_seconds;
-        summary_.trace_seconds += result.trace_seconds;
-        summary_.trace_cpu_seconds += result.trace_cpu_seconds;
+        summary_.preparation_seconds += result.preparation_seconds;
+        summary_.solve_seconds += result.solve_seconds;
+        summary_.solve_cpu_seconds += result.solve_cpu_seconds;
         if (result.audit) {
             ++summary_.audited;
-            least_chance_ = std::min(least_chance_, result.audit->chance);
+            least_chance_ = std::min(least_chance_, result.audit->p_value);
         }
         return result;
     }
@@ -178,13 +177,13 @@ class SeriesRun final : public SeriesSteps {
                                      .given = given ? &given->sums : nullptr,
                                      .is_last = in_.is_last && i == last_traced_});
             if (given) {
-                result.trace_seconds += given->seconds;
-                result.trace_cpu_seconds += given->cpu_seconds;
+                result.solve_seconds += given->seconds;
+                result.solve_cpu_seconds += given->cpu_seconds;
             }
             return result;
         } catch (const Stopped&) {
-            summary_.trace_seconds += watch.seconds();
-            summary_.trace_cpu_seconds += watch.cpu_seconds();
+            summary_.solve_seconds += watch.seconds();
+            summary_.solve_cpu_seconds += watch.cpu_seconds();
             throw;
         }
     }
@@ -195,7 +194,7 @@ class SeriesRun final : public SeriesSteps {
     }
 
     void finish_day(std::size_t last) override {
-        for (auto& [i, kept] : kept_) {
+        for (auto& [i, kept] : cached_) {
             if (wants_days_ && kept.day_weight > 0) {
                 day_.add(kept.result, kept.day_weight);
                 kept.day_weight = 0;
@@ -210,13 +209,13 @@ class SeriesRun final : public SeriesSteps {
 
     /// Forgets the traces that no moment after `last` needs, once the total has them.
     void add_to_total(std::size_t last) {
-        for (auto it = kept_.begin(); it != kept_.end();) {
+        for (auto it = cached_.begin(); it != cached_.end();) {
             const Kept& kept = it->second;
             const bool is_needed = last_use_[it->first] > last;
             if (wants_total_ && !is_needed && kept.total_weight > 0) {
                 total_.add(kept.result, kept.total_weight);
             }
-            it = is_needed ? std::next(it) : kept_.erase(it);
+            it = is_needed ? std::next(it) : cached_.erase(it);
         }
     }
 
@@ -229,9 +228,9 @@ class SeriesRun final : public SeriesSteps {
     std::vector<TimeStepPlan> plans_;
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
-    std::map<std::size_t, Kept> kept_;
+    std::map<std::size_t, Kept> cached_;
     SeriesAdder day_, total_;
-    GroupResults groups_;         // of darkness
+    GroupResults groups_;         // of no_light_policy
     std::optional<Result> dark_;  // once it was needed
     double least_chance_ = 1;     // of an audit
     double effort_ = 0;           // of all traces

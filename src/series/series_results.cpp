@@ -22,7 +22,7 @@ Result scaled(const Result& result, double factor) {
         for (Estimate BandBudget::*part :
              {&BandBudget::emitted, &BandBudget::absorbed_by_organs,
               &BandBudget::absorbed_by_ground, &BandBudget::escaped, &BandBudget::cut_off,
-              &BandBudget::roulette}) {
+              &BandBudget::imbalance}) {
             band.*part = scaled(band.*part, factor);
         }
     }

@@ -24,8 +24,8 @@ void SeriesAdder::add_all(
             const double error = weight * estimate.standard_error;
             cell.variance += error * error;
             cell.spread += error * error * error * error / freedom;
-        } else if (std::isfinite(estimate.high)) {
-            cell.unseen += weight * estimate.high;
+        } else if (std::isfinite(estimate.ci95_high)) {
+            cell.unseen += weight * estimate.ci95_high;
         } else {
             cell.is_unknown = true;
         }
@@ -47,9 +47,9 @@ Estimate SeriesAdder::estimate_of(const Cell& cell) {
         const double error = cell.unseen > 0 ? kNan : 0;
         return {cell.mean, error, cell.mean, cell.mean + cell.unseen};
     }
-    constexpr double kMostFreedom = 1e6;
+    constexpr double kMaxFreedom = 1e6;
     const double freedom =
-        std::clamp(cell.variance * cell.variance / cell.spread, 1.0, kMostFreedom);
+        std::clamp(cell.variance * cell.variance / cell.spread, 1.0, kMaxFreedom);
     const double error = std::sqrt(cell.variance);
     const double half = interval_quantile(static_cast<unsigned>(freedom)) * error;
     return not_negative({cell.mean, error, cell.mean - half, cell.mean + half + cell.unseen});

@@ -6,17 +6,17 @@ namespace quasimc {
 
 void walk_series(const SeriesInput& input, SeriesSteps& steps, SeriesSummary& summary) {
     const std::vector<TimeStep>& times = input.time_steps;
-    while (summary.done < times.size()) {
+    while (summary.completed < times.size()) {
         try {
-            steps.compute(summary.done);
+            steps.compute(summary.completed);
         } catch (const Stopped& stopped) {
-            if (summary.done == 0) {
+            if (summary.completed == 0) {
                 throw;
             }
             end_series(stopped.why(), summary);
             return;
         }
-        const std::size_t i = summary.done++;
+        const std::size_t i = summary.completed++;
         if (i + 1 == times.size() || times[i + 1].day != times[i].day) {
             steps.finish_day(i);
         }

@@ -42,11 +42,11 @@ RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_
         .seed = seed_of(series.seed, trace),
         .target_error = std::min(1.0, series.target_error * plan.target)};
     if (plan.path_factor != 1) {
-        constexpr std::uint64_t kFewestPaths = 64;
-        const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMostPaths;
+        constexpr std::uint64_t kMinPaths = 64;
+        const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMaxPaths;
         const auto shared = [&](std::uint64_t paths) {
             const double part = plan.path_factor * static_cast<double>(paths);
-            return std::max(static_cast<std::uint64_t>(part), std::min(paths, kFewestPaths));
+            return std::max(static_cast<std::uint64_t>(part), std::min(paths, kMinPaths));
         };
         // Halves of a power of two are one, as some samplers need it.
         std::uint64_t paths = shared(series.paths);

@@ -18,7 +18,7 @@ class ExactBins {
     static constexpr std::int64_t kCarry = std::int64_t{1} << 62U;
 
     /// Steps of a unit.
-    static constexpr double kStepsPerUnit = 268435456.0;
+    static constexpr double kQuantaPerUnit = 268435456.0;
 
     ExactBins() = default;
     explicit ExactBins(std::size_t bins) : low_(bins) {}
@@ -26,7 +26,7 @@ class ExactBins {
     [[nodiscard]] std::size_t size() const { return low_.size(); }
     /// The sum in units.
     [[nodiscard]] double value(std::size_t bin) const {
-        return carries_.empty() ? static_cast<double>(low_[bin]) / kStepsPerUnit
+        return carries_.empty() ? static_cast<double>(low_[bin]) / kQuantaPerUnit
                                 : value_with_carries(bin);
     }
     /// The sum as steps: carries * kCarry + low, both of one sign. One sum is one pair, in whatever

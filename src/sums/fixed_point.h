@@ -8,7 +8,7 @@ namespace quasimc {
 
 /// Amounts of light in 64-bit fixed point: sums are exact, so their order can't matter.
 /// 2^28 steps a unit.
-inline constexpr double kFixedOne = ExactBins::kStepsPerUnit;
+inline constexpr double kFixedOne = ExactBins::kQuantaPerUnit;
 
 /// A single amount is below this many units (2^62 steps).
 inline constexpr double kLargestAmount = 17179869184.0;

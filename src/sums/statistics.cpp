@@ -30,38 +30,38 @@ double mean_of(std::span<const double> values) {
     return sum / static_cast<double>(values.size());
 }
 
-Estimate estimate_seen_or_bound(std::span<const double> values, double per_find) {
+Estimate estimate_seen_or_bound(std::span<const double> values, double value_per_contribution) {
     const auto is_zero = [](double x) { return x == 0; };
-    if (per_find > 0 && std::all_of(values.begin(), values.end(), is_zero)) {
-        return estimate_unseen(static_cast<double>(values.size()), per_find);
+    if (value_per_contribution > 0 && std::all_of(values.begin(), values.end(), is_zero)) {
+        return estimate_unseen(static_cast<double>(values.size()), value_per_contribution);
     }
     return not_negative(estimate_mean(values));
 }
 
-SingleFind larger(const SingleFind& a, const SingleFind& b) {
+ContributionSize larger(const ContributionSize& a, const ContributionSize& b) {
     return {std::max(a.more, b.more), std::max(a.less, b.less)};
 }
 
-Estimate estimate_finds(std::span<const double> values, const SingleFind& find) {
+Estimate estimate_contributions(std::span<const double> values, const ContributionSize& find) {
     const Estimate e =
         estimate_seen_or_bound(values, find.more * static_cast<double>(values.size()));
     return widened(e, find);
 }
 
-Estimate widened(const Estimate& e, const SingleFind& find) {
+Estimate widened(const Estimate& e, const ContributionSize& find) {
     if (!std::isfinite(e.standard_error) || (find.more == 0 && find.less == 0)) {
         return e;
     }
-    const double half = e.high - e.mean;
+    const double half = e.ci95_high - e.mean;
     return not_negative(
         {e.mean, std::hypot(e.standard_error, std::max(find.more, find.less)),
          e.mean - std::hypot(half, 3 * find.less), e.mean + std::hypot(half, 3 * find.more)});
 }
 
 Estimate not_negative(const Estimate& e) {
-    const double high = e.high < 0 ? e.high - e.mean : e.high;
-    const bool is_below = e.low < 0 || (std::isnan(e.low) && e.mean < 0);
-    return {e.mean, e.standard_error, is_below ? 0 : e.low, high};
+    const double high = e.ci95_high < 0 ? e.ci95_high - e.mean : e.ci95_high;
+    const bool is_below = e.ci95_low < 0 || (std::isnan(e.ci95_low) && e.mean < 0);
+    return {e.mean, e.standard_error, is_below ? 0 : e.ci95_low, high};
 }
 
 double student_t_quantile(double p, unsigned df) {
@@ -93,12 +93,12 @@ Estimate not_above(const Estimate& e, double most) {
     if (most == 0 && e.mean == 0) {
         return {};
     }
-    if (std::isnan(e.high) && e.mean > most) {  // in one replicate the limit alone is known
-        return {e.mean, e.standard_error, e.low, most};
+    if (std::isnan(e.ci95_high) && e.mean > most) {  // in one replicate the limit alone is known
+        return {e.mean, e.standard_error, e.ci95_low, most};
     }
     // All of the interval above the limit: it missed. What can be has its width below the limit.
-    const double low = e.low > most ? std::max(0.0, most - (e.mean - e.low)) : e.low;
-    return {e.mean, e.standard_error, low, e.high > most ? most : e.high};
+    const double low = e.ci95_low > most ? std::max(0.0, most - (e.mean - e.ci95_low)) : e.ci95_low;
+    return {e.mean, e.standard_error, low, e.ci95_high > most ? most : e.ci95_high};
 }
 
 Estimate estimate_mean(std::span<const double> values) {

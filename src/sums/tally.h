@@ -37,21 +37,21 @@ class Tally {
         }
     }
 
-    /// Adds to two bins of a region, given by their places in its row.
+    /// Adds to two bins of a region, given by their indices in its row.
     void add_two(
         std::size_t region,
-        std::size_t place_a,
+        std::size_t index_a,
         std::int64_t a,
-        std::size_t place_b,
+        std::size_t index_b,
         std::int64_t b) {
         const std::size_t row = region * blocks_.stride();
         if (row >= shared_bins_) {
             std::int64_t* bins = &own_[row - shared_bins_];
-            written_ |= add_to(bins[place_a], a);
-            written_ |= add_to(bins[place_b], b);
+            written_ |= add_to(bins[index_a], a);
+            written_ |= add_to(bins[index_b], b);
         } else {
-            add_shared(row + place_a, a);
-            add_shared(row + place_b, b);
+            add_shared(row + index_a, a);
+            add_shared(row + index_b, b);
         }
     }
 

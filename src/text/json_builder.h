@@ -26,7 +26,8 @@ namespace quasimc {
 
 inline void check_depth(std::size_t depth, const std::string& file) {
     if (depth >= static_cast<std::size_t>(kDeepestNesting)) {
-        refuse_json(file, "nested too deeply", fmt::format("{} levels at most", kDeepestNesting));
+        refuse_json(
+            file, "is nested too deeply", fmt::format("{} levels at most", kDeepestNesting));
     }
 }
 
@@ -60,7 +61,7 @@ class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
         const nlohmann::detail::exception& error) override {
         constexpr int kOutOfRange = 406;
         refuse_json(
-            file_, error.id == kOutOfRange ? "it has a number too large to hold"
+            file_, error.id == kOutOfRange ? "a number is too large"
                                            : fmt::format("byte {} is not JSON", position));
     }
 
@@ -74,11 +75,11 @@ class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
 
   private:
     bool add(Node node) {
-        place(std::move(node));
+        put(std::move(node));
         return true;
     }
 
-    Node& place(Node node) {
+    Node& put(Node node) {
         if (open_.empty()) {
             result = std::move(node);
             return result;
@@ -92,7 +93,7 @@ class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
 
     bool open(Node node) {
         check_depth(open_.size(), file_);
-        open_.push_back(&place(std::move(node)));
+        open_.push_back(&put(std::move(node)));
         return true;
     }
 

@@ -21,7 +21,7 @@ std::string range_text(Range range) {
         return "it must be more than 0";
     }
     if (range.high == TableReader::kFinite.high) {
-        return fmt::format("it must be a finite number, {} or more", range.low);
+        return fmt::format("it must be a finite number of at least {}", range.low);
     }
     return fmt::format("it must be {} to {}", range.low, range.high);
 }
@@ -47,13 +47,13 @@ std::optional<std::string> time_of(const Node& node) {
 
 }  // namespace
 
-std::string Reporter::place(std::uint32_t line) const {
+std::string Reporter::where(std::uint32_t line) const {
     return line == 0 ? file : fmt::format("{}:{}", file, line);
 }
 
 void Reporter::fault(
     std::uint32_t line, std::string problem, std::string why, std::string suggestion) {
-    faults.add({place(line), std::move(problem), std::move(why), std::move(suggestion)});
+    faults.add({where(line), std::move(problem), std::move(why), std::move(suggestion)});
 }
 
 void Reporter::add(const Reporter& other) {
@@ -143,9 +143,9 @@ std::optional<std::int64_t> TableReader::integer(std::string_view key, Range ran
     if (node == nullptr) {
         return std::nullopt;
     }
-    const auto* stated = node->as<std::int64_t>();
+    const auto* given = node->as<std::int64_t>();
     const auto* real = node->as<double>();
-    const std::optional<std::int64_t> integer = stated ? std::optional(*stated)
+    const std::optional<std::int64_t> integer = given  ? std::optional(*given)
                                                 : real ? whole_number(*real)
                                                        : std::nullopt;
     if (!integer) {
@@ -251,7 +251,7 @@ void TableReader::fault_at(
 
 void TableReader::warn_at(const Node& node, std::string text) {
     const std::string subject = what_.empty() ? "" : what_ + ": ";
-    reporter_->warnings.push_back({reporter_->place(node.line), subject + std::move(text)});
+    reporter_->warnings.push_back({reporter_->where(node.line), subject + std::move(text)});
 }
 
 void TableReader::finish() {
@@ -285,7 +285,7 @@ std::optional<double> TableReader::real_at(std::string_view key, const Node& nod
 std::optional<Range> TableReader::interval_at(std::string_view key, const Node& node, Range range) {
     const auto* list = node.as<Node::List>();
     if (list == nullptr || list->size() != 2) {
-        fault_at(node, fmt::format("{} is no pair of numbers", key), "it must be [low, high]");
+        fault_at(node, fmt::format("{} is not a pair of numbers", key), "it must be [low, high]");
         return std::nullopt;
     }
     const auto low = real_at(key, (*list)[0], range);
@@ -295,7 +295,8 @@ std::optional<Range> TableReader::interval_at(std::string_view key, const Node& 
     }
     if (!(*low < *high)) {
         fault_at(
-            node, fmt::format("{} is [{}, {}]", key, *low, *high), "low must be less than high");
+            node, fmt::format("{} is [{}, {}]", key, *low, *high),
+            "the first must be less than the second");
         return std::nullopt;
     }
     return Range{*low, *high};

@@ -33,13 +33,13 @@ struct Reporter {
     std::vector<Warning> warnings;
 
     /// "leaves.toml:12", or "leaves.toml" when the line is not known.
-    [[nodiscard]] std::string place(std::uint32_t line) const;
+    [[nodiscard]] std::string where(std::uint32_t line) const;
     /// Whether there are so many faults that more of them help nobody.
     [[nodiscard]] bool is_full() const { return faults.size() >= 100; }
     void fault(
         std::uint32_t line, std::string problem, std::string why, std::string suggestion = {});
     void warn(std::string text, std::uint32_t line = 0) {
-        warnings.push_back({place(line), std::move(text)});
+        warnings.push_back({where(line), std::move(text)});
     }
     /// Takes over what another one has collected.
     void add(const Reporter& other);
@@ -104,7 +104,7 @@ class TableReader {
         const Node& node, std::string problem, std::string why = {}, std::string suggestion = {});
     void warn_at(const Node& node, std::string text);
     /// At the table itself; the text says what it is.
-    void warn(std::string text) { reporter_->warnings.push_back({place(), std::move(text)}); }
+    void warn(std::string text) { reporter_->warnings.push_back({where(), std::move(text)}); }
 
     /// Reports the keys that were never asked for.
     void finish();
@@ -114,7 +114,7 @@ class TableReader {
     [[nodiscard]] const std::string& what() const { return what_; }
     void rename(std::string what) { what_ = std::move(what); }
     [[nodiscard]] std::uint32_t line() const { return node_->line; }
-    [[nodiscard]] std::string place() const { return reporter_->place(node_->line); }
+    [[nodiscard]] std::string where() const { return reporter_->where(node_->line); }
     [[nodiscard]] Reporter& reporter() { return *reporter_; }
 
     static constexpr Range kFinite{-1.7976931348623157e308, 1.7976931348623157e308};

@@ -5,14 +5,13 @@
 namespace quasimc {
 namespace {
 
-/// The least part of an amount of light by which it is corrected.
-constexpr double kLeastCorrected = 1e-4;
+/// The smallest relative change of light that is corrected.
+constexpr double kMinCorrected = 1e-4;
 
-/// Light that comes steeper is not corrected.
+/// The cosine above which light is not corrected.
 double grazing_cosine(const LocalMesh& mesh) {
     constexpr double kGrazing = 0.1;
-    return mesh.instances.empty() ? std::min(kGrazing, mesh.most_turned / kLeastCorrected)
-                                  : kGrazing;
+    return mesh.instances.empty() ? std::min(kGrazing, mesh.most_turned / kMinCorrected) : kGrazing;
 }
 
 }  // namespace
@@ -27,8 +26,7 @@ double RoundingCorrection::grazed_share(std::uint32_t mesh_triangle, const Vec3&
     const double scale = mesh_->scale;
     const double exact = scale * scale * std::abs(dot(given_across(mesh_triangle), direction));
     const double rounded = std::abs(dot(mesh_->across(mesh_triangle), direction));
-    return rounded > 0 && std::abs(exact - rounded) > kLeastCorrected * rounded ? exact / rounded
-                                                                                : 1;
+    return rounded > 0 && std::abs(exact - rounded) > kMinCorrected * rounded ? exact / rounded : 1;
 }
 
 bool RoundingCorrection::lights_as_given(std::uint32_t mesh_triangle, const Vec3& direction) const {
@@ -36,7 +34,7 @@ bool RoundingCorrection::lights_as_given(std::uint32_t mesh_triangle, const Vec3
     return std::abs(dot(across, direction)) > kEdgeOn * length(across);
 }
 
-/// A vector across the triangle of the scene, as long as twice its area.
+/// The normal of the given triangle, with twice its area as length.
 Vec3 RoundingCorrection::given_across(std::uint32_t mesh_triangle) const {
     return area_vector(data_of(*scene_).triangles()[caster_->source(mesh_triangle)]);
 }

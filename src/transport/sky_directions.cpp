@@ -13,8 +13,8 @@ namespace quasimc {
 
 namespace {
 
-/// Numbers that fractions come near to but slowly: those of the golden ratio, of silver and bronze,
-/// and another that goes on like the golden one.
+/// Badly approximable numbers: of the golden, silver and bronze ratios, and another one that is
+/// equivalent to the golden ratio.
 constexpr std::array<double, 4> kNumbers{
     std::numbers::phi - 1, std::numbers::sqrt2 - 1, 0.30277563773199465, 0.27639320225002106};
 
@@ -26,7 +26,7 @@ std::array<double, 2> hemisphere_lattice(
     double first = static_cast<double>(i) / count;
     const double choice = 4 * placing[2];
     const auto chosen = static_cast<std::size_t>(std::min(choice, 3.0));
-    const bool is_sheared = count <= kMostShearedDirections;
+    const bool is_sheared = count <= kMaxShearedDirections;
     double second = i * (is_sheared ? kNumbers[0] : kNumbers[chosen]);
     const std::size_t way = is_sheared ? chosen : 0;
     if (way == 1) {
@@ -48,13 +48,13 @@ std::array<double, 2> hemisphere_lattice(
         std::clamp(radius * std::sin(about), kAboveZero, kBelowOne), std::min(around, kBelowOne)};
 }
 
-DrawnDirection lattice_direction(
+DirectionSample lattice_direction(
     const BoundSource& light,
     std::uint32_t i,
     std::uint32_t count,
     const std::array<double, 3>& placing) {
     const auto [u0, u1] = hemisphere_lattice(i, count, placing);
-    const DrawnDirection drawn = light.source_sampler->draw_direction(u0, u1);
+    const DirectionSample drawn = light.source_sampler->draw_direction(u0, u1);
     EXPECT(drawn.density > 0);
     return drawn;
 }
@@ -88,9 +88,9 @@ double SkyDirections::density(const Vec3& direction) const {
     return density;
 }
 
-DrawnDirection SkyDirections::direction(
+DirectionSample SkyDirections::direction(
     std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) const {
-    DrawnDirection drawn;
+    DirectionSample drawn;
     for_each_sky(count, [&](const BoundSource& sky, std::uint32_t first, std::uint32_t last) {
         if (i >= first && i < last) {
             drawn = lattice_direction(sky, i - first, last - first, placing);

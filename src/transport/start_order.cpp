@@ -6,7 +6,7 @@
 namespace quasimc {
 namespace {
 
-/// The low 8 bits of x moved to the even places.
+/// The low 8 bits of x moved to the even bits.
 std::uint32_t spread(std::uint32_t x) {
     x = (x | (x << 4U)) & 0x0F0FU;
     x = (x | (x << 2U)) & 0x3333U;

@@ -90,9 +90,9 @@ bool read_offset(Cursor& cursor, std::optional<double>& offset) {
     std::optional<double> hours = cursor.number();
     double minutes = 0;
     if (hours && cursor.skip(":")) {
-        const auto stated = cursor.number();
-        hours = stated ? hours : std::nullopt;
-        minutes = stated.value_or(0);
+        const auto given = cursor.number();
+        hours = given ? hours : std::nullopt;
+        minutes = given.value_or(0);
     } else if (hours && *hours >= 100) {
         minutes = std::fmod(*hours, 100);
         hours = std::floor(*hours / 100);
@@ -127,8 +127,7 @@ std::optional<CivilTime> parse_civil_time(
     }
     if (!offset) {
         faults.add(
-            {std::string(where), shown(text) + " has no time zone",
-             "clocks differ from place to place",
+            {std::string(where), shown(text) + " has no time zone", "clocks differ between sites",
              key == OffsetKey::none
                  ? "add the offset to UTC, +02:00 or Z"
                  : "add the offset to UTC, +02:00 or Z, or give utc_offset_hours"});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "text/line_scanner.h"
 #include "text/numbers.h"
@@ -15,7 +16,7 @@ namespace {
 // Fields of a record, from 0 (EnergyPlus, Auxiliary Programs: weather converter).
 constexpr std::size_t kYear = 0, kMonth = 1, kDay = 2, kHour = 3, kMinute = 4;
 constexpr std::size_t kBeamNormal = 14, kDiffuse = 15;
-constexpr std::size_t kFewestFields = 16;
+constexpr std::size_t kMinFields = 16;
 /// From here on a value of light is missing.
 constexpr double kMissing = 9999;
 
@@ -35,7 +36,7 @@ class EpwReader {
             const std::vector<std::string> fields = split_fields(scanner_.line(), ',');
             const std::string key(trimmed(fields[0]));
             if (scanner_.number() == 1 && key != "LOCATION") {
-                reporter_.fault(1, "does not begin with LOCATION", "it is no EPW file");
+                reporter_.fault(1, "does not begin with LOCATION", "it is not an EPW file");
                 return std::move(file_);
             }
             if (key == "LOCATION") {
@@ -47,15 +48,14 @@ class EpwReader {
             }
         }
         if (file_.records.empty() && reporter_.faults.empty()) {
-            reporter_.fault(scanner_.number(), "holds no records", "an EPW file has 8760 or so");
+            reporter_.fault(scanner_.number(), "contains no records", "an EPW file has 8760 or so");
         }
         note_typical_year();
         check_order();
         if (short_years_ > 0) {
             reporter_.warn(
                 fmt::format(
-                    "{} times have years of two digits, which are taken to be of 1969 to 2068",
-                    short_years_),
+                    "{} times have years of two digits, read as 1969 to 2068", short_years_),
                 first_short_year_);
         }
         return std::move(file_);
@@ -103,7 +103,7 @@ class EpwReader {
             offset_ = 0;
         }
         site.pressure_hpa = standard_pressure_hpa(site.elevation_m);
-        check_site(site, reporter_.place(scanner_.number()), reporter_.faults);
+        check_site(site, reporter_.where(scanner_.number()), reporter_.faults);
         file_.site = site;
         file_.utc_offset_hours = offset_;
     }
@@ -117,10 +117,10 @@ class EpwReader {
     }
 
     void read_record(const std::vector<std::string>& fields) {
-        if (fields.size() < kFewestFields) {
+        if (fields.size() < kMinFields) {
             fault(
                 fmt::format("a record of {} fields", fields.size()),
-                fmt::format("it must have at least {}", kFewestFields));
+                fmt::format("it must have at least {}", kMinFields));
             return;
         }
         const std::size_t before = reporter_.faults.size();
@@ -133,7 +133,7 @@ class EpwReader {
         day.month = whole(fields, kMonth, "month");
         day.day = whole(fields, kDay, "day");
         day.utc_offset_hours = offset_;
-        check_time(day, reporter_.place(scanner_.number()), reporter_.faults);
+        check_time(day, reporter_.where(scanner_.number()), reporter_.faults);
         const double hour = number(fields, kHour, "hour");
         const double minute = number(fields, kMinute, "minute");
         if (hour < 1 || hour > 24) {
@@ -201,10 +201,10 @@ class EpwReader {
             reporter_.fault(
                 first_bad->line,
                 fmt::format(
-                    "the record of {} is there twice or out of order",
+                    "the record of {} is repeated or out of order",
                     civil_time_text(first_bad->start)),
-                "a record begins where the one above it ends, or later",
-                count > 1 ? fmt::format("{} more records have this fault", count - 1) : "");
+                "a record must not begin before the one above it ends",
+                count > 1 ? counted(count - 1, "more record") + " with this error" : "");
         }
     }
 

@@ -15,8 +15,8 @@
 namespace quasimc {
 namespace {
 
-constexpr double kMostAngles = 10000;
-constexpr std::size_t kMostIntensities = 1000000;
+constexpr double kMaxAngles = 10000;
+constexpr std::size_t kMaxIntensities = 1000000;
 constexpr double kMaxIntensity = 1e30;
 constexpr double kMetresPerFoot = 0.3048;
 
@@ -36,7 +36,7 @@ class Numbers {
             fail(
                 word.empty() ? fmt::format("the file ends before {}", what)
                              : fmt::format("{} is not a number", shown(word)),
-                word.empty() ? "" : fmt::format("it stands for {}", what));
+                word.empty() ? "" : fmt::format("it is {}", what));
             return 0;
         }
         return *value;
@@ -93,7 +93,7 @@ std::optional<std::string> find_tilt(LineScanner& scanner) {
 void skip_tilt(Numbers& numbers) {
     numbers.next("the lamp's position in the luminaire");
     const double pairs = numbers.next("the number of tilt angles");
-    if (!(pairs >= 1 && pairs <= kMostAngles) || pairs != std::floor(pairs)) {
+    if (!(pairs >= 1 && pairs <= kMaxAngles) || pairs != std::floor(pairs)) {
         numbers.fail(fmt::format("{} tilt angles", shortest(pairs)), "a whole number, from 1");
         return;
     }
@@ -153,10 +153,10 @@ double unit_of_length(double number, Numbers& numbers) {
 
 /// How many angles a number says there are.
 std::size_t count_of(double value, std::string_view what, Numbers& numbers) {
-    if (!(value >= 1 && value <= kMostAngles) || value != std::floor(value)) {
+    if (!(value >= 1 && value <= kMaxAngles) || value != std::floor(value)) {
         numbers.fail(
             fmt::format("{} {}", shortest(value), what),
-            fmt::format("a whole number, 1 to {}", shortest(kMostAngles)));
+            fmt::format("a whole number, 1 to {}", shortest(kMaxAngles)));
         return 0;
     }
     return static_cast<std::size_t>(value);
@@ -175,7 +175,7 @@ bool pass_head(LineScanner& scanner, Numbers& numbers) {
         skip_tilt(numbers);
     } else if (*tilt != "NONE") {
         numbers.warn(fmt::format(
-            "TILT names {}, which is not read: its factors for tilted lamps do not count",
+            "TILT refers to {}, which is not read; its factors for tilted lamps are ignored",
             shown(*tilt)));
     }
     return true;
@@ -184,7 +184,7 @@ bool pass_head(LineScanner& scanner, Numbers& numbers) {
 void warn_of_rest(Numbers& numbers) {
     if (const std::string_view word = numbers.rest(); !word.empty()) {
         numbers.warn(fmt::format(
-            "{} follows the last intensity, and is not read: are the numbers of angles right?",
+            "{} follows the last intensity and is not read: are the numbers of angles right?",
             shown(word)));
     }
 }
@@ -205,10 +205,10 @@ IesFile read_ies(std::string_view text, Reporter& reporter) {
         count_of(numbers.next("the number of vertical angles"), "vertical angles", numbers);
     const std::size_t columns =
         count_of(numbers.next("the number of horizontal angles"), "horizontal angles", numbers);
-    if (rows * columns > kMostIntensities) {
+    if (rows * columns > kMaxIntensities) {
         numbers.fail(
             fmt::format("{} intensities", rows * columns),
-            fmt::format("at most {}", kMostIntensities));
+            fmt::format("at most {}", kMaxIntensities));
     }
     const double type = numbers.next("the photometric type");
     if (type != 1) {

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::int64_t kMostCells = 1 << 20;
+constexpr std::int64_t kMaxCells = 1 << 20;
 
 /// Reads the numbers of a sky line by line.
 class SkyFile {
@@ -40,7 +40,7 @@ class SkyFile {
              std::move(why), std::move(suggestion)});
     }
 
-    static constexpr std::size_t kMostFaults = 100;
+    static constexpr std::size_t kMaxFaults = 100;
 
     /// The next line that holds anything; "#" begins a comment.
     bool next_line() {
@@ -56,20 +56,21 @@ class SkyFile {
 
     bool read_size(SkyTable& table) {
         if (!next_line()) {
-            fault("is empty", "it begins with the numbers of azimuths and of elevations");
+            fault("is empty", "it must begin with the numbers of azimuths and elevations");
             return false;
         }
         const auto azimuths = parse_integer(take_word(line_));
         const auto elevations = parse_integer(take_word(line_));
         const bool is_good = azimuths && elevations && *azimuths >= 1 && *elevations >= 1 &&
-                             *azimuths <= kMostCells && *elevations <= kMostCells &&
-                             *azimuths * *elevations <= kMostCells;
+                             *azimuths <= kMaxCells && *elevations <= kMaxCells &&
+                             *azimuths * *elevations <= kMaxCells;
         if (!is_good || !take_word(line_).empty()) {
             fault(
-                "does not tell the size of the table",
+                "does not give the size of the table",
                 fmt::format(
-                    "the first line is the numbers of azimuths and of elevations, at most {} cells",
-                    kMostCells));
+                    "the first line must contain the numbers of azimuths and elevations, at most "
+                    "{} cells",
+                    kMaxCells));
             return false;
         }
         table.azimuths = static_cast<std::size_t>(*azimuths);
@@ -82,7 +83,7 @@ class SkyFile {
         const auto number = parse_real(word);
         if (!number || !std::isfinite(*number) || *number < 0) {
             fault(
-                word.empty() ? "a value is missing" : shown(word) + " is no value of a sky",
+                word.empty() ? "a value is missing" : shown(word) + " is not a value of a sky",
                 "it must be a finite number, 0 or more");
             return 0;
         }
@@ -91,13 +92,13 @@ class SkyFile {
 
     /// Goes on to the line of `what`; false after a fault.
     bool advance(std::string_view what, std::size_t index, std::size_t count) {
-        if (faults_.size() >= kMostFaults) {
+        if (faults_.size() >= kMaxFaults) {
             return false;
         }
         if (!next_line()) {
             fault(
                 fmt::format("ends after {} of {} {}", index, count, what),
-                "the first line tells how many there are");
+                "the first line gives their number");
             return false;
         }
         return true;
@@ -108,7 +109,7 @@ class SkyFile {
             if (!advance("rings", e, table.elevations)) {
                 return;
             }
-            for (std::size_t a = 0; a < table.azimuths && faults_.size() < kMostFaults; ++a) {
+            for (std::size_t a = 0; a < table.azimuths && faults_.size() < kMaxFaults; ++a) {
                 table.radiance[e * table.azimuths + a] = value(take_word(line_));
             }
             if (!take_word(line_).empty()) {
@@ -127,7 +128,7 @@ class SkyFile {
                                     parse_real(take_word(line_)).has_value();
             const double radiance = value(take_word(line_));
             if (!has_angles || !take_word(line_).empty()) {
-                fault("is no cell", "a cell is three numbers: azimuth elevation value");
+                fault("is not a cell", "a cell is three numbers: azimuth elevation value");
             }
             table.radiance[i % table.elevations * table.azimuths + i / table.elevations] = radiance;
         }
@@ -141,7 +142,7 @@ class SkyFile {
         if (faults_.empty() && !(sum > 0 && std::isfinite(sum))) {
             faults_.add(
                 {name_, "its values add up to " + fmt::format("{}", sum),
-                 "a sky must have some light somewhere", ""});
+                 "a sky must have light somewhere", ""});
         }
     }
 

@@ -68,9 +68,11 @@ class ColumnValues {
     }
     /// Columns of quantities stand as window_columns() has them.
     [[nodiscard]] Quantity quantity() const {
-        const std::size_t place = column_ / bands_;
+        const std::size_t position = column_ / bands_;
         const auto first = static_cast<std::size_t>(Quantity::absorbed_flux_density);
-        const std::size_t index = place == 0 ? first : place <= first ? place - 1 : place;
+        const std::size_t index = position == 0       ? first
+                                  : position <= first ? position - 1
+                                                      : position;
         return static_cast<Quantity>(index);
     }
     [[nodiscard]] Estimate at(std::size_t organ) const {
@@ -154,7 +156,7 @@ void LiveWindow::put(Kept kept, LiveFrame frame) {
     }
 }
 
-void LiveWindow::tell(std::string words, double fraction) {
+void LiveWindow::send(std::string words, double fraction) {
     const std::lock_guard lock(mutex_);
     words_ = std::move(words);
     fraction_ = fraction;

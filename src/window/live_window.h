@@ -56,7 +56,7 @@ class LiveWindow {
     /// The newest frame is known better now.
     void replace_newest(LiveFrame frame);
     /// How far the run is. @param fraction  0 to 1; negative: it is not known
-    void tell(std::string words, double fraction = -1);
+    void send(std::string words, double fraction = -1);
     /// The run is over: nothing will follow. @param words  how it ended
     void end(std::string words);
 

@@ -14,12 +14,12 @@ namespace quasimc {
 namespace {
 
 /// Of a time; a sum over times has none of its own.
-const Sources& lights_at(const RunFile& run, const RowsPlace& place) {
+const Sources& lights_at(const RunFile& run, const RowsPosition& position) {
     if (!run.series) {
         return run.sources;
     }
-    for (std::size_t i = 0; place.part == "moments" && i < run.series->notes.size(); ++i) {
-        if (run.series->notes[i].time == place.label) {
+    for (std::size_t i = 0; position.part == "time_steps" && i < run.series->notes.size(); ++i) {
+        if (run.series->notes[i].time == position.label) {
             return run.series->time_steps[i].sources;
         }
     }
@@ -30,8 +30,10 @@ const Sources& lights_at(const RunFile& run, const RowsPlace& place) {
 /// A time, with the number of the values of every column, -1 where there are none.
 Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
     Json time = {
-        {"part", rows.place.part}, {"index", rows.place.index}, {"label", rows.place.label}};
-    time.update(json_lights(lights_at(run, rows.place), window_middle(run.scene)));
+        {"part", rows.position.part},
+        {"index", rows.position.index},
+        {"label", rows.position.label}};
+    time.update(json_lights(lights_at(run, rows.position), window_middle(run.scene)));
     Json& values = time["values"] = Json::array();
     for (std::vector<Estimate>& column : rows.columns) {
         if (column.empty()) {
@@ -76,8 +78,8 @@ WindowData make_window_data(
     head = only_point(std::move(head), query.point, path);
     if (data.values.empty()) {
         throw InputError(
-            {{path, "holds no light of organs", "the run did not write it, or was never finished",
-              "look at [output] in the run file"}});
+            {{path, "contains no light of organs", "the run did not write it, or was not completed",
+              "check [output] in the run file"}});
     }
     Json all = json_window_scene(scene, columns);
     all["title"] = run.title.empty() ? run.path : run.title;

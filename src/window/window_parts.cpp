@@ -12,8 +12,8 @@
 
 #include "base/vec3.h"
 #include "quasimc/version.h"
+#include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
-#include "resultio/series_words.h"
 #include "results/units.h"
 #include "window/window_shape.h"
 
@@ -76,12 +76,12 @@ std::map<std::string, LabelKey> label_keys(const std::vector<Organ>& organs) {
         for (const auto& [name, value] : organs[i].labels) {
             LabelKey& key = keys[name];
             key.of.resize(organs.size(), -1);
-            const auto [place, is_new] =
+            const auto [found, is_new] =
                 key.numbers.try_emplace(value, static_cast<int>(key.values.size()));
             if (is_new) {
                 key.values.push_back(value);
             }
-            key.of[i] = place->second;
+            key.of[i] = found->second;
         }
     }
     return keys;
@@ -95,8 +95,8 @@ Json labels_of(const std::vector<Organ>& organs) {
     return labels;
 }
 
-/// Ids and names stand there only if they tell more than the place in the list does; "organ 7" is
-/// what the page calls organ 7 that has no name.
+/// Ids and names are written only if they differ from the index in the list; the page calls organ 7
+/// without a name "organ 7".
 Json organs_of(const std::vector<Organ>& organs) {
     const auto is_counted = [&organs](const Organ& o) { return o.id == &o - organs.data() + 1; };
     const auto is_named = [](const Organ& o) {
@@ -151,7 +151,12 @@ std::vector<WindowColumn> window_columns(
         for (const Band& band : bands) {
             const std::string unit = unit_of(entry, band, length_unit);
             columns.push_back(
-                {{name, band.name}, name, in_words(name), band.name, unit, summed_unit(unit).name});
+                {{name, band.name},
+                 name,
+                 describe_quantity(name),
+                 band.name,
+                 unit,
+                 summed_unit(unit).name});
         }
     }
     // What reads first is what is asked for most: light absorbed per area.
@@ -198,8 +203,8 @@ std::string window_values(const std::vector<Estimate>& organs) {
     for (std::size_t i = 0; i < count; ++i) {
         numbers[i] = static_cast<float>(organs[i].mean);
         numbers[count + i] = static_cast<float>(organs[i].standard_error);
-        numbers[2 * count + i] = static_cast<float>(organs[i].low);
-        numbers[3 * count + i] = static_cast<float>(organs[i].high);
+        numbers[2 * count + i] = static_cast<float>(organs[i].ci95_low);
+        numbers[3 * count + i] = static_cast<float>(organs[i].ci95_high);
     }
     return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float)};
 }

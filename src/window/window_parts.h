@@ -1,6 +1,6 @@
 #pragma once
 
-// What the page in the browser takes (docs/develop/decisions/window-server.md).
+// What the page in the browser takes (docs/develop/decisions/viewer-server.md).
 
 #include <span>
 #include <string>
@@ -14,8 +14,8 @@
 
 namespace quasimc {
 
-/// Where the light of a time comes from, z up: lists "suns" of unit vectors towards them and
-/// towards other parallel light, and "lamps" of their places about `middle`; "sky": its radiance,
+/// The sources of a time, z up: lists "suns" of unit vectors towards them and towards other
+/// parallel light, and "lamps" of their positions about `middle`; "sky": its radiance,
 /// all bands together, in cells of 10 degrees: nine rings from the horizon up, each of 36 cells
 /// from the x axis towards y. A digit of base64 each: 63 parts of the square root of the brightest.
 /// Empty without a sky.
@@ -34,7 +34,7 @@ struct WindowColumn {
     const std::string& length_unit,
     const std::vector<std::string>& ratios);
 
-/// Members of the outermost object: program, unit, axes, place, organs and columns.
+/// Members of the outermost object: program, unit, axes, site, organs and columns.
 [[nodiscard]] Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& columns);
 
 /// Means, standard errors, low and high ends of the organs, single precision.

@@ -61,7 +61,7 @@ class Connection {
     [[nodiscard]] bool is_late() const { return Clock::now() > deadline_; }
 
     /// Goes on as far as it can without waiting. @returns whether there is more to do
-    bool go_on(const WindowSite& site) {
+    bool go_on(const ViewerRoutes& site) {
         if (is_leaving_) {
             return drain();
         }
@@ -71,7 +71,7 @@ class Connection {
   private:
     [[nodiscard]] bool is_answering() const { return !head_.empty() && !is_leaving_; }
 
-    bool read_more(const WindowSite& site) {
+    bool read_more(const ViewerRoutes& site) {
         std::array<char, 2048> bytes{};
         const ssize_t got = recv(socket_.number(), bytes.data(), bytes.size(), 0);
         if (got <= 0) {
@@ -131,8 +131,8 @@ class Connection {
 
 [[noreturn]] void refuse_port(int port) {
     throw InputError(
-        {{"--port", fmt::format("{} can't be had", port), std::generic_category().message(errno),
-          "leave it out: any that is free will do"}});
+        {{"--port", fmt::format("{} is not available", port),
+          std::generic_category().message(errno), "remove it to use any free port"}});
 }
 
 Descriptor listen_at(int port) {
@@ -162,9 +162,9 @@ int port_of(const Descriptor& socket) {
 
 using window_server::Connection;
 
-class WindowServer::State {
+class HttpServer::State {
   public:
-    State(WindowSite site, int port, const ServerLimits& limits)
+    State(ViewerRoutes site, int port, const ServerLimits& limits)
         : site_(std::move(site)), limits_(limits), listener_(window_server::listen_at(port)) {
         site_.set_port(window_server::port_of(listener_));
     }
@@ -242,14 +242,14 @@ class WindowServer::State {
         }
     }
 
-    WindowSite site_;
+    ViewerRoutes site_;
     ServerLimits limits_;
     Descriptor listener_;
     Descriptor wake_{::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)};
     std::vector<Connection> connections_;
 };
 
-WindowServer::WindowServer(WindowSite site, int port, const ServerLimits& limits)
+HttpServer::HttpServer(ViewerRoutes site, int port, const ServerLimits& limits)
     : state_(std::make_unique<State>(std::move(site), port, limits)) {
     sigset_t all{}, before{};
     sigfillset(&all);
@@ -265,12 +265,12 @@ WindowServer::WindowServer(WindowSite site, int port, const ServerLimits& limits
     ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
 }
 
-WindowServer::~WindowServer() {
+HttpServer::~HttpServer() {
     thread_.request_stop();
     state_->wake();
 }
 
-std::string WindowServer::address() const {
+std::string HttpServer::address() const {
     return state_->address();
 }
 

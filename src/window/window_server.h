@@ -21,14 +21,14 @@ struct ServerLimits {
 /// thread that gives way to all others, takes no signals and never waits for a single connection,
 /// so that slow or many clients hold up nobody else. It ends at once with this object, whoever is
 /// connected.
-class WindowServer {
+class HttpServer {
   public:
     /// Opens the port. @param port  0: any that is free
     /// @throws InputError  if the port can't be had
-    WindowServer(WindowSite site, int port, const ServerLimits& limits = {});
-    ~WindowServer();
-    WindowServer(const WindowServer&) = delete;
-    WindowServer& operator=(const WindowServer&) = delete;
+    HttpServer(ViewerRoutes site, int port, const ServerLimits& limits = {});
+    ~HttpServer();
+    HttpServer(const HttpServer&) = delete;
+    HttpServer& operator=(const HttpServer&) = delete;
 
     [[nodiscard]] std::string address() const;
 

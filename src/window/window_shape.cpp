@@ -11,9 +11,10 @@
 namespace quasimc {
 namespace {
 
-using Place = std::array<float, 3>;
+using Vertex = std::array<float, 3>;
 
-/// How many of the last places of an organ are looked through for a corner that is there already.
+/// The number of the last vertices of an organ that are searched for a corner that is known
+/// already.
 constexpr std::size_t kLookBack = 16;
 
 class ShapeWriter {
@@ -31,11 +32,11 @@ class ShapeWriter {
             counts.push_back(organ.triangle_count);
         }
         std::string bytes;
-        bytes.reserve(12 * (areas.size() + places_.size()) + corners_.size());
+        bytes.reserve(12 * (areas.size() + vertices_.size()) + corners_.size());
         append(bytes, areas);
         append(bytes, heights);
         append(bytes, counts);
-        append(bytes, places_);
+        append(bytes, vertices_);
         return bytes += corners_;
     }
 
@@ -47,7 +48,7 @@ class ShapeWriter {
 
     /// @returns the height of its middle
     double add(const Organ& organ) {
-        first_ = places_.size();
+        first_ = vertices_.size();
         double sum = 0, total = 0;
         for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
             const Triangle triangle = data_of(scene_).triangles()[organ.first_triangle + i];
@@ -62,24 +63,24 @@ class ShapeWriter {
     }
 
     void add(const Vec3& corner) {
-        const Place place{
+        const Vertex vertex{
             static_cast<float>(corner.x), static_cast<float>(corner.y),
             static_cast<float>(corner.z)};
-        const std::size_t known = std::min(kLookBack, places_.size() - first_);
+        const std::size_t known = std::min(kLookBack, vertices_.size() - first_);
         for (std::size_t back = 1; back <= known; ++back) {
-            if (places_[places_.size() - back] == place) {
+            if (vertices_[vertices_.size() - back] == vertex) {
                 corners_.push_back(static_cast<char>(back));
                 return;
             }
         }
-        places_.push_back(place);
+        vertices_.push_back(vertex);
         corners_.push_back(0);
     }
 
     const Scene& scene_;
     Vec3 middle_;
-    std::vector<Place> places_;
-    std::size_t first_ = 0;  // place of the organ
+    std::vector<Vertex> vertices_;
+    std::size_t first_ = 0;  // first vertex of the organ
     std::string corners_;
 };
 

@@ -65,9 +65,9 @@ bool take_header(std::string_view line, HttpRequest& request) {
     if (!is_field_value(value)) {
         return false;
     }
-    const auto set_once = [&](std::string_view& place) {
-        const bool is_first = place.data() == nullptr;
-        place = value.data() == nullptr ? std::string_view("") : value;
+    const auto set_once = [&](std::string_view& field) {
+        const bool is_first = field.data() == nullptr;
+        field = value.data() == nullptr ? std::string_view("") : value;
         return is_first;
     };
     if (equal_names(name, "host")) {
@@ -186,22 +186,22 @@ WindowFiles files_of(WindowData data) {
     };
 }
 
-WindowSite::WindowSite(WindowFiles files, std::string token, WindowKind kind)
+ViewerRoutes::ViewerRoutes(WindowFiles files, std::string token, WindowKind kind)
     : files_(std::move(files)),
       token_(std::move(token)),
       colors_(color_maps_json()),
       html_(served_html(embedded_page().html, kind)) {}
 
-void WindowSite::set_port(int port) {
+void ViewerRoutes::set_port(int port) {
     host_ = fmt::format("127.0.0.1:{}", port);
     local_host_ = fmt::format("localhost:{}", port);
 }
 
-std::string WindowSite::address() const {
+std::string ViewerRoutes::address() const {
     return fmt::format("http://{}/{}/", host_, token_);
 }
 
-HttpAnswer WindowSite::answer(const HttpRequest& request) const {
+HttpAnswer ViewerRoutes::answer(const HttpRequest& request) const {
     const auto refuse = [](int status, std::string_view words) {
         return HttpAnswer{.status = status, .body = words};
     };
@@ -209,33 +209,33 @@ HttpAnswer WindowSite::answer(const HttpRequest& request) const {
         return refuse(400, "bad request\n");
     }
     if (request.host != host_ && !equal_names(request.host, local_host_)) {
-        return refuse(421, "not this host\n");
+        return refuse(421, "wrong host\n");
     }
     const std::string origin = fmt::format("http://{}", request.host);
     if (request.origin.data() != nullptr && !equal_names(request.origin, origin)) {
-        return refuse(403, "not from another page\n");
+        return refuse(403, "not from this page\n");
     }
     if (request.fetch_site == "cross-site" || request.fetch_site == "same-site") {
-        return refuse(403, "not from another page\n");
+        return refuse(403, "not from this page\n");
     }
     if (request.method != "GET" && request.method != "HEAD") {
-        return refuse(405, "GET alone\n");
+        return refuse(405, "only GET and HEAD\n");
     }
     if (request.has_body) {
-        return refuse(413, "no body\n");
+        return refuse(413, "a request has no body\n");
     }
     const std::string_view target = request.target;
     const std::size_t slash = target.find('/', 1);
     if (target.front() != '/' || slash == std::string_view::npos ||
         !is_same_secret(target.substr(1, slash - 1), token_)) {
-        return refuse(403, "the address is another\n");
+        return refuse(403, "wrong address\n");
     }
     HttpAnswer found = file(target.substr(slash + 1));
     found.is_head = request.method == "HEAD";
     return found;
 }
 
-HttpAnswer WindowSite::file(std::string_view name) const {
+HttpAnswer ViewerRoutes::file(std::string_view name) const {
     const Page page = embedded_page();
     const std::array<std::pair<std::string_view, HttpAnswer>, 4> files{{
         {"", {200, "text/html; charset=utf-8", html_}},
@@ -251,7 +251,7 @@ HttpAnswer WindowSite::file(std::string_view name) const {
     if (auto found = files_(name)) {
         return {200, found->type, found->body, false, std::move(found->owner)};
     }
-    return {404, "text/plain; charset=utf-8", "nothing here\n"};
+    return {404, "text/plain; charset=utf-8", "not found\n"};
 }
 
 std::string random_token() {

@@ -48,10 +48,10 @@ struct HttpAnswer {
 enum class WindowKind { of_result, live };
 
 /// What is served of a run: the page and its data, below one address that nobody can guess.
-class WindowSite {
+class ViewerRoutes {
   public:
     /// @param token  at least 16 letters or digits, drawn at random for this site
-    WindowSite(WindowFiles files, std::string token, WindowKind kind = WindowKind::of_result);
+    ViewerRoutes(WindowFiles files, std::string token, WindowKind kind = WindowKind::of_result);
 
     /// Says which port it is served at: only requests to it on this machine are answered.
     void set_port(int port);

@@ -33,19 +33,19 @@ std::vector<std::string> cells_of(const std::string& line) {
 std::vector<double> csv_column(const std::string& table, const std::string& name) {
     std::istringstream stream(table);
     std::vector<double> values;
-    std::size_t place = std::string::npos;
+    std::size_t column = std::string::npos;
     for (std::string line; std::getline(stream, line);) {
         if (line.starts_with('#')) {
             continue;
         }
         const std::vector<std::string> cells = cells_of(line);
-        if (place == std::string::npos) {
+        if (column == std::string::npos) {
             for (std::size_t i = 0; i < cells.size(); ++i) {
-                place = cells[i] == name ? i : place;
+                column = cells[i] == name ? i : column;
             }
             continue;
         }
-        values.push_back(std::stod(cells.at(place)));
+        values.push_back(std::stod(cells.at(column)));
     }
     return values;
 }

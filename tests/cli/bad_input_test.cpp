@@ -1,5 +1,5 @@
-// The bad inputs: each ends with exit status 1, a message that names the place, nothing on standard
-// output and no file written. Never a crash.
+// The bad inputs: each ends with exit status 1, a message that names the location, nothing on
+// standard output and no file written. Never a crash.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,7 @@ std::vector<BadInput> all_bad_inputs() {
 
 class BadInputTest : public ProgramTest, public ::testing::WithParamInterface<BadInput> {};
 
-TEST_P(BadInputTest, EndsWithAMessageThatNamesThePlace) {
+TEST_P(BadInputTest, EndsWithAMessageThatNamesTheLocation) {
     const BadInput& bad = GetParam();
     folder_.write(
         "run.toml",
@@ -68,9 +68,9 @@ TEST_F(ProgramTest, AllFaultsOfAFileAreReportedAtOnce) {
     folder_.write("run.toml", text);
     folder_.write("leaves.tri", "0 0 1 1 0 1 0 1\n1 2 3\n");
     const std::string err = run({"run", "run.toml"}).err;
-    for (const char* place :
+    for (const char* where :
          {"run.toml:4: ", "run.toml:11: ", "run.toml:15: ", "leaves.tri:1: ", "leaves.tri:2: "}) {
-        EXPECT_NE(err.find(place), std::string::npos) << place << "\n" << err;
+        EXPECT_NE(err.find(where), std::string::npos) << where << "\n" << err;
     }
 }
 
@@ -85,11 +85,11 @@ TEST_F(ProgramTest, AFaultIsToldOnce) {
 
 /// What is given twice is one fault: neither of the two is a key that nobody knows.
 TEST_F(ProgramTest, TwoWaysToSayOneThingAreOneFault) {
-    const std::string place = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\n";
+    const std::string site = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\n";
     const std::vector<std::array<std::string, 2>> table{
         {"direction = [0, 0, -1]", "direction = [0, 0, -1]\nazimuth_deg = 10\nelevation_deg = 20"},
-        {"[run]", place + "day = \"2024-06-21\"\nfrom = \"2024-06-01\"\nto = \"2024-06-02\"\n"
-                          "hours = [8, 9]\nutc_offset_hours = 1\n[run]"}};
+        {"[run]", site + "day = \"2024-06-21\"\nfrom = \"2024-06-01\"\nto = \"2024-06-02\"\n"
+                         "hours = [8, 9]\nutc_offset_hours = 1\n[run]"}};
     for (const auto& [find, replacement] : table) {
         folder_.write("run.toml", replaced(good_run_file(), find, replacement));
         const Outcome outcome = run({"run", "run.toml"});
@@ -106,8 +106,7 @@ TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {
         shell("truncate -s 60G leaves.tri; ulimit -v 8000000; \"$quasimc\" run run.toml");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(
-        outcome.err.find(
-            "leaves.tri' can't be read (there is no memory for its 64424509440 bytes)"),
+        outcome.err.find("leaves.tri' can't be read (not enough memory for its 64424509440 bytes)"),
         std::string::npos)
         << outcome.err;
 }

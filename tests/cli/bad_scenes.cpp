@@ -3,7 +3,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Places in the good run file.
+/// Parts of the good run file.
 const std::string kReflectance = "reflectance = 0.1";
 const std::string kTransmittance = "transmittance = 0.2";
 const std::string kDirection = "direction = [0, 0, -1]";
@@ -19,15 +19,14 @@ const std::vector<BadInput> kBadScenes{
      "no source of light is given"},
     {"SourceNoList", "[[source]]", "[source]", "write [[source]] above it"},
     {"SourceWithoutType", "type = \"directional\"", "", "run.toml:9: source: type is missing"},
-    {"UnknownSource", "type = \"directional\"", "type = \"lamp\"",
-     "run.toml:10: source: type"},
+    {"UnknownSource", "type = \"directional\"", "type = \"lamp\"", "run.toml:10: source: type"},
     {"DirectionZero", kDirection, "direction = [0, 0, 0]",
      "run.toml:11: source 'directional': direction is [0, 0, 0]"},
     {"DirectionNan", kDirection, "direction = [0, 0, nan]",
      "run.toml:11: source 'directional': direction is nan"},
     {"DirectionInfinite", kDirection, "direction = [0, 0, -inf]", "direction is -inf"},
     {"DirectionOfFour", kDirection, "direction = [0, 0, -1, 0]", "direction is a list of 4"},
-    {"DirectionMissing", kDirection, "", "where it shines from is missing"},
+    {"DirectionMissing", kDirection, "", "its direction is missing"},
     {"IrradianceNegative", kIrradiance, "irradiance_facing = -1",
      "run.toml:12: source 'directional': irradiance_facing is -1"},
     {"IrradianceInfinite", kIrradiance, "irradiance_facing = inf", "irradiance_facing is inf"},
@@ -44,9 +43,9 @@ const std::vector<BadInput> kBadScenes{
      "run.toml:8: [time]: global is 1e+308"},
     {"PolygonLikeABowTie", kShape + "\n" + kCorners,
      "shape = \"polygon\"\ncorners = [[0, 0, 5], [1, 1, 5], [1, 0, 5], [0, 1, 5]]",
-     "its sides cross each other"},
+     "its sides intersect"},
     {"CopyThatIsNoList", kFile, kFile + "\nat = [1, 2, 3]",
-     "run.toml:19: geometry: at is no list of copies (it must be [[x, y, z], ...])"},
+     "run.toml:19: geometry: at is not a list of copies (it must be [[x, y, z], ...])"},
     {"IrradianceZero", kIrradiance, "irradiance_facing = 0", "no source gives light"},
     {"IrradianceTwice", kIrradiance, "irradiance_facing = 1\nirradiance_horizontal = 1",
      "two irradiances are given"},
@@ -55,7 +54,7 @@ const std::vector<BadInput> kBadScenes{
      "irradiance_facing has 2 values (there are 1 bands)"},
     {"IrradianceOverflow", kIrradiance, "irradiance_facing = 1e999", "run.toml:12: "},
     {"SunsetOnTheHorizontal", kDirection + "\n" + kIrradiance,
-     "direction = [1, 0, 0]\nirradiance_horizontal = 1", "not above the horizon"},
+     "direction = [1, 0, 0]\nirradiance_horizontal = 1", "of a source below the horizon"},
     {"NoMaterial", "[[material]]\nname = \"leaf\"\nreflectance = 0.1\ntransmittance = 0.2\n", "",
      "leaf"},
     {"TwoMaterialsOfOneName", "[[geometry]]",
@@ -72,8 +71,7 @@ const std::vector<BadInput> kBadScenes{
     {"ReflectanceNan", kReflectance, "reflectance = nan", "reflectance is nan"},
     {"ReflectanceText", kReflectance, "reflectance = \"0.1\"", "reflectance is a text"},
     {"ReflectanceTrue", kReflectance, "reflectance = true", "reflectance is true or false"},
-    {"ReflectanceForgotten", kReflectance + "\n" + kTransmittance, "",
-     "reflectance is missing"},
+    {"ReflectanceForgotten", kReflectance + "\n" + kTransmittance, "", "reflectance is missing"},
     {"ReflectanceOfUnknownBand", kReflectance, "reflectance = { NIR = 0.1 }", "PAR is missing"},
     {"UnknownModel", kReflectance, kReflectance + "\nreflection_model = \"glossy\"",
      "reflection_model: 'glossy' is not one of lambertian, "},
@@ -117,9 +115,9 @@ const std::vector<BadInput> kBadScenes{
      "soil"},
     {"GroundInsideOut", "[[geometry]]",
      "[ground]\nmaterial = \"leaf\"\nx = [1, -1]\ny = [0, 1]\n[[geometry]]",
-     "low must be less than high"},
+     "the first must be less than the second"},
     {"CellOfNoSize", "[[geometry]]", "[cell]\nx = [1, 1]\n[[geometry]]",
-     "low must be less than high"},
+     "the first must be less than the second"},
     {"CellBeyondNumbers", "[[geometry]]", "[cell]\nx = [-1e308, 1e308]\n[[geometry]]",
      "run.toml: cell along x: the low border is -1e+308"},
     {"WeatherWithAColumnTwice", "[run]", kSiteAndTime + "weather = \"w.csv\"\n[run]",
@@ -146,9 +144,9 @@ const std::vector<BadInput> kBadScenes{
      "can't be read (it is a device)"},
     {"FileWithNul", kFile, "file = \"a\\u0000.tri\"", "geometry"},
     {"FileOfUnknownFormat", kFile, "file = \"leaves.xyz\"",
-     "the format of 'leaves.xyz' can't be told"},
+     "the format of 'leaves.xyz' is unclear"},
     {"FileIsTheRunFile", kFile, "file = \"run.toml\"\nformat = \"obj\"",
-     "run.toml:1: 'format' is no statement of OBJ"},
+     "run.toml:1: 'format' is not an OBJ statement"},
 };
 
 }  // namespace

@@ -26,7 +26,7 @@ TEST_F(ConvertCommand, TellsWhatAGeometryFileHolds) {
     for (const char* part :
          {"file      a.can: can, ",
           "bounds    x 0 to 2 (2), y 0 to 1 (1), z 1 to 3 (2); the file "
-          "states no unit",
+          "the file has no unit",
           "organs    2\n", "material  leaf 1: 1 organs", "material  stem 1: 1 organs, area 0.5",
           "label     plant: 2 organs, 2 values: 7 8\n", "warning   "}) {
         expect_in(outcome.out, part);
@@ -80,7 +80,7 @@ TEST_F(ConvertCommand, WritesNetcdfOrNamesTheLibraryThatItLacks) {
         EXPECT_EQ(outcome.status, 1);
         expect_in(
             outcome.err,
-            "NetCDF: this program can't write it (it was built without the netCDF library)");
+            "NetCDF: this program can't write NetCDF (it was built without the netCDF library)");
         return;
     }
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -153,12 +153,12 @@ TEST_F(ConvertCommand, NamesFilesThatAreNoRunFiles) {
     }
     expect_in(
         run({"info", "plant.bgeom"}).err,
-        "plant.bgeom: is a binary scene of PlantGL, not a run file (it is not read); load it in "
-        "Python with PlantGL");
+        "plant.bgeom: is a binary scene of PlantGL, not a run file (it is not supported); load it "
+        "in Python with PlantGL");
     folder_.write("plant.dae", "<COLLADA/>");
     const Outcome dae = run({"convert", "plant.dae", "plant.obj"});
     EXPECT_EQ(dae.status, 1);
-    expect_in(dae.err, "plant.dae: is a COLLADA file, which is not read; make glTF of it");
+    expect_in(dae.err, "plant.dae: is a COLLADA file, which is not supported; make glTF of it");
 }
 
 }  // namespace

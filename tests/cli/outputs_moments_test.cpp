@@ -30,7 +30,7 @@ class OutputsAtMoments : public OutputsTest, public ::testing::WithParamInterfac
     /// Calls act(moment) for as many as the parameter says, each with old outputs.
     /// @param whole  what a run takes, in the unit of the moments
     template <typename Act>
-    void for_each_moment(double whole, const Act& act) {
+    void for_each_time_step(double whole, const Act& act) {
         for (int i = 0; i < GetParam(); ++i) {
             write_old();
             act(kUntil * whole * (i + 0.5) / GetParam());
@@ -87,24 +87,24 @@ INSTANTIATE_TEST_SUITE_P(Long, KilledOutputs, ::testing::Values(10));
 TEST_P(OutputsAtMoments, AreOldOrNewWhereverTheDiskIsFull) {
     ASSERT_EQ(run({"run", "run.toml", "-q"}).status, 0);
     const auto size = static_cast<double>(folder_.read("out.json").size());
-    int whole = 0, told = 0;
-    for_each_moment(size, [&](double moment) {
-        const auto bytes = static_cast<long>(moment);
+    int whole = 0, reported = 0;
+    for_each_time_step(size, [&](double time_step) {
+        const auto bytes = static_cast<long>(time_step);
         const Outcome outcome =
             shell("prlimit --fsize=" + std::to_string(bytes) + " \"$quasimc\" run run.toml -q");
         const std::string words = std::to_string(bytes) + " bytes: " + outcome.err;
         expect_old_or_new(words);
         EXPECT_EQ(outcome.status == 0, has_new_csv() && has_new_json()) << words;
         EXPECT_EQ(outcome.status == 0, outcome.err.empty()) << words;
-        (outcome.status == 0 ? whole : told) += 1;
+        (outcome.status == 0 ? whole : reported) += 1;
     });
     EXPECT_GT(whole, 0);
-    EXPECT_GT(told, 0);
+    EXPECT_GT(reported, 0);
 }
 
 /// The disk is full from a moment on.
 TEST_P(OutputsAtMoments, AreOldOrNewWheneverTheDiskBecomesFull) {
-    for_each_moment(duration(), [&](double moment_s) {
+    for_each_time_step(duration(), [&](double moment_s) {
         const Outcome outcome = shell(
             std::string(kRun) + " & sleep " + std::to_string(moment_s) +
             "; prlimit --pid $! --fsize=0 2>/dev/null; wait $!");
@@ -116,7 +116,7 @@ TEST_P(OutputsAtMoments, AreOldOrNewWheneverTheDiskBecomesFull) {
 
 /// Who reads what the program prints goes away; its files are written all the same.
 TEST_P(OutputsAtMoments, AreWrittenWhoeverStopsReading) {
-    for_each_moment(duration(), [&](double moment_s) {
+    for_each_time_step(duration(), [&](double moment_s) {
         const Outcome outcome = shell(
             "\"$quasimc\" run run.toml --paths 65536 2>&1 | sleep " + std::to_string(moment_s) +
             "; exit ${PIPESTATUS[0]}");

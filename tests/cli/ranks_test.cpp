@@ -152,11 +152,11 @@ TEST_F(RanksTest, StopASeriesOfTimesAfterTheLastThatIsComplete) {
 }
 
 TEST_F(RanksTest, KeepToALimitOfTimeAndStopAtCtrlC) {
-    const std::string endless = "run.toml --paths 1073741824 --method light_tracing --quiet";
-    const Outcome timed = run_ranks(2, endless + " --max-seconds 1");
+    const std::string infinite = "run.toml --paths 1073741824 --method light_tracing --quiet";
+    const Outcome timed = run_ranks(2, infinite + " --max-seconds 1");
     EXPECT_EQ(timed.status, 4) << timed.err;
     const Outcome stopped = run_ranks(
-        2, endless,
+        2, infinite,
         "& sleep 2; kill -INT $(pgrep -f 'quasimc run run.toml --paths 1073741824' | "
         "while read p; do grep -qz OMPI_COMM_WORLD_RANK=0 /proc/$p/environ && "
         "[ $(readlink /proc/$p/cwd) = $PWD ] && echo $p; done) ; wait $!");

@@ -36,18 +36,19 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     const Outcome outcome =
         run({"run", "days.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("4 from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("time steps 4 from 2024-06-20T11:00+01:00"), std::string::npos)
+        << outcome.out;
     const std::string times = folder_.read("t.csv");
     EXPECT_EQ(rows(times), 4 * 3);
     EXPECT_NE(times.find("\ntime,id,name,"), std::string::npos);
     EXPECT_NE(times.find("\n2024-06-21T12:00+01:00,1,third,"), std::string::npos);
     EXPECT_NE(
-        times.find("# moment: 2024-06-21T12:00+01:00, 3600 s; sun azimuth"), std::string::npos);
+        times.find("# time_step: 2024-06-21T12:00+01:00, 3600 s; sun azimuth"), std::string::npos);
     const std::string days = folder_.read("d.csv");
     EXPECT_EQ(rows(days), 2 * 3);
     EXPECT_NE(days.find("\n2024-06-21,7200,1,third,"), std::string::npos);
     EXPECT_NE(days.find("[J m-2 d-1]"), std::string::npos);
-    EXPECT_NE(folder_.read("r.json").find("\"moments\": ["), std::string::npos);
+    EXPECT_NE(folder_.read("r.json").find("\"time_steps\": ["), std::string::npos);
 }
 
 TEST_F(TimesTest, AreCollapsedOnDemand) {
@@ -60,7 +61,9 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     const Outcome outcome =
         run({"run", "period.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("collapsed into 1 trace of 12 suns"), std::string::npos)
+    EXPECT_NE(
+        outcome.out.find("in 1 cumulative sky with 12 sun positions: 1 computed"),
+        std::string::npos)
         << outcome.out;
     EXPECT_EQ(rows(folder_.read("t.csv")), 3);
     const std::string sums = folder_.read("d.csv");
@@ -124,7 +127,7 @@ TEST_F(TimesTest, WithoutLightAreWrittenOnDemand) {
     const std::ptrdiff_t lit = rows(folder_.read("day.csv"));
     EXPECT_LT(lit, 12 * 3);
     EXPECT_GE(lit, 8 * 3);
-    EXPECT_EQ(lines_with(folder_.read("day.json"), "\"traced\": \"2024"), lit / 3);
+    EXPECT_EQ(lines_with(folder_.read("day.json"), "\"computed\": \"2024"), lit / 3);
     const Outcome again = run({"run", "--repeat", "day.json", "--threads", "2"});
     EXPECT_NE(again.out.find("the same numbers as in"), std::string::npos) << again.out;
     const Outcome other = run({"run", "--repeat", "all.json", "--quantities", "absorbed_flux"});
@@ -181,7 +184,8 @@ TEST_F(TimesTest, ChoicesThatAreNoneAreRefused) {
 TEST_F(TimesTest, NameTheirMethod) {
     const Outcome outcome = run({"run", "days.toml", "--csv", "t.csv", "--method", "first_hits"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("sobol points, first_hits, "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("method    first_hits (requested)"), std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(TimesTest, AreRepeatedFromTheirResult) {
@@ -225,7 +229,7 @@ TEST_F(TimesTest, OfNightsAloneAreZeros) {
         {"run", "night.toml", "--include-night", "--csv", "t.csv", "--daily-csv", "d.csv", "--json",
          "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("dark at all these times"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("it is night at all time steps"), std::string::npos) << outcome.err;
     EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
     EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
     EXPECT_EQ(run({"run", "--repeat", "r.json"}).status, 0);
@@ -244,7 +248,7 @@ TEST_F(TimesTest, AndScenesWithoutLightHaveNoFault) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         EXPECT_NE(outcome.err.find("warning: no light reaches the scene"), std::string::npos);
         EXPECT_NE(
-            outcome.out.find("no light reaches the scene, nothing was traced"), std::string::npos)
+            outcome.out.find("no light reaches the scene; nothing was computed"), std::string::npos)
             << outcome.out;
         EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
         EXPECT_NE(folder_.read("out.json").find("\"no_light\""), std::string::npos);

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view kToken = "0123456789abcdef0123456789abcdef";
 
-WindowSite make_site(WindowFiles files, WindowKind kind) {
-    WindowSite made(std::move(files), std::string(kToken), kind);
+ViewerRoutes make_site(WindowFiles files, WindowKind kind) {
+    ViewerRoutes made(std::move(files), std::string(kToken), kind);
     made.set_port(8080);
     return made;
 }
@@ -42,13 +42,13 @@ WindowFiles files_of_live_run() {
 
 /// No request is answered that does not name the host and the token.
 void fuzz_window_request(const std::string& bytes) {
-    static const WindowSite done =
+    static const ViewerRoutes done =
         make_site(files_of({"{}", "shape", {"values"}}), WindowKind::of_result);
-    static const WindowSite live = make_site(files_of_live_run(), WindowKind::live);
+    static const ViewerRoutes live = make_site(files_of_live_run(), WindowKind::live);
     const std::string_view text(bytes);
     const bool has_both =
         text.find(kToken) != std::string_view::npos && text.find(":8080") != std::string_view::npos;
-    for (const WindowSite* site : {&done, &live}) {
+    for (const ViewerRoutes* site : {&done, &live}) {
         const HttpAnswer answer = site->answer(parse_request(text));
         const bool is_told = answer.status == 200 || answer.status == 404;
         if ((is_told && !has_both) || !answer.head().ends_with("\r\n\r\n")) {

@@ -17,7 +17,7 @@ void expect_closed(const Result& result) {
         EXPECT_GT(budget.emitted.mean, 0);
         EXPECT_LE(budget.closure_error, 1e-12);
         // The five numbers that are reported close as well as each replicate.
-        const double rest = budget.emitted.mean + budget.roulette.mean -
+        const double rest = budget.emitted.mean + budget.imbalance.mean -
                             budget.absorbed_by_organs.mean - budget.absorbed_by_ground.mean -
                             budget.escaped.mean - budget.cut_off.mean;
         EXPECT_LE(std::abs(rest), 1e-12 * budget.emitted.mean);
@@ -51,7 +51,7 @@ TEST_P(FollowedEnergy, ClosesForEverySampler) {
         const Result result = run(scene, plot_sources({}), spec);
         expect_closed(result);
         expect_consistent(scene, result);
-        EXPECT_FALSE(result.escaped_is_remainder);
+        EXPECT_FALSE(result.escaped_by_difference);
         EXPECT_EQ(result.budget[0].cut_off.mean, 0);
     }
 }
@@ -105,9 +105,9 @@ TEST(Energy, RouletteGivesAsMuchAsItTakes) {
     const Scene scene = make_plot({});
     const Result result = run(scene, plot_sources({}), spec_of(Method::light_tracing, 1 << 12));
     for (const BandBudget& budget : result.budget) {
-        EXPECT_GT(budget.roulette.standard_error, 0);
+        EXPECT_GT(budget.imbalance.standard_error, 0);
         EXPECT_TRUE(agrees(
-            measured(budget.roulette, kReplicates), 0, .03 * budget.emitted.mean,
+            measured(budget.imbalance, kReplicates), 0, .03 * budget.emitted.mean,
             sidak_level(kLevel, kPlotBands)));
     }
 }
@@ -117,7 +117,7 @@ TEST(Energy, EscapedIsTheRemainderSeenFromTheOrgans) {
     const Scene scene = make_plot({});
     const Result forward = run(scene, plot_sources({}), spec_of(Method::light_tracing, 1 << 11));
     const Result backward = run(scene, plot_sources({}), spec_of(Method::from_organs, 1 << 12));
-    EXPECT_TRUE(backward.escaped_is_remainder);
+    EXPECT_TRUE(backward.escaped_by_difference);
     expect_closed(backward);
     expect_consistent(scene, backward);
     for (std::size_t b = 0; b < kPlotBands; ++b) {

@@ -81,9 +81,9 @@ TEST_P(Parts, BruteForceFindsTheSameLight) {
 /// Two triangles above a ground, in one organ or in two, of one material or of two.
 Scene make_pair(bool in_one_organ, bool of_one_material) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("a", .3, .2));
-    builder.add_material(of_one_material ? matt("b", .3, .2) : matt("b", .1, .6));
-    builder.add_material(matt("soil", .4, 0));
+    builder.add_material(diffuse("a", .3, .2));
+    builder.add_material(of_one_material ? diffuse("b", .3, .2) : diffuse("b", .1, .6));
+    builder.add_material(diffuse("soil", .4, 0));
     const std::vector<Triangle> leaf = floor_of(0, 1, 0, 1, .5);
     if (in_one_organ) {
         OrganSpec both = organ("both", "a", {leaf[0]});

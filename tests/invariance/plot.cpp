@@ -35,8 +35,8 @@ bool same_bits(const Estimate& a, const Estimate& b) {
         return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y) ||
                (std::isnan(x) && std::isnan(y));
     };
-    return same(a.mean, b.mean) && same(a.standard_error, b.standard_error) && same(a.low, b.low) &&
-           same(a.high, b.high);
+    return same(a.mean, b.mean) && same(a.standard_error, b.standard_error) &&
+           same(a.ci95_low, b.ci95_low) && same(a.ci95_high, b.ci95_high);
 }
 
 ::testing::AssertionResult same_bits(
@@ -60,7 +60,7 @@ std::vector<Estimate> budget_of(const Result& result) {
         all.push_back({b.closure_error, 0, 0, 0});
         all.insert(
             all.end(),
-            {b.absorbed_by_organs, b.absorbed_by_ground, b.escaped, b.cut_off, b.roulette});
+            {b.absorbed_by_organs, b.absorbed_by_ground, b.escaped, b.cut_off, b.imbalance});
     }
     return all;
 }

@@ -22,7 +22,7 @@ class Space : public BothWays {
 /// Densities of the same bits, fluxes larger by the square of the scale.
 ::testing::AssertionResult differ_by_the_unit(const Result& a, Result b, double scale) {
     const auto rescale = [&](Estimate& e) {
-        for (double* x : {&e.mean, &e.standard_error, &e.low, &e.high}) {
+        for (double* x : {&e.mean, &e.standard_error, &e.ci95_low, &e.ci95_high}) {
             *x /= scale * scale;
         }
     };
@@ -35,7 +35,7 @@ class Space : public BothWays {
         budget.emitted = scaled(budget.emitted, 1 / (scale * scale));
         for (Estimate* e :
              {&budget.absorbed_by_organs, &budget.absorbed_by_ground, &budget.escaped,
-              &budget.cut_off, &budget.roulette}) {
+              &budget.cut_off, &budget.imbalance}) {
             rescale(*e);
         }
     }

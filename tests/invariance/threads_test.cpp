@@ -33,7 +33,7 @@ class SlowEmitter final : public SourceSampler {
         first_.wait();
         return emitter_->emit(u);
     }
-    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+    [[nodiscard]] DirectionSample draw_direction(double u0, double u1) const override {
         first_.wait();
         return emitter_->draw_direction(u0, u1);
     }

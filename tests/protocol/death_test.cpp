@@ -124,10 +124,10 @@ TEST_P(Deaths, OfTheSimulatorEndTheProgramAndLeaveNothing) {
         [&] { return make_master(transport(), Client::cpfg, folder_.path()); },
         std::get<1>(GetParam()), go_to);
     EXPECT_EQ(wait_for(traces.program), (Ending{false, 1}));
-    const std::string told = folder_.read("err");
-    const bool names_the_loss = told.find("is gone") != std::string::npos ||
-                                told.find("can't be reached") != std::string::npos;
-    EXPECT_TRUE(names_the_loss) << told;
+    const std::string reported = folder_.read("err");
+    const bool names_the_loss = reported.find("is gone") != std::string::npos ||
+                                reported.find("can't be reached") != std::string::npos;
+    EXPECT_TRUE(names_the_loss) << reported;
     EXPECT_EQ(left_over(), std::vector<std::string>());
     if (traces.key >= 0) {
         EXPECT_EQ(::semget(static_cast<key_t>(traces.key), 2, 0600), -1);

@@ -62,9 +62,9 @@ TEST_F(Growth, OfFiftyStepsWithTenThousandLeavesIsAnswered) {
     const auto master = make_master(Transport::pipes, Client::cpfg, folder_.path());
     master->start({"light.qmc"});
     master->await_sign();
-    constexpr int kSteps = 50, kMostLeaves = 10000;
+    constexpr int kSteps = 50, kMaxLeaves = 10000;
     for (int step = 1; step <= kSteps; ++step) {
-        const int leaves = kMostLeaves * step / kSteps;
+        const int leaves = kMaxLeaves * step / kSteps;
         master->send(growing_leaves(leaves, step));
         const std::string reply = master->read_all_chunks();
         ASSERT_EQ(values_of(reply).size(), leaves) << step;

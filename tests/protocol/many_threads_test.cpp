@@ -33,9 +33,9 @@ Specification specification(unsigned threads) {
 TEST(ThreadsOfAGrowth, GiveEveryLeafItsLight) {
     Notices silent([](const std::string&) {});
     PlantLight light(specification(4), silent);
-    constexpr int kSteps = 50, kMostLeaves = 10000;
+    constexpr int kSteps = 50, kMaxLeaves = 10000;
     for (int step = 1; step <= kSteps; ++step) {
-        const Pass pass = pass_of(growing_leaves(kMostLeaves * step / kSteps, step));
+        const Pass pass = pass_of(growing_leaves(kMaxLeaves * step / kSteps, step));
         Answers answers;
         light.answer(
             pass, [] {}, answers);

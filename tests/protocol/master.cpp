@@ -57,7 +57,7 @@ class DescriptorMaster : public Master {
             text.remove_prefix(static_cast<std::size_t>(count));
         }
     }
-    void tell() override {}
+    void send() override {}
     std::string read() override {
         std::string line, reply;
         while (!line.starts_with("Control")) {
@@ -83,7 +83,7 @@ class DescriptorMaster : public Master {
 
   private:
     char byte() {
-        if (place_ == buffer_.size()) {
+        if (offset_ == buffer_.size()) {
             pollfd ready{in_, POLLIN, 0};
             buffer_.resize(65536);
             const ssize_t count = ::poll(&ready, 1, patience_ms()) > 0
@@ -91,17 +91,17 @@ class DescriptorMaster : public Master {
                                       : -1;
             if (count <= 0) {
                 buffer_.clear();
-                place_ = 0;
+                offset_ = 0;
                 throw MasterError("the program has closed the line, or says nothing");
             }
             buffer_.resize(static_cast<std::size_t>(count));
-            place_ = 0;
+            offset_ = 0;
         }
-        return buffer_[place_++];
+        return buffer_[offset_++];
     }
 
     std::string buffer_;
-    std::size_t place_ = 0;
+    std::size_t offset_ = 0;
 };
 
 class PipeMaster final : public DescriptorMaster {
@@ -251,8 +251,8 @@ class SemaphoreMaster : public Master {
     [[nodiscard]] bool has_signed() const override { return ::semctl(set_, 1, GETVAL) == 0; }
     [[nodiscard]] std::optional<long> semaphore_key() const override { return key_; }
     void await_last_sign() override {}
-    void tell() override {
-        told_ = true;
+    void send() override {
+        sent_ = true;
         sembuf give{0, 1, 0};
         ::semop(set_, &give, 1);
     }
@@ -268,7 +268,7 @@ class SemaphoreMaster : public Master {
         }
         return reply();
     }
-    void ask_for_next_chunk() override { tell(); }
+    void ask_for_next_chunk() override { send(); }
 
   protected:
     virtual std::string reply() = 0;
@@ -281,7 +281,7 @@ class SemaphoreMaster : public Master {
 
   private:
     /// The program may end after its last answer.
-    [[nodiscard]] bool has_answer() const { return ::semctl(set_, 1, GETVAL) > 0 && told_; }
+    [[nodiscard]] bool has_answer() const { return ::semctl(set_, 1, GETVAL) > 0 && sent_; }
 
     void make_semaphores() {
         for (key_ = 4L * ::getpid(); set_ < 0; key_ += set_ < 0 ? 65536 : 0) {
@@ -307,7 +307,7 @@ class SemaphoreMaster : public Master {
     std::filesystem::path folder_;
     long key_ = 0;
     int set_ = -1;
-    bool told_ = false;
+    bool sent_ = false;
 };
 
 class FileMaster final : public SemaphoreMaster {
@@ -355,11 +355,11 @@ class MemoryMaster final : public SemaphoreMaster {
     explicit MemoryMaster(const std::filesystem::path& folder) : SemaphoreMaster(folder) {
         id_ = ::shmget(
             static_cast<key_t>(key() - 1), kToField + kFromField, IPC_CREAT | IPC_EXCL | 0600);
-        void* place = ::shmat(id_, nullptr, 0);
-        if (id_ < 0 || place == reinterpret_cast<void*>(-1)) {
+        void* memory = ::shmat(id_, nullptr, 0);
+        if (id_ < 0 || memory == reinterpret_cast<void*>(-1)) {
             throw MasterError("no shared memory");
         }
-        bytes_ = static_cast<char*>(place);
+        bytes_ = static_cast<char*>(memory);
         std::memset(bytes_, 'x', kToField + kFromField);  // what was there before is nobody's
     }
     ~MemoryMaster() override {

@@ -31,14 +31,14 @@ class Master {
     virtual void start(const std::vector<std::string>& words) = 0;
     /// Waits for the sign that it is there.
     virtual void await_sign() = 0;
-    /// Waits for the sign, or what the program says in its place: that there will be no light.
-    /// Whether it was the sign.
+    /// Waits for the sign, or for the program's answer that there will be no light. Returns whether
+    /// it was the sign.
     virtual bool is_welcomed() = 0;
     /// Whether the sign was given; for semaphores, which keep it.
     [[nodiscard]] virtual bool has_signed() const { return false; }
     /// Writes a text without telling that it is there (pipes and sockets: there is no difference).
     virtual void write(std::string_view text) = 0;
-    virtual void tell() = 0;
+    virtual void send() = 0;
     /// The next reply, up to and with its Control line.
     virtual std::string read() = 0;
     /// The byte with which the program says good-bye, where there is one.
@@ -52,7 +52,7 @@ class Master {
 
     void send(std::string_view text) {
         write(text);
-        tell();
+        send();
     }
     /// A reply in one text: chunks are asked for until the last, Control lines between them left
     /// in.

@@ -115,7 +115,8 @@ void Conversing::expect(const Ending& expected) {
     require(ending.has_value(), "the program does not end");
     require(
         *ending == expected,
-        fmt::format("{} {}: {}", ending->by_signal ? "signal" : "status", ending->status, told()));
+        fmt::format(
+            "{} {}: {}", ending->by_signal ? "signal" : "status", ending->status, reported()));
     master_->clean_up();
     master_.reset();
     const std::string left = left_over(folder_, key_);
@@ -124,8 +125,8 @@ void Conversing::expect(const Ending& expected) {
 
 void Conversing::expect_told(const std::string& words, int times) const {
     require(
-        count_of(told(), words) == static_cast<std::size_t>(times),
-        fmt::format("'{}' is to be told {} times: {}", words, times, told()));
+        count_of(reported(), words) == static_cast<std::size_t>(times),
+        fmt::format("'{}' is to be told {} times: {}", words, times, reported()));
 }
 
 std::string left_over(const TemporaryFolder& folder, long key) {

@@ -57,7 +57,7 @@ class Conversing {
     void expect_told(const std::string& words, int times = 1) const;
 
     [[nodiscard]] Master& master() { return *master_; }
-    [[nodiscard]] std::string told() const { return folder_.read("err"); }
+    [[nodiscard]] std::string reported() const { return folder_.read("err"); }
     [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
     [[nodiscard]] Talk talk() const { return talk_; }
 

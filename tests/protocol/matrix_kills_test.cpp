@@ -93,12 +93,12 @@ TEST_P(MatrixOfKills, OfTheSimulatorEndTheProgram) {
                                  kill_simulator(talk, folder, i * kMicrosecondsBetween);
                              std::optional<Ending> ending;
                              measure_wait([&] { ending = wait_for(left.program); });
-                             const std::string told = folder.read("err");
-                             require(ending == Ending{false, 1}, "not status 1: " + told);
+                             const std::string reported = folder.read("err");
+                             require(ending == Ending{false, 1}, "not status 1: " + reported);
                              require(
-                                 told.find("is gone") != std::string::npos ||
-                                     told.find("can't be reached") != std::string::npos,
-                                 told);
+                                 reported.find("is gone") != std::string::npos ||
+                                     reported.find("can't be reached") != std::string::npos,
+                                 reported);
                              const std::string remains = left_over(folder, left.key);
                              require(remains.empty(), remains + " is left");
                          }});

@@ -49,7 +49,7 @@ TEST_F(Matrix, NormalEnd) {
                  }
                  c.say_goodbye();
                  c.expect_end(0);
-                 require(c.told().empty(), c.told());
+                 require(c.reported().empty(), c.reported());
              })) {
             cases.push_back(one);
         }
@@ -111,7 +111,7 @@ TEST_F(Matrix, EndOfASimulatorThatDoesNotWait) {
         c.master().clean_up();
         c.master().process().send(SIGCONT);
         c.expect_end(0);
-        require(c.told().empty(), c.told());
+        require(c.reported().empty(), c.reported());
     }));
 }
 
@@ -150,7 +150,7 @@ TEST_F(Matrix, FaultOfAMessage) {
         c.expect_told("step 2: ");
         c.expect_told("step 3: ", 0);
         c.expect_told("step 4: ");
-        c.expect_told("step 5: it is answered again");
+        c.expect_told("step 5: answers continue");
         c.expect_told("step 6: ");
     }));
 }

@@ -60,7 +60,7 @@ TEST_P(Transports, BringEachStepItsLight) {
     }
 }
 
-/// A row of leaves, one in each place; `count` of them.
+/// A row of `count` leaves, one for each number.
 std::string row_of_leaves(int first, int count) {
     std::string text;
     for (int i = first; i < first + count; ++i) {

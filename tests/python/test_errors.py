@@ -18,7 +18,7 @@ def test_all_faults_of_a_scene_are_told_at_once():
         scene.build()
     assert len(caught.value.faults) == 2
     assert "1e+31" in str(caught.value) and "leef" in str(caught.value)
-    assert set(caught.value.faults[0]) == {"place", "problem", "why", "suggestion"}
+    assert set(caught.value.faults[0]) == {"where", "problem", "why", "suggestion"}
 
 
 def test_errors_are_value_errors_where_that_fits():
@@ -75,12 +75,12 @@ def test_options_are_checked_as_those_of_a_run_file(keys, words):
         (lambda v, f, o: (v[:, :2], f, o), "must be .n, 3."),
         (lambda v, f, o: (v, f.astype(float), o), "must be integers"),
         (lambda v, f, o: (v, f, o[:-1]), "one for each of the 8 faces"),
-        (lambda v, f, o: (v, f + 10, o), "names vertex"),
-        (lambda v, f, o: (v, f - 1, o), "names vertex -1"),
+        (lambda v, f, o: (v, f + 10, o), "refers to vertex"),
+        (lambda v, f, o: (v, f - 1, o), "refers to vertex -1"),
         (lambda v, f, o: (v * np.nan, f, o), "finite"),
         (lambda v, f, o: (v, f[:0], o[:0]), "no triangles"),
-        (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "integers end at 2.63"),
-        (lambda v, f, o: (v, f.astype(np.uint64) + np.uint64(2**63), o), "integers end at 2.63"),
+        (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "largest integer is 2.63"),
+        (lambda v, f, o: (v, f.astype(np.uint64) + np.uint64(2**63), o), "largest integer is 2.63"),
         (lambda v, f, o: (v, f, [2**70] * len(f)), "must be integers"),
         (lambda v, f, o: (np.ma.masked_greater(v, 1.5), f, o), "some of vertices are masked"),
         (lambda v, f, o: (v, np.ma.masked_equal(f, 0), o), "some of faces are masked"),
@@ -116,7 +116,7 @@ def test_a_run_that_has_no_time_for_a_result_stops():
     slow = {"method": "light_tracing", "accelerator": "brute_force", "threads": 1}
     with pytest.raises(quasimc.Stopped) as caught:
         canopy(100_000).run(max_seconds=1e-9, **slow)
-    assert caught.value.why == "time_is_up"
+    assert caught.value.why == "time_limit"
 
 
 def test_what_is_probably_not_meant_is_a_warning():
@@ -131,7 +131,7 @@ def test_what_is_probably_not_meant_is_a_warning():
 
 @pytest.mark.parametrize("sources", ["sky", ["sky"], [3], ("sun", 4)])
 def test_what_is_no_source_is_refused(sources):
-    with pytest.raises(quasimc.InputError, match="is no source"):
+    with pytest.raises(quasimc.InputError, match="is not a source"):
         canopy().run(sources)
 
 
@@ -145,6 +145,6 @@ def test_a_source_may_be_a_dict():
 def test_a_label_named_as_other_groups_is_refused(key, options):
     scene = canopy()
     scene.add_mesh(*leaves(1)[:2], material="leaf", organ=99, labels={key: "x"})
-    with pytest.raises(quasimc.InputError, match="has the name of other groups"):
+    with pytest.raises(quasimc.InputError, match="a label with the name of other groups"):
         scene.run(groups=[key], **options, **FEW)
     assert [g["by"] for g in scene.run(groups=["plant"], **FEW).groups.groups] == ["all", "plant"]

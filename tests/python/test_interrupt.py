@@ -59,4 +59,4 @@ print(scene.run(paths=256).stop)
 """,
         after=1.0,
     )
-    assert said.split() == ["KeyboardInterrupt", "paths_done"]
+    assert said.split() == ["KeyboardInterrupt", "finished"]

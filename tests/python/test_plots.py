@@ -75,7 +75,7 @@ def test_a_profile_shows_each_organ_at_its_height_with_its_interval(result):
     assert places[0] == pytest.approx(
         (light.mean[top], result.organs.triangles(top)[..., 2].mean()), 1e-9
     )
-    assert bars[0, :, 0] == pytest.approx((light.low[top], light.high[top]), 1e-9)
+    assert bars[0, :, 0] == pytest.approx((light.ci95_low[top], light.ci95_high[top]), 1e-9)
     assert axes.get_xlabel() == "incident_upper [W m-2]" and axes.get_ylabel() == "height [m]"
     assert [text.get_text() for text in axes.get_legend().texts][0] == "means of layers"
 

@@ -76,7 +76,7 @@ def test_a_callback_that_runs_its_own_scene_is_told_so():
 
     scene.run(progress=run_again, paths=1 << 18, method="light_tracing", replicates=16)
     assert told
-    assert scene.run(paths=64).stop == "paths_done"
+    assert scene.run(paths=64).stop == "finished"
 
 
 def changes_of(scene):

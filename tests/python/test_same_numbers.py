@@ -54,7 +54,7 @@ def of_the_program(path, organs):
 
 
 def values_of(organs, bands):
-    keys = ("mean", "standard_error", "low", "high")
+    keys = ("mean", "standard_error", "ci95_low", "ci95_high")
     rows = [
         [[[organ[q][b][k] for k in keys] for b in bands] for q in QUANTITIES] for organ in organs
     ]

@@ -26,7 +26,7 @@ def test_every_time_has_a_result(series):
     assert [t["time"][:13] for t in series.times] == [f"2024-06-21T{h}" for h in (10, 11, 12)]
     assert all(t["sun_elevation_deg"] > 40 for t in series.times)
     assert series[0]["absorbed_flux"]["PAR"].mean[0] > 0
-    assert series.stop == "paths_done"
+    assert series.stop == "finished"
 
 
 def test_days_are_sums_over_times(series):
@@ -108,4 +108,4 @@ def test_means_of_sums_lie_in_their_intervals():
     for sums in (series.total, series.days["2024-06-21"]):
         for table in (sums, sums.groups):
             light = table["absorbed_flux"]
-            assert np.all((light.low <= light.mean) & (light.mean <= light.high))
+            assert np.all((light.ci95_low <= light.mean) & (light.mean <= light.ci95_high))

@@ -73,8 +73,8 @@ name = "NIR"
 PARTS = {
     "": "mean",
     "_standard_error": "standard_error",
-    "_interval_low": "low",
-    "_interval_high": "high",
+    "_ci95_low": "ci95_low",
+    "_ci95_high": "ci95_high",
 }
 
 
@@ -150,7 +150,7 @@ def check_series(program, folder):
     assert data.absorbed_flux_density_PAR.attrs["units"] == "umol m-2 s-1"
     assert data.absorbed_flux_density_PAR_day_sum.attrs["units"] == "mol m-2"
     assert data.absorbed_flux_density_NIR_day_sum.attrs["units"] == "J m-2"
-    moments = case.json["moments"]
+    moments = case.json["time_steps"]
     assert len(moments) == data.sizes["time"] > 10
     for row, moment in enumerate(moments):
         assert str(data.time_text.values[row]) == moment["time"]
@@ -191,7 +191,7 @@ def check_detectors(program, folder):
     case = Case(program, folder, HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format() + DETECTORS)
     assert case.data.up_PAR.dims == ("time", "up_bin")
     assert case.data.up_PAR.attrs["units"] == "1e-4 umol s-1"
-    for row, moment in enumerate(case.json["moments"]):
+    for row, moment in enumerate(case.json["time_steps"]):
         check_detector(case.data, (row,), moment["detectors"][0], True)
 
 
@@ -226,7 +226,7 @@ def check_product(program, folder):
         place = (number // 3, number % 3)
         assert point["point"]["place.latitude_deg"] == data.place_latitude_deg.values[place[1]]
         lit = set()
-        for moment in point["moments"]:
+        for moment in point["time_steps"]:
             row = times.index(moment["time"])
             lit.add(row)
             assert compare(data, place + (row,), moment["organs"], ["PAR", "NIR"], False) == 96
@@ -272,11 +272,11 @@ def check_refused(program, folder):
     told = run_in(
         folder, program, "run", "run.toml", "--quiet", "--netcdf", "no.nc", "--json", "out.json", status=1
     )
-    assert "NetCDF: the points of the sweep have times of their own" in told, told
+    assert "NetCDF: the points of the sweep have different time steps" in told, told
     assert not (folder / "no.nc").exists()
     assert len(json.loads((folder / "out.json").read_text())["points"]) == 2
     told = run_in(folder, program, "convert", "out.json", "no.nc", status=1)
-    assert "NetCDF: the points of the sweep have times of their own" in told, told
+    assert "NetCDF: the points of the sweep have different time steps" in told, told
     assert not (folder / "no.nc").exists()
     told = run_in(
         folder, program, "convert", "out.json", "no.nc", "--sweep-point", "2", "--time", "x", status=2

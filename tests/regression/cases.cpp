@@ -71,7 +71,7 @@ Case one_sun_par() {
 Case two_suns_nir() {
     SceneBuilder builder = make_builder(3);
     builder.add_material(leaf_of("leaf", {{.05, .03}, {.25, .3}, {.3, .45}}));
-    builder.add_material(matt("bark", .3, 0, 3));
+    builder.add_material(diffuse("bark", .3, 0, 3));
     add_leaves(builder, random_leaves(150, .16, 1, 12), {"leaf", "leaf", "bark"});
     RunSpec spec = spec_with("korobov");
     spec.ratios = {"b0:b1", "b2:b0"};
@@ -118,7 +118,7 @@ Case clear_sky_and_sun_disk() {
 Case periodic_canopy() {
     SceneBuilder builder = make_builder(2);
     builder.add_material(leaf_of("leaf", {{.08, .04}, {.35, .4}}));
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     add_leaves(builder, random_leaves(100, .2, 1, 15), {"leaf"});
     GroundSpec soil = ground("soil");
     soil.height = -.2;
@@ -134,7 +134,7 @@ Case periodic_canopy() {
 Case periodic_row_without_direct_light() {
     SceneBuilder builder = make_builder();
     builder.add_material(leaf_of("leaf", {{.3, .4}}));
-    builder.add_material(matt("soil", .25, 0));
+    builder.add_material(diffuse("soil", .25, 0));
     add_leaves(builder, random_leaves(80, .2, 1, 16), {"leaf"});
     GroundSpec soil = ground("soil");
     soil.height = -.15;
@@ -162,7 +162,7 @@ LampSpec lamp_at(const Vec3& position, std::vector<double> flux) {
 Case lamps() {
     SceneBuilder builder = make_builder(2);
     builder.add_material(leaf_of("leaf", {{.1, .05}, {.3, .4}}));
-    builder.add_material(matt("bench", .5, 0, 2));
+    builder.add_material(diffuse("bench", .5, 0, 2));
     add_leaves(builder, random_leaves(60, .2, 1, 27), {"leaf"});
     builder.add_organ(organ("bench", "bench", floor_of(0, 1, 0, 1, -.2)));
     LampSpec disk = lamp_at({.2, .3, 1.5}, {30, 10});
@@ -233,8 +233,8 @@ Case parts_far_from_the_origin() {
     SceneBuilder builder({Band{"PAR"}}, orientation);
     builder.set_length_unit("in");
     builder.add_material(leaf_of("blade", {{.2, .3}}));
-    builder.add_material(matt("vein", .5, .1));
-    builder.add_material(matt("soil", .2, 0));
+    builder.add_material(diffuse("vein", .5, .1));
+    builder.add_material(diffuse("soil", .2, 0));
     const Vec3 shift{1.7e7, 2.1e8, 1200};
     const auto placed = [&](Triangle t) {
         for (Vec3& corner : t) {
@@ -263,7 +263,7 @@ Case parts_far_from_the_origin() {
 Case shared_tallies() {
     SceneBuilder builder = make_builder(4);
     builder.add_material(leaf_of("leaf", {{.05, .03}, {.1, .1}, {.3, .3}, {.3, .45}}));
-    builder.add_material(matt("soil", .2, 0, 4));
+    builder.add_material(diffuse("soil", .2, 0, 4));
     add_leaves(builder, random_leaves(400, .1, 1, 21), {"leaf"});
     GroundSpec soil = ground("soil");
     soil.height = -.1;
@@ -280,7 +280,7 @@ Case shared_tallies() {
 Case rounds_to_a_target() {
     SceneBuilder builder = make_builder(2);
     builder.add_material(leaf_of("leaf", {{.1, .1}, {.3, .4}}));
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     add_leaves(builder, random_leaves(16, .15, 1, 22), {"leaf"});
     GroundSpec soil = ground("soil");
     soil.height = -.2;

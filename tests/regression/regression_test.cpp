@@ -55,7 +55,7 @@ TEST_P(WholeRun, GivesWhatTheTableSays) {
         kIsSanitized ? threads : row_of(entry.name, way, run_case(c, way, {.threads = 1}));
     EXPECT_TRUE(have_the_same_digest(threads, alone)) << "three threads and one";
     EXPECT_TRUE(are_nearly_the_same(alone, expected));
-    const std::string why = expected.digest == 0 ? "it is not known" : why_digests_may_differ(c);
+    const std::string why = expected.digest == 0 ? "it is unknown" : why_digests_may_differ(c);
     if (!why.empty()) {
         RecordProperty("digest", "not compared: " + why);
         return;
@@ -137,8 +137,8 @@ TEST(Digest, ChangesWithTheLastBitOfAnyNumber) {
          [](Result& r) {
              r.values.front().standard_error = next(r.values.front().standard_error);
          }},
-        {"low", [](Result& r) { r.values[1].low = next(r.values[1].low); }},
-        {"high", [](Result& r) { r.values[1].high = next(r.values[1].high); }},
+        {"low", [](Result& r) { r.values[1].ci95_low = next(r.values[1].ci95_low); }},
+        {"high", [](Result& r) { r.values[1].ci95_high = next(r.values[1].ci95_high); }},
         {"sunlit", [](Result& r) { r.sunlit_fraction[0].mean = next(r.sunlit_fraction[0].mean); }},
         {"ratio", [](Result& r) { r.ratio_values[0].mean = next(r.ratio_values[0].mean); }},
         {"emitted", [](Result& r) { r.budget[1].emitted.mean = next(r.budget[1].emitted.mean); }},
@@ -151,9 +151,9 @@ TEST(Digest, ChangesWithTheLastBitOfAnyNumber) {
         {"paths", [](Result& r) { ++r.paths; }},
         {"rays", [](Result& r) { ++r.rays; }},
         {"replicates", [](Result& r) { ++r.replicates; }},
-        {"stop", [](Result& r) { r.stop = StopReason::time_is_up; }},
+        {"stop", [](Result& r) { r.stop = StopReason::time_limit; }},
         {"way", [](Result& r) { r.chosen.method = Method::from_organs; }},
-        {"remainder", [](Result& r) { r.escaped_is_remainder = !r.escaped_is_remainder; }},
+        {"remainder", [](Result& r) { r.escaped_by_difference = !r.escaped_by_difference; }},
         {"audit", [](Result& r) { r.audit.emplace(); }}};
     std::set<std::uint64_t> digests{digest_of(result)};
     for (const auto& [what, change] : changes) {
@@ -165,12 +165,12 @@ TEST(Digest, ChangesWithTheLastBitOfAnyNumber) {
 
 TEST(Digest, IsBlindToTimesAndToTheKindOfNan) {
     Result result = run_case(case_called(kSmall).make(), "sources");
-    result.values.front().low = std::numeric_limits<double>::quiet_NaN();
+    result.values.front().ci95_low = std::numeric_limits<double>::quiet_NaN();
     const std::uint64_t digest = digest_of(result);
-    result.build_seconds += 1;
-    result.trace_seconds += 1;
-    result.trace_cpu_seconds += 1;
-    result.values.front().low = -std::nan("1");
+    result.preparation_seconds += 1;
+    result.solve_seconds += 1;
+    result.solve_cpu_seconds += 1;
+    result.values.front().ci95_low = -std::nan("1");
     EXPECT_EQ(digest, digest_of(result));
 }
 

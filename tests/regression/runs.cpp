@@ -39,7 +39,7 @@ std::string_view word_of(Method way) {
 bool is_offered(const Case& c, Method method) {
     Faults faults;
     if (method == Method::ray_bundles) {
-        check_matt(c.scene, faults);
+        check_diffuse(c.scene, faults);
     }
     return faults.empty();
 }
@@ -47,11 +47,11 @@ bool is_offered(const Case& c, Method method) {
 /// A number for why a run stopped: not the library's own.
 std::uint64_t number_of(StopReason reason) {
     switch (reason) {
-        case StopReason::paths_done:
+        case StopReason::finished:
             return 1;
         case StopReason::target_reached:
             return 2;
-        case StopReason::time_is_up:
+        case StopReason::time_limit:
             return 3;
         case StopReason::path_limit:
             return 4;
@@ -76,7 +76,7 @@ class Hash {
             std::isnan(x) ? std::numeric_limits<double>::quiet_NaN() : x));
     }
     void add(const Estimate& e) {
-        for (const double x : {e.mean, e.standard_error, e.low, e.high}) {
+        for (const double x : {e.mean, e.standard_error, e.ci95_low, e.ci95_high}) {
             add(x);
         }
     }
@@ -89,7 +89,7 @@ class Hash {
     void add(const BandBudget& b) {
         add(b.emitted);
         for (const Estimate& e :
-             {b.absorbed_by_organs, b.absorbed_by_ground, b.escaped, b.cut_off, b.roulette}) {
+             {b.absorbed_by_organs, b.absorbed_by_ground, b.escaped, b.cut_off, b.imbalance}) {
             add(e);
         }
         add(b.closure_error);
@@ -99,12 +99,12 @@ class Hash {
         add(std::uint64_t{audit.replicates});
         for (const BandAudit& b : audit.bands) {
             for (const double x :
-                 {b.reduced_chi_square, b.freedom, b.chi_chance, b.difference, b.standard_error,
-                  b.difference_chance}) {
+                 {b.reduced_chi_square, b.freedom, b.chi_square_p_value, b.difference,
+                  b.standard_error, b.difference_p_value}) {
                 add(x);
             }
         }
-        add(audit.chance);
+        add(audit.p_value);
     }
 
     [[nodiscard]] std::uint64_t value() const { return state_; }
@@ -157,7 +157,7 @@ std::uint64_t digest_of(const Result& result) {
     for (const BandBudget& budget : result.budget) {
         hash.add(budget);
     }
-    hash.add(std::uint64_t{result.escaped_is_remainder ? 1U : 0U});
+    hash.add(std::uint64_t{result.escaped_by_difference ? 1U : 0U});
     for (const char c : word_of(result.chosen.method)) {
         hash.add(std::uint64_t{static_cast<unsigned char>(c)});
     }

@@ -10,7 +10,7 @@ namespace {
 /// One black leaf, flat under the sun: all that falls on it is absorbed, without any error.
 Result light_of_one_leaf(Method method, std::uint64_t paths) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", 0, 0));
+    builder.add_material(diffuse("leaf", 0, 0));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
     const Scene scene = std::move(builder).build();
     RunSpec spec = spec_of(method, paths);

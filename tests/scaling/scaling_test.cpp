@@ -19,7 +19,7 @@ constexpr double kAllowed = 5;
 
 Scene leaves(std::size_t organs, std::size_t triangles_each, std::size_t bands) {
     SceneBuilder builder = make_builder(bands);
-    builder.add_material(matt("leaf", .1, .1, bands));
+    builder.add_material(diffuse("leaf", .1, .1, bands));
     const std::vector<Triangle> all = random_leaves(organs * triangles_each, .1, 1, 7);
     for (std::size_t i = 0; i < organs; ++i) {
         const auto first = all.begin() + static_cast<std::ptrdiff_t>(i * triangles_each);

@@ -1,9 +1,9 @@
 // Tracing from the sources, from lit surfaces and from the organs must give the same light on every
 // organ, for every sampler, every model of every lobe, and every kind of source.
 //
-// Each combination compares totals (sharp), each organ (blunt, but it finds light in wrong places),
-// and the scatter of the organs' differences in units of their errors, whose square must be 1 on
-// average: a bias that no organ alone could show makes it larger.
+// Each combination compares totals (sharp), each organ (blunt, but it detects light on the wrong
+// organ), and the scatter of the organs' differences in units of their errors, whose square must be
+// 1 on average: a bias that no organ alone could show makes it larger.
 
 #include <array>
 #include <memory>
@@ -166,7 +166,7 @@ struct StandSpec {
 Scene make_stand(const StandSpec& spec) {
     SceneBuilder builder = make_builder(kBands);
     builder.add_material(spec.leaf);
-    builder.add_material(matt("soil", .3, 0, kBands));
+    builder.add_material(diffuse("soil", .3, 0, kBands));
     builder.add_material(sensor("sensor", kBands));
     const std::vector<Triangle> leaves = random_leaves(30, .35, 1, 7);
     for (std::size_t i = 0; i < leaves.size(); ++i) {

@@ -19,7 +19,7 @@ RunSpec bundles(std::uint64_t paths) {
 
 void expect_same(const Scene& scene, const Result& own, const Result& plain, double resolution) {
     const Audit audit = compare_results(scene, own, plain);
-    EXPECT_GE(audit.chance, kLevel);
+    EXPECT_GE(audit.p_value, kLevel);
     for (std::size_t band = 0; band < own.bands; ++band) {
         EXPECT_LT(audit.bands[band].standard_error, .01 * own.budget[band].emitted.mean);
         double mean = 0, square = 0;
@@ -38,8 +38,8 @@ namespace {
 struct Held {
     int held = 0, all = 0;
 
-    void add(const Estimate& told, const Estimate& truth) {
-        held += told.low <= truth.mean && truth.mean <= told.high ? 1 : 0;
+    void add(const Estimate& reported, const Estimate& truth) {
+        held += reported.ci95_low <= truth.mean && truth.mean <= reported.ci95_high ? 1 : 0;
         ++all;
     }
     [[nodiscard]] double part() const { return static_cast<double>(held) / all; }
@@ -60,14 +60,14 @@ void expect_intervals_hold(const Scene& scene, std::uint64_t paths) {
         truth_spec.groups = {"plant"};
     }
     const Result truth = run(scene, sources, truth_spec);
-    RunSpec trial = bundles(paths);
-    trial.replicates = 8;
-    trial.groups = truth_spec.groups;
+    RunSpec pilot = bundles(paths);
+    pilot.replicates = 8;
+    pilot.groups = truth_spec.groups;
     constexpr std::uint64_t kSeeds = 100;
     for (std::size_t band = 0; band < 2; ++band) {
         Held organs, groups, totals;
-        for (trial.seed = 1; trial.seed <= kSeeds; ++trial.seed) {
-            const Result result = run(scene, sources, trial);
+        for (pilot.seed = 1; pilot.seed <= kSeeds; ++pilot.seed) {
+            const Result result = run(scene, sources, pilot);
             for (std::size_t i = 0; i < result.organs(); ++i) {
                 organs.add(
                     result.at(i, Quantity::absorbed_flux, band),

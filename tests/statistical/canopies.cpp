@@ -42,7 +42,7 @@ Scene make_crown(std::size_t leaves, double depth, std::uint64_t seed) {
         }
     }
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("crown", "black", inside));
     return std::move(builder).build();
 }

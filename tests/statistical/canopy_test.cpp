@@ -23,7 +23,7 @@ namespace {
 class Canopies : public BothWays {};
 
 CanopySpec black_canopy() {
-    return {.leaf_area_index = 1, .leaf = matt("leaf", 0, 0), .soil = matt("soil", 0, 0)};
+    return {.leaf_area_index = 1, .leaf = diffuse("leaf", 0, 0), .soil = diffuse("soil", 0, 0)};
 }
 
 TEST_P(Canopies, BlackLeavesTakeTheSunsLightByBeersLaw) {
@@ -116,7 +116,7 @@ class TurbidMedium : public ::testing::TestWithParam<std::tuple<Medium, Method>>
         return {
             .leaf_area_index = leaf_area_index,
             .leaf = {"leaf", side, side},
-            .soil = matt("soil", 0, 0, 3)};
+            .soil = diffuse("soil", 0, 0, 3)};
     }
 
     void check(const Medium& medium) const {
@@ -232,8 +232,8 @@ CanopySpec white_canopy() {
     return {
         .leaves = 1000,
         .leaf_area_index = 5,
-        .leaf = matt("leaf", .6, .4),
-        .soil = matt("soil", 1, 0)};
+        .leaf = diffuse("leaf", .6, .4),
+        .soil = diffuse("soil", 1, 0)};
 }
 
 TEST_P(Canopies, AWhiteCanopyAboveAWhiteSoilReflectsAllAndAbsorbsNothing) {
@@ -250,7 +250,7 @@ TEST_P(Canopies, AWhiteCanopyAboveAWhiteSoilReflectsAllAndAbsorbsNothing) {
             budget.escaped.standard_error / budget.emitted.mean, kReplicates}));
 }
 
-/// Where nothing is absorbed, a uniform sky fills every place with its own radiance.
+/// Where nothing is absorbed, a uniform sky fills all of space with its own radiance.
 TEST_P(Canopies, AWhiteCanopyUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
     const Result result = trace(make_canopy(white_canopy(), 1), {sky({1})}, 1 << 11);
     EXPECT_TRUE(holds(
@@ -268,7 +268,7 @@ TEST_P(Canopies, AWhiteCanopyUnderAUniformSkyIsAsBrightAsTheSkyEverywhere) {
 /// or less). Each seed is a canopy and a run.
 TEST_P(Canopies, HaveTheFractionsOfATurbidMedium) {
     const CanopySpec spec{
-        .leaf_area_index = 1, .leaf = matt("leaf", .3912, .4146), .soil = matt("soil", 0, 0)};
+        .leaf_area_index = 1, .leaf = diffuse("leaf", .3912, .4146), .soil = diffuse("soil", 0, 0)};
     const auto numbers = [&](std::uint64_t seed) {
         const CanopyFractions f =
             trace_once(make_canopy(spec, seed), {sun(0, {1})}, GetParam(), 1 << 12, seed)

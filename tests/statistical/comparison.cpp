@@ -28,7 +28,7 @@ Estimate seen(const Estimate& estimate) {
 /// it says that it can't tell. @param other  a run that has found some
 double find_of(
     const Result& result, const Result& other, std::size_t organ, Quantity side, std::size_t band) {
-    if (result.escaped_is_remainder) {  // from organs: errors have it
+    if (result.escaped_by_difference) {  // from organs: errors have it
         return result.at(organ, side, band).standard_error;
     }
     const double area = other.at(organ, Quantity::absorbed_flux, band).mean /
@@ -78,14 +78,14 @@ double limit_of(unsigned family) {
 
 /// What one find is of a total of which a run has found nothing: its upper end is that of three.
 double find_of_total(const Estimate& total) {
-    return std::isnan(total.standard_error) && total.mean == 0 ? total.high / 3 : 0;
+    return std::isnan(total.standard_error) && total.mean == 0 ? total.ci95_high / 3 : 0;
 }
 
 /// The value that nine in ten of `values` stay below.
 double nine_in_ten(std::vector<double> values) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
+    const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
+    std::nth_element(values.begin(), rank, values.end());
+    return *rank;
 }
 
 }  // namespace
@@ -98,7 +98,7 @@ double nine_in_ten(std::vector<double> values) {
     for (std::size_t band = 0; band < a.bands; ++band) {
         for (const auto part : {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground}) {
             Pair pair{a.budget[band].*part, b.budget[band].*part};
-            if (unseen_ == Unseen::few_finds) {
+            if (unseen_ == Unseen::few_contributions) {
                 pair.missed = finds * (find_of_total(pair.a) + find_of_total(pair.b));
                 pair = {seen(pair.a), seen(pair.b), pair.missed};
             }
@@ -124,7 +124,7 @@ double nine_in_ten(std::vector<double> values) {
         // The rule of three, at this level.
         const double finds = -std::log(sidak_level(kLevel, family));
         for (Pair& pair : pairs) {
-            pair.missed = unseen_ == Unseen::few_finds ? finds * pair.missed : 0;
+            pair.missed = unseen_ == Unseen::few_contributions ? finds * pair.missed : 0;
         }
         const double mean = mean_of(pairs);
         for (const Pair& pair : pairs) {

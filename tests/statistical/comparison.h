@@ -9,7 +9,7 @@
 namespace quasimc::test {
 
 /// What a side was that a run has not seen: dark, or lit by less than it could find.
-enum class Unseen { dark, few_finds };
+enum class Unseen { dark, few_contributions };
 
 /// Compares pairs of independent runs of the same scene, of kReplicates replicates each. The pairs
 /// of one object share the level of one test.
@@ -19,12 +19,13 @@ class Comparison {
         : pairs_(pairs), unseen_(unseen) {}
 
     /// Whether two runs agree on what all organs and what the ground absorb, in each band. With
-    /// Unseen::few_finds a run that has found nothing may have missed what its interval says.
+    /// Unseen::few_contributions a run that has found nothing may have missed what its interval
+    /// says.
     [[nodiscard]] ::testing::AssertionResult totals_agree(const Result& a, const Result& b);
 
     /// Whether they agree on what falls on each side of each organ, in each band. With
-    /// Unseen::few_finds a side of which a run says that it can't tell is not compared, and has an
-    /// infinite width.
+    /// Unseen::few_contributions a side of which a run says that it can't tell is not compared, and
+    /// has an infinite width.
     [[nodiscard]] ::testing::AssertionResult organs_agree(const Result& a, const Result& b);
 
     /// Whether nine in ten of the comparisons so far could tell: half-widths of the differences of

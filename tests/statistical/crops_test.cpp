@@ -55,7 +55,7 @@ bool grazes(const CropLight& light) {
 }
 
 /// From organs the light of a sun this low above an endless stand is found so seldom that errors
-/// are several times the light (docs/theory/light-tracing.md).
+/// are several times the light (docs/develop/notebook/light-tracing.md).
 bool is_wide(Method method, const Scene& scene, const CropLight& light) {
     return method == Method::from_organs && scene.cell().periodic() && grazes(light);
 }
@@ -87,7 +87,7 @@ std::vector<MethodResult> run_all(const Scene& scene, const CropLight& light, co
 TEST_P(Crops, GetTheSameLightByEveryMethod) {
     const CropCase& one = GetParam();
     const Scene scene = bench::make_crop(one.crop, one.triangles);
-    Comparison comparison(pairs_of_all_crops(), Unseen::few_finds);
+    Comparison comparison(pairs_of_all_crops(), Unseen::few_contributions);
     Comparison wide = comparison;
     for (const CropLight& light : bench::lights_of(one.crop)) {
         const std::vector<MethodResult> results = run_all(scene, light, one);
@@ -159,8 +159,8 @@ TEST(GrazingSuns, AreWithinTheIntervalsOfTotalsFromTheOrgans) {
             const double mean = truth.budget[0].absorbed_by_organs.mean;
             // It ends at all light that is emitted, or at its own mean, which it holds.
             const double most = std::max(result.budget[0].emitted.mean, all.mean);
-            EXPECT_LE(all.high, most * (1 + 1e-9));
-            right += all.low <= mean && mean <= all.high ? 1 : 0;
+            EXPECT_LE(all.ci95_high, most * (1 + 1e-9));
+            right += all.ci95_low <= mean && mean <= all.ci95_high ? 1 : 0;
         }
     }
     EXPECT_GE(right / tries, .93);

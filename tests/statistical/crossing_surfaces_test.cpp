@@ -21,7 +21,7 @@ namespace {
 
 /// PAR and NIR.
 MaterialSpec of_two_bands(std::string name, double dark, double bright, double passes) {
-    MaterialSpec material = matt(std::move(name), dark, 0, 2);
+    MaterialSpec material = diffuse(std::move(name), dark, 0, 2);
     for (SideOptics* side : {&material.upper[1], &material.lower[1]}) {
         side->reflectance = bright;
         side->transmittance = passes;
@@ -93,8 +93,8 @@ Scene crossed_plates() {
 /// them and reach over the border, down to the ground and through each other.
 Scene stems_on_the_border() {
     SceneBuilder builder = builder_of_plants();
-    constexpr std::pair<double, double> kPlaces[]{{0, 0}, {.5, 1.02}};
-    for (const auto& [x, y] : kPlaces) {
+    constexpr std::pair<double, double> kPoints[]{{0, 0}, {.5, 1.02}};
+    for (const auto& [x, y] : kPoints) {
         builder.add_organ(organ("", "stem", stem_at(x, y, -.1, .7, .06)));
         for (int i = 0; i < 5; ++i) {
             builder.add_organ(

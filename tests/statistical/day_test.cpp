@@ -1,4 +1,4 @@
-// A clear day, hour by hour, from the place and the date to its sums.
+// A clear day, hour by hour, from site and date to its sums.
 
 #include <utility>
 #include <vector>
@@ -78,7 +78,7 @@ class Day : public BothWays {};
 
 TEST_P(Day, BringsToAHorizontalPlateTheLightOfItsHours) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     const ClearDay day = make_day();
@@ -93,7 +93,7 @@ TEST_P(Day, BringsToAHorizontalPlateTheLightOfItsHours) {
 /// The errors of hours are independent, so that they partly cancel in the sum of a day.
 TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     add_leaves(builder, random_leaves(40, .3, 1, 3));
     const Scene scene = std::move(builder).build();
     const TracedDay traced = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 10));
@@ -107,7 +107,7 @@ TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
 /// The mean light of a day as one sky and all its suns: one trace gives the sum over the hours.
 TEST_P(Day, CollapsedIntoOneTraceIsTheSumOfItsHours) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     add_leaves(builder, random_leaves(40, .3, 1, 3));
     const Scene scene = std::move(builder).build();
     const TracedDay by_hours = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 12));

@@ -22,7 +22,7 @@ class FlatSurfaces : public BothWays {};
 
 TEST_P(FlatSurfaces, ABlackPatchAbsorbsAllThatFallsOnIt) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("patch", "black", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     const Result result = trace(scene, {sun(0, {1000})}, 1 << 14);
@@ -33,8 +33,8 @@ TEST_P(FlatSurfaces, ABlackPatchAbsorbsAllThatFallsOnIt) {
 /// A floor that reflects .3 and a black wall along one of its edges.
 Scene make_l() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("floor", .3, 0));
-    builder.add_material(matt("wall", 0, 0));
+    builder.add_material(diffuse("floor", .3, 0));
+    builder.add_material(diffuse("wall", 0, 0));
     builder.add_organ(organ("floor", "floor", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("wall", "wall", make_parallelogram({0, 0, 0}, {0, 1, 0}, {0, 0, 1})));
     return std::move(builder).build();
@@ -53,7 +53,7 @@ TEST_P(FlatSurfaces, AFloorLightsTheWallThatStandsOnIt) {
 
 TEST_P(FlatSurfaces, ARectangleHidesTheSkyByItsViewFactor) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("lower", "black", floor_of(0, 2, 0, 1, 0)));
     builder.add_organ(organ("upper", "black", floor_of(0, 2, 0, 1, .5)));
     const Scene scene = std::move(builder).build();
@@ -70,7 +70,7 @@ TEST_P(FlatSurfaces, ARectangleHidesTheSkyByItsViewFactor) {
 
 TEST_P(FlatSurfaces, StandingRectanglesHideHalfAsMuchOfTheSkyFromEachOther) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     const auto standing = [](double y) {  // upper side towards -y
         return make_parallelogram({0, y, 0}, {2, 0, 0}, {0, 0, 1});
     };
@@ -99,8 +99,8 @@ TEST_P(FlatSurfaces, StandingRectanglesHideHalfAsMuchOfTheSkyFromEachOther) {
 TEST_P(FlatSurfaces, ALitRingLightsTheDiskAboveItsShadow) {
     constexpr int kSides = 256;
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("floor", .3, 0));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("floor", .3, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("floor", "floor", make_disk({0, 0, 0}, {0, 0, 1}, 1, kSides)));
     builder.add_organ(organ("small", "black", make_disk({0, 0, .75}, {0, 0, -1}, .5, kSides)));
     builder.add_organ(organ("shade", "black", make_disk({0, 0, .76}, {0, 0, 1}, .5, kSides)));
@@ -118,7 +118,7 @@ TEST_P(FlatSurfaces, ALitRingLightsTheDiskAboveItsShadow) {
 /// A black well of radius .5 and depth .5 shows a disk at its bottom the sky through the opening.
 Scene make_well(double disk_radius) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("disk", "black", make_disk({0, 0, 0}, {0, 0, 1}, disk_radius, 32)));
     builder.add_organ(
         organ("well", "black", make_cylinder({0, 0, 0}, {0, 0, .5}, .5, .5, 256, false)));
@@ -146,7 +146,7 @@ class TrianglePair : public BothWays {
     /// A triangle of area 1, and if asked for the same below it, 1e-5 away; a sun straight above.
     [[nodiscard]] Result light(double rho, double tau, bool pair) const {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", rho, tau));
+        builder.add_material(diffuse("leaf", rho, tau));
         const auto at = [](double z) {
             return make_triangle({0, 0, z}, {sqrt2, 0, z}, {0, sqrt2, z});
         };

@@ -31,7 +31,7 @@ MaterialSpec glossy(const std::string& model, double exponent) {
 Scene make_glossy_corner(const MaterialSpec& material) {
     SceneBuilder builder = make_builder();
     builder.add_material(material);
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("floor", "glossy", floor_of(-1, 1, -1, 1, 0)));
     builder.add_organ(
         organ("leaf", "black", make_parallelogram({1, -.5, .2}, {-.3, 0, .3}, {0, 1, 0})));
@@ -39,10 +39,10 @@ Scene make_glossy_corner(const MaterialSpec& material) {
 }
 
 std::shared_ptr<const Source> lamp_at(
-    const Vec3& place, const Opening& opening, const Pattern& pattern, const Vec3& aim) {
+    const Vec3& position, const Opening& opening, const Pattern& pattern, const Vec3& aim) {
     LampSpec spec;
     spec.name = "lamp";
-    spec.position = place;
+    spec.position = position;
     spec.axes = lamp_axes(aim, {1, 0, 0});
     spec.opening = opening;
     spec.pattern = pattern;
@@ -89,8 +89,8 @@ TEST(SharpLobes, SendFromTheOrgansWhatTheySendFromTheSources) {
 /// A disk of radius 1 that faces down to a black one, a metre below. @param rho  of the upper one
 Scene make_two_disks(double rho) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("housing", rho, 0));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("housing", rho, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("housing", "housing", make_disk({0, 0, 1}, {0, 0, -1}, 1, 512)));
     builder.add_organ(organ("disk", "black", make_disk({0, 0, 0}, {0, 0, 1}, 1, 512)));
     return std::move(builder).build();
@@ -159,7 +159,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// A floor, a wall beside it and a leaf above.
 Scene make_corner_with_leaf() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .3));
+    builder.add_material(diffuse("leaf", .3, .3));
     builder.add_organ(organ("floor", "leaf", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("wall", "leaf", make_parallelogram({0, 0, 0}, {0, 0, 1}, {0, 1, 0})));
     builder.add_organ(
@@ -189,7 +189,7 @@ TEST(LampsNextToSurfaces, IntervalsHoldTheLightThatIsScatteredNextToThem) {
             for (std::size_t i = 0; i < scene.organs().size(); ++i, ++all) {
                 const Estimate& e = result.at(i, Quantity::incident_scattered, 0);
                 const Estimate& exact = truth.at(i, Quantity::incident_scattered, 0);
-                right += e.low <= exact.high && exact.low <= e.high ? 1 : 0;
+                right += e.ci95_low <= exact.ci95_high && exact.ci95_low <= e.ci95_high ? 1 : 0;
             }
         }
         EXPECT_GE(right, .93 * all) << lamp.name << ' ' << right << " of " << all;
@@ -200,7 +200,7 @@ TEST(LampsNextToSurfaces, IntervalsHoldTheLightThatIsScatteredNextToThem) {
 /// Of 100 seeds, in how many the interval of what falls on a floor of 1 x 1 holds the truth.
 int intervals_right(const Sources& lamp) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("floor", "black", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     const double truth = run(scene, lamp, spec_of(Method::light_tracing, 1 << 14))
@@ -214,7 +214,7 @@ int intervals_right(const Sources& lamp) {
         spec.seed = static_cast<std::uint64_t>(seed);
         spec.paths = 256;
         const Estimate e = run(scene, lamp, spec).at(0, Quantity::incident_upper, 0);
-        right += e.low <= truth && truth <= e.high ? 1 : 0;
+        right += e.ci95_low <= truth && truth <= e.ci95_high ? 1 : 0;
     }
     return right;
 }
@@ -239,7 +239,7 @@ TEST(LampsNextToSurfaces, IntervalsHoldTheLightOfASmallPanelNextToThem) {
 /// A panel in the very plane of a surface, as near as can be told, lights what is before it alone.
 TEST(LampsNextToSurfaces, APanelInThePlaneOfASurfaceDoesNotLightIt) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .3));
+    builder.add_material(diffuse("leaf", .3, .3));
     builder.add_organ(organ("ceiling", "leaf", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("leaf", "leaf", {{Vec3{0, .3, -.3}, {.5, .3, -.35}, {.3, .6, -.3}}}));
     const Scene scene = std::move(builder).build();
@@ -260,7 +260,7 @@ TEST(LampsNextToSurfaces, APanelInThePlaneOfASurfaceDoesNotLightIt) {
 /// angle.
 TEST(LampsNearOrgans, APointLampBringsItsShareHoweverNear) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("leaf", "black", floor_of(-.5, .5, -.5, .5, 0)));
     const Scene scene = std::move(builder).build();
     for (const double d : {1e-4, 1e-3, .01, .1, .3, 1.0}) {
@@ -278,7 +278,7 @@ TEST(LampsNearOrgans, APointLampBringsItsShareHoweverNear) {
 /// Leaves of which a few are measured, and lamps amid them, some near to leaves.
 TEST(LampsNearOrgans, LampsAmidLeavesGiveFromTheOrgansWhatTheyGiveFromTheSources) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .3));
+    builder.add_material(diffuse("leaf", .4, .3));
     const std::vector<Triangle> leaves = random_leaves(40, .3, 1, 3);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         OrganSpec leaf = organ("", "leaf", {leaves[i]});
@@ -312,7 +312,7 @@ TEST(LampsNearOrgans, LampsAmidLeavesGiveFromTheOrgansWhatTheyGiveFromTheSources
 /// A sun that grazes endless rows lights few spots of most leaves: the intervals hold them.
 TEST(GrazingSuns, IntervalsHoldTheFewSpotsThatAreLit) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     add_leaves(builder, random_leaves(60, .35, 1, 3));
     builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
     const Scene scene = std::move(builder).build();
@@ -331,7 +331,7 @@ TEST(GrazingSuns, IntervalsHoldTheFewSpotsThatAreLit) {
         for (std::size_t i = 0; i < scene.organs().size(); ++i, ++all) {
             const Estimate& e = result.at(i, Quantity::incident_direct, 0);
             const Estimate& exact = truth.at(i, Quantity::incident_direct, 0);
-            right += e.low <= exact.high && exact.low <= e.high ? 1 : 0;
+            right += e.ci95_low <= exact.ci95_high && exact.ci95_low <= e.ci95_high ? 1 : 0;
         }
     }
     EXPECT_GE(right, .93 * all) << right << " of " << all;

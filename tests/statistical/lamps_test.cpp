@@ -30,7 +30,7 @@ std::shared_ptr<const Source> lamp_above(
 
 Scene make_floor(std::vector<Triangle> triangles) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("floor", "black", std::move(triangles)));
     return std::move(builder).build();
 }
@@ -87,7 +87,7 @@ TEST_P(Lamps, ASmallPatchFollowsTheInverseSquareLaw) {
 /// A sphere in the middle of a closed box: all its light arrives, a sixth on each wall.
 TEST_P(Lamps, ASphereInABoxLosesNothing) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("grey", .5, 0));
+    builder.add_material(diffuse("grey", .5, 0));
     const auto wall = [](const Vec3& corner, const Vec3& a, const Vec3& b) {
         return make_parallelogram(corner, a, b);
     };
@@ -113,7 +113,7 @@ QUASIMC_BOTH_WAYS(Lamps);
 /// A plane of lamps over a plane: however high they hang, all light arrives.
 TEST(PeriodicLamps, RepeatWithTheCell) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("floor", "black", floor_of(0, 2, 0, 3, 0)));
     builder.set_cell({.along_x = true, .along_y = true, .size_x = 2, .size_y = 3});
     const Scene scene = std::move(builder).build();

@@ -67,8 +67,8 @@ TEST_P(Layers, ABandForWhichTheNetsAreClearCarriesTheOtherThroughTen) {
         if (k <= kReach) {
             // Intervals take light as weak as this for that of few paths, though many bring it.
             EXPECT_NEAR(thin.mean, left, .01 * left) << k << " nets";
-            EXPECT_LE(thin.low, left);
-            EXPECT_GE(thin.high, left);
+            EXPECT_LE(thin.ci95_low, left);
+            EXPECT_GE(thin.ci95_high, left);
         } else {
             EXPECT_NEAR(thin.mean, left, 0x1p-28);
         }
@@ -77,7 +77,7 @@ TEST_P(Layers, ABandForWhichTheNetsAreClearCarriesTheOtherThroughTen) {
 
 TEST_P(Layers, AnInfiniteTileAbsorbsByTheCosineOfTheSun) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("tile", .2, .1));
+    builder.add_material(diffuse("tile", .2, .1));
     builder.add_organ(organ("tile", "tile", floor_of(0, 1, 0, 1, 0)));
     builder.set_cell(kUnitCell);
     const Scene scene = std::move(builder).build();
@@ -94,7 +94,7 @@ TEST_P(Layers, AnInfiniteTileAbsorbsByTheCosineOfTheSun) {
 /// shadows fall 1 to the side.
 Scene make_plates(const Cell& cell) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("high", "black", floor_of(.85, 1, 0, 1, 1)));
     builder.add_organ(organ("low", "black", floor_of(0, .9, 0, 1, 0)));
     builder.set_cell(cell);
@@ -159,8 +159,8 @@ constexpr std::array<Sheets, 3> kSheets{{
 
 Scene make_sheets(const Sheets& sheets) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("sheet", sheets.rho, sheets.tau));
-    builder.add_material(matt("soil", sheets.soil, 0));
+    builder.add_material(diffuse("sheet", sheets.rho, sheets.tau));
+    builder.add_material(diffuse("soil", sheets.soil, 0));
     for (int i = 0; i < sheets.count; ++i) {
         builder.add_organ(
             organ(fmt::format("sheet {}", i + 1), "sheet", floor_of(0, 1, 0, 1, 3 - i)));
@@ -176,11 +176,11 @@ void check_sheets(
     const std::string words = fmt::format("{}{}", sheets.words, light);
     for (int i = 0; i < sheets.count; ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const std::string place = fmt::format("{}, E on top of sheet {}", words, i + 1);
+        const std::string where = fmt::format("{}, E on top of sheet {}", words, i + 1);
         const std::string below = fmt::format("{}, E below sheet {}", words, i + 1);
         const std::string taken = fmt::format("{}, absorbed by sheet {}", words, i + 1);
         EXPECT_TRUE(holds(
-            {place, sheets.top[k], resolution, family}, result.at(k, Quantity::incident_upper, 0)));
+            {where, sheets.top[k], resolution, family}, result.at(k, Quantity::incident_upper, 0)));
         EXPECT_TRUE(holds(
             {below, sheets.bottom[k], resolution, family},
             result.at(k, Quantity::incident_lower, 0)));

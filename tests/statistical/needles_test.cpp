@@ -13,25 +13,25 @@ namespace quasimc::test {
 namespace {
 
 /// A needle of width `w`, its long side along no axis.
-Triangle needle(const Vec3& place, double w) {
+Triangle needle(const Vec3& position, double w) {
     const Vec3 along = .3 * normalized(Vec3{.61, .48, .33});
     const Vec3 across = w * normalized(cross(along, Vec3{.13, -.29, .87}));
-    return {place, place + along, place + .55 * along + across};
+    return {position, position + along, position + .55 * along + across};
 }
 
 /// Needles of several widths over a black ground of 2 x 2.
 constexpr std::array<double, 4> kWidths{2e-6, 5e-6, 2e-5, 1e-3};
 
-Vec3 place_of_needle(std::size_t i) {
+Vec3 position_of_needle(std::size_t i) {
     return {.313 + .0571 * static_cast<double>(i), .217 - .31 * static_cast<double>(i), .413};
 }
 
 Scene make_needles(double reflectance) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("needle", reflectance, 0));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("needle", reflectance, 0));
+    builder.add_material(diffuse("black", 0, 0));
     for (std::size_t i = 0; i < kWidths.size(); ++i) {
-        builder.add_organ(organ("", "needle", {needle(place_of_needle(i), kWidths[i])}));
+        builder.add_organ(organ("", "needle", {needle(position_of_needle(i), kWidths[i])}));
     }
     builder.add_organ(organ("far", "black", floor_of(-1, 1, -1, 1, 0)));
     return std::move(builder).build();
@@ -50,7 +50,7 @@ TEST(Needles, AreLitAsGivenByTheSun) {
     const Result lines = run(scene, {light}, spec_of(Method::first_hits, 1 << 19));
     const Result points = run(scene, {light}, spec_of(Method::from_organs, 1 << 12));
     for (std::size_t i = 0; i < kWidths.size(); ++i) {
-        const Vec3 n = normalized(area_vector(needle(place_of_needle(i), kWidths[i])));
+        const Vec3 n = normalized(area_vector(needle(position_of_needle(i), kWidths[i])));
         const double expected = std::abs(dot(n, direction));
         const Estimate& lit = lines.at(i, Quantity::incident_direct, 0);
         EXPECT_TRUE(agrees(measured(lit, kReplicates), expected, .02 * expected))
@@ -71,7 +71,7 @@ TEST(Needles, AreLitAsGivenByTheSky) {
 /// goes by.
 TEST(Needles, KeepTheEnergyBalanced) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("needle", .4, .3));
+    builder.add_material(diffuse("needle", .4, .3));
     std::vector<Triangle> needles;
     for (int i = 0; i < 2000; ++i) {
         const double x = -1 + 1e-3 * i;

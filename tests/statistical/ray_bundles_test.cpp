@@ -23,8 +23,8 @@ namespace {
 /// Two Lambertian sheets without end above a soil; by the adding method.
 Scene two_sheets(const Cell& cell) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("sheet", .3912, .4146));
-    builder.add_material(matt("soil", .2142, 0));
+    builder.add_material(diffuse("sheet", .3912, .4146));
+    builder.add_material(diffuse("soil", .2142, 0));
     for (const double height : {3, 2}) {
         builder.add_organ(organ(
             fmt::format("sheet at {}", height), "sheet",
@@ -73,7 +73,7 @@ TEST(RayBundles, ShareTheLightOfInfiniteSheetsAsTheAddingMethodHasIt) {
 /// All light of a lamp stays in a closed box: walls receive 1 / (1 - rho) of it together.
 TEST(RayBundles, LoseNothingInAClosedBox) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("white", .9, 0));
+    builder.add_material(diffuse("white", .9, 0));
     const auto wall = [](const Vec3& corner, const Vec3& a, const Vec3& b) {
         return make_parallelogram(corner, a, b);
     };
@@ -106,8 +106,8 @@ TEST(RayBundles, LoseNothingInAClosedBox) {
 /// A floor that reflects .3 and a black wall along one of its edges.
 Scene make_corner() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("floor", .3, 0));
-    builder.add_material(matt("wall", 0, 0));
+    builder.add_material(diffuse("floor", .3, 0));
+    builder.add_material(diffuse("wall", 0, 0));
     builder.add_organ(organ("floor", "floor", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("wall", "wall", make_parallelogram({0, 0, 0}, {0, 1, 0}, {0, 0, 1})));
     return std::move(builder).build();
@@ -127,13 +127,13 @@ TEST(RayBundles, LightTheWallThatStandsOnAFloor) {
 /// Leaves that scatter most of the light, each an organ; a sensor amid them, a ground below.
 Scene make_stand(double reflectance = .46) {
     SceneBuilder builder = make_builder(2);
-    MaterialSpec leaf = matt("leaf", .08, .06, 2);
+    MaterialSpec leaf = diffuse("leaf", .08, .06, 2);
     for (SideOptics* side : {&leaf.upper[1], &leaf.lower[1]}) {
         side->reflectance = reflectance;
         side->transmittance = .42;
     }
     builder.add_material(leaf);
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     builder.add_material(sensor("sensor", 2));
     add_leaves(builder, random_leaves(30, .35, 1, 3));
     builder.add_organ(organ("sensor", "sensor", floor_of(.2, .8, .3, .7, .5)));
@@ -159,9 +159,9 @@ TEST(RayBundles, CloseTheBudgetAndAddNoLight) {
         EXPECT_LT(budget.closure_error, 1e-12);
         // What lines bring more or less than surfaces send has the mean 0.
         EXPECT_LT(
-            std::abs(budget.roulette.mean),
-            student_t_quantile(1 - kLevel / 4, kReplicates - 1) * budget.roulette.standard_error);
-        EXPECT_LT(budget.roulette.standard_error, 2e-3 * budget.emitted.mean);
+            std::abs(budget.imbalance.mean),
+            student_t_quantile(1 - kLevel / 4, kReplicates - 1) * budget.imbalance.standard_error);
+        EXPECT_LT(budget.imbalance.standard_error, 2e-3 * budget.emitted.mean);
         EXPECT_LT(budget.cut_off.mean, 1e-5 * budget.emitted.mean);
     }
 }
@@ -170,8 +170,8 @@ TEST(RayBundles, CloseTheBudgetAndAddNoLight) {
 TEST(RayBundles, AgreeWithLightTracingInAPeriodicStand) {
     for (const bool along_y : {true, false}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .46, .42));
-        builder.add_material(matt("soil", .3, 0));
+        builder.add_material(diffuse("leaf", .46, .42));
+        builder.add_material(diffuse("soil", .3, 0));
         add_leaves(builder, random_leaves(20, .45, 1, 5));
         builder.set_ground(ground("soil"));
         builder.set_cell({.along_x = true, .along_y = along_y});
@@ -207,8 +207,8 @@ TEST(RayBundles, AgreeWithLightTracingUnderPatchySkies) {
 /// are about equally bright, how much of them a side sees is what matters, and that is known.
 TEST(RayBundles, KnowHowOpenLeavesAreToTheSky) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .45, .45));
-    builder.add_material(matt("soil", .5, 0));
+    builder.add_material(diffuse("leaf", .45, .45));
+    builder.add_material(diffuse("soil", .5, 0));
     add_leaves(builder, random_leaves(100, .2, 1, 3));
     builder.set_ground(ground("soil"));
     builder.set_cell({.along_x = true, .along_y = true});
@@ -236,7 +236,7 @@ TEST(RayBundles, AreNotTakenForThoseOfBrighterLeaves) {
     RunSpec other = bundles(1 << 12);
     other.seed = 2;
     const Scene brighter = make_stand(.49);
-    EXPECT_LT(compare_results(brighter, own, run(brighter, {sky({1, 1})}, other)).chance, kLevel);
+    EXPECT_LT(compare_results(brighter, own, run(brighter, {sky({1, 1})}, other)).p_value, kLevel);
 }
 
 /// Errors hold the difference of the two levels of patches, beside that of the replicates.
@@ -249,7 +249,7 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
     const Sums coarse = coarser_sums(sums);
     // Two sides of two regions, and three flows.
     EXPECT_EQ(coarse->layout.bins() + 7, sums->layout.bins());
-    const Estimate told =
+    const Estimate reported =
         evaluate_run(sums, scene, spec, sources).at(1, Quantity::absorbed_flux, 0);
     const Result fine = evaluate_run(sums, scene, spec, sources);
     const Result other = evaluate_run(coarse, scene, spec, sources);
@@ -264,16 +264,16 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
         differences += std::pow(mean - other.at(i, Quantity::absorbed_flux_density, 0).mean, 2);
         squares += scattered(i) * scattered(i);
     }
-    const double own = told.mean - other.at(1, Quantity::absorbed_flux, 0).mean;
-    EXPECT_GT(std::abs(own), 1e-6 * told.mean);
+    const double own = reported.mean - other.at(1, Quantity::absorbed_flux, 0).mean;
+    EXPECT_GT(std::abs(own), 1e-6 * reported.mean);
     // Its own, and what all organs have in the mean for as much scattered light.
     const double flux = scattered(1) * scene.organs()[1].area;
     const double difference = std::sqrt((own * own + flux * flux * differences / squares) / 2);
     const double by_replicates =
-        std::sqrt(told.standard_error * told.standard_error - difference * difference);
+        std::sqrt(reported.standard_error * reported.standard_error - difference * difference);
     const double half = interval_quantile(kReplicates - 1) * by_replicates + difference;
-    EXPECT_NEAR(told.high - told.mean, half, 1e-9 * told.mean);
-    EXPECT_NEAR(told.mean - told.low, half, 1e-9 * told.mean);
+    EXPECT_NEAR(reported.ci95_high - reported.mean, half, 1e-9 * reported.mean);
+    EXPECT_NEAR(reported.mean - reported.ci95_low, half, 1e-9 * reported.mean);
 }
 
 class BundleCoverage : public ::testing::TestWithParam<std::uint64_t> {};

@@ -17,7 +17,7 @@ constexpr double kPrecision = 1e-6;
 
 }  // namespace
 
-MaterialSpec matt(std::string name, double rho, double tau, std::size_t bands) {
+MaterialSpec diffuse(std::string name, double rho, double tau, std::size_t bands) {
     const std::vector<SideOptics> side(bands, {.reflectance = rho, .transmittance = tau});
     return {std::move(name), side, side};
 }
@@ -113,8 +113,8 @@ std::string name_of(const ::testing::TestParamInfo<Method>& info) {
 
 Scene leaf_over_ground(double rho, double tau) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", rho, tau));
-    builder.add_material(matt("soil", .3, 0));
+    builder.add_material(diffuse("leaf", rho, tau));
+    builder.add_material(diffuse("soil", .3, 0));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
     GroundSpec soil = ground("soil");
     soil.extent = {{-1, -1, 2, 2}};
@@ -124,7 +124,7 @@ Scene leaf_over_ground(double rho, double tau) {
 
 Scene black_tube(double height) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
     const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     std::vector<Triangle> walls;

@@ -25,7 +25,7 @@ Scene leaves_in_two_bands() {
     SideOptics dark{.reflectance = .1, .transmittance = .1};
     SideOptics bright{.reflectance = .45, .transmittance = .4};
     builder.add_material({"leaf", {dark, bright}, {dark, bright}});
-    builder.add_material(matt("soil", .2, 0, kBands));
+    builder.add_material(diffuse("soil", .2, 0, kBands));
     add_leaves(builder, random_leaves(kLeaves, .3, 1, 5));
     GroundSpec floor = ground("soil");
     floor.height = -.4;
@@ -127,7 +127,7 @@ class Agreement {
         const double most = .5 * std::max(mean, r.mean);
         EXPECT_TRUE(agrees(a, r, kAny, level_));
         sharp_ += agrees(a, {a.mean, r.standard_error, kReplicates}, most, level_) ? 1 : 0;
-        held_ += own.low <= reference.high && own.high >= reference.low ? 1 : 0;
+        held_ += own.ci95_low <= reference.ci95_high && own.ci95_high >= reference.ci95_low ? 1 : 0;
         found_out_ +=
             agrees({1.5 * a.mean, a.standard_error, kReplicates}, r, kAny, level_) ? 0 : 1;
         ++compared_;

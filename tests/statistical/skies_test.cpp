@@ -17,7 +17,7 @@ namespace {
 
 Scene one_plate(std::vector<Triangle> triangles) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("plate", "black", std::move(triangles)));
     return std::move(builder).build();
 }
@@ -79,7 +79,7 @@ TEST_P(UnderSkies, AVerticalPlateReceivesItsShareOfTheOvercastSky) {
 TEST_P(UnderSkies, BlackLeavesTakeTheOvercastSkysLightByBeersLaw) {
     const auto sky = make_sky("overcast", cie_overcast_shape(), {1});
     const CanopySpec spec{
-        .leaf_area_index = 1, .leaf = matt("leaf", 0, 0), .soil = matt("soil", 0, 0)};
+        .leaf_area_index = 1, .leaf = diffuse("leaf", 0, 0), .soil = diffuse("soil", 0, 0)};
     // Of few directions all leaves of a canopy see the same.
     const std::uint64_t paths = GetParam() == Method::first_hits ? 1 << 15 : 1 << 13;
     const auto numbers = [&](std::uint64_t seed) {
@@ -97,7 +97,7 @@ TEST_P(UnderSkies, BlackLeavesTakeTheOvercastSkysLightByBeersLaw) {
 /// border, and as much of it is sunlit as under a point.
 TEST_P(UnderSkies, TheSunsDiskLightsAsMuchGroundAsAPointWould) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("floor", "black", floor_of(-2, 2, -2, 2, 0)));
     builder.add_organ(organ("roof", "black", floor_of(-1, 1, -1, 1, 1)));
     const Scene scene = std::move(builder).build();
@@ -118,14 +118,14 @@ QUASIMC_BOTH_WAYS_LONG(UnderTheOtherSkies);
 /// Thirty glossy leaves, some of them mirrors on one side, above a ground.
 Scene make_stand_under_skies(const Cell& cell) {
     SceneBuilder builder = make_builder(2);
-    MaterialSpec leaf = matt("leaf", .3, .2, 2);
+    MaterialSpec leaf = diffuse("leaf", .3, .2, 2);
     leaf.upper[0].reflection_model = "phong";
     leaf.upper[0].reflection_parameters["exponent"] = 8;
     for (SideOptics& side : leaf.lower) {
         side.reflection_model = "mirror";
     }
     builder.add_material(leaf);
-    builder.add_material(matt("soil", .3, 0, 2));
+    builder.add_material(diffuse("soil", .3, 0, 2));
     add_leaves(builder, random_leaves(30, .35, 1, 7));
     GroundSpec soil = ground("soil");
     soil.height = -.2;

@@ -15,7 +15,7 @@ class Solids : public BothWays {};
 
 TEST_P(Solids, ASphereInABeamReceivesAQuarterOfItOnAverage) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("sphere", "black", make_sphere({0, 0, 0}, 1, 5)));
     const Scene scene = std::move(builder).build();
     const Result result = trace(scene, {sun(30, {1})}, 1 << 15);
@@ -23,7 +23,7 @@ TEST_P(Solids, ASphereInABeamReceivesAQuarterOfItOnAverage) {
         {"sphere in a beam, mean over its surface", .25, 1e-3},
         result.at(0, Quantity::incident_upper, 0)));
     // Nothing gets inside, but for rays within a rounding error of an edge
-    // (docs/theory/ray-casting.md).
+    // (docs/theory/geometry.md).
     EXPECT_LT(result.at(0, Quantity::incident_lower, 0).mean, 1e-6);
 }
 
@@ -48,7 +48,7 @@ TEST_P(Solids, AConvexOrganReceivesHalfOfTheSkyOnAverage) {
     const auto family = static_cast<unsigned>(shapes.size());
     for (const Shape& shape : shapes) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("black", 0, 0));
+        builder.add_material(diffuse("black", 0, 0));
         builder.add_organ(organ("organ", "black", shape.triangles));
         const Scene scene = std::move(builder).build();
         const Result result = trace(scene, {sky({1})}, from_sources() ? 1 << 15 : 1 << 13);
@@ -59,7 +59,7 @@ TEST_P(Solids, AConvexOrganReceivesHalfOfTheSkyOnAverage) {
     }
 }
 
-/// A sphere that lets light in from outside at every place and reflects it inside: whatever the
+/// A sphere that lets light in from outside at every point and reflects it inside: whatever the
 /// first bounce, all later ones together bring 1/(1 - rho) times as much.
 Scene make_integrating_sphere(double rho) {
     SceneBuilder builder = make_builder();

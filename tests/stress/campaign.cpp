@@ -72,9 +72,9 @@ class Worker {
     }
 
     void report(std::uint64_t number, const Node& document, const Verdict& verdict) {
-        constexpr std::size_t kMostLines = 4;
+        constexpr std::size_t kMaxLines = 4;
         const std::size_t count = verdict.findings.size();
-        for (std::size_t i = 0; i < std::min(count, kMostLines); ++i) {
+        for (std::size_t i = 0; i < std::min(count, kMaxLines); ++i) {
             const Finding& finding = verdict.findings[i];
             log(fmt::format(
                 "{} {} ({} of {}): {}", number, name_of(finding.kind), i + 1, count,

@@ -50,9 +50,9 @@ std::optional<double> truth_of(
     }
     // Of most seeds: the few that have found what is rare are as wide as hundreds of others.
     const double width = std::min(median_of(std::move(below)), median_of(std::move(above)));
-    const bool is_sharp =
+    const bool is_narrow =
         best && best->standard_error < .2 * width && width > 4 * slack_of(it, number, best->mean);
-    if (!is_sharp) {
+    if (!is_narrow) {
         return std::nullopt;
     }
     constexpr double kErrors = 4;

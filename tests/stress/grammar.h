@@ -11,9 +11,9 @@
 
 namespace quasimc::stress {
 
-/// A place on an organ, for what is put next to it.
+/// A point on an organ, for what is put next to it.
 struct Anchor {
-    Vec3 place, normal;
+    Vec3 position, normal;
 };
 
 /// A document while it is made. Lengths are drawn in a unit cube, then scaled and moved.

@@ -25,7 +25,7 @@ void add_model(Node& side, const std::string& which, Random& random) {
 }
 
 /// Reflectance and transmittance of one side.
-Node random_side(Draft& draft, double brightest, bool is_matt) {
+Node random_side(Draft& draft, double brightest, bool is_diffuse) {
     Random& random = draft.random;
     const double share = random.chance(.3) ? 0 : random.unit();
     Node side = empty_table();
@@ -37,10 +37,10 @@ Node random_side(Draft& draft, double brightest, bool is_matt) {
     }
     set(side, "reflectance", node_of(rho));
     set(side, "transmittance", node_of(tau));
-    if (!is_matt && random.chance(.7)) {
+    if (!is_diffuse && random.chance(.7)) {
         add_model(side, "reflection", random);
     }
-    if (!is_matt && share > 0 && random.chance(.5)) {
+    if (!is_diffuse && share > 0 && random.chance(.5)) {
         add_model(side, "transmission", random);
     }
     return side;
@@ -51,16 +51,16 @@ Node random_material(Draft& draft, const std::string& name) {
     Node material = empty_table();
     set(material, "name", node_of(name));
     const std::vector<double> brightest{0, .15, .5, .5, .9, .97};
-    const bool is_matt = random.chance(.7);
+    const bool is_diffuse = random.chance(.7);
     if (random.chance(.7)) {
-        Node both = random_side(draft, random.pick(brightest), is_matt);
+        Node both = random_side(draft, random.pick(brightest), is_diffuse);
         for (Member& member : members(both)) {
             set(material, member.key, std::move(member.node));
         }
         return material;
     }
     for (const char* side : {"upper", "lower"}) {
-        set(material, side, random_side(draft, random.pick(brightest), is_matt));
+        set(material, side, random_side(draft, random.pick(brightest), is_diffuse));
     }
     return material;
 }

@@ -8,16 +8,16 @@
 namespace quasimc::stress {
 namespace {
 
-/// Where an organ is put: a place, two directions across each other, a size.
+/// The pose of an organ: a position, two perpendicular directions, a size.
 struct Pose {
-    Vec3 place, along, across, normal;
+    Vec3 position, along, across, normal;
     double size = 1;
 };
 
 Pose random_pose(Draft& draft) {
     Random& random = draft.random;
     Pose pose;
-    pose.place = random.in_cube(0, 1);
+    pose.position = random.in_cube(0, 1);
     pose.normal = random.chance(.25) ? Vec3{0, 0, 1} : random.direction();
     const Vec3 other = random.direction();
     pose.along = normalized(cross(pose.normal, other));
@@ -29,7 +29,7 @@ Pose random_pose(Draft& draft) {
         pose.normal = anchor.normal;
         pose.along = normalized(cross(pose.normal, other));
         pose.across = cross(pose.normal, pose.along);
-        pose.place = anchor.place + off * anchor.normal;
+        pose.position = anchor.position + off * anchor.normal;
     }
     return pose;
 }
@@ -40,9 +40,9 @@ void set_shape(Node& organ, const char* shape) {
 
 void triangle(Draft& draft, const Pose& p, Node& organ) {
     const double width = draft.random.chance(.25) ? draft.random.power_of_ten(-4, 0) : 1;
-    const Vec3 a = p.place - p.size * .5 * p.along;
-    const Vec3 b = p.place + p.size * .5 * p.along;
-    const Vec3 c = p.place + p.size * width * p.across;
+    const Vec3 a = p.position - p.size * .5 * p.along;
+    const Vec3 b = p.position + p.size * .5 * p.along;
+    const Vec3 c = p.position + p.size * width * p.across;
     set_shape(organ, "triangle");
     set(organ, "corners",
         node_of(std::vector<Vec3>{draft.placed(a), draft.placed(b), draft.placed(c)}));
@@ -53,14 +53,14 @@ void parallelogram(Draft& draft, const Pose& p, Node& organ) {
     const Vec3 a = draft.scale * p.size * p.along;
     const Vec3 b = draft.scale * p.size * width * p.across;
     set_shape(organ, "parallelogram");
-    set(organ, "corner", node_of(draft.placed(p.place) - .5 * (a + b)));
+    set(organ, "corner", node_of(draft.placed(p.position) - .5 * (a + b)));
     set(organ, "edge_a", node_of(a));
     set(organ, "edge_b", node_of(b));
 }
 
 void rhombus(Draft& draft, const Pose& p, Node& organ) {
     set_shape(organ, "rhombus");
-    set(organ, "base", node_of(draft.placed(p.place)));
+    set(organ, "base", node_of(draft.placed(p.position)));
     set(organ, "length", node_of(draft.scale * p.size * p.along));
     set(organ, "up", node_of(p.normal));
     set(organ, "width", node_of(draft.scale * p.size * draft.random.power_of_ten(-3, 0)));
@@ -70,7 +70,7 @@ void cylinder(Draft& draft, const Pose& p, Node& organ) {
     Random& random = draft.random;
     const double radius = draft.scale * p.size * random.power_of_ten(-2, -.3);
     set_shape(organ, "cylinder");
-    set(organ, "base", node_of(draft.placed(p.place)));
+    set(organ, "base", node_of(draft.placed(p.position)));
     set(organ, "axis", node_of(draft.scale * p.size * p.normal));
     set(organ, "radius", node_of(radius));
     if (random.chance(.4)) {
@@ -85,7 +85,7 @@ void cylinder(Draft& draft, const Pose& p, Node& organ) {
 
 void disk(Draft& draft, const Pose& p, Node& organ) {
     set_shape(organ, "disk");
-    set(organ, "center", node_of(draft.placed(p.place)));
+    set(organ, "center", node_of(draft.placed(p.position)));
     set(organ, "normal", node_of(p.normal));
     set(organ, "radius", node_of(draft.scale * p.size * .5));
     Node sides;
@@ -95,7 +95,7 @@ void disk(Draft& draft, const Pose& p, Node& organ) {
 
 void sphere(Draft& draft, const Pose& p, Node& organ) {
     set_shape(organ, "sphere");
-    set(organ, "center", node_of(draft.placed(p.place)));
+    set(organ, "center", node_of(draft.placed(p.position)));
     set(organ, "radius", node_of(draft.scale * p.size * .5));
     Node levels;
     levels.value = static_cast<std::int64_t>(0);
@@ -104,7 +104,7 @@ void sphere(Draft& draft, const Pose& p, Node& organ) {
 
 /// A surface folded of a few triangles that share corners.
 void mesh(Draft& draft, const Pose& p, Node& organ) {
-    std::vector<Vec3> vertices{draft.placed(p.place)};
+    std::vector<Vec3> vertices{draft.placed(p.position)};
     Node faces = empty_list();
     const std::size_t corners = 3 + draft.random.below(4);
     const double bend = draft.random.chance(.4) ? 0 : draft.random.power_of_ten(-4, 0);
@@ -112,7 +112,7 @@ void mesh(Draft& draft, const Pose& p, Node& organ) {
         const double angle = 1.1 * static_cast<double>(i);
         const double lift = bend * draft.random.between(-1, 1);
         vertices.push_back(draft.placed(
-            p.place +
+            p.position +
             p.size * .5 *
                 (std::cos(angle) * p.along + std::sin(angle) * p.across + lift * p.normal)));
         if (i > 0) {
@@ -144,7 +144,7 @@ void add_organ(Draft& draft) {
         set(organ, "field_of_view_deg", node_of(random.between(5, 90)));
     }
     shapes[random.below(shapes.size())](draft, pose, organ);
-    draft.anchors.push_back({pose.place, pose.normal});
+    draft.anchors.push_back({pose.position, pose.normal});
     add_table(draft.document, "organ", std::move(organ));
 }
 

@@ -70,7 +70,7 @@ Node random_sky(Draft& draft) {
 }
 
 /// Above the scene, amid it, or next to a surface, in whose plane it then often lies.
-Anchor lamp_place(Draft& draft) {
+Anchor lamp_anchor(Draft& draft) {
     Random& random = draft.random;
     const double kind = random.unit();
     if (kind < .4) {
@@ -81,22 +81,23 @@ Anchor lamp_place(Draft& draft) {
     }
     const Anchor anchor = random.pick(draft.anchors);
     const double off = random.power_of_ten(-5, -.5) * (random.chance(.5) ? 1 : -1);
-    return {anchor.place + off * anchor.normal, random.chance(.5) ? anchor.normal : -anchor.normal};
+    return {
+        anchor.position + off * anchor.normal, random.chance(.5) ? anchor.normal : -anchor.normal};
 }
 
 Node random_lamp(Draft& draft) {
     Random& random = draft.random;
-    const Anchor at = lamp_place(draft);
+    const Anchor at = lamp_anchor(draft);
     const double size = draft.scale * random.power_of_ten(-2, 0);
     const std::vector<std::string> types{"point", "spot", "rectangle", "disk", "line", "sphere"};
     const std::string type = random.pick(types);
     Node source = source_of(type.c_str());
     if (type == "line") {
         const Vec3 along = .5 * size * normalized(cross(at.normal, random.direction()));
-        set(source, "from", node_of(draft.placed(at.place) - along));
-        set(source, "to", node_of(draft.placed(at.place) + along));
+        set(source, "from", node_of(draft.placed(at.position) - along));
+        set(source, "to", node_of(draft.placed(at.position) + along));
     } else {
-        set(source, "position", node_of(draft.placed(at.place)));
+        set(source, "position", node_of(draft.placed(at.position)));
     }
     if (type == "spot" || type == "rectangle" || type == "disk") {
         set(source, "aim", node_of(at.normal));
@@ -123,7 +124,7 @@ Node random_lamp(Draft& draft) {
 }  // namespace
 
 void add_sources(Draft& draft) {
-    constexpr double kMostLight = 1e15;  // that a run file may state
+    constexpr double kMaxLight = 1e15;  // that a run file may state
     const std::size_t count = draft.random.chance(.5) ? 1 : 1 + draft.random.below(3);
     const double brightness = draft.random.chance(.2) ? draft.random.power_of_ten(-6, 6) : 1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -137,7 +138,7 @@ void add_sources(Draft& draft) {
         for (const char* key : {"irradiance_facing", "irradiance_horizontal", "power"}) {
             if (Node* values = find(source, key)) {
                 for (Node& value : items(*values)) {
-                    value = node_of(std::min(number_in(value) * factor, kMostLight));
+                    value = node_of(std::min(number_in(value) * factor, kMaxLight));
                 }
             }
         }

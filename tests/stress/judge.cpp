@@ -48,7 +48,7 @@ Answer pooled(const std::vector<Answer>& answers) {
             is_found = is_found || n.mean != 0 || !std::isnan(n.error);
         }
         const Estimate e = estimate_mean(means);
-        Number number{e.mean, e.standard_error, e.low, e.high, is_known};
+        Number number{e.mean, e.standard_error, e.ci95_low, e.ci95_high, is_known};
         if (!is_found) {
             number.error = std::nan("");
             number.high = high / static_cast<double>(answers.size());

@@ -57,11 +57,11 @@ double end_of_cell(double origin, double direction, double low, double size) {
 
 /// The first hit in a scene that repeats; the ray's origin is moved into the cell of the hit.
 PlainHit nearest_in_cells(const PlainScene& scene, Ray& ray) {
-    constexpr int kMostCells = 100000;
+    constexpr int kMaxCells = 100000;
     const Cell& cell = scene.cell;
     const Vec3 size = scene.bounds.size();
     const double tiny = 1e-12 * (size.x + size.y + size.z + cell.size_x + cell.size_y);
-    for (int i = 0; i < kMostCells; ++i) {
+    for (int i = 0; i < kMaxCells; ++i) {
         const double x = end_of_cell(ray.origin.x, ray.direction.x, cell.low_x, cell.size_x);
         const double y = end_of_cell(ray.origin.y, ray.direction.y, cell.low_y, cell.size_y);
         const double end = std::min(x, y);

@@ -88,7 +88,7 @@ void add_organ_triangles(PlainScene& plain, const Scene& scene, std::uint32_t in
 }  // namespace
 
 std::optional<PlainScene> plain_scene(const Node& document, const Scene& scene) {
-    constexpr std::size_t kMostTriangles = 150;
+    constexpr std::size_t kMaxTriangles = 150;
     PlainScene plain;
     plain.bands = scene.bands().size();
     plain.cell = scene.cell();
@@ -110,7 +110,7 @@ std::optional<PlainScene> plain_scene(const Node& document, const Scene& scene) 
         plain.max_depth = static_cast<std::uint32_t>(number_at(*run, "max_depth", 0));
     }
     const bool has_sensors = scene.material_names().back() == "sensor";
-    if (plain.triangles.size() > kMostTriangles || (has_sensors && plain.max_depth > 0)) {
+    if (plain.triangles.size() > kMaxTriangles || (has_sensors && plain.max_depth > 0)) {
         return std::nullopt;
     }
     return plain;

@@ -84,7 +84,7 @@ std::optional<Emitter> lamp_emitter(const Node& source, const Scene& scene) {
     return lamp;
 }
 
-/// A place from where a beam along `direction` enters: in the disk around the scene, or in the
+/// A point from where a beam along `direction` enters: in the disk around the scene, or in the
 /// cell, above or below it; and the area across the beam.
 std::pair<Vec3, double> beam_entry(const PlainScene& scene, const Vec3& direction, Random& random) {
     const double u = random.unit();
@@ -101,9 +101,9 @@ std::pair<Vec3, double> beam_entry(const PlainScene& scene, const Vec3& directio
     const double radius = scene.bounds.radius();
     const Frame frame = frame_around(direction);
     const double r = radius * std::sqrt(u);
-    const Vec3 place = scene.bounds.center() + r * std::cos(2 * kPi * v) * frame.s +
-                       r * std::sin(2 * kPi * v) * frame.t - 1.5 * radius * direction;
-    return {place, kPi * radius * radius};
+    const Vec3 origin = scene.bounds.center() + r * std::cos(2 * kPi * v) * frame.s +
+                        r * std::sin(2 * kPi * v) * frame.t - 1.5 * radius * direction;
+    return {origin, kPi * radius * radius};
 }
 
 StartedRay far_ray(const Emitter& emitter, const PlainScene& scene, Random& random) {
@@ -124,8 +124,8 @@ StartedRay far_ray(const Emitter& emitter, const PlainScene& scene, Random& rand
             solid *= (1 + 2 * height) / 3 * 9 / 7;
         }
     }
-    const auto [place, area] = beam_entry(scene, direction, random);
-    return {place, direction, solid * area};
+    const auto [origin, area] = beam_entry(scene, direction, random);
+    return {origin, direction, solid * area};
 }
 
 /// By the cosine law about n.
@@ -138,19 +138,19 @@ StartedRay lamp_ray(const Emitter& lamp, Random& random) {
     const Frame& f = lamp.axes;
     const double u = random.unit();
     const double v = random.unit();
-    Vec3 place = lamp.position;
+    Vec3 origin = lamp.position;
     switch (lamp.kind) {
         case Emitter::Kind::spot: {
             const double cosine = std::pow(1 - u, 1 / (lamp.exponent + 1));
-            return {place, in_frame(f, cosine, 2 * kPi * v)};
+            return {origin, in_frame(f, cosine, 2 * kPi * v)};
         }
         case Emitter::Kind::rectangle:
-            place += (u - .5) * lamp.length * f.s + (v - .5) * lamp.width * f.t;
-            return {place, cosine_direction(f, random)};
+            origin += (u - .5) * lamp.length * f.s + (v - .5) * lamp.width * f.t;
+            return {origin, cosine_direction(f, random)};
         case Emitter::Kind::disk: {
             const double r = lamp.radius * std::sqrt(u);
-            place += r * std::cos(2 * kPi * v) * f.s + r * std::sin(2 * kPi * v) * f.t;
-            return {place, cosine_direction(f, random)};
+            origin += r * std::cos(2 * kPi * v) * f.s + r * std::sin(2 * kPi * v) * f.t;
+            return {origin, cosine_direction(f, random)};
         }
         case Emitter::Kind::line: {
             // Density sin^2 / pi of theta: by rejection.
@@ -158,15 +158,15 @@ StartedRay lamp_ray(const Emitter& lamp, Random& random) {
             while (random.unit() > std::sin(theta) * std::sin(theta)) {
                 theta = kPi * random.unit();
             }
-            place += (u - .5) * lamp.length * f.n;
-            return {place, in_frame(f, std::cos(theta), 2 * kPi * v)};
+            origin += (u - .5) * lamp.length * f.n;
+            return {origin, in_frame(f, std::cos(theta), 2 * kPi * v)};
         }
         case Emitter::Kind::sphere: {
             const Vec3 n = random.direction();
-            return {place + lamp.radius * n, cosine_direction(frame_around(n), random)};
+            return {origin + lamp.radius * n, cosine_direction(frame_around(n), random)};
         }
         default:
-            return {place, random.direction()};
+            return {origin, random.direction()};
     }
 }
 

@@ -90,14 +90,14 @@ class Shrinker {
         return has_changed;
     }
 
-    /// Every table of the document by its path: key, and place in a list.
+    /// Every table of the document by its path: key, and index in a list.
     using Path = std::vector<std::pair<std::string, std::size_t>>;
     static Node* at(Node& document, const Path& path) {
         Node* node = &document;
-        for (const auto& [key, place] : path) {
+        for (const auto& [key, index] : path) {
             node = find(*node, key);
             if (node != nullptr && node->as<Node::List>() != nullptr) {
-                node = place < items(*node).size() ? &items(*node)[place] : nullptr;
+                node = index < items(*node).size() ? &items(*node)[index] : nullptr;
             }
             if (node == nullptr || node->as<Node::Table>() == nullptr) {
                 return nullptr;

@@ -68,7 +68,7 @@ std::vector<double> slips_of(const Node& document, const Scene& scene) {
 }
 
 /// 5e-6: windows of beams are larger than the scene by 2^-20 each way. Of needles five times what
-/// rays take for one place (2^-22 of the scene) over their width.
+/// the rounding of a ray's position (2^-22 of the scene) over their width.
 std::vector<double> roundings_of(const Scene& scene) {
     constexpr double kRounding = 5e-6;
     constexpr double kNeedle = 1e-3;

@@ -18,7 +18,7 @@ namespace quasimc::stress {
 namespace {
 
 Number number_of(const Estimate& e) {
-    return {e.mean, e.standard_error, e.low, e.high, !std::isnan(e.mean)};
+    return {e.mean, e.standard_error, e.ci95_low, e.ci95_high, !std::isnan(e.mean)};
 }
 
 std::vector<Number> numbers_of(const Result& result) {
@@ -176,9 +176,9 @@ bool has_lamps(const Node& document) {
 }
 
 /// Whether light can be exchanged along bundles: they refuse surfaces that shine.
-bool is_matt(const Scene& scene) {
+bool is_diffuse(const Scene& scene) {
     Faults faults;
-    check_matt(scene, faults);
+    check_diffuse(scene, faults);
     return faults.empty();
 }
 
@@ -231,7 +231,7 @@ bool is_offered(const Case& it, Way way) {
         case Way::from_organs:
             return !(it.run.scene.cell().periodic() && has_lamps(*it.run.document));
         case Way::ray_bundles:
-            return is_matt(it.run.scene) && !is_warned_of(it.run);
+            return is_diffuse(it.run.scene) && !is_warned_of(it.run);
         case Way::reference:
             return it.plain.has_value();
         default:

@@ -10,20 +10,20 @@ namespace quasimc {
 std::size_t MessageEndFinder::find(std::string_view bytes) {
     constexpr std::string_view kStart = "\nControl";
     const std::string_view first = kStart.substr(1);
-    if (!in_control_ && place_ == 0 && bytes.starts_with(first)) {
+    if (!in_control_ && offset_ == 0 && bytes.starts_with(first)) {
         in_control_ = true;
     }
     if (!in_control_) {
-        const std::size_t begin = bytes.find(kStart, place_);
+        const std::size_t begin = bytes.find(kStart, offset_);
         in_control_ = begin != std::string_view::npos;
         // Else the start may be there but for its last character.
-        place_ = in_control_ ? begin + 1 : bytes.size() - std::min(bytes.size(), first.size());
+        offset_ = in_control_ ? begin + 1 : bytes.size() - std::min(bytes.size(), first.size());
     }
     if (!in_control_) {
         return std::string_view::npos;
     }
-    const std::size_t end = bytes.find('\n', place_);
-    place_ = std::min(end, bytes.size());
+    const std::size_t end = bytes.find('\n', offset_);
+    offset_ = std::min(end, bytes.size());
     return end == std::string_view::npos ? end : end + 1;
 }
 
@@ -69,10 +69,10 @@ void append_answer(
     }
 }
 
-void append_control(std::string& text, ChunkPlace place) {
+void append_control(std::string& text, ChunkPosition position) {
     constexpr std::array<std::string_view, 4> kFlags{"5", "1", "0", "4"};
     text += "Control: ";
-    text += kFlags[static_cast<std::size_t>(place)];
+    text += kFlags[static_cast<std::size_t>(position)];
     text += '\n';
 }
 

@@ -24,7 +24,7 @@ enum class Continuation { done, more_follows };
 
 /// Whether a simulator that was told that there will be no light goes on without us, or still asks
 /// at every step and waits for an answer.
-enum class AfterRefusal { it_goes_on, it_asks };
+enum class RejectAction { it_goes_on, it_asks };
 
 /// A line to the plant simulator: text goes both ways in messages that end with a "Control" line.
 /// Functions throw PeerDisconnected when the other side is gone, unless they say otherwise.
@@ -35,9 +35,9 @@ class ByteStream {
     ByteStream(const ByteStream&) = delete;
     ByteStream& operator=(const ByteStream&) = delete;
 
-    /// Tells the simulator that we are there; or, in its place, that there will be no light.
+    /// Sends the first sign to the simulator, or that there will be no light.
     virtual void announce() = 0;
-    [[nodiscard]] virtual AfterRefusal refuse() = 0;
+    [[nodiscard]] virtual RejectAction refuse() = 0;
     /// The next message, whole; valid until the next call. Waits as long as it takes.
     /// @throws InputError  if what is there is no message
     [[nodiscard]] virtual std::string_view receive() = 0;

@@ -21,7 +21,7 @@ class DescriptorStream final : public ByteStream {
     DescriptorStream& operator=(const DescriptorStream&) = delete;
 
     void announce() override;
-    [[nodiscard]] AfterRefusal refuse() override;
+    [[nodiscard]] RejectAction refuse() override;
     [[nodiscard]] std::string_view receive() override;
     void send(std::string_view message, Continuation continuation) override;
     void await_request() override {}

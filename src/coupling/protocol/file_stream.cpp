@@ -23,25 +23,25 @@ struct Closer {
 };
 using File = std::unique_ptr<std::FILE, Closer>;
 
-off_t as_offset(std::size_t place) {
-    return static_cast<off_t>(place);
+off_t as_offset(std::size_t offset) {
+    return static_cast<off_t>(offset);
 }
 
 /// A file that is written without being emptied first.
-int open_kept(const std::string& path) {
+int open_cached(const std::string& path) {
     return ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
 }
 
 /// Whether all of the text was written there; errno otherwise.
-bool write_at(const Descriptor& file, std::string_view text, std::size_t place) {
+bool write_at(const Descriptor& file, std::string_view text, std::size_t offset) {
     while (!text.empty()) {
-        const ssize_t count = ::pwrite(file.number(), text.data(), text.size(), as_offset(place));
+        const ssize_t count = ::pwrite(file.number(), text.data(), text.size(), as_offset(offset));
         if (count < 0 && errno != EINTR) {
             return false;
         }
         const auto written = static_cast<std::size_t>(std::max<ssize_t>(count, 0));
         text.remove_prefix(written);
-        place += written;
+        offset += written;
     }
     return true;
 }
@@ -66,13 +66,13 @@ class FilePair {
     /// What the simulator reads if we come to an end before we have answered: the head of the file
     /// becomes an empty answer, behind which nothing is read.
     void prepare_for_our_end() const noexcept {
-        const Descriptor file(open_kept(from_us_));
+        const Descriptor file(open_cached(from_us_));
         static_cast<void>(write_at(file, kEmptyAnswer, 0));
     }
     /// Writes the head last, so that at any time the file begins with a message that is whole.
     void write(std::string_view message) const {
         EXPECT(message.size() >= kEmptyAnswer.size());
-        const Descriptor file(open_kept(from_us_));
+        const Descriptor file(open_cached(from_us_));
         const std::size_t head = kEmptyAnswer.size();
         const bool is_written = file.is_open() && write_at(file, message.substr(head), head) &&
                                 ::ftruncate(file.number(), as_offset(message.size())) == 0 &&

@@ -15,7 +15,7 @@ void GuardedStream::announce() {
     line_->announce();
 }
 
-AfterRefusal GuardedStream::refuse() {
+RejectAction GuardedStream::refuse() {
     const std::lock_guard lock(sending_);
     return line_->refuse();
 }

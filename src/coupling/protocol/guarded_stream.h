@@ -16,7 +16,7 @@ class GuardedStream final : public ByteStream {
     [[nodiscard]] bool is_open() const { return line_ != nullptr; }
 
     void announce() override;
-    [[nodiscard]] AfterRefusal refuse() override;
+    [[nodiscard]] RejectAction refuse() override;
     [[nodiscard]] std::string_view receive() override { return line_->receive(); }
     void send(std::string_view message, Continuation continuation) override;
     void await_request() override { line_->await_request(); }

@@ -30,15 +30,16 @@ class SharedMemory {
         constexpr int kMode = 0600;
         errno = 0;
         id_ = ::shmget(static_cast<key_t>(key), kToUs + kFromUs, kMode);
-        void* place = id_ < 0 ? nullptr : ::shmat(id_, nullptr, 0);
+        void* memory = id_ < 0 ? nullptr : ::shmat(id_, nullptr, 0);
         if (errno != 0) {  // both set it when they fail, and only then
             throw InputError(
                 {{fmt::format("-k {}", key + 1),
-                  fmt::format("there is no shared memory of key {}", key),
+                  fmt::format("there is no shared memory with key {}", key),
                   std::generic_category().message(errno),
-                  "do both programs read the same communication type in the environment file?"}});
+                  "check that both programs read the same communication type in the environment "
+                  "file"}});
         }
-        bytes_ = static_cast<char*>(place);
+        bytes_ = static_cast<char*>(memory);
     }
     ~SharedMemory() { ::shmdt(bytes_); }
     SharedMemory(const SharedMemory&) = delete;

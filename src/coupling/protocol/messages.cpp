@@ -122,7 +122,8 @@ class MessageParser::Reader {
             }
             read_query();
         }
-        fail(lines_.number(), "the message breaks off", "it ends with a line 'Control: ...'");
+        fail(
+            lines_.number(), "the message is incomplete", "it must end with a line 'Control: ...'");
     }
 
   private:
@@ -214,10 +215,10 @@ class MessageParser::Reader {
             const std::string_view word = trimmed(list.substr(0, comma));
             first_text_set_ = count == 0 ? !word.empty() : first_text_set_;
             pass_.parameters.push_back(parameter(word));
-            if (++count > kMostParameters) {
+            if (++count > kMaxParameters) {
                 fail(
                     lines_.number(), "a module has too many parameters",
-                    fmt::format("{} are read", kMostParameters));
+                    fmt::format("{} are read", kMaxParameters));
             }
             if (comma == list.size()) {
                 return count;
@@ -233,7 +234,7 @@ class MessageParser::Reader {
         double value = kUnset;
         std::string_view rest = word;
         if (!word.empty() && (!take_number(rest, value) || !rest.empty())) {
-            fail(lines_.number(), shown(word), "a parameter is a number");
+            fail(lines_.number(), shown(word), "a parameter must be a number");
         }
         return value;
     }
@@ -275,7 +276,8 @@ class MessageParser::Reader {
 
     Vec3 turtle_line(const TurtleLine& format) {
         if (!next()) {
-            fail(lines_.number(), "the message breaks off", "lines about the turtle are missing");
+            fail(
+                lines_.number(), "the message is incomplete", "lines about the turtle are missing");
         }
         std::string_view rest = trimmed(line());
         rest.remove_prefix(std::min(format.skip, rest.size()));
@@ -309,7 +311,9 @@ class MessageParser::Reader {
             in_polygon = read_graphics_line(in_polygon);
         }
         if (!more) {
-            fail(lines_.number(), "the message breaks off", "graphics end with a line 'Dend'");
+            fail(
+                lines_.number(), "the message is incomplete",
+                "graphics must end with a line 'Dend'");
         }
         query.polygons.count =
             static_cast<std::uint32_t>(pass_.polygons.size()) - query.polygons.first;
@@ -339,11 +343,11 @@ class MessageParser::Reader {
     void note_graphics(std::string_view word) {
         constexpr std::array<std::string_view, 5> kSilent{
             "material", "pushmatrix", "popmatrix", "translate", "rotate"};
-        constexpr std::size_t kMostNoted = 16;
+        constexpr std::size_t kMaxNoted = 16;
         const bool is_word = word.find_first_not_of("0123456789+-.eE") != std::string_view::npos;
         auto& others = pass_.other_graphics;
         if (is_word && std::find(kSilent.begin(), kSilent.end(), word) == kSilent.end() &&
-            others.size() < kMostNoted &&
+            others.size() < kMaxNoted &&
             std::find(others.begin(), others.end(), word) == others.end()) {
             others.emplace_back(word);
         }

@@ -14,9 +14,9 @@
 namespace quasimc {
 
 /// A module sends no more parameters than this; more are a fault of the message.
-inline constexpr std::size_t kMostParameters = 64;
+inline constexpr std::size_t kMaxParameters = 64;
 /// Answers have no more slots.
-inline constexpr std::size_t kMostSlots = 20;
+inline constexpr std::size_t kMaxSlots = 20;
 
 /// Where and how an organ stands. Directions need not be of unit length.
 struct Turtle {
@@ -98,11 +98,11 @@ class MessageEndFinder {
     /// Where the first message in `bytes` ends: after its "Control" line; npos if that is not there
     /// yet. @param bytes  those of the call before, and what came since
     [[nodiscard]] std::size_t find(std::string_view bytes);
-    /// Where the next call begins to look.
-    [[nodiscard]] std::size_t place() const { return place_; }
+    /// The offset where the next call begins to search.
+    [[nodiscard]] std::size_t offset() const { return offset_; }
 
   private:
-    std::size_t place_ = 0;  // nothing ends before it
+    std::size_t offset_ = 0;  // nothing ends before it
     bool in_control_ = false;
 };
 
@@ -115,7 +115,7 @@ void append_answer(
     std::string& text, std::int64_t id, std::size_t slots, std::span<const double> values);
 
 /// "Control: flags".
-enum class ChunkPlace { only, first, middle, last };
-void append_control(std::string& text, ChunkPlace place);
+enum class ChunkPosition { only, first, middle, last };
+void append_control(std::string& text, ChunkPosition position);
 
 }  // namespace quasimc

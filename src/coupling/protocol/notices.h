@@ -10,21 +10,21 @@ namespace quasimc {
 /// Tells a person what may be of interest, everything once however often it happens.
 class Notices {
   public:
-    using Tell = std::function<void(const std::string& text)>;
-    explicit Notices(Tell tell) : tell_(std::move(tell)) {}
+    using MessageSink = std::function<void(const std::string& text)>;
+    explicit Notices(MessageSink send) : send_(std::move(send)) {}
 
     /// @param key  what is told once; a later text with the same key is dropped
     void once(const std::string& key, const std::string& text) {
-        if (told_.insert(key).second) {
-            tell_(text);
+        if (sent_.insert(key).second) {
+            send_(text);
         }
     }
     void once(const std::string& text) { once(text, text); }
-    [[nodiscard]] bool was_told(const std::string& key) const { return told_.contains(key); }
+    [[nodiscard]] bool was_sent(const std::string& key) const { return sent_.contains(key); }
 
   private:
-    Tell tell_;
-    std::set<std::string> told_;
+    MessageSink send_;
+    std::set<std::string> sent_;
 };
 
 }  // namespace quasimc

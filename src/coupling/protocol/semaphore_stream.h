@@ -38,9 +38,9 @@ class SemaphoreStream final : public ByteStream {
     }
     /// lpfg takes silence for an answer that is there, and waits for the next one for ever; cpfg
     /// takes it for a refusal, but then leaves its semaphores and memory behind.
-    [[nodiscard]] AfterRefusal refuse() override {
+    [[nodiscard]] RejectAction refuse() override {
         announce();
-        return AfterRefusal::it_asks;
+        return RejectAction::it_asks;
     }
     [[nodiscard]] std::string_view receive() override {
         semaphores_.wait_for_master();
@@ -49,7 +49,8 @@ class SemaphoreStream final : public ByteStream {
         const std::size_t end = message_end(message_);
         if (end == std::string::npos) {
             throw InputError(
-                {{mailbox_.name(), "the message breaks off", "it has no line 'Control'", ""}});
+                {{mailbox_.name(), "the message is incomplete", "the line 'Control' is missing",
+                  ""}});
         }
         message_.resize(end);
         return message_;

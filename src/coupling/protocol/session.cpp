@@ -149,10 +149,10 @@ std::vector<std::string> reply_chunks(
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const bool is_first = i == 0, is_last = i + 1 == texts.size();
         append_control(
-            texts[i], is_first && is_last ? ChunkPlace::only
-                      : is_first          ? ChunkPlace::first
-                      : is_last           ? ChunkPlace::last
-                                          : ChunkPlace::middle);
+            texts[i], is_first && is_last ? ChunkPosition::only
+                      : is_first          ? ChunkPosition::first
+                      : is_last           ? ChunkPosition::last
+                                          : ChunkPosition::middle);
     }
     return texts;
 }

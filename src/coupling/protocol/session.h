@@ -14,7 +14,7 @@ namespace quasimc {
 
 /// What is sent back for one query.
 struct Answer {
-    std::uint32_t query = 0;  ///< place in Pass::queries
+    std::uint32_t query = 0;  ///< index in Pass::queries
     ListPart values;  ///< of Answers::values; fewer than the query's slots: the rest is empty
 };
 struct Answers {

@@ -30,7 +30,7 @@ std::string range_text(Range range) {
         return "it must be a number";
     }
     return range.high >= kAnyNumber.high
-               ? fmt::format("it must be a number from {} on", shortest(range.low))
+               ? fmt::format("it must be a number, {} or more", shortest(range.low))
                : fmt::format(
                      "it must be a number from {} to {}", shortest(range.low),
                      shortest(range.high));
@@ -39,7 +39,7 @@ std::string range_text(Range range) {
 }  // namespace
 
 std::vector<DirectiveLine> split_directives(
-    std::string_view text, const std::string& place, Notices& notices) {
+    std::string_view text, const std::string& where, Notices& notices) {
     std::vector<DirectiveLine> directives;
     LineScanner lines(text);
     while (lines.next()) {
@@ -54,9 +54,9 @@ std::vector<DirectiveLine> split_directives(
             directives.back().block.emplace_back(lines.number(), value);
         } else if (end == 0 || end == std::string_view::npos) {
             notices.once(fmt::format(
-                "{}:{}: {} is no directive and skipped; a line reads 'name: values', and "
-                "': values' where it continues the one before",
-                place, lines.number(), shown(line)));
+                "{}:{}: {} is not a directive and is ignored; write 'name: values', or ': values' "
+                "to continue the line above",
+                where, lines.number(), shown(line)));
         } else {
             directives.push_back(
                 {lines.number(), lower_case(trimmed(line.substr(0, end))), value, {}});
@@ -66,8 +66,8 @@ std::vector<DirectiveLine> split_directives(
 }
 
 Values::Values(
-    std::string place, std::string what, std::string_view text, Faults& faults, Notices& notices)
-    : place_(std::move(place)),
+    std::string where, std::string what, std::string_view text, Faults& faults, Notices& notices)
+    : where_(std::move(where)),
       what_(std::move(what)),
       text_(text),
       faults_(&faults),
@@ -126,7 +126,7 @@ std::optional<std::size_t> Values::choice(std::span<const std::string_view> name
     if (found == names.end()) {
         fault(
             given.empty() ? std::string("the value is missing")
-                          : fmt::format("{} is not known", shown(given)),
+                          : fmt::format("{} is unknown", shown(given)),
             "", did_you_mean(given, names));
         return std::nullopt;
     }
@@ -147,13 +147,13 @@ std::string Values::rest() {
 void Values::fault(std::string problem, std::string why, std::string suggestion) {
     if (!failed_) {
         faults_->add(
-            {place_, fmt::format("{}: {}", what_, problem), std::move(why), std::move(suggestion)});
+            {where_, fmt::format("{}: {}", what_, problem), std::move(why), std::move(suggestion)});
     }
     failed_ = true;
 }
 
 void Values::notice(const std::string& text) {
-    notices_->once(fmt::format("{}: {}: {}", place_, what_, text));
+    notices_->once(fmt::format("{}: {}: {}", where_, what_, text));
 }
 
 void Values::finish() {

@@ -22,9 +22,9 @@ struct DirectiveLine {
 };
 
 /// The directives of a text in their order. Lines that are none are skipped, with a notice.
-/// @param place  of the text, for messages
+/// @param where  location of the text, for messages
 [[nodiscard]] std::vector<DirectiveLine> split_directives(
-    std::string_view text, const std::string& place, Notices& notices);
+    std::string_view text, const std::string& where, Notices& notices);
 
 inline constexpr Range kAnyNumber{-1e30, 1e30};
 inline constexpr Range kNotNegativeNumber{0, 1e30};
@@ -35,7 +35,7 @@ class Values {
   public:
     /// @param what  the directive as messages call it
     Values(
-        std::string place,
+        std::string where,
         std::string what,
         std::string_view text,
         Faults& faults,
@@ -50,7 +50,7 @@ class Values {
     std::optional<std::int64_t> integer(std::string_view name, Range range);
     /// A number, or `otherwise` at the end.
     std::optional<double> number_or(double otherwise, std::string_view name, Range range);
-    /// The next word as one of `names`, without regard to case: its place among them.
+    /// The next word as one of `names`, without regard to case: its index among them.
     std::optional<std::size_t> choice(std::span<const std::string_view> names);
     std::optional<bool> yes_no();
     /// All that is left, as it stands: a file's name.
@@ -61,12 +61,12 @@ class Values {
     /// Tells that words which are left are not read.
     void finish();
 
-    [[nodiscard]] const std::string& place() const { return place_; }
+    [[nodiscard]] const std::string& where() const { return where_; }
     [[nodiscard]] bool failed() const { return failed_; }
     [[nodiscard]] Faults& faults() { return *faults_; }
 
   private:
-    std::string place_, what_;
+    std::string where_, what_;
     std::string_view text_;
     Faults* faults_;
     Notices* notices_;

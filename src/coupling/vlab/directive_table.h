@@ -16,9 +16,9 @@ struct DirectiveContext {
     const DirectiveLine* line = nullptr;
     std::string file;  ///< name of the specification, for messages
     /// Area of MonteCarlo's domain seen from above, and its low corner.
-    std::optional<StatedCell> domain = {};
+    std::optional<CellDirective> domain = {};
     bool is_periodic = false;
-    std::string ground_place = {};
+    std::string ground_where = {};
     bool has_leaf_upper = false;
 };
 
@@ -33,7 +33,7 @@ struct DirectiveEntry {
 };
 
 // To add a directive: a function in the file of its kind, a row there, a row in
-// docs/formats/specification.md.
+// docs/reference/specification.md.
 [[nodiscard]] std::span<const DirectiveEntry> light_directives();
 [[nodiscard]] std::span<const DirectiveEntry> material_directives();
 [[nodiscard]] std::span<const DirectiveEntry> run_directives();

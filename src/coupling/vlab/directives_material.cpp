@@ -11,10 +11,10 @@
 namespace quasimc {
 namespace {
 
-constexpr double kMostBands = 20;
+constexpr double kMaxBands = 20;
 
 void read_samples(Values& values, DirectiveContext& context) {
-    const auto count = values.integer("the number of bands", {1, kMostBands});
+    const auto count = values.integer("the number of bands", {1, kMaxBands});
     if (!count) {
         return;
     }
@@ -61,7 +61,7 @@ std::optional<SideOptics> read_band(Values& values) {
     if (*rho + *tau > 1) {
         values.fault(
             fmt::format("reflectance {} and transmittance {}", shortest(*rho), shortest(*tau)),
-            "together they are more than 1: more light than falls on the leaf");
+            "their sum exceeds 1");
         return std::nullopt;
     }
     optics.reflectance = *rho;
@@ -80,8 +80,8 @@ std::optional<std::vector<SideOptics>> read_material_bands(
         static_cast<void>(values.rest());
         values.fault(
             fmt::format("{} lines", line.block.size() + 1),
-            fmt::format("'spectrum samples' is {}, and each band has a line", bands),
-            "lines after the first begin with ':'");
+            fmt::format("'spectrum samples' is {}, and each band needs a line", bands),
+            "lines after the first must begin with ':'");
         return std::nullopt;
     }
     std::vector<SideOptics> material;
@@ -125,8 +125,8 @@ void read_material(Values& values, DirectiveContext& context) {
 }
 
 void read_parameter(Values& values, DirectiveContext& context) {
-    if (const auto place = values.integer("the number of the parameter", {1, 60})) {
-        context.spec.material_parameter = static_cast<std::size_t>(*place);
+    if (const auto index = values.integer("the number of the parameter", {1, 60})) {
+        context.spec.material_parameter = static_cast<std::size_t>(*index);
     }
 }
 

@@ -19,7 +19,7 @@ void read_surface(Values& values, DirectiveContext& context) {
         std::string_view(words).substr(blank == std::string::npos ? 0 : blank + 1);
     std::int64_t subdivisions = 2;
     if (blank != std::string::npos && last.find_first_not_of("+-0123456789") == last.npos) {
-        Values number(values.place(), "surface", last, values.faults(), context.notices);
+        Values number(values.where(), "surface", last, values.faults(), context.notices);
         const auto count = number.integer("the number of subdivisions", {0, 6});
         if (!count) {
             return;
@@ -59,7 +59,7 @@ void read_cell(Values& values, DirectiveContext& context) {
     const auto low_x = values.number_or(0, "the low border along x", kAnyNumber);
     const auto low_z = values.number_or(0, "the low border along z", kAnyNumber);
     if (size_x && size_z && low_x && low_z) {
-        context.spec.cell = StatedCell{*size_x, *size_z, *low_x, *low_z};
+        context.spec.cell = CellDirective{*size_x, *size_z, *low_x, *low_z};
     }
 }
 
@@ -71,12 +71,12 @@ void read_ground(Values& values, DirectiveContext& context) {
             ? std::optional<std::int64_t>(first)
             : values.integer("the number of its material", {static_cast<double>(first), 1e6});
     if (height && material) {
-        context.ground_place = values.place();
-        context.spec.ground = StatedGround{*height, static_cast<std::size_t>(*material - first)};
+        context.ground_where = values.where();
+        context.spec.ground = GroundDirective{*height, static_cast<std::size_t>(*material - first)};
     }
 }
 
-StatedCell& domain_of(DirectiveContext& context) {
+CellDirective& domain_of(DirectiveContext& context) {
     if (!context.domain) {
         context.domain.emplace();
     }
@@ -109,7 +109,7 @@ void read_periodic(Values& values, DirectiveContext& context) {
 
 void read_obstacles(Values& values, DirectiveContext& /*context*/) {
     static_cast<void>(values.rest());
-    values.notice("obstacles are not read from files: send them as organs with E < 0");
+    values.notice("obstacles can't be read from files: send them as organs with E < 0");
 }
 
 constexpr std::array kSceneDirectives{

@@ -21,7 +21,7 @@ struct OrganFrame {
     Vec3 heading;  ///< unit
     Vec3 up;       ///< unit, at right angles to the heading
 
-    [[nodiscard]] Vec3 place(const Vec3& p) const {
+    [[nodiscard]] Vec3 point(const Vec3& p) const {
         return base + p.x * across + p.y * heading + p.z * up;
     }
 };
@@ -113,7 +113,7 @@ class OrganShapes::Maker {
             return {};
         }
         if (parameters_.size() < entry->least_parameters) {
-            tell(
+            report(
                 "parameters", fmt::format(
                                   "has {}; {} are needed", counted(parameters_.size(), "parameter"),
                                   entry->least_parameters));
@@ -121,7 +121,7 @@ class OrganShapes::Maker {
         }
         const auto frame = frame_of(query_.turtle);
         if (!frame) {
-            tell("frame", "stands nowhere: position, heading or up are no usable vectors");
+            report("frame", "has no position: position, heading or up are not valid vectors");
             return {};
         }
         frame_ = *frame;
@@ -135,23 +135,23 @@ class OrganShapes::Maker {
         if (query_.organ.empty()) {
             notices_.once(
                 "no module follows",
-                "a query that no module follows asks for no organ; it is answered 0");
+                "a query without a following module has no organ and is answered 0");
             return;
         }
         const std::string graphics =
             pass_.other_graphics.empty()
                 ? ""
                 : fmt::format(
-                      " (of graphics polygons are read; there were others, such as '{}')",
+                      " (only polygons of the graphics are read; there were others, such as '{}')",
                       pass_.other_graphics.front());
         notices_.once(
             "module " + query_.organ, fmt::format(
-                                          "module {} is not understood{}: its queries are answered "
-                                          "0; P, T, U, S, I, Q and J are",
+                                          "module {} is unknown{}: its queries are answered 0; "
+                                          "known are P, T, U, S, I, Q and J",
                                           shown(query_.organ), graphics));
     }
 
-    void tell(const std::string& key, const std::string& text) {
+    void report(const std::string& key, const std::string& text) {
         notices_.once(
             fmt::format("{} {}", query_.organ, key),
             query_.organ.empty()
@@ -167,10 +167,10 @@ class OrganShapes::Maker {
             return value;
         }
         if (value != 0) {
-            tell(
+            report(
                 "size",
                 fmt::format(
-                    "has {} {}, which is no size: nothing falls on it", name, shortest(value)));
+                    "has {} {}, which is not a size: it receives no light", name, shortest(value)));
         }
         return std::nullopt;
     }
@@ -198,8 +198,8 @@ class OrganShapes::Maker {
             return {};
         }
         return make_triangle(
-            frame_.place({-*half_base, 0, 0}), frame_.place({*half_base, 0, 0}),
-            frame_.place({0, *height, 0}));
+            frame_.point({-*half_base, 0, 0}), frame_.point({*half_base, 0, 0}),
+            frame_.point({0, *height, 0}));
     }
 
     Triangles any_triangle() {
@@ -208,7 +208,7 @@ class OrganShapes::Maker {
         const bool is_triangle = left >= 0 && right >= 0 && left + right > 0 &&
                                  std::isfinite(left + right) && std::abs(degrees) <= 90;
         if (!is_triangle) {
-            tell("base", "has no base: two lengths and an angle of -90 to 90 degrees make one");
+            report("base", "has no base: it needs two lengths and an angle of -90 to 90 degrees");
         }
         if (!height || !is_triangle) {
             return {};
@@ -216,8 +216,8 @@ class OrganShapes::Maker {
         const double angle = degrees * std::numbers::pi / 180;
         const Vec3 along{std::sin(angle), std::cos(angle), 0};
         Triangles triangle = make_triangle(
-            frame_.place(-left * along), frame_.place(right * along),
-            frame_.place({0, *height, 0}));
+            frame_.point(-left * along), frame_.point(right * along),
+            frame_.point({0, *height, 0}));
         if (angle < 0) {
             turn_over(triangle);
         }
@@ -229,8 +229,8 @@ class OrganShapes::Maker {
         if (!spec_.cylinder_width_is_stated) {
             notices_.once(
                 "cylinder width",
-                "I(r, l): r is the radius, as the manual of the environments has it; write "
-                "'cylinder width: diameter' if your model means the diameter");
+                "I(r, l): r is the radius, as in the manual of the environments; write 'cylinder "
+                "width: diameter' if your model uses the diameter");
         }
         if (!width || !length) {
             return {};
@@ -242,20 +242,20 @@ class OrganShapes::Maker {
 
     /// How many parameters of S are scales: those before the material's.
     [[nodiscard]] std::size_t scale_count() const {
-        constexpr std::size_t kFirstScale = 1, kMostScales = 3;
+        constexpr std::size_t kFirstScale = 1, kMaxScales = 3;
         std::size_t end = parameters_.size();
         if (spec_.material_parameter && *spec_.material_parameter > kFirstScale + 1) {
             end = std::min(end, *spec_.material_parameter - 1);
         }
-        return std::min(end - kFirstScale, kMostScales);
+        return std::min(end - kFirstScale, kMaxScales);
     }
 
     Triangles surface() {
         const double id = parameters_[0];
         if (!(id >= 0 && id < static_cast<double>(spec_.surfaces.size())) || id != std::floor(id)) {
-            tell(
+            report(
                 "surface", fmt::format(
-                               "names surface {}; the specification file has {}, counted from 0",
+                               "uses surface {}; the specification file has {}, counted from 0",
                                shortest(id), spec_.surfaces.size()));
             return {};
         }
@@ -272,7 +272,7 @@ class OrganShapes::Maker {
         Triangles triangles = spec_.surfaces[static_cast<std::size_t>(id)].triangles;
         for (Triangle& t : triangles) {
             for (Vec3& p : t) {
-                p = frame_.place({scale.x * p.x, scale.y * p.y, scale.z * p.z});
+                p = frame_.point({scale.x * p.x, scale.y * p.y, scale.z * p.z});
             }
         }
         return triangles;
@@ -281,10 +281,10 @@ class OrganShapes::Maker {
     SideMaterials surface_materials() {
         constexpr std::size_t kFirstFree = 3;  // the first two are id and scale
         if (spec_.material_parameter && *spec_.material_parameter < kFirstFree) {
-            tell(
+            report(
                 "material parameter",
                 fmt::format(
-                    "takes the leaf's material: 'material parameter: {}' is its id or its scale",
+                    "uses the leaf material: 'material parameter: {}' is its id or its scale",
                     *spec_.material_parameter));
             return spec_.sides_of(0, std::nullopt);
         }
@@ -304,9 +304,9 @@ class OrganShapes::Maker {
         // A length that came with polygons may be no material at all.
         const bool is_surely_material = query_.polygons.count == 0 || spec_.material_parameter;
         if (is_surely_material && parameters_[index] != std::floor(parameters_[index])) {
-            tell(
+            report(
                 "fraction", fmt::format(
-                                "names material {}: what stands behind the point does not count",
+                                "uses material {}; text after the point is ignored",
                                 shortest(parameters_[index])));
         }
         const std::size_t first = spec_.first_material();
@@ -314,10 +314,10 @@ class OrganShapes::Maker {
         if (number >= 0 && number < static_cast<double>(spec_.materials.size())) {
             return static_cast<std::size_t>(number);
         }
-        tell(
+        report(
             "material",
             fmt::format(
-                "names material {}, but there are {} to {}: it gets the leaf's",
+                "uses material {}, but there are {} to {}; the leaf material is used",
                 shortest(parameters_[index]), first, first + spec_.materials.size() - 1));
         return std::nullopt;
     }
@@ -342,22 +342,22 @@ class OrganShapes::Maker {
     }
 
     /// Of the polygon at hand.
-    void tell_polygon(const std::string& key, const std::string& text) {
-        tell(key, fmt::format("has a polygon (line {} of its message) {}", line_, text));
+    void report_polygon(const std::string& key, const std::string& text) {
+        report(key, fmt::format("has a polygon (line {} of its message) {}", line_, text));
     }
 
     void add_polygon(std::span<const Vec3> corners, Triangles& triangles) {
         if (corners.size() < 3) {
-            tell_polygon("polygon", "of " + counted(corners.size(), "corner"));
+            report_polygon("polygon", "of " + counted(corners.size(), "corner"));
             return;
         }
         if (!std::all_of(corners.begin(), corners.end(), is_finite)) {
-            tell_polygon("polygon", "with a corner that is nowhere");
+            report_polygon("polygon", "with an invalid corner");
             return;
         }
         Triangles polygon = cut(corners);
         if (std::all_of(polygon.begin(), polygon.end(), is_degenerate)) {
-            tell_polygon("area", "without area: nothing falls on it");
+            report_polygon("area", "without area: it receives no light");
         }
         Vec3 normal;
         for (const Triangle& t : polygon) {
@@ -376,10 +376,10 @@ class OrganShapes::Maker {
             return make_polygon(corners);
         } catch (const InputError& error) {
             const std::optional<Triangles> fan = make_fan(corners);
-            tell_polygon(
+            report_polygon(
                 "polygon",
                 fmt::format(
-                    "that is {}: {}", fan ? "cut into a fan from its first corner" : "left out",
+                    "that is {}: {}", fan ? "divided into a fan from its first corner" : "left out",
                     error.what()));
             return fan.value_or(Triangles{});
         }

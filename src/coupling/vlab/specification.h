@@ -38,7 +38,7 @@ struct ReturnQuantity {
 };
 
 /// Parallel light as the file states it: y up, the way the light travels.
-struct StatedLight {
+struct LightDirective {
     Vec3 travel;
     double weight = 1;
 };
@@ -51,7 +51,7 @@ inline constexpr Range kTurbidities{1, 64};
 /// under a clear sky; skies that are stated to be clearer are as this one.
 inline constexpr double kClearestSky = 1.4;
 
-/// The light of the sky, and of the sun, at a place over a part of a day.
+/// The light of the sky, and of the sun, at a site over a part of a day.
 struct SkyOfDay {
     double latitude_deg = 0;
     double longitude_deg = 0;  ///< east positive
@@ -65,7 +65,7 @@ struct SkyOfDay {
 
 /// A surface of the surface list in the frame of an organ: x along heading x up, y along heading, z
 /// along up.
-struct StatedSurface {
+struct SurfaceDirective {
     std::vector<Triangle> triangles;
 };
 
@@ -74,13 +74,13 @@ struct VarianceFile {
     std::string name;  ///< empty: made of the sampling method
 };
 
-struct StatedGround {
+struct GroundDirective {
     double height = 0;
     std::size_t material = 0;
 };
 
 /// The cell of a periodic canopy: the axes x and z of the file.
-struct StatedCell {
+struct CellDirective {
     double size_x = 0, size_z = 0;
     double low_x = 0, low_z = 0;
 };
@@ -118,17 +118,17 @@ struct Specification {
     /// Which parameter of surfaces and polygons names the material, from 1.
     std::optional<std::size_t> material_parameter;
 
-    std::vector<StatedLight> lights;  ///< any light switches the sky off
+    std::vector<LightDirective> lights;  ///< any light switches the sky off
     std::optional<SkyOfDay> sky;
     std::optional<SkyTable> sky_table;  ///< z up
     bool has_uniform_sky = false;
 
-    std::vector<StatedSurface> surfaces;
+    std::vector<SurfaceDirective> surfaces;
     int cylinder_sides = 12;
     bool cylinder_takes_diameter = false;
     bool cylinder_width_is_stated = false;
-    std::optional<StatedCell> cell;
-    std::optional<StatedGround> ground;
+    std::optional<CellDirective> cell;
+    std::optional<GroundDirective> ground;
 
     std::optional<VarianceFile> variance_file;
     std::optional<std::string> picture_file;  ///< its name; the number of the step is put in

@@ -23,7 +23,7 @@ struct Tile {
 };
 
 /// A ray's way through a scene that is periodic along x, y or both: its pieces in one cell after
-/// another, each moved into the one cell that the mesh covers. Lengths and places are kept in
+/// another, each moved into the one cell that the mesh covers. Lengths and positions are kept in
 /// double precision, so that long rays lose nothing.
 class CellWalk {
   public:

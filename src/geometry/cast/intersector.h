@@ -28,7 +28,7 @@ struct Ray {
 struct Hit {
     std::uint32_t triangle = kNoTriangle;
     float t = 0;
-    float u = 0, v = 0;  ///< LocalMesh::point(triangle, u, v) is the place
+    float u = 0, v = 0;  ///< of LocalMesh::point(triangle, u, v)
     std::array<float, 3>
         normal{};  ///< area_vector of the triangle (not normalized), local coordinates
 

@@ -9,7 +9,7 @@
 #include "base/stop.h"
 #include "geometry/cast/cell_walk.h"
 #include "geometry/cast/rounding.h"
-#include "geometry/cast/sliver_place.h"
+#include "geometry/cast/sliver_hit.h"
 #include "quasimc/mesh.h"
 
 namespace quasimc {
@@ -120,9 +120,9 @@ struct RayCaster::Impl {
     }
     /// The hit, placed better if it may be on a sliver.
     [[nodiscard]] Hit placed(const Ray& ray, const Hit& hit) const {
-        return mesh.has_slivers && hit.found() ? placed_on_sliver(mesh, ray, hit) : hit;
+        return mesh.has_slivers && hit.found() ? snapped_to_sliver(mesh, ray, hit) : hit;
     }
-    void place_on_slivers(Packet& packet, std::size_t count) const;
+    void snap_to_slivers(Packet& packet, std::size_t count) const;
     [[nodiscard]] std::uint32_t image_of(std::uint32_t self, double shift_x, double shift_y) const;
     [[nodiscard]] CastHit follow(CellWalk& walk, std::uint32_t self) const;
     [[nodiscard]] bool is_blocked(CellWalk& walk, std::uint32_t self) const;
@@ -163,7 +163,7 @@ std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, doub
 /// Follows a ray from cell to cell up to its first hit; the walk is used up.
 CastHit RayCaster::Impl::follow(CellWalk& walk, std::uint32_t self) const {
     for (int cells = 0; walk.inside(); ++cells, walk.step()) {
-        if (cells == kMostCells) {
+        if (cells == kMaxCells) {
             return {RayEnd::lost, {}};
         }
         const std::uint32_t self_here = image_of(self, walk.shift_x(), walk.shift_y());
@@ -177,7 +177,7 @@ CastHit RayCaster::Impl::follow(CellWalk& walk, std::uint32_t self) const {
 }
 
 bool RayCaster::Impl::is_blocked(CellWalk& walk, std::uint32_t self) const {
-    for (int cells = 0; cells < kMostCells && walk.inside(); ++cells, walk.step()) {
+    for (int cells = 0; cells < kMaxCells && walk.inside(); ++cells, walk.step()) {
         if (engine->occluded(walk.piece(), image_of(self, walk.shift_x(), walk.shift_y()))) {
             return true;
         }
@@ -308,13 +308,13 @@ void RayCaster::cast(Packet& packet, std::size_t count, std::array<RayEnd, kPack
         packet.far[i] = i < count ? INFINITY : -1.0F;
     }
     impl_->engine->closest(packet);
-    impl_->place_on_slivers(packet, count);
+    impl_->snap_to_slivers(packet, count);
     for (std::size_t i = 0; i < count; ++i) {
         ends[i] = packet.triangle[i] == kNoTriangle ? RayEnd::escaped : RayEnd::hit;
     }
 }
 
-void RayCaster::Impl::place_on_slivers(Packet& packet, std::size_t count) const {
+void RayCaster::Impl::snap_to_slivers(Packet& packet, std::size_t count) const {
     for (std::size_t i = 0; mesh.has_slivers && i < count; ++i) {
         packet.set_hit(i, placed({packet.origin(i), packet.direction(i)}, packet.hit(i)));
     }
@@ -343,7 +343,7 @@ void RayCaster::Impl::cast_periodic(
     pieces.direction_y = packet.direction_y;
     pieces.direction_z = packet.direction_z;
     engine->closest(pieces);
-    place_on_slivers(pieces, count);
+    snap_to_slivers(pieces, count);
     packet.triangle = pieces.triangle;
     packet.u = pieces.u;
     packet.v = pieces.v;

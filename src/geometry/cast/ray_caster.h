@@ -14,7 +14,7 @@
 
 namespace quasimc {
 
-/// Where a ray went: to a hit, out of the scene, or, in a periodic scene, past `kMostCells` cells
+/// Where a ray went: to a hit, out of the scene, or, in a periodic scene, past `kMaxCells` cells
 /// (a ray so nearly horizontal in an empty layer that it would never end).
 enum class RayEnd { hit, escaped, lost };
 
@@ -67,7 +67,7 @@ class RayCaster {
     /// the cell.
     [[nodiscard]] CastHit cast(const Vec3& origin, const Vec3& direction, std::uint32_t self) const;
 
-    /// Whether anything lies between `origin` (on triangle `self`) and a place at `distance` (local
+    /// Whether anything lies between `origin` (on triangle `self`) and a point at `distance` (local
     /// units). Rays lost count as free. In a periodic scene `distance` must be infinite.
     [[nodiscard]] bool occluded(
         const Vec3& origin,
@@ -90,7 +90,7 @@ class RayCaster {
     /// not traced.
     void cast(Packet& packet, std::size_t count, std::array<RayEnd, kPacket>& ends) const;
 
-    static constexpr int kMostCells = 100000;
+    static constexpr int kMaxCells = 100000;
 
   private:
     struct Impl;

@@ -6,7 +6,7 @@
 
 namespace quasimc {
 
-/// Hits nearer than this, in local units, do not count: the place where a ray starts is rounded to
+/// Hits nearer than this, in local units, do not count: the origin of a ray is rounded to
 /// single precision when it is traced.
 inline constexpr float kNear = 0x1p-22F;
 

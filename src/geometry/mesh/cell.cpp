@@ -107,11 +107,11 @@ double rounding_margin(const Triangles& triangles, const Cell& cell) {
     const double extent_x = cell.along_x ? cell.size_x + 2 * largest.x : all.size().x;
     const double extent_y = cell.along_y ? cell.size_y + 2 * largest.y : all.size().y;
     const double extent = std::max({extent_x, extent_y, all.size().z});
-    const double place = std::max(
+    const double position = std::max(
         {std::abs(all.low.x), std::abs(all.high.x), std::abs(all.low.y), std::abs(all.high.y),
          std::abs(cell.low_x) + cell.size_x, std::abs(cell.low_y) + cell.size_y});
-    constexpr double kOfExtent = 0x1p-18, kOfPlace = 0x1p-48;
-    return kOfExtent * extent + kOfPlace * place;
+    constexpr double kOfExtent = 0x1p-18, kOfPosition = 0x1p-48;
+    return kOfExtent * extent + kOfPosition * position;
 }
 
 /// Refuses scenes that would make more images than any sensible one: more than a million and more
@@ -132,7 +132,7 @@ void refuse_too_many(const Triangles& triangles, const Frame2& frame) {
     if (total > std::max(1e6, 8 * static_cast<double>(triangles.size()))) {
         throw InputError(
             {{"triangle " + std::to_string(worst + 1),
-              "it reaches over too many cells of the periodic scene",
+              "it extends over too many cells of the periodic scene",
               "it would appear about " + std::to_string(std::llround(std::min(most, 1e18))) +
                   " times in the cell",
               "make the cell larger, or the triangle smaller"}});
@@ -165,9 +165,9 @@ void add_images(
 /// borders by far more than rounding. Nothing if there is none.
 std::optional<double> move_inside(double from, double to, double low, double size) {
     const double shift = -std::floor((0.5 * (from + to) - low) / size) * size;
-    constexpr double kOfSize = 0x1p-14, kOfPlace = 0x1p-46;
+    constexpr double kOfSize = 0x1p-14, kOfPosition = 0x1p-46;
     const double margin =
-        kOfSize * size + kOfPlace * std::max({std::abs(from), std::abs(to), std::abs(low)});
+        kOfSize * size + kOfPosition * std::max({std::abs(from), std::abs(to), std::abs(low)});
     const bool fits = from + shift > low + margin && to + shift < low + size - margin;
     return fits ? std::optional(shift) : std::nullopt;
 }

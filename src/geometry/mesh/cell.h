@@ -9,7 +9,7 @@
 
 namespace quasimc {
 
-/// Triangles of which every place in the cell is covered as in the infinite scene: triangles that
+/// Triangles that cover every point of the cell as the infinite scene does: triangles that
 /// reach over a border, or lie outside, appear once for each image of them that touches the cell
 /// (with a margin of a few rounding errors). `source[i]` is the input triangle that triangle i is
 /// an image of; images of one triangle stand next to each other.

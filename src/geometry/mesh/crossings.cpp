@@ -38,7 +38,7 @@ struct PlaneTriangle {
           other_side(corners[2] - corners[0]),
           across(cross(side, other_side)) {}
 
-    [[nodiscard]] Point2 place(const Vec3& p) const {
+    [[nodiscard]] Point2 coordinates(const Vec3& p) const {
         const Vec3 from = p - corners[0];
         const double square = dot(across, across);
         return {
@@ -79,7 +79,7 @@ std::optional<std::pair<Vec3, Vec3>> cut_by_plane(
 
 /// The part of a line from `from` to `to` that lies on a triangle, if it is not a part of its
 /// border.
-std::optional<PlaneStretch> clip(const Point2& from, const Point2& to) {
+std::optional<PlaneSegment> clip(const Point2& from, const Point2& to) {
     const auto heights = [](const Point2& p) { return std::array{p.s, p.t, 1 - p.s - p.t}; };
     const std::array<double, 3> a = heights(from);
     const std::array<double, 3> b = heights(to);
@@ -101,7 +101,7 @@ std::optional<PlaneStretch> clip(const Point2& from, const Point2& to) {
     const auto point = [&](double f) {
         return Point2{from.s + f * (to.s - from.s), from.t + f * (to.t - from.t)};
     };
-    const PlaneStretch crossing{point(low), point(high)};
+    const PlaneSegment crossing{point(low), point(high)};
     const std::array<double, 3> c = heights(crossing.from);
     const std::array<double, 3> d = heights(crossing.to);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -113,9 +113,9 @@ std::optional<PlaneStretch> clip(const Point2& from, const Point2& to) {
 }
 
 /// Where `other` crosses or touches `own`.
-std::optional<PlaneStretch> crossing_of(const PlaneTriangle& own, const PlaneTriangle& other) {
+std::optional<PlaneSegment> crossing_of(const PlaneTriangle& own, const PlaneTriangle& other) {
     const auto cut = cut_by_plane(other, distances(other, own));
-    return cut ? clip(own.place(cut->first), own.place(cut->second)) : std::nullopt;
+    return cut ? clip(own.coordinates(cut->first), own.coordinates(cut->second)) : std::nullopt;
 }
 
 Box box_of(const LocalMesh& mesh, std::uint32_t i) {

@@ -104,7 +104,7 @@ class InstanceMaker {
 /// Lists the triangles that rounding changes, and sees how much it changes the others and whether
 /// there are slivers.
 void list_thin(const Mesh& mesh, LocalMesh& local) {
-    constexpr double kMostBlur = 1e-3;
+    constexpr double kMaxBlur = 1e-3;
     double most = 0;  // squared
     for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
         const auto& [a, b, c] = mesh.faces[i];
@@ -116,7 +116,7 @@ void list_thin(const Mesh& mesh, LocalMesh& local) {
         const Vec3 rounded = cross(edge1, edge2);
         const Vec3 off = rounded - exact;
         const double whole = dot(rounded, rounded);
-        if (dot(off, off) > kMostBlur * kMostBlur * whole) {
+        if (dot(off, off) > kMaxBlur * kMaxBlur * whole) {
             local.thin.emplace(i, exact);
         } else if (whole > 0) {
             most = std::max(most, dot(off, off) / whole);

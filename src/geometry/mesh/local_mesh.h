@@ -111,7 +111,7 @@ struct LocalMesh {
     /// Triangles whose area rounding changes by more than a thousandth, and what across() would be
     /// without it. None of an instance.
     std::unordered_map<std::uint32_t, Vec3> thin;
-    /// How far rounding turns or stretches any other triangle of no instance: by how much across()
+    /// How far rounding turns or segments any other triangle of no instance: by how much across()
     /// is off, over its length.
     double most_turned = 0;
     bool has_slivers = false;  ///< whether is_sliver() holds for any triangle of no instance

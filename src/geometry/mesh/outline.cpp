@@ -53,10 +53,10 @@ bool OctantGrid::is_inside(const Vec3& p) const {
 
 OctantGrid::Cell3 OctantGrid::cell_of(const Vec3& p) const {
     const Vec3 q = p - low_;
-    const std::array<double, 3> place{q.x, q.y, q.z};
+    const std::array<double, 3> from_low{q.x, q.y, q.z};
     Cell3 cell{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        cell[axis] = std::min(static_cast<int>(place[axis] * per_unit_[axis]), count_[axis] - 1);
+        cell[axis] = std::min(static_cast<int>(from_low[axis] * per_unit_[axis]), count_[axis] - 1);
     }
     return cell;
 }
@@ -65,13 +65,13 @@ OctantGrid::Cell3 OctantGrid::cell_of(const Vec3& p) const {
 /// does.
 void OctantGrid::spread(std::size_t octant) {
     Cell3 order{};
-    const auto place = [&](std::size_t axis) {
+    const auto index = [&](std::size_t axis) {
         return step(octant, axis) > 0 ? count_[axis] - 1 - order[axis] : order[axis];
     };
     for (order[2] = 0; order[2] < count_[2]; ++order[2]) {
         for (order[1] = 0; order[1] < count_[1]; ++order[1]) {
             for (order[0] = 0; order[0] < count_[0]; ++order[0]) {
-                mark(Cell3{place(0), place(1), place(2)}, octant);
+                mark(Cell3{index(0), index(1), index(2)}, octant);
             }
         }
     }

@@ -15,11 +15,11 @@ struct Point2 {
 }
 
 /// A straight line from one point to another one.
-struct PlaneStretch {
+struct PlaneSegment {
     Point2 from, to;
 };
-[[nodiscard]] inline double length_of(const PlaneStretch& stretch) {
-    return std::hypot(stretch.to.s - stretch.from.s, stretch.to.t - stretch.from.t);
+[[nodiscard]] inline double length_of(const PlaneSegment& segment) {
+    return std::hypot(segment.to.s - segment.from.s, segment.to.t - segment.from.t);
 }
 
 }  // namespace quasimc

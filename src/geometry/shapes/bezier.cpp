@@ -14,7 +14,7 @@ namespace quasimc {
 
 namespace {
 
-constexpr int kMostSteps = 1024;
+constexpr int kMaxSteps = 1024;
 
 /// Largest second differences of a patch's control points: bounds of how it curves.
 struct Curving {
@@ -50,8 +50,8 @@ Steps steps_of(const BezierPatch& patch, double deviation) {
     const Curving c = curving_of(patch);
     const double uu = c.uu / (8 * deviation), uv = c.uv / (8 * deviation);
     const double vv = c.vv / (8 * deviation);
-    Steps best{kMostSteps, kMostSteps};
-    for (int v = 1; v <= kMostSteps; ++v) {
+    Steps best{kMaxSteps, kMaxSteps};
+    for (int v = 1; v <= kMaxSteps; ++v) {
         const double rest = 1 - vv / (double(v) * v);
         if (rest <= 0) {
             continue;
@@ -59,7 +59,7 @@ Steps steps_of(const BezierPatch& patch, double deviation) {
         // The smallest u with uu / u^2 + 2 uv / (u v) <= rest.
         const double half = uv / v;
         const double least = std::ceil((half + std::sqrt(half * half + rest * uu)) / rest);
-        const int u = static_cast<int>(std::clamp(least, 1.0, double(kMostSteps)));
+        const int u = static_cast<int>(std::clamp(least, 1.0, double(kMaxSteps)));
         if (u * v < best.u * best.v) {
             best = {u, v};
         }

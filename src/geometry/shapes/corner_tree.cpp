@@ -6,7 +6,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint32_t kMostInLeaf = 8;
+constexpr std::uint32_t kMaxInLeaf = 8;
 constexpr std::size_t kDeepest = 64;  // every level halves the corners
 
 /// Whether no point of a box is to the left of a line or on it, as turn() computes it: rounding
@@ -43,7 +43,7 @@ void CornerTree::set_box(Node& node) const {
 
 void CornerTree::split(std::uint32_t index) {
     const Node node = nodes_[index];
-    if (node.end - node.first <= kMostInLeaf) {
+    if (node.end - node.first <= kMaxInLeaf) {
         for (std::uint32_t k = node.first; k < node.end; ++k) {
             leaf_of_[order_[k]] = index;
         }
@@ -51,9 +51,10 @@ void CornerTree::split(std::uint32_t index) {
     }
     const bool along_s = node.high.s - node.low.s > node.high.t - node.low.t;
     const std::uint32_t middle = node.first + (node.end - node.first) / 2;
-    const auto place = [&](std::uint32_t k) { return order_.begin() + k; };
+    const auto position = [&](std::uint32_t k) { return order_.begin() + k; };
     std::nth_element(
-        place(node.first), place(middle), place(node.end), [&](std::uint32_t a, std::uint32_t b) {
+        position(node.first), position(middle), position(node.end),
+        [&](std::uint32_t a, std::uint32_t b) {
             return along_s ? corners_[a].s < corners_[b].s : corners_[a].t < corners_[b].t;
         });
     nodes_[index].child = static_cast<std::uint32_t>(nodes_.size());

@@ -14,22 +14,22 @@ struct FlatCorner : Point2 {
     std::size_t index = 0;  ///< among the corners given
 };
 
-[[nodiscard]] inline bool same_place(const FlatCorner& a, const FlatCorner& b) {
+[[nodiscard]] inline bool same_point(const FlatCorner& a, const FlatCorner& b) {
     return a.s == b.s && a.t == b.t;
 }
 
 /// What counts as in the way of an ear.
 enum class Blocking { inside_or_on_border, inside };
 
-/// Whether corner `p` is in the way of the ear a, b, c, which turns left. Corners at the place of
-/// one of its own are not.
+/// Whether corner `p` is in the way of the ear a, b, c, which turns left. Corners at the same point
+/// as one of its own are not.
 [[nodiscard]] inline bool blocks_ear(
     const FlatCorner& a,
     const FlatCorner& b,
     const FlatCorner& c,
     const FlatCorner& p,
     Blocking blocking) {
-    if (same_place(p, a) || same_place(p, b) || same_place(p, c)) {
+    if (same_point(p, a) || same_point(p, b) || same_point(p, c)) {
         return false;
     }
     const double u = turn(a, b, p), v = turn(b, c, p), w = turn(c, a, p);

@@ -33,11 +33,11 @@ std::vector<FlatCorner> flatten(std::span<const Vec3> corners, const Vec3& norma
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Vec3 p = corners[i] - corners[0];
         const FlatCorner corner{{dot(p, frame.s), dot(p, frame.t)}, i};
-        if (flat.empty() || !same_place(flat.back(), corner)) {
+        if (flat.empty() || !same_point(flat.back(), corner)) {
             flat.push_back(corner);
         }
     }
-    while (flat.size() > 1 && same_place(flat.front(), flat.back())) {
+    while (flat.size() > 1 && same_point(flat.front(), flat.back())) {
         flat.pop_back();
     }
     return flat;
@@ -90,9 +90,9 @@ CutPolygon cut_polygon(std::span<const Vec3> corners) {
         return fan.faces.empty() ? CutPolygon{{{0, 1, 2}}} : fan;
     }
     // All pairs of sides of very many take long; where ears are left over, some sides cross too.
-    constexpr std::size_t kFew = 32, kMostPairedSides = 1024;
+    constexpr std::size_t kFew = 32, kMaxPairedSides = 1024;
     const std::vector<FlatCorner> flat = flatten(corners, normal);
-    if (flat.size() <= kMostPairedSides && sides_cross(flat)) {
+    if (flat.size() <= kMaxPairedSides && sides_cross(flat)) {
         return cut_fan(corners);
     }
     std::optional<std::vector<Face>> faces =
@@ -105,7 +105,7 @@ std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {
     if (cut.sides_cross) {
         throw InputError(
             {{"polygon of " + std::to_string(corners.size()) + " corners",
-              "it can't be cut into triangles", "its sides cross each other",
+              "it can't be divided into triangles", "its sides intersect",
               "give the corners in order around it"}});
     }
     std::vector<Triangle> triangles;

@@ -4,11 +4,11 @@
 
 namespace quasimc {
 
-/// The air above a place without clouds.
+/// The cloudless air above a site.
 struct ClearAir {
     double linke_turbidity = 3;     ///< at air mass 2; 2 very clear, 3 rural, 5 polluted or humid
-    double elevation_m = 0;         ///< of the place
-    double pressure_hpa = 1013.25;  ///< at the place
+    double elevation_m = 0;         ///< of the site
+    double pressure_hpa = 1013.25;  ///< at the site
 };
 
 /// Solar radiation above the atmosphere at 1 au: 1360.8 W m-2 (Kopp and Lean 2011).

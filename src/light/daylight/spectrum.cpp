@@ -101,12 +101,12 @@ double photons_per_joule(double nm) {
 }
 
 double photopic_efficiency(double nm) {
-    const double place = (nm - kPhotopicStart) / kPhotopicStep;
-    if (place < 0 || place > static_cast<double>(kPhotopic.size() - 1)) {
+    const double position = (nm - kPhotopicStart) / kPhotopicStep;
+    if (position < 0 || position > static_cast<double>(kPhotopic.size() - 1)) {
         return 0;
     }
-    const std::size_t i = std::min(static_cast<std::size_t>(place), kPhotopic.size() - 2);
-    return kPhotopic[i] + (place - static_cast<double>(i)) * (kPhotopic[i + 1] - kPhotopic[i]);
+    const std::size_t i = std::min(static_cast<std::size_t>(position), kPhotopic.size() - 2);
+    return kPhotopic[i] + (position - static_cast<double>(i)) * (kPhotopic[i + 1] - kPhotopic[i]);
 }
 
 }  // namespace quasimc

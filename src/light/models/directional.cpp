@@ -20,13 +20,13 @@ class Beam final : public SourceSampler {
           window_(std::move(window)) {}
 
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
-        return {window_->place(u[0], u[1]), direction_, 1};
+        return {window_->point(u[0], u[1]), direction_, 1};
     }
     void beam_origins(
         std::span<const double> u0,
         std::span<const double> u1,
         std::span<Vec3> origins) const override {
-        window_->places(u0, u1, origins);
+        window_->points(u0, u1, origins);
     }
 
   private:

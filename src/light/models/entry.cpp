@@ -7,7 +7,7 @@
 
 namespace quasimc {
 
-Vec3 entry_place(const EntryBox& box, const Vec3& direction, double u0, double u1) {
+Vec3 entry_point(const EntryBox& box, const Vec3& direction, double u0, double u1) {
     const double across_z = box.face_area.z * std::abs(direction.z);
     const double across_x = box.face_area.x * std::abs(direction.x);
     const double across_y = box.face_area.y * std::abs(direction.y);

@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// A function on the upper hemisphere, of the unit direction towards a place of it.
+/// A function on the upper hemisphere, of the unit direction towards a point of it.
 using HemisphereFunction = std::function<double(const Vec3&)>;
 
 /// A direction of the cosine law about +z: u0 is the square of the sine of the angle from it, the
@@ -36,7 +36,7 @@ struct HemisphereGrid {
     [[nodiscard]] Vec3 middle(std::size_t row, std::size_t column) const;
 };
 
-/// A grid fine enough for the skies of all models, that has a border at each of the given places
+/// A grid fine enough for the skies of all models, that has a border at each of the given positions
 /// and wherever a coordinate changes its sign.
 [[nodiscard]] HemisphereGrid make_hemisphere_grid(
     std::span<const double> azimuths, std::span<const double> sines);

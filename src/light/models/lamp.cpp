@@ -1,8 +1,8 @@
-// Lamps: light from a place.
+// Lamps: sources at a finite distance.
 //
-// The flux that leaves an opening is drawn as a place on it and a direction. Paths of light tracing
+// The flux that leaves an opening is drawn as a point on it and a direction. Paths of light tracing
 // start either by the lamp's pattern, or, when the lamp stands outside the sphere about an open
-// scene, uniformly in the cone that the sphere fills as seen from the place. A fixed lattice of
+// scene, uniformly in the cone that the sphere fills as seen from the point. A fixed lattice of
 // trial starts tells which of the two has the smaller second moment; it also gives flux(), which
 // only scales the weights, so that its error cancels. Outside the scene's box, a path is moved on
 // to where it enters it: the ray engine works in single precision about the scene.
@@ -57,21 +57,21 @@ class LampStarts {
     }
 
     [[nodiscard]] Start by_pattern(const std::array<double, 4>& u) const {
-        const LampBody::Place place = body_.place(u[0], u[1]);
+        const LampBody::SurfacePoint start = body_.draw_point(u[0], u[1]);
         const auto [v0, v1] = direction_numbers(u);
         const Pattern::Drawn drawn = pattern_.draw(v0, v1);
-        return {place.position, normalized(from_axes(place.axes, drawn.direction)), drawn.weight};
+        return {start.position, normalized(from_axes(start.axes, drawn.direction)), drawn.weight};
     }
 
     [[nodiscard]] Start aimed(const std::array<double, 4>& u) const {
-        const LampBody::Place place = body_.place(u[0], u[1]);
+        const LampBody::SurfacePoint start = body_.draw_point(u[0], u[1]);
         const auto [v0, v1] = direction_numbers(u);
-        const Vec3 towards = ball_.center - place.position;
+        const Vec3 towards = ball_.center - start.position;
         const double distance = length(towards);
         const double t = cone_of_sphere(ball_.radius, distance);
         const Vec3 direction = normalized(direction_in_cone(towards / distance, v0 * t, v1));
-        const double intensity = pattern_.intensity(to_axes(place.axes, direction));
-        return {place.position, direction, intensity * 4 * std::numbers::pi * t};
+        const double intensity = pattern_.intensity(to_axes(start.axes, direction));
+        return {start.position, direction, intensity * 4 * std::numbers::pi * t};
     }
 
     /// Where a path enters the box of the scene, or its origin if it starts there; nothing if it
@@ -102,33 +102,33 @@ class LampStarts {
     }
 
     /// What trial starts of one kind tell.
-    struct Trial {
+    struct Pilot {
         double fraction = 0;  ///< mean weight
         double hits = 0;      ///< mean weight of those that meet the box
         double second = 0;    ///< mean square of that
     };
     template <typename Draw>
-    [[nodiscard]] Trial trial_of(const Draw& draw) const {
+    [[nodiscard]] Pilot trial_of(const Draw& draw) const {
         constexpr int kTrials = 1 << 14;
-        Trial trial;
+        Pilot pilot;
         for (int i = 0; i < kTrials; ++i) {
             const Start start = draw(additive_recurrence_point(i));
             const double hit = entry(start) ? start.weight : 0;
-            trial.fraction += start.weight / kTrials;
-            trial.hits += hit / kTrials;
-            trial.second += hit * hit / kTrials;
+            pilot.fraction += start.weight / kTrials;
+            pilot.hits += hit / kTrials;
+            pilot.second += hit * hit / kTrials;
         }
-        return trial;
+        return pilot;
     }
 
     /// Decides how paths start.
     void choose(bool can_aim) {
-        const Trial wide = trial_of([this](const auto& u) { return by_pattern(u); });
+        const Pilot wide = trial_of([this](const auto& u) { return by_pattern(u); });
         fraction_ = wide.hits > 0 ? 1 : 0;
         if (!can_aim) {
             return;
         }
-        const Trial narrow = trial_of([this](const auto& u) { return aimed(u); });
+        const Pilot narrow = trial_of([this](const auto& u) { return aimed(u); });
         // Where the two disagree, the one with fewer finds has missed the light.
         constexpr double kAgree = 0.8;
         const bool is_missed = narrow.hits < kAgree * wide.hits;
@@ -142,26 +142,26 @@ class LampStarts {
     Pattern pattern_;
     Bounds box_;
     bool open_x_ = true, open_y_ = true;
-    Ball ball_;
+    BoundingSphere ball_;
     bool is_aimed_ = false;
     double fraction_ = 1;
 };
 
 class LampEmitter final : public SourceSampler {
   public:
-    LampEmitter(LampStarts starts, const LampPlace& place, double world_area)
+    LampEmitter(LampStarts starts, const LampExtent& extent, double world_area)
         : SourceSampler(starts.fraction() / world_area),
           starts_(std::move(starts)),
-          place_(place) {}
+          extent_(extent) {}
 
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const override {
         return starts_.emit(u);
     }
-    [[nodiscard]] std::optional<LampPlace> lamp_place() const override { return place_; }
+    [[nodiscard]] std::optional<LampExtent> lamp_extent() const override { return extent_; }
 
   private:
     LampStarts starts_;
-    LampPlace place_;
+    LampExtent extent_;
 };
 
 class Lamp final : public SourceModel {
@@ -201,12 +201,12 @@ class Lamp final : public SourceModel {
                                    : Vec3{};
         auto sampler = std::make_unique<LampEmitter>(
             LampStarts(local, pattern_, projection),
-            LampPlace{{local.center, local.radius()}, is_bounded, half_line},
+            LampExtent{{local.center, local.radius()}, is_bounded, half_line},
             projection.world_area());
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
-        const LampBody::Sight seen =
+        const LampBody::LampSample seen =
             by_area_ ? body_.seen_by_area(point, u0, u1) : body_.seen_from(point, u0, u1);
         if (seen.factor == 0) {
             return {axis_back(), 0};

@@ -9,19 +9,20 @@ namespace {
 
 using std::numbers::pi;
 
-/// The sight of a place, `weight` over the square of its distance.
-LampBody::Sight sight_of(const Vec3& point, const LampBody::Place& place, double weight = 1) {
-    const Vec3 towards = place.position - point;
+/// The direction to a point of the opening; its weight is `weight` over the squared distance.
+LampBody::LampSample sight_of(
+    const Vec3& point, const LampBody::SurfacePoint& start, double weight = 1) {
+    const Vec3 towards = start.position - point;
     const double square = dot(towards, towards);
     if (square == 0) {
         return {};
     }
     const double distance = std::sqrt(square);
-    return {towards / distance, distance, place.axes, weight / square};
+    return {towards / distance, distance, start.axes, weight / square};
 }
 
 /// Uniform in the angle under which the line is seen (Kulla and Fajardo 2012, section 4.1).
-LampBody::Sight line_seen_from(const LampBody& body, const Vec3& point, double u) {
+LampBody::LampSample line_seen_from(const LampBody& body, const Vec3& point, double u) {
     const Vec3 offset = point - body.center;
     const double foot = dot(offset, body.axes.n);
     const double away = length(offset - foot * body.axes.n);
@@ -32,13 +33,14 @@ LampBody::Sight line_seen_from(const LampBody& body, const Vec3& point, double u
     const double low = std::atan((-half - foot) / away);
     const double high = std::atan((half - foot) / away);
     const double along = foot + away * std::tan(low + u * (high - low));
-    LampBody::Sight sight = sight_of(point, {body.center + along * body.axes.n, body.axes});
-    sight.factor = (high - low) / (body.opening.length * away);
-    return sight;
+    LampBody::LampSample sample = sight_of(point, {body.center + along * body.axes.n, body.axes});
+    sample.factor = (high - low) / (body.opening.length * away);
+    return sample;
 }
 
 /// Uniform in the solid angle of the visible cap.
-LampBody::Sight sphere_seen_from(const LampBody& body, const Vec3& point, double u0, double u1) {
+LampBody::LampSample sphere_seen_from(
+    const LampBody& body, const Vec3& point, double u0, double u1) {
     const Vec3 towards = body.center - point;
     const double distance = length(towards);
     const double radius = body.opening.radius;
@@ -79,8 +81,8 @@ class SphericalRectangle {
     }
 
     [[nodiscard]] double solid_angle() const { return solid_angle_; }
-    /// The place in the rectangle, x and y.
-    [[nodiscard]] std::pair<double, double> place(double u0, double u1) const {
+    /// The point in the rectangle, x and y.
+    [[nodiscard]] std::pair<double, double> draw_point(double u0, double u1) const {
         const double a = u0 * solid_angle_ + k_;
         const double f = (std::cos(a) * b0_ - b1_) / std::sin(a);
         const double c = std::clamp(std::copysign(1 / std::hypot(f, b0_), f), -1.0, 1.0);
@@ -98,7 +100,8 @@ class SphericalRectangle {
     double b0_ = 0, b1_ = 0, k_ = 0, solid_angle_ = 0;
 };
 
-LampBody::Sight rectangle_seen_from(const LampBody& body, const Vec3& point, double u0, double u1) {
+LampBody::LampSample rectangle_seen_from(
+    const LampBody& body, const Vec3& point, double u0, double u1) {
     const Opening& opening = body.opening;
     const Vec3 offset = to_axes(body.axes, body.center - point);
     const double area = opening.length * opening.width;
@@ -114,7 +117,7 @@ LampBody::Sight rectangle_seen_from(const LampBody& body, const Vec3& point, dou
     const SphericalRectangle seen(
         offset.x - 0.5 * opening.length, offset.x + 0.5 * opening.length,
         offset.y - 0.5 * opening.width, offset.y + 0.5 * opening.width, offset.z);
-    const auto [x, y] = seen.place(u0, u1);
+    const auto [x, y] = seen.draw_point(u0, u1);
     const Vec3 towards{x, y, offset.z};
     const double distance = length(towards);
     const double cosine = -offset.z / distance;
@@ -138,7 +141,7 @@ double cone_of_sphere(double radius, double distance) {
     return 0.5 * sine * sine / (1 + std::sqrt((1 - sine) * (1 + sine)));
 }
 
-LampBody::Place LampBody::place(double u0, double u1) const {
+LampBody::SurfacePoint LampBody::draw_point(double u0, double u1) const {
     switch (opening.kind) {
         case Opening::Kind::line:
             return {center + (u0 - 0.5) * opening.length * axes.n, axes};
@@ -160,11 +163,11 @@ LampBody::Place LampBody::place(double u0, double u1) const {
     }
 }
 
-LampBody::Sight LampBody::seen_by_area(const Vec3& point, double u0, double u1) const {
-    return sight_of(point, place(u0, u1));
+LampBody::LampSample LampBody::seen_by_area(const Vec3& point, double u0, double u1) const {
+    return sight_of(point, draw_point(u0, u1));
 }
 
-LampBody::Sight LampBody::seen_from(const Vec3& point, double u0, double u1) const {
+LampBody::LampSample LampBody::seen_from(const Vec3& point, double u0, double u1) const {
     switch (opening.kind) {
         case Opening::Kind::line:
             return line_seen_from(*this, point, u0);

@@ -5,33 +5,33 @@
 
 namespace quasimc {
 
-/// Where a lamp's opening is: places on it, and how it is seen from somewhere.
+/// The opening of a lamp: points on it, and samples of it from a point of the scene.
 struct LampBody {
     Vec3 center;
     Frame axes;
     Opening opening;
 
-    /// A place of the opening, uniform over its length or area, and the axes its pattern is about.
-    struct Place {
+    /// A point of the opening, uniform over its length or area, and the axes of its pattern.
+    struct SurfacePoint {
         Vec3 position;
         Frame axes;
     };
-    [[nodiscard]] Place place(double u0, double u1) const;
+    [[nodiscard]] SurfacePoint draw_point(double u0, double u1) const;
 
-    /// A place of the opening that is drawn from a point.
-    struct Sight {
+    /// A point of the opening that is sampled from a point of the scene.
+    struct LampSample {
         Vec3 to_light;  ///< unit
         double distance = 0;
         Frame axes;         ///< of the pattern there
         double factor = 0;  ///< times the intensity towards the point: irradiance facing it over
                             ///< the density of the draw; 0: nothing can be seen
     };
-    /// Draws a place as seen from `point`: rectangles and spheres uniformly in solid angle, lines
+    /// Samples the opening from `point`: rectangles and spheres uniformly in solid angle, lines
     /// uniformly in the angle at the point (their irradiance is bounded as near as one likes),
     /// disks by area.
-    [[nodiscard]] Sight seen_from(const Vec3& point, double u0, double u1) const;
+    [[nodiscard]] LampSample seen_from(const Vec3& point, double u0, double u1) const;
     /// The same by area, for rectangles.
-    [[nodiscard]] Sight seen_by_area(const Vec3& point, double u0, double u1) const;
+    [[nodiscard]] LampSample seen_by_area(const Vec3& point, double u0, double u1) const;
 
     /// Of the sphere about the center that holds the opening.
     [[nodiscard]] double radius() const;

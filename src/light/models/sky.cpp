@@ -3,7 +3,7 @@
 //
 // Light enters a scene through its box: along direction d through the area A(d) that the box shows
 // there. A path draws its direction cell by cell of the hemisphere, in proportion to the integral
-// of A times the radiance in the middle of the cell, uniformly inside the cell, then a place of the
+// of A times the radiance in the middle of the cell, uniformly inside the cell, then a point of the
 // box as seen along it. Its weight is L A / (density x flux): the cells steer where paths start,
 // never how much light they bring, so that their shares may be rough. The flux is exact: A is a sum
 // of |d.x|, |d.y| and d.z, and so the flux one of the three integrals that give the scale.
@@ -78,10 +78,10 @@ class SkySampler final : public SourceSampler {
         const Vec3 direction = -from.direction;
         const double entering = radiance_(from.direction) * box_.projected_area(direction);
         return {
-            entry_place(box_, direction, u[0], u[1]), direction,
+            entry_point(box_, direction, u[0], u[1]), direction,
             entering / (from.pdf * unscaled_flux_)};
     }
-    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+    [[nodiscard]] DirectionSample draw_direction(double u0, double u1) const override {
         const HemisphereSampler::Sample from = sampler_.sample(u0, u1);
         return {-from.direction, from.pdf};
     }
@@ -163,7 +163,7 @@ double horizontal_irradiance(const SkyShape& shape) {
 std::shared_ptr<const Source> make_sky(
     std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance) {
     if (!has_light(shape)) {
-        throw InputError({{name, "the sky is dark everywhere", "it can't bring any light", ""}});
+        throw InputError({{name, "the sky is dark everywhere", "it can't give light", ""}});
     }
     return std::make_shared<Sky>(std::move(name), shape, std::move(horizontal_irradiance));
 }

@@ -23,7 +23,7 @@ constexpr double kQuarter = std::numbers::pi / 2;
 /// Of the sum of the pieces' estimated errors. These are those of the rule of degree 5: true errors
 /// are fifty times smaller.
 constexpr double kTolerance = 2e-6;
-constexpr std::size_t kMostPieces = 20000;
+constexpr std::size_t kMaxPieces = 20000;
 
 double sum_of(const Vec3& a) {
     return std::abs(a.x) + std::abs(a.y) + std::abs(a.z);
@@ -42,13 +42,13 @@ struct Abscissas {
     std::array<double, 7> cosine{}, sine{};
 
     explicit Abscissas(const Interval& range) {
-        static const std::array<double, 3> kPlaces{
+        static const std::array<double, 3> kAbscissas{
             std::sqrt(9.0 / 70), std::sqrt(9.0 / 10), std::sqrt(9.0 / 19)};
         cosine[0] = std::cos(range.middle);
         sine[0] = std::sin(range.middle);
-        for (std::size_t i = 0; i < kPlaces.size(); ++i) {
-            const double c = std::cos(range.half * kPlaces[i]);
-            const double s = std::sin(range.half * kPlaces[i]);
+        for (std::size_t i = 0; i < kAbscissas.size(); ++i) {
+            const double c = std::cos(range.half * kAbscissas[i]);
+            const double s = std::sin(range.half * kAbscissas[i]);
             cosine[2 * i + 1] = cosine[0] * c + sine[0] * s;
             sine[2 * i + 1] = sine[0] * c - cosine[0] * s;
             cosine[2 * i + 2] = cosine[0] * c - sine[0] * s;
@@ -133,7 +133,7 @@ Vec3 smooth_integral(const SkyShape& shape) {
         sum += piece.integral.z;
         error += piece.error;
     }
-    const std::size_t most = std::max(kMostPieces, 2 * heap.size());
+    const std::size_t most = std::max(kMaxPieces, 2 * heap.size());
     while (error > kTolerance * sum && heap.size() < most) {
         std::pop_heap(heap.begin(), heap.end(), smaller);
         const Piece whole = heap.back();

@@ -53,7 +53,7 @@ SkySum::SkySum(std::size_t azimuths, std::size_t elevations) {
 void SkySum::add_sky(const SkyShape& shape, double horizontal_irradiance) {
     const FineCells fine = divide(table_.azimuths, table_.elevations);
     const HemisphereGrid& grid = fine.grid;
-    const std::vector<double> looks = radiance_of_cells(grid, shape.radiance);
+    const std::vector<double> radiances = radiance_of_cells(grid, shape.radiance);
     // The mean of a cell is weighted as the horizontal sees it.
     std::vector<double> seen(table_.radiance.size());
     std::vector<double> whole(table_.elevations);
@@ -63,7 +63,7 @@ void SkySum::add_sky(const SkyShape& shape, double horizontal_irradiance) {
         const double weight = 0.5 * (grid.sines[i] + grid.sines[i + 1]) * grid.solid_angle(i, 0);
         whole[row] += weight * static_cast<double>(fine.columns);
         for (std::size_t j = 0; j < grid.columns(); ++j) {
-            const double light = weight * looks[i * grid.columns() + j];
+            const double light = weight * radiances[i * grid.columns() + j];
             seen[row * table_.azimuths + j / fine.columns] += light;
             sum += light;
         }

@@ -11,8 +11,8 @@
 namespace quasimc {
 namespace {
 
-std::size_t last_at_most(double place, std::size_t count) {
-    const auto index = static_cast<std::size_t>(std::max(0.0, place));
+std::size_t last_at_most(double position, std::size_t count) {
+    const auto index = static_cast<std::size_t>(std::max(0.0, position));
     return std::min(index, count - 1);
 }
 

@@ -14,11 +14,11 @@ Source::Source(
       traits_(traits),
       horizontal_irradiance_(horizontal_irradiance) {
     for (double& x : spectrum_) {
-        x = x > 0 && x < kLeastIrradiance ? 0 : x;
+        x = x > 0 && x < kMinIrradiance ? 0 : x;
     }
 }
 
-DrawnDirection SourceSampler::draw_direction(double, double) const {
+DirectionSample SourceSampler::draw_direction(double, double) const {
     return {beam_direction().value_or(Vec3{}), 0};
 }
 
@@ -26,7 +26,7 @@ double SourceSampler::density(const Vec3&) const {
     return 0;
 }
 
-std::optional<LampPlace> SourceSampler::lamp_place() const {
+std::optional<LampExtent> SourceSampler::lamp_extent() const {
     return std::nullopt;
 }
 

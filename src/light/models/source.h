@@ -23,16 +23,15 @@ struct Emission {
 };
 
 /// A direction and the density with which it was drawn.
-struct DrawnDirection {
+struct DirectionSample {
     Vec3 direction;      ///< unit, in which the light travels
     double density = 0;  ///< per steradian
 };
 
-/// Where a lamp is, local coordinates.
-struct LampPlace {
-    Ball body;  ///< about its centre, holds its opening
-    /// Whether illuminate() draws so that what it brings to a place is bounded however near that
-    /// is.
+/// The position and size of a lamp, local coordinates.
+struct LampExtent {
+    BoundingSphere body;  ///< about its centre, holds its opening
+    /// Whether the samples of illuminate() are bounded at any distance.
     bool has_bounded_irradiance = false;
     /// Of a line, from its centre to an end: its irradiance grows as 1 / distance. 0 for others.
     Vec3 half_line = {};
@@ -52,16 +51,16 @@ class SourceSampler {
 
     /// Flux sent towards the scene for a spectrum of 1, local area units: mean of weight x area.
     [[nodiscard]] double flux() const { return flux_; }
-    /// A start from a point of the unit cube. u[0] and u[1] place the start (nearby values give
-    /// nearby starts); u[2] and u[3] choose the direction if the source has many.
+    /// The start of a path for a point of the unit cube. u[0] and u[1] choose its position (nearby
+    /// values give nearby starts), u[2] and u[3] the direction if the source has many.
     [[nodiscard]] virtual Emission emit(const std::array<double, 4>& u) const = 0;
     /// A direction in which light may enter, drawn from a point of the unit square; nearby points
     /// give nearby directions. u0 grows from the edge of the sky (of the disk) to the zenith (its
     /// centre), about which u1 runs once around. Every source at infinity draws all directions in
     /// which it has light.
-    /// Of a beam, which has one, and of a lamp, whose directions depend on the place, the density
-    /// is 0.
-    [[nodiscard]] virtual DrawnDirection draw_direction(double u0, double u1) const;
+    /// The density is 0 for a beam, which has one direction, and for a lamp, whose directions
+    /// depend on the point.
+    [[nodiscard]] virtual DirectionSample draw_direction(double u0, double u1) const;
     /// The density per steradian with which draw_direction() draws `direction` (unit, in which the
     /// light travels) from evenly spread points; its integral over the sphere is 1.
     [[nodiscard]] virtual double density(const Vec3& direction) const;
@@ -74,7 +73,7 @@ class SourceSampler {
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const;
 
     /// Of a lamp: where it is.
-    [[nodiscard]] virtual std::optional<LampPlace> lamp_place() const;
+    [[nodiscard]] virtual std::optional<LampExtent> lamp_extent() const;
 
   private:
     double flux_;
@@ -92,7 +91,7 @@ struct Illumination {
 /// A source as the engine knows it.
 class SourceModel : public Source {
   public:
-    /// @param spectrum  see spectrum(); a value below kLeastIrradiance is no light and becomes 0
+    /// @param spectrum  see spectrum(); a value below kMinIrradiance is no light and becomes 0
     /// @param horizontal_irradiance  see horizontal_irradiance()
     SourceModel(
         std::string name,

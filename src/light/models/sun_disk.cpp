@@ -93,10 +93,10 @@ class DiskEmitter final : public SourceSampler {
         const Vec3 direction = -cone_.direction(u[2], u[3]);
         const double light = cone_.solid_angle() / cone_.projected();
         return {
-            entry_place(box_, direction, u[0], u[1]), direction,
+            entry_point(box_, direction, u[0], u[1]), direction,
             light * box_.projected_area(direction) / flux()};
     }
-    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+    [[nodiscard]] DirectionSample draw_direction(double u0, double u1) const override {
         return {-cone_.direction(1 - u0, u1), 1 / cone_.solid_angle()};
     }
     [[nodiscard]] double density(const Vec3& direction) const override {

@@ -2,7 +2,7 @@
 //
 // Light enters an open scene through the top and the four sides of its box. A path picks a face in
 // proportion to the flux through it (E times the area of the top, E/2 times that of a side, which
-// sees half of the sky), a place on the face, and a direction of the cosine law about the face's
+// sees half of the sky), a point on the face, and a direction of the cosine law about the face's
 // normal: every path carries the same light. Of a periodic scene only the faces across open axes
 // count.
 
@@ -43,7 +43,7 @@ class UniformSkySampler final : public SourceSampler {
     }
 
     /// Evenly over the sky; through the top alone, as light comes through it.
-    [[nodiscard]] DrawnDirection draw_direction(double u0, double u1) const override {
+    [[nodiscard]] DirectionSample draw_direction(double u0, double u1) const override {
         const Vec3 to_light = has_sides() ? hemisphere_direction(2 * std::numbers::pi * u1, u0)
                                           : upward_cosine_direction(1 - u0, u1);
         return {-to_light, density(-to_light)};
@@ -61,9 +61,9 @@ class UniformSkySampler final : public SourceSampler {
     [[nodiscard]] Emission from_top(double u0, double u1, double u2, double u3) const {
         const Vec3 d = upward_cosine_direction(u2, u3);
         const Vec3 size = box_.bounds.size();
-        const Vec3 place{
+        const Vec3 origin{
             box_.bounds.low.x + u0 * size.x, box_.bounds.low.y + u1 * size.y, box_.bounds.high.z};
-        return {place, {d.x, d.y, -d.z}, 1};
+        return {origin, {d.x, d.y, -d.z}, 1};
     }
 
     [[nodiscard]] Emission from_side(

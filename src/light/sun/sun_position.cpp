@@ -8,7 +8,7 @@
 namespace quasimc {
 namespace {
 
-/// Right ascension, declination and hour angle as seen from a place on the Earth's surface: the
+/// Right ascension, declination and hour angle as seen from a site on the Earth's surface: the
 /// sun's parallax taken in (section 3.12).
 void set_topocentric(const Site& site, double distance_au, SunIntermediates& values) {
     constexpr double kAxisRatio = 0.99664719;

@@ -112,7 +112,7 @@ void add_parts_beside(Polygon polygon, const Polygon& window, std::vector<Polygo
 namespace {
 
 /// What of a convex polygon lies where `along` is at least 0.
-std::vector<Vec3> kept_part(
+std::vector<Vec3> clip_by(
     const std::vector<Vec3>& polygon, const std::function<double(const Vec3&)>& along) {
     std::vector<Vec3> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -144,8 +144,8 @@ std::vector<std::vector<Triangle>> parts_in_slabs(
         const double from = *low + static_cast<double>(slab) * width;
         const double to = slab + 1 < slabs ? from + width : *high;
         std::vector<Vec3> polygon(t.begin(), t.end());
-        polygon = kept_part(polygon, [&](const Vec3& p) { return dot(p, axis) - from; });
-        polygon = kept_part(polygon, [&](const Vec3& p) { return to - dot(p, axis); });
+        polygon = clip_by(polygon, [&](const Vec3& p) { return dot(p, axis) - from; });
+        polygon = clip_by(polygon, [&](const Vec3& p) { return to - dot(p, axis); });
         std::vector<Triangle>& own = parts.emplace_back();
         for (std::size_t i = 2; i < polygon.size(); ++i) {
             own.push_back({polygon[0], polygon[i - 1], polygon[i]});

@@ -85,7 +85,7 @@ std::vector<Cover> through_borders(
 
 struct FoundCovers {
     std::vector<Cover> covers;
-    bool is_left_out = false, gave_up = false;
+    bool is_skipped = false, gave_up = false;
 };
 
 /// @param key_of  what tells the organ of each triangle from others
@@ -113,11 +113,11 @@ void refuse_pile_of_images(std::size_t images, std::size_t triangles) {
         throw InputError(
             {{"cell",
               fmt::format(
-                  "each triangle appears {} times in it on average, and too many of these images "
-                  "lie on each other in one plane",
+                  "each triangle appears {} times in it on average, and too many of these copies "
+                  "overlap in one plane",
                   images / triangles),
-              "organs are as large as the cell, or some times larger",
-              "state cell and organs in the same unit of length"}});
+              "organs may be a few times as large as the cell at most",
+              "give cell and organs in the same unit of length"}});
     }
 }
 
@@ -126,10 +126,10 @@ FoundCovers find_pairs(
     const Owners& owners,
     const Cell& cell,
     KnownOverlaps* known) {
-    if (!cell.periodic() || scene->size() > kMostToCompare) {
+    if (!cell.periodic() || scene->size() > kMaxToCompare) {
         const Overlaps found =
             find_with(known, scene, [&](std::uint32_t i) { return owners.key(i); });
-        FoundCovers all{{}, found.is_left_out, found.gave_up};
+        FoundCovers all{{}, found.is_skipped, found.gave_up};
         for (const Overlap& pair : found.pairs) {
             all.covers.push_back({pair.first, pair.second, {}, pair.is_same, pair.is_little});
         }
@@ -142,7 +142,7 @@ FoundCovers find_pairs(
     if (found.gave_up) {
         refuse_pile_of_images(wrapped.geometry->size(), scene->size());
     }
-    return {through_borders(found.pairs, *scene, wrapped, cell), found.is_left_out, found.gave_up};
+    return {through_borders(found.pairs, *scene, wrapped, cell), found.is_skipped, found.gave_up};
 }
 
 /// Puts that first which comes first in the file; of two images of one triangle, the one further
@@ -336,7 +336,7 @@ class Cutter {
 /// Counts triangles by pairs of organs, each triangle once. Strips along borders are not worth
 /// telling.
 std::vector<Coincidence> count_pairs(
-    std::span<const Cover> covers, const Owners& owners, LightGoesTo light) {
+    std::span<const Cover> covers, const Owners& owners, OverlapOwner light) {
     std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, std::uint32_t> pairs;
     std::optional<std::uint32_t> last;
     for (const Cover& cover : covers) {
@@ -431,11 +431,11 @@ CutGeometry cut_covered(
         found.covers.begin(), found.covers.end(),
         [&](const Cover& c) { return !is_sensor(c.first) && !is_sensor(c.second); });
     const std::span<const Cover> covers(found.covers.begin(), sensors);
-    Coincidences& told = result.coincidences;
-    told = {count_pairs(covers, owners, LightGoesTo::first), found.is_left_out, found.gave_up};
+    Coincidences& reported = result.coincidences;
+    reported = {count_pairs(covers, owners, OverlapOwner::first), found.is_skipped, found.gave_up};
     for (const Coincidence& pair :
-         count_pairs({sensors, found.covers.end()}, owners, LightGoesTo::both)) {
-        told.pairs.push_back(pair);
+         count_pairs({sensors, found.covers.end()}, owners, OverlapOwner::both)) {
+        reported.pairs.push_back(pair);
     }
     const Lifts lifts = lifts_of_sensors({sensors, found.covers.end()}, geometry, cell, is_sensor);
     if (!covers.empty() || !lifts.empty()) {

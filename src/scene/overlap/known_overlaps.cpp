@@ -44,13 +44,13 @@ OverlapSearchResult search_changed(
         return search_overlaps_of(triangles, changed, scene);
     }
     const double size = size_of(scene);
-    const Bounds place = bounds_of_changed(triangles, changed, coplanar_tolerance(size, size));
+    const Bounds bounds = bounds_of_changed(triangles, changed, coplanar_tolerance(size, size));
     Mesh near;
     std::vector<std::uint32_t> numbers;
     std::vector<bool> is_changed;
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
         const Triangle t = triangles[i];
-        if (meet(bounds_of(t), place)) {
+        if (meet(bounds_of(t), bounds)) {
             near.push_back(t);
             numbers.push_back(i);
             is_changed.push_back(changed[i]);
@@ -101,7 +101,7 @@ KnownOverlaps::Matching KnownOverlaps::match(
         }
         matching.changed_count += is_same ? 0 : run.count;
         if (is_same) {
-            known.erase(before);  // an organ that stands in two places is matched once
+            known.erase(before);  // an organ that is there twice is matched once
         }
     }
     return matching;
@@ -156,7 +156,7 @@ std::optional<OverlapSearchResult> KnownOverlaps::find_among_changed(
 Overlaps KnownOverlaps::find(
     std::shared_ptr<const SceneGeometry> triangles, const std::vector<std::int64_t>& owners) {
     last_changed_.reset();
-    if (triangles->size() > kMostToCompare) {
+    if (triangles->size() > kMaxToCompare) {
         triangles_.reset();
         return find_overlaps(*triangles);
     }

@@ -169,7 +169,7 @@ void OverlapGrid::mark_cubes(std::span<const std::int16_t> level_of, const Homes
         }
     });
 }
-/// Where a cube is marked; cubes may share a place.
+/// The bit that marks a cube; cubes may share one.
 std::uint64_t OverlapGrid::mark_of(std::uint64_t cube) {
     return (cube * 0x9e3779b97f4a7c15U) >> (64 - kMarkBits);
 }

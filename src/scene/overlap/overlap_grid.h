@@ -29,7 +29,7 @@ struct OverlapEntry {
     [[nodiscard]] bool is_in_plane_of(const OverlapEntry& other) const;
 };
 
-/// What is known of a triangle by its place alone.
+/// The extent of a triangle and what follows from it.
 struct TriangleExtent {
     explicit TriangleExtent(const Triangle& t);
     Bounds bounds;

@@ -111,7 +111,7 @@ class OverlapSearch {
                 continue;
             }
             const bool is_in_plane = entry.is_in_plane_of(other);
-            ++(is_in_plane ? work_.comparisons : work_.looks);
+            ++(is_in_plane ? work_.comparisons : work_.candidates);
             if (is_given_up()) {
                 return;
             }
@@ -218,36 +218,36 @@ class OverlapSearch {
 
 double coplanar_tolerance(double triangle_size, double scene_size) {
     constexpr double kOfTriangle = 1e-6;
-    constexpr double kSinglePrecision = 0x1p-22;  // of a ray from a place: kNear
+    constexpr double kSinglePrecision = 0x1p-22;  // of a ray's origin: kNear
     return kOfTriangle * triangle_size + kSinglePrecision * scene_size;
 }
 
 Overlaps find_overlaps(const SceneGeometry& triangles) {
-    if (triangles.size() > kMostToCompare) {
-        return {.pairs = {}, .is_left_out = true};
+    if (triangles.size() > kMaxToCompare) {
+        return {.pairs = {}, .is_skipped = true};
     }
     return search_overlaps(triangles).overlaps;
 }
 
 OverlapWork& OverlapWork::operator+=(const OverlapWork& other) {
     comparisons += other.comparisons;
-    looks += other.looks;
+    candidates += other.candidates;
     return *this;
 }
 
 bool OverlapWork::is_too_much(std::size_t triangles) const {
-    return comparisons + looks / 8 > 1'000'000 + 200 * triangles;
+    return comparisons + candidates / 8 > 1'000'000 + 200 * triangles;
 }
 
 OverlapSearchResult search_overlaps(const SceneGeometry& triangles) {
-    EXPECT(triangles.size() <= kMostToCompare);
+    EXPECT(triangles.size() <= kMaxToCompare);
     const std::vector<bool> all;
     return OverlapSearch(triangles, all, bounds_of(triangles)).run();
 }
 
 OverlapSearchResult search_overlaps_of(
     const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene) {
-    EXPECT(triangles.size() <= kMostToCompare && changed.size() == triangles.size());
+    EXPECT(triangles.size() <= kMaxToCompare && changed.size() == triangles.size());
     return OverlapSearch(triangles, changed, scene).run();
 }
 

@@ -17,12 +17,12 @@ struct Overlap {
 /// All pairs of triangles of a scene that lie on each other, in order.
 struct Overlaps {
     std::vector<Overlap> pairs;
-    bool is_left_out = false;  ///< there are too many triangles to look
-    bool gave_up = false;      ///< too many lie close together to compare all
+    bool is_skipped = false;  ///< there are too many triangles to look
+    bool gave_up = false;     ///< too many lie close together to compare all
 };
 
 /// More triangles than that are not compared.
-inline constexpr std::size_t kMostToCompare = 3'000'000;
+inline constexpr std::size_t kMaxToCompare = 3'000'000;
 
 /// Distance from the plane of a triangle that counts as none: what single precision can't tell, or
 /// 1e-6 of the triangle.
@@ -35,7 +35,7 @@ inline constexpr std::size_t kMostToCompare = 3'000'000;
 /// What a search does with pairs of triangles that face the same way.
 struct OverlapWork {
     std::size_t comparisons = 0;  ///< of pairs in one plane
-    std::size_t looks = 0;        ///< at pairs in parallel planes
+    std::size_t candidates = 0;   ///< at pairs in parallel planes
 
     OverlapWork& operator+=(const OverlapWork& other);
     /// Whether a search among so many triangles goes no further. To compare two takes as long as
@@ -55,7 +55,7 @@ struct OverlapSearchResult {
 /// depends on the order of the search.
 inline constexpr std::uint32_t kPileOfTriangles = 64;
 
-/// As find_overlaps, with the work; at most kMostToCompare triangles.
+/// As find_overlaps, with the work; at most kMaxToCompare triangles.
 [[nodiscard]] OverlapSearchResult search_overlaps(const SceneGeometry& triangles);
 
 /// As search_overlaps, but only pairs of which one changed.

@@ -19,7 +19,7 @@ class ResponseReader {
           from_(sums.layout),
           from_coarse_(sums.layout, kCoarse),
           to_(layout),
-          places_(layout),
+          index_(layout),
           copy_(copy) {
         const auto samples = static_cast<double>(sums.samples);
         for (std::size_t b = 0; b < to_.bands; ++b) {
@@ -68,7 +68,7 @@ class ResponseReader {
         const std::vector<BinPart> parts = bin_parts(to_);
         for (std::size_t p = 0; p < parts.size(); ++p) {
             if (parts[p].is_light()) {
-                for (float& x : std::span(flux).subspan(places_.first(p), places_.count(p))) {
+                for (float& x : std::span(flux).subspan(index_.first(p), index_.count(p))) {
                     x *= factors[parts[p].band];
                 }
             }
@@ -101,7 +101,7 @@ class ResponseReader {
         put(flux, to_.light.sunlit(region), bins.value(from_.sunlit(region)) * sunlit_);
     }
     void put(std::vector<float>& flux, std::size_t bin, double value) const {
-        flux[places_.of(bin)] = static_cast<float>(value);
+        flux[index_.of(bin)] = static_cast<float>(value);
     }
     /// Of bins by band that begin at `first`.
     [[nodiscard]] double band(const ExactBins& bins, std::size_t first, std::size_t b) const {
@@ -120,7 +120,7 @@ class ResponseReader {
     LightBlocks from_;
     ScatteredBlocks from_coarse_;
     const BasisLayout& to_;
-    BinPlaces places_;
+    BinIndex index_;
     std::size_t copy_;
     std::vector<double> flux_;                       // per band, of a unit
     std::vector<std::vector<std::size_t>> spectra_;  // per band, those with light in it
@@ -129,10 +129,10 @@ class ResponseReader {
 
 /// What one replicate sees of suns.
 std::vector<float> bins_of_suns(const SunLight& light, const BasisLayout& layout) {
-    const BinPlaces places(layout);
+    const BinIndex index(layout);
     std::vector<float> bins(layout.bins());
     const auto put = [&](std::size_t bin, double value) {
-        bins[places.of(bin)] = static_cast<float>(value);
+        bins[index.of(bin)] = static_cast<float>(value);
     };
     for (std::size_t i = 0; i < light.flux.size(); ++i) {
         const std::size_t region = i / (2 * layout.bands);

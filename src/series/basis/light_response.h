@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "quasimc/sums.h"
-#include "series/basis/bin_places.h"
+#include "series/basis/bin_index.h"
 #include "solvers/direct/sun_pixels.h"
 
 namespace quasimc {
 
 /// What one light brings, apart from noise linear in its amount.
 struct LightResponse {
-    /// [replicate][BinPlaces]: flux; of what is sunlit, area
+    /// [replicate][BinIndex]: flux; of what is sunlit, area
     std::vector<std::vector<float>> bins;
     std::vector<double> emitted;  ///< flux into the scene, per band
 

@@ -25,7 +25,7 @@ constexpr double kUnits = 1 << 28;
 constexpr std::size_t kChunk = 256;
 
 /// Bins of a replicate that stand side by side, and which amount of each response counts for them.
-struct BinStretch {
+struct BinRange {
     std::size_t replicate, first, count;
     std::size_t amount, amounts;  // which of how many
 };
@@ -50,7 +50,7 @@ std::vector<std::size_t> used_responses(std::span<const LightResponse> responses
 std::vector<double> factors_of(
     std::span<const std::size_t> used,
     std::span<const std::vector<double>* const> amounts,
-    const BinStretch& bins) {
+    const BinRange& bins) {
     const std::size_t sums = filled_up(amounts.size());
     std::vector<double> factors(used.size() * sums);
     for (std::size_t k = 0; k < used.size(); ++k) {
@@ -67,7 +67,7 @@ std::vector<double> factors_of(
 void add_all(
     std::span<const LightResponse> responses,
     std::span<const std::vector<double>* const> amounts,
-    const BinStretch& bins,
+    const BinRange& bins,
     std::span<double* const> to) {
     static const AddResponses add = best_add_responses();
     const std::vector<std::size_t> used = used_responses(responses);
@@ -102,7 +102,7 @@ void LightSum::combine(
     EXPECT(!sums.empty() && sums.size() == amounts.size());
     const LightSum& any = sums.front();
     const std::vector<BinPart> parts = bin_parts(any.layout_);
-    const BinPlaces places(any.layout_);
+    const BinIndex index(any.layout_);
     const std::size_t bands = any.layout_.bands;
     std::vector<std::size_t> lit;  // most hours of a night have nothing
     std::vector<const std::vector<double>*> amounts_of_lit;
@@ -117,7 +117,7 @@ void LightSum::combine(
         const std::size_t replicate = block / parts.size();
         const std::size_t p = block % parts.size();
         for (LightSum& sum : sums) {
-            std::fill_n(&sum.bins_[replicate][places.first(p)], places.count(p), 0.0);
+            std::fill_n(&sum.bins_[replicate][index.first(p)], index.count(p), 0.0);
         }
         if (!parts[p].is_light() || lit.empty()) {
             return;
@@ -125,11 +125,11 @@ void LightSum::combine(
         std::vector<double*> to;
         to.reserve(lit.size());
         for (const std::size_t i : lit) {
-            to.push_back(&sums[i].bins_[replicate][places.first(p)]);
+            to.push_back(&sums[i].bins_[replicate][index.first(p)]);
         }
         add_all(
             responses, amounts_of_lit,
-            {replicate, places.first(p), places.count(p), parts[p].amount(bands), 2 * bands}, to);
+            {replicate, index.first(p), index.count(p), parts[p].amount(bands), 2 * bands}, to);
     });
     for (std::size_t i = 0; i < sums.size(); ++i) {
         sums[i].set_emitted(responses, amounts[i]);
@@ -173,15 +173,15 @@ void LightSum::add_suns(const LightResponse& response, double factor) {
 /// @param factors  of the bins of each region, then of those of the run
 void LightSum::add_parts(const LightResponse& response, std::span<const double> factors) {
     EXPECT(response.bins.size() == bins_.size() || bins_.size() == 1);
-    const BinPlaces places(layout_);
+    const BinIndex index(layout_);
     const double share =
         static_cast<double>(bins_.size()) / static_cast<double>(response.bins.size());
     for (std::size_t r = 0; r < response.bins.size(); ++r) {
         for (std::size_t part = 0; part < factors.size(); ++part) {
-            const float* from = &response.bins[r][places.first(part)];
-            double* to = &bins_[r % bins_.size()][places.first(part)];
+            const float* from = &response.bins[r][index.first(part)];
+            double* to = &bins_[r % bins_.size()][index.first(part)];
             const double factor = share * factors[part];
-            for (std::size_t i = 0; factor != 0 && i < places.count(part); ++i) {
+            for (std::size_t i = 0; factor != 0 && i < index.count(part); ++i) {
                 to[i] += factor * static_cast<double>(from[i]);
             }
         }
@@ -201,7 +201,7 @@ LightSum& LightSum::operator+=(const LightSum& other) {
 }
 
 void LightSum::raise(std::span<const double> parts) {
-    const BinPlaces places(layout_);
+    const BinIndex index(layout_);
     for (std::vector<double>& bins : bins_) {
         for (std::size_t i = 0; i < bins.size(); ++i) {
             bins[i] += parts[i] * bins[i];
@@ -209,7 +209,7 @@ void LightSum::raise(std::span<const double> parts) {
         const std::size_t tail = layout_.regions * layout_.sums.stride();
         const auto copy = [&](std::size_t from, std::size_t to) {
             const std::size_t count = from < tail ? layout_.regions : 1;
-            std::copy_n(&bins[places.of(from)], count, &bins[places.of(to)]);
+            std::copy_n(&bins[index.of(from)], count, &bins[index.of(to)]);
         };
         const ScatteredBlocks &fine = layout_.light.scattered_blocks(), &coarse = layout_.coarse;
         for (std::size_t b = 0; b < layout_.bands; ++b) {
@@ -235,26 +235,26 @@ LightSum LightSum::averaged() const {
     return average;
 }
 
-LightSpread LightSum::spread(std::span<const double> errors) const {
-    const BinPlaces places(layout_);
+SumWithVariance LightSum::spread(std::span<const double> errors) const {
+    const BinIndex index(layout_);
     const auto count = static_cast<double>(bins_.size());
-    LightSpread spread{std::vector<double>(layout_.bands), std::vector<double>(layout_.bands)};
+    SumWithVariance spread{std::vector<double>(layout_.bands), std::vector<double>(layout_.bands)};
     std::vector<double> light(bins_.size());
     for (std::size_t i = 0; i < layout_.regions * layout_.bands; ++i) {
         const std::size_t region = i / layout_.bands;
         const std::size_t band = i % layout_.bands;
         std::vector<std::size_t> own;
         for (const SurfaceSide side : kSurfaceSides) {
-            own.push_back(places.of(layout_.light.direct(region, side, band)));
-            own.push_back(places.of(layout_.light.scattered(region, side) + band));
+            own.push_back(index.of(layout_.light.direct(region, side, band)));
+            own.push_back(index.of(layout_.light.scattered(region, side) + band));
         }
         std::fill(light.begin(), light.end(), 0);
         double error = 0;
         for (std::size_t k = 0; k < own.size() * light.size(); ++k) {
-            const std::size_t place = own[k % own.size()];
-            const double value = bins_[k / own.size()][place];
+            const std::size_t own_bin = own[k % own.size()];
+            const double value = bins_[k / own.size()][own_bin];
             light[k / own.size()] += value;
-            error += errors.empty() ? 0 : errors[place] * value / count;
+            error += errors.empty() ? 0 : errors[own_bin] * value / count;
         }
         const Estimate found = estimate_mean(light);
         spread.light[band] += found.mean;
@@ -270,17 +270,17 @@ bool LightSum::is_dark() const {
 /// @param units  light of a unit, by bin of a region and then of the run
 ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> units) const {
     const std::size_t stride = layout_.sums.stride();
-    const BinPlaces places(layout_);
+    const BinIndex index(layout_);
     ExactBins bins(layout_.bins());
     const auto put = [&](std::size_t bin, double value, double unit) {
         if (value != 0 && unit > 0) {
-            bins.add(bin, rounded(value / unit * ExactBins::kStepsPerUnit));
+            bins.add(bin, rounded(value / unit * ExactBins::kQuantaPerUnit));
         }
     };
     for (std::size_t part = 0; part < units.size(); ++part) {
-        const double* values = &bins_[replicate][places.first(part)];
-        for (std::size_t i = 0; i < places.count(part); ++i) {
-            const std::size_t bin = part < stride ? i * stride + part : places.first(part);
+        const double* values = &bins_[replicate][index.first(part)];
+        for (std::size_t i = 0; i < index.count(part); ++i) {
+            const std::size_t bin = part < stride ? i * stride + part : index.first(part);
             put(bin, values[i], units[part]);
         }
     }

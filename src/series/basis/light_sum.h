@@ -10,7 +10,7 @@
 namespace quasimc {
 
 /// What falls on all regions, per band: the sum, and the sum of its variances.
-struct LightSpread {
+struct SumWithVariance {
     std::vector<double> light, variance;
 };
 
@@ -40,13 +40,13 @@ class LightSum {
     /// The mean of all replicates, as the only one.
     [[nodiscard]] LightSum averaged() const;
     /// Raises each bin by a part of itself, and makes of that both levels of patches.
-    /// @param parts  by place of a bin
+    /// @param parts  by BinIndex of a bin
     void raise(std::span<const double> parts);
 
-    /// [replicate][BinPlaces]
+    /// [replicate][BinIndex]
     [[nodiscard]] const std::vector<std::vector<double>>& bins() const { return bins_; }
-    /// @param errors  relative, by place of a bin, on top of what replicates say; empty: none
-    [[nodiscard]] LightSpread spread(std::span<const double> errors) const;
+    /// @param errors  relative, by BinIndex of a bin, on top of what replicates say; empty: none
+    [[nodiscard]] SumWithVariance spread(std::span<const double> errors) const;
     [[nodiscard]] bool is_dark() const;
 
     /// What evaluate() reads.
@@ -62,7 +62,7 @@ class LightSum {
     [[nodiscard]] ExactBins exact_bins(std::size_t replicate, std::span<const double> units) const;
 
     BasisLayout layout_;
-    std::vector<std::vector<double>> bins_;  // [replicate][place]
+    std::vector<std::vector<double>> bins_;  // [replicate][BinIndex]
     std::vector<double> emitted_;            // per band
 };
 

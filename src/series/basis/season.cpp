@@ -26,7 +26,7 @@ namespace {
 /// Of the progress of a series, the part that what its times have in common takes.
 constexpr double kShareOfBasis = 0.5;
 /// Times that are put together at once take about so much memory, and are at most so many.
-constexpr double kWindowBytes = 256e6, kMostInWindow = 16;
+constexpr double kWindowBytes = 256e6, kMaxInWindow = 16;
 
 /// Groups as SeriesSum has them.
 GroupResults without_fractions(GroupResults groups) {
@@ -56,8 +56,8 @@ class Season final : public SeriesSteps {
             summary_.total = sum_of(*total_);
         }
         summary_.seconds = watch_.seconds();
-        summary_.trace_seconds = watch_.seconds();
-        summary_.trace_cpu_seconds = watch_.cpu_seconds();
+        summary_.solve_seconds = watch_.seconds();
+        summary_.solve_cpu_seconds = watch_.cpu_seconds();
         return std::move(summary_);
     }
 
@@ -106,15 +106,15 @@ class Season final : public SeriesSteps {
         } catch (const Stopped&) {
             throw Stopped(
                 early_.why(),
-                "stopped before what all times have in common was computed: there "
-                "is no result");
+                "stopped before the solutions for all directions were complete; there is no "
+                "result");
         }
     }
 
     void choose_pixels() {
         std::vector<SunsOfTime> times;
-        std::vector<LightSpread> others;
-        for (const std::size_t i : basis_->left_out()) {
+        std::vector<SumWithVariance> others;
+        for (const std::size_t i : basis_->reference_steps()) {
             times.push_back(suns_of(i));
             times.back().trace = in_.time_steps.size() + times.size();
             const SeasonBasis::Amounts amounts =
@@ -128,7 +128,7 @@ class Season final : public SeriesSteps {
     [[nodiscard]] std::size_t window_size() const {
         const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
                             static_cast<double>(in_.spec.replicates);
-        return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMostInWindow));
+        return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMaxInWindow));
     }
 
     void fill_window(std::size_t first) {
@@ -158,7 +158,8 @@ class Season final : public SeriesSteps {
             }
         } catch (const Stopped&) {
             throw Stopped(
-                early_.why(), "stopped before the first time was complete: there is no result");
+                early_.why(),
+                "stopped before the first time step was complete; there is no result");
         }
         const TimeStep& step = in_.time_steps[i];
         const std::size_t at = i - window_.first;
@@ -173,7 +174,7 @@ class Season final : public SeriesSteps {
             period->seconds += step.seconds;
         }
         if (traces_[i] > 0) {
-            ++summary_.traced;
+            ++summary_.computed;
             ++summary_.methods[Method::ray_bundles];
         }
         if (is_wanted(SeriesPart::time_steps, in_.control)) {
@@ -221,8 +222,8 @@ class Season final : public SeriesSteps {
     [[nodiscard]] Result result_of(
         LightSum& light, const LightOfSuns& suns, const Sources& sources) const {
         if (light.is_dark() && suns.is_dark()) {
-            Result dark = dark_result(in_.scene, in_.spec);
-            dark.stop = sources.empty() ? StopReason::paths_done : StopReason::no_light;
+            Result dark = zero_result(in_.scene, in_.spec);
+            dark.stop = sources.empty() ? StopReason::finished : StopReason::no_light;
             return dark;
         }
         LightSum raised = light.averaged();
@@ -239,7 +240,7 @@ class Season final : public SeriesSteps {
         result.chosen = {
             Method::ray_bundles,
             fmt::format(
-                "as asked for: all times together, from the light of {} directions and times",
+                "requested, with daylight coefficients of {} directions and time steps",
                 basis_->lights())};
         return result;
     }
@@ -283,7 +284,7 @@ SeriesSummary run_season(const SeriesInput& input) {
         if (is_so) {
             faults.add(
                 {"time_method", fmt::format("it is \"daylight_coefficients\", with {}", what),
-                 "what all times have in common is computed by one process, in one go",
+                 "daylight coefficients are computed by one process",
                  "use time_method = \"independent\""});
         }
     };

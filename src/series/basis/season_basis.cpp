@@ -1,4 +1,4 @@
-// The light of a season as a sum over directions: see docs/develop/decisions/season-by-bundles.md.
+// Daylight coefficients: see docs/develop/decisions/daylight-coefficients.md.
 
 #include "series/basis/season_basis.h"
 
@@ -16,7 +16,7 @@
 #include "run/trace_plan.h"
 #include "scene/repeat_bands.h"
 #include "scene/scene.h"
-#include "series/basis/season_errors.h"
+#include "series/basis/interpolation_errors.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/patch_light.h"
 #include "solvers/ray_bundles/patch_size.h"
@@ -27,11 +27,11 @@ namespace {
 /// Rings of directions: 184 of them, 10.6 degrees apart.
 constexpr std::uint32_t kRings = 9;
 /// Times that are left out, to tell the error.
-constexpr std::size_t kLeftOut = 12;
+constexpr std::size_t kReferenceSteps = 12;
 /// Lights that are solved for at once take about so much memory for each thread, and are at most so
 /// many.
 constexpr double kBatchBytes = 256e6;
-constexpr std::size_t kMostInBatch = 64;
+constexpr std::size_t kMaxInBatch = 64;
 
 /// How much light a time brings to the horizontal, all bands together.
 double light_of_time(const TimeStep& step) {
@@ -61,9 +61,9 @@ std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::s
     }
     std::vector<std::size_t> chosen;
     for (std::size_t i = 0; i < count && !until.empty() && until.back() > 0; ++i) {
-        const double place =
+        const double target =
             until.back() * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
-        const auto after = std::upper_bound(until.begin(), until.end(), place);
+        const auto after = std::upper_bound(until.begin(), until.end(), target);
         const auto index =
             std::min(static_cast<std::size_t>(after - until.begin()), until.size() - 1);
         if (chosen.empty() || chosen.back() != index) {
@@ -111,7 +111,7 @@ Sources shining(const Sources& sources, Shining which) {
 
 /// A time that is solved for as it is, and what came of it: one of its skies, and its suns' light
 /// from where the sun stands in the middle.
-struct SeasonBasis::LeftOut {
+struct SeasonBasis::ReferenceStep {
     std::shared_ptr<const Source> sky;
     std::optional<SunBeam> sun;
     LightResponse of_sky, of_sun;
@@ -155,16 +155,16 @@ class SeasonBasis::Solving {
         const double patches = patch_size(scene_, patches_for(spec_.paths)).count;
         const double each = bytes_of_patch_light(patches, scene_.bands().size());
         const auto fit = static_cast<std::size_t>(kBatchBytes / each);
-        return std::clamp<std::size_t>(fit, 1, kMostInBatch);
+        return std::clamp<std::size_t>(fit, 1, kMaxInBatch);
     }
 
-    /// @param place  in a batch of `count`
+    /// @param batch_index  in a batch of `count`
     [[nodiscard]] std::shared_ptr<const Source> source(
-        const Light& light, std::size_t place, std::size_t count) const {
+        const Light& light, std::size_t batch_index, std::size_t count) const {
         const std::size_t bands = scene_.bands().size();
         std::vector<double> spectrum(bands * count);
         for (std::size_t b = 0; b < bands; ++b) {
-            spectrum[repeated_band(b, place, count)] = 1;
+            spectrum[repeated_band(b, batch_index, count)] = 1;
         }
         return light.to_light
                    ? make_directional_source("beam", -1 * *light.to_light, std::move(spectrum))
@@ -197,7 +197,7 @@ class SeasonBasis::Solving {
 };
 
 std::uint32_t season_directions() {
-    return SkyMesh(kRings).nodes();
+    return SkyBasis(kRings).nodes();
 }
 
 SeasonBasis::SeasonBasis(
@@ -213,19 +213,19 @@ SeasonBasis::SeasonBasis(
       albedos_(albedos_of(scene)),
       responses_(mesh_.nodes()),
       errors_(layout_.bins()),
-      left_out_(spread_times(time_steps, kLeftOut)) {
+      reference_steps_(spread_times(time_steps, kReferenceSteps)) {
     Solving solving(*this, simulator, scene, spec);
     const std::vector<bool> is_needed = needed_nodes(time_steps);
     for (std::uint32_t node = 0; node < mesh_.nodes(); ++node) {
         if (is_needed[node]) {
-            solving.add_sky(mesh_.hat(node), responses_[node]);
+            solving.add_sky(mesh_.basis_function(node), responses_[node]);
         }
     }
-    std::vector<LeftOut> left_out;
-    for (const std::size_t i : left_out_) {
-        left_out.push_back(leave_out(time_steps[i]));
+    std::vector<ReferenceStep> reference_steps;
+    for (const std::size_t i : reference_steps_) {
+        reference_steps.push_back(prepare_reference(time_steps[i]));
     }
-    for (LeftOut& left : left_out) {
+    for (ReferenceStep& left : reference_steps) {
         if (left.sky) {
             solving.add_sky(
                 {[sky = left.sky](const Vec3& d) { return model_of(*sky).radiance(d); }, {}, {}},
@@ -239,7 +239,7 @@ SeasonBasis::SeasonBasis(
     for (const LightResponse& response : responses_) {
         scattered_first_.push_back(scattered_first(response));
     }
-    set_errors(left_out);
+    set_errors(reference_steps);
 }
 
 std::vector<bool> SeasonBasis::needed_nodes(const std::vector<TimeStep>& time_steps) const {
@@ -249,7 +249,7 @@ std::vector<bool> SeasonBasis::needed_nodes(const std::vector<TimeStep>& time_st
             is_needed.assign(mesh_.nodes(), true);
         }
         for (const auto& sun : shining(step.sources, Shining::suns)) {
-            for (const SkyMesh::Share& share : mesh_.shares(beam_of(*sun).to_light)) {
+            for (const SkyBasis::Share& share : mesh_.shares(beam_of(*sun).to_light)) {
                 is_needed[share.node] = is_needed[share.node] || share.weight > 0;
             }
         }
@@ -257,8 +257,8 @@ std::vector<bool> SeasonBasis::needed_nodes(const std::vector<TimeStep>& time_st
     return is_needed;
 }
 
-SeasonBasis::LeftOut SeasonBasis::leave_out(const TimeStep& step) const {
-    LeftOut left;
+SeasonBasis::ReferenceStep SeasonBasis::prepare_reference(const TimeStep& step) const {
+    ReferenceStep left;
     const Sources skies = shining(step.sources, Shining::skies);
     const Sources suns = shining(step.sources, Shining::suns);
     left.sky = skies.empty() ? nullptr : skies.front();
@@ -279,15 +279,15 @@ SeasonBasis::Amounts SeasonBasis::no_light() const {
 }
 
 std::vector<double> SeasonBasis::scattered_first(const LightResponse& direct) const {
-    const BinPlaces places(layout_);
+    const BinIndex bin_index(layout_);
     const std::size_t bands = layout_.bands;
     std::vector<double> sums(bands);
     for (std::size_t i = 0; i < albedos_.size(); ++i) {
         const std::size_t region = i / (2 * bands);
         const SurfaceSide side = kSurfaceSides[i / bands % 2];
-        const std::size_t place = places.of(layout_.light.direct(region, side, i % bands));
+        const std::size_t at = bin_index.of(layout_.light.direct(region, side, i % bands));
         for (const std::vector<float>& bins : direct.bins) {
-            sums[i % bands] += albedos_[i] * static_cast<double>(bins[place]) /
+            sums[i % bands] += albedos_[i] * static_cast<double>(bins[at]) /
                                static_cast<double>(direct.bins.size());
         }
     }
@@ -300,7 +300,7 @@ void SeasonBasis::add_suns(
     Amounts own = no_light();
     std::vector<double> together(bands);
     for (const SunBeam& sun : suns) {
-        for (const SkyMesh::Share& share : mesh_.light_of_beam(sun.to_light)) {
+        for (const SkyBasis::Share& share : mesh_.light_of_beam(sun.to_light)) {
             for (std::size_t b = 0; b < bands; ++b) {
                 const double amount = share.weight * sun.facing[b];
                 own[(2 * share.node + 1) * bands + b] += amount;
@@ -353,9 +353,9 @@ void SeasonBasis::find_light(std::span<const Amounts> amounts, std::vector<Light
     LightSum::combine(responses_, amounts, std::span(light).first(amounts.size()), threads_);
 }
 
-void SeasonBasis::set_errors(const std::vector<LeftOut>& left_out) {
-    SeasonErrors errors(layout_);
-    for (const LeftOut& left : left_out) {
+void SeasonBasis::set_errors(const std::vector<ReferenceStep>& reference_steps) {
+    InterpolationErrors errors(layout_);
+    for (const ReferenceStep& left : reference_steps) {
         Amounts amounts = no_light();
         LightSum as_it_is(layout_, replicates_);
         std::vector<double> own(2 * layout_.bands);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "light/models/sky_mesh.h"
+#include "light/models/sky_basis.h"
 #include "quasimc/run.h"
 #include "quasimc/series.h"
 #include "series/basis/light_sum.h"
@@ -25,7 +25,7 @@ struct SunBeam {
 
 /// What the times of a series have in common: the responses of a scene to light from a set of
 /// directions, of which skies, and the scattered light of suns, are put together
-/// (docs/develop/decisions/season-by-bundles.md).
+/// (docs/develop/decisions/daylight-coefficients.md).
 class SeasonBasis {
   public:
     /// Solves for all directions that some time needs, and for a few times as they are, which tell
@@ -52,11 +52,13 @@ class SeasonBasis {
     /// That of several times at once.
     /// @param light  gets it, the first time first; it is longer where it was
     void find_light(std::span<const Amounts> amounts, std::vector<LightSum>& light) const;
-    /// The relative error of it, by place of a bin as in LightResponse.
+    /// Its relative error by BinIndex, as in LightResponse.
     [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
 
     /// The times that were solved for as they are.
-    [[nodiscard]] const std::vector<std::size_t>& left_out() const { return left_out_; }
+    [[nodiscard]] const std::vector<std::size_t>& reference_steps() const {
+        return reference_steps_;
+    }
 
     [[nodiscard]] const BasisLayout& layout() const { return layout_; }
     /// Lights that were solved for, and rays of all of them.
@@ -64,11 +66,11 @@ class SeasonBasis {
     [[nodiscard]] std::uint64_t rays() const { return rays_; }
 
   private:
-    struct LeftOut;
+    struct ReferenceStep;
     class Solving;
 
     [[nodiscard]] std::vector<bool> needed_nodes(const std::vector<TimeStep>& time_steps) const;
-    [[nodiscard]] LeftOut leave_out(const TimeStep& step) const;
+    [[nodiscard]] ReferenceStep prepare_reference(const TimeStep& step) const;
 
     /// Per band, what of the light straight from a source is scattered, in all.
     [[nodiscard]] std::vector<double> scattered_first(const LightResponse& direct) const;
@@ -76,9 +78,9 @@ class SeasonBasis {
     void add_suns(
         const std::vector<SunBeam>& suns, std::span<const double> first, Amounts& amounts) const;
     void add_sky(const Source& sky, Amounts& amounts) const;
-    void set_errors(const std::vector<LeftOut>& left_out);
+    void set_errors(const std::vector<ReferenceStep>& reference_steps);
 
-    SkyMesh mesh_;
+    SkyBasis mesh_;
     BasisLayout layout_;
     std::size_t replicates_, lights_ = 0;
     unsigned threads_;
@@ -87,7 +89,7 @@ class SeasonBasis {
     std::vector<LightResponse> responses_;              // by node; empty: no time needs it
     std::vector<std::vector<double>> scattered_first_;  // by node, per band
     std::vector<double> errors_;
-    std::vector<std::size_t> left_out_;
+    std::vector<std::size_t> reference_steps_;
 };
 
 /// The sources of a time that are suns and shine, or those that are not and do.

@@ -1,5 +1,5 @@
 // Light straight from the suns of a season: looked at pixel by pixel, which for the error that is
-// asked of it costs a fifth of what scan lines do (docs/theory/time-series.md).
+// asked of it costs a fifth of what scan lines do (docs/develop/notebook/time-series.md).
 
 #include "series/basis/season_suns.h"
 
@@ -25,7 +25,7 @@ constexpr double kPartOfOthers = 0.5;
 constexpr double kPower = 1.5;
 /// Pixels of which the error is measured; at most so many, and at least: to project triangles costs
 /// as much as some pixels of each.
-constexpr double kTried = 65536, kMost = 2048 * 2048, kFewest = 16384, kFewestOfTriangle = 4;
+constexpr double kTried = 65536, kMost = 2048 * 2048, kFewest = 16384, kMinOfTriangle = 4;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ SeasonSuns::SeasonSuns(
       pixels_(kTried) {}
 
 void SeasonSuns::choose_pixels(
-    std::span<const SunsOfTime> times, std::span<const LightSpread> others) {
+    std::span<const SunsOfTime> times, std::span<const SumWithVariance> others) {
     std::vector<double> own(layout_.bands), other(layout_.bands);
     for (std::size_t i = 0; i < times.size(); ++i) {
         const std::optional<LightResponse> suns = light_of(times.subspan(i, 1)).front();
@@ -52,7 +52,7 @@ void SeasonSuns::choose_pixels(
         }
         LightSum direct(layout_, spec_.replicates);
         direct.add_suns(*suns, 1);
-        const LightSpread spread = direct.spread({});
+        const SumWithVariance spread = direct.spread({});
         for (std::size_t b = 0; b < layout_.bands; ++b) {
             const double light = spread.light[b] + others[i].light[b];
             if (light > 0) {
@@ -66,7 +66,7 @@ void SeasonSuns::choose_pixels(
     const double largest = *std::max_element(own.begin(), own.end());
     const double most = largest > 0 ? std::pow(largest / allowed, 1 / kPower) : 0;
     const double fewest =
-        std::max(kFewest, kFewestOfTriangle * static_cast<double>(scene_.triangle_count()));
+        std::max(kFewest, kMinOfTriangle * static_cast<double>(scene_.triangle_count()));
     pixels_ = std::clamp(most * kTried, std::min(fewest, kMost), kMost);
 }
 
@@ -75,17 +75,17 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
     auto& state = SimulatorAccess::state(simulator_);
     const auto caster = state.caster_for(scene_, spec_.accelerator, stop_);
     const Sampler& sampler = state.sampler_for(spec_.sampler);
-    struct Looked {
+    struct SunGroup {
         RunSpec spec;
         std::unique_ptr<const PreparedScene> prepared;
         std::unique_ptr<const SunPixels> pixels;
         std::vector<SunLight> replicates;
     };
-    std::vector<Looked> looked(times.size());
+    std::vector<SunGroup> groups(times.size());
     const unsigned threads = thread_count(spec_.threads);
     parallel_blocks(times.size(), threads, [&](std::uint64_t i, unsigned) {
         throw_if_stopped(stop_);
-        Looked& own = looked[i];
+        SunGroup& own = groups[i];
         own.spec = trace_spec(spec_, {}, times[i].trace);
         own.prepared = std::make_unique<const PreparedScene>(
             scene_, times[i].suns, spec_.start_area, caster, stop_);
@@ -102,7 +102,7 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
     parallel_blocks(
         times.size() * spec_.replicates, threads, [&](std::uint64_t block, unsigned worker) {
             throw_if_stopped(stop_);
-            Looked& own = looked[block / spec_.replicates];
+            SunGroup& own = groups[block / spec_.replicates];
             const auto replicate = static_cast<std::uint32_t>(block % spec_.replicates);
             if (own.pixels) {
                 own.replicates[replicate] = own.pixels->find(replicate, *scratch[worker]);
@@ -110,13 +110,14 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
         });
     std::vector<std::optional<LightResponse>> found(times.size());
     parallel_blocks(times.size(), threads, [&](std::uint64_t i, unsigned) {
-        if (looked[i].pixels) {
-            found[i] = response_of_suns(looked[i].replicates, layout_);
+        if (groups[i].pixels) {
+            found[i] = response_of_suns(groups[i].replicates, layout_);
         }
     });
     return found;
 } catch (const StopRequested&) {
-    throw Stopped(StopReason::interrupted, "stopped before the light of the suns was found");
+    throw Stopped(
+        StopReason::interrupted, "stopped before the light of the sun positions was complete");
 }
 
 }  // namespace quasimc

@@ -32,7 +32,7 @@ class SeasonSuns {
     /// Sets the pixels of each sun, from what a few times say.
     /// @param others  the other light of each
     /// @throws Stopped  if it was stopped
-    void choose_pixels(std::span<const SunsOfTime> times, std::span<const LightSpread> others);
+    void choose_pixels(std::span<const SunsOfTime> times, std::span<const SumWithVariance> others);
     [[nodiscard]] double pixels() const { return pixels_; }
 
     /// Light straight from the suns of several times; none where no sun shines. The same bits with

@@ -11,7 +11,7 @@ BackwardPaths::BackwardPaths(
     const NextEvent& next_event,
     const VertexLight& vertex_light,
     const LampNearField& near,
-    double sharp_from)
+    double narrow_from)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       next_event_(next_event),
@@ -20,7 +20,7 @@ BackwardPaths::BackwardPaths(
       stop_(input.stop),
       max_depth_(input.spec.max_depth),
       roulette_threshold_(roulette_threshold(input)),
-      sharp_from_(sharp_from) {}
+      narrow_from_(narrow_from) {}
 
 std::uint64_t BackwardPaths::gather(
     PathNumbers numbers,
@@ -31,28 +31,28 @@ std::uint64_t BackwardPaths::gather(
     auto& [stream, index, dimension] = numbers;
     std::fill(path.weights.begin(), path.weights.end(), 1.0);
     std::fill(path.gathered.begin(), path.gathered.end(), 0.0);
-    Vec3 p = point.place;
+    Vec3 p = point.p;
     std::uint32_t triangle = point.triangle;
-    bool by_sharp = false;
+    bool by_narrow = false;
     std::uint64_t rays = 0;
     for (std::uint32_t depth = 1;;) {
         throw_if_stopped(stop_);
-        // After the last hit that counts only the sky does, if a sharp lobe shows it.
+        // Beyond the last hit only the sky counts, through a narrow lobe.
         const bool is_last = depth == max_depth_;
-        if (is_last && !by_sharp) {
+        if (is_last && !by_narrow) {
             return rays;
         }
         const CastHit at = prepared_.caster().cast(p, away, triangle);
         ++rays;
         if (at.end != RayEnd::hit) {
-            if (by_sharp && at.end == RayEnd::escaped) {
+            if (by_narrow && at.end == RayEnd::escaped) {
                 next_event_.add_sky(away, path);
             }
             return rays;
         }
         const Surface surface = surface_at(prepared_, at.hit, away);
         const Material& material = prepared_.material(surface.region);
-        p = place_of(prepared_, at.hit);
+        p = point_of(prepared_, at.hit);
         triangle = surface.triangle;
         if (material.is_transparent()) {
             continue;
@@ -74,14 +74,14 @@ std::uint64_t BackwardPaths::gather(
         }
         dimension += 2;
         ++depth;
-        by_sharp = from->sharp;
+        by_narrow = from->sharp;
         away = -from->wi;
     }
 }
 
-/// Adds to path.gathered the light that a surface sends along `out` from the light vertices to
-/// which it is connected. Returns the rays cast.
-/// @param depth  hits of the path that runs backwards, this one with them
+/// Adds to path.gathered the light of connected light vertices that a surface scatters along `out`.
+/// Returns the rays cast.
+/// @param depth  hits of the backward path, including this one
 std::uint64_t BackwardPaths::add_vertices(
     const LightVertices& vertices,
     const Surface& surface,
@@ -106,7 +106,7 @@ std::uint64_t BackwardPaths::add_vertices(
             prepared_.material(surface.region)
                 .add_reflected(
                     surface.normal, surface.side, out, wi, 1, path.products, path.gathered,
-                    sharp_from_);
+                    narrow_from_);
         }
     }
     return rays;

@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// The random numbers of a path: those of point `index` from coordinate `dimension` on.
+/// The random numbers of a path: coordinates of point `index` from `dimension` on.
 struct PathNumbers {
     const Stream& stream;
     std::uint64_t index;
@@ -20,13 +20,13 @@ struct PathNumbers {
 /// Paths that run backwards from points of organs, and the estimators of light at their vertices.
 class BackwardPaths {
   public:
-    /// @param sharp_from  peak_brightness() of lobes through which suns and lamps are not sampled
+    /// @param narrow_from  peak_brightness() of lobes through which suns and lamps are not sampled
     BackwardPaths(
         const SolverInput& input,
         const NextEvent& next_event,
         const VertexLight& vertex_light,
         const LampNearField& near,
-        double sharp_from);
+        double narrow_from);
 
     /// Sets path.gathered to the radiance that comes to a point of an organ along -away, in units
     /// of NextEvent. Returns the rays cast.
@@ -55,7 +55,7 @@ class BackwardPaths {
     const LampNearField& near_;
     std::stop_token stop_;
     std::uint32_t max_depth_;
-    double roulette_threshold_, sharp_from_;
+    double roulette_threshold_, narrow_from_;
 };
 
 }  // namespace quasimc

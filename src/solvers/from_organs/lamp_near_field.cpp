@@ -35,8 +35,8 @@ constexpr double kConnectionPart = 0.25;
 }  // namespace
 
 LampNearField::LampNearField(const PreparedScene& prepared) : prepared_(prepared) {
-    // Parts of the size of an organ. If the irradiance is bounded, the bright spot next to a lamp
-    // is as large as the distance: a tenth is met by one point in thirty.
+    // Fractions of the size of an organ. If the irradiance is bounded, the bright spot next to a
+    // lamp is as large as the distance: at a tenth, one point in thirty hits it.
     constexpr double kPartOfOrgan = 0.5, kPartIfBounded = 0.1;
     lamps_.reserve(prepared.lights().size());
     for (const Region& region : prepared.scene().regions()) {
@@ -45,17 +45,17 @@ LampNearField::LampNearField(const PreparedScene& prepared) : prepared_(prepared
     }
     for (const BoundSource& light : prepared.lights()) {
         Lamp& lamp = lamps_.emplace_back();
-        const auto place = light.source_sampler->lamp_place();
-        if (!place) {
+        const auto extent = light.source_sampler->lamp_extent();
+        if (!extent) {
             continue;
         }
-        lamp.body = place->body;
-        const std::vector<PilotSample> samples = pilot_samples(light, *place);
-        lamp.scatter_radius = radius_about(samples, *place, light.usual_irradiance);
+        lamp.body = extent->body;
+        const std::vector<PilotSample> samples = pilot_samples(light, *extent);
+        lamp.scatter_radius = radius_about(samples, *extent, light.usual_irradiance);
         lamp.min_connection_distance = kConnectionPart * lamp.scatter_radius;
-        lamp.half_line = place->half_line;
+        lamp.half_line = extent->half_line;
         const bool is_line = dot(lamp.half_line, lamp.half_line) > 0;
-        lamp.is_bounded = place->has_bounded_irradiance && !is_line;
+        lamp.is_bounded = extent->has_bounded_irradiance && !is_line;
         lamp.organ_part = lamp.is_bounded ? kPartIfBounded : kPartOfOrgan;
         const bool is_near = std::any_of(
             samples.begin(), samples.end(),
@@ -70,9 +70,9 @@ LampNearField::LampNearField(const PreparedScene& prepared) : prepared_(prepared
     }
 }
 
-/// The first hits of paths from a lamp, the nearest first.
+/// The first hits of paths from a lamp, nearest first.
 std::vector<LampNearField::PilotSample> LampNearField::pilot_samples(
-    const BoundSource& light, const LampPlace& lamp) const {
+    const BoundSource& light, const LampExtent& lamp) const {
     std::vector<PilotSample> samples;
     const std::size_t count =
         std::clamp(kAllSamples / prepared_.lights().size(), kMinSamples, kMaxSamples);
@@ -80,7 +80,7 @@ std::vector<LampNearField::PilotSample> LampNearField::pilot_samples(
         const Emission start = light.source_sampler->emit(additive_recurrence_point(i));
         const CastHit at = prepared_.caster().cast_from_lamp(start.origin, start.direction);
         if (at.end == RayEnd::hit) {
-            const Vec3 p = place_of(prepared_, at.hit);
+            const Vec3 p = point_of(prepared_, at.hit);
             samples.push_back(
                 {length(p - nearest_of(lamp.body.center, lamp.half_line, p)), p,
                  prepared_.region(at.hit.triangle), irradiance_at(light, at)});
@@ -92,11 +92,11 @@ std::vector<LampNearField::PilotSample> LampNearField::pilot_samples(
     return samples;
 }
 
-/// On what was hit, as if nothing else stood in the way.
+/// Irradiance on the surface that was hit, without occlusion.
 double LampNearField::irradiance_at(const BoundSource& light, const CastHit& at) const {
     constexpr int kDraws = 4;
     const Vec3 normal = normalized(prepared_.caster().mesh().across(at.hit.triangle));
-    const Vec3 p = prepared_.caster().mesh().to_world(place_of(prepared_, at.hit));
+    const Vec3 p = prepared_.caster().mesh().to_world(point_of(prepared_, at.hit));
     double sum = 0;
     for (int i = 0; i < kDraws; ++i) {
         const std::array<double, 4> u = additive_recurrence_point(i);
@@ -106,12 +106,12 @@ double LampNearField::irradiance_at(const BoundSource& light, const CastHit& at)
     return sum;
 }
 
-/// A fiftieth of the scene, or a quarter of the distance within which the lamp lights nine tenths
-/// of what it lights; 0 where nothing it lights is so near. A large lamp of bounded radiance has
-/// no place next to it that is brighter than others, unless most of its light falls on a small one:
-/// less than a twentieth of a face of the scene's box, over which `usual` is its irradiance.
+/// A fiftieth of the scene, or a quarter of the distance that contains nine tenths of the first
+/// hits; 0 if no first hit is so near. A large lamp of bounded radiance has no point next to it
+/// that is brighter than others, unless most of its light falls on a small area: less than a
+/// twentieth of a face of the scene's box, over which `usual` is its irradiance.
 double LampNearField::radius_about(
-    const std::vector<PilotSample>& samples, const LampPlace& place, double usual) const {
+    const std::vector<PilotSample>& samples, const LampExtent& extent, double usual) const {
     constexpr double kPartOfScene = 0.02;
     constexpr double kPartOfReach = 0.25;
     constexpr double kReach = 0.9;
@@ -126,10 +126,10 @@ double LampNearField::radius_about(
     for (const PilotSample& sample : samples) {
         irradiance += sample.irradiance / static_cast<double>(samples.size());
     }
-    if (place.has_bounded_irradiance && irradiance < kPeak * usual) {
-        radius = radius > place.body.radius ? radius : 0;
-    } else if (dot(place.half_line, place.half_line) == 0) {
-        radius += 1.5 * place.body.radius;
+    if (extent.has_bounded_irradiance && irradiance < kPeak * usual) {
+        radius = radius > extent.body.radius ? radius : 0;
+    } else if (dot(extent.half_line, extent.half_line) == 0) {
+        radius += 1.5 * extent.body.radius;
     }
     return samples.front().distance < radius ? radius : 0;
 }
@@ -161,7 +161,7 @@ bool LampNearField::lights_near(
         return false;
     }
     const double reach = lamp.organ_part * organ_size_[region];
-    // Points find what is near a lamp as large as that.
+    // Points sample the near field of so large a lamp well.
     if (lamp.is_bounded && reach < lamp.body.radius) {
         return false;
     }

@@ -10,8 +10,8 @@
 namespace quasimc {
 namespace {
 
-/// A light subpath under way: the walk of light tracing, of which only the light of some classes
-/// counts. Where points sample the light that arrives, the path goes on by sharp lobes alone.
+/// Traces one light subpath, as in light tracing, but scores only the light of some classes. Where
+/// points sample the incident light, the path continues by narrow lobes only.
 class LightSubpathTracer {
   public:
     LightSubpathTracer(
@@ -35,7 +35,7 @@ class LightSubpathTracer {
             throw_if_stopped(walk_);
             const Surface surface = surface_at(prepared_, at.hit, direction_);
             const Material& material = prepared_.material(surface.region);
-            const Vec3 p = place_of(prepared_, at.hit);
+            const Vec3 p = point_of(prepared_, at.hit);
             if (counts_on(surface, p)) {
                 score(surface);
             }
@@ -84,7 +84,7 @@ class LightSubpathTracer {
             : score_scattered(prepared_, surface, factor, weights_, tally_);
     }
 
-    /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere that counts.
+    /// Samples the direction after the `depth`-th hit. False if none of the light beyond counts.
     bool scatter(const Side& side, const Surface& surface, const Vec3& p, std::uint32_t depth) {
         if (class_ == PathClass::from_source) {
             set_start_weights(path_, weights_);
@@ -94,8 +94,8 @@ class LightSubpathTracer {
         }
         const bool is_near_field = meets_points(class_) && is_near(p);
         const bool is_vertex = is_near_field && !rules_.connected.empty();
-        const bool only_by_sharp = goes_on_by_sharp_alone(is_near_field);
-        if (only_by_sharp && side.sharpest_peak() < rules_.sharp_from) {
+        const bool only_by_narrow = goes_on_by_narrow_alone(is_near_field);
+        if (only_by_narrow && side.sharpest_peak() < rules_.narrow_from) {
             return false;
         }
         if (is_vertex) {
@@ -104,36 +104,36 @@ class LightSubpathTracer {
         const double u = scatter_number(walk_, path_, depth, ScatterNumber::lobe);
         const LobeTable::Choice lobe =
             side.choose(surface.normal, direction_, {u, 0, walk_.roulette_threshold}, weights_);
-        const bool is_sharp = lobe.row != nullptr && lobe.row->peak >= rules_.sharp_from;
-        if (lobe.row == nullptr || (only_by_sharp && !is_sharp)) {
+        const bool is_narrow = lobe.row != nullptr && lobe.row->peak >= rules_.narrow_from;
+        if (lobe.row == nullptr || (only_by_narrow && !is_narrow)) {
             return false;
         }
-        // Where the lobe decides the class, its light is not weighed against that of other lobes.
+        // If the lobe decides the class, its light is not weighted with that of other lobes.
         const bool by_lobe_alone =
-            only_by_sharp || is_vertex || class_ == PathClass::from_light_vertex;
+            only_by_narrow || is_vertex || class_ == PathClass::from_light_vertex;
         const double u1 = scatter_number(walk_, path_, depth, ScatterNumber::azimuth);
         direction_ =
             (by_lobe_alone ? side.scatter_by_alone(lobe, surface.normal, direction_, u1, weights_)
                            : side.scatter_by(lobe, surface.normal, direction_, u1, weights_))
                 .wo;
-        class_ = class_after(is_near_field, is_sharp);
+        class_ = class_after(is_near_field, is_narrow);
         vertex_ = p;
         return true;
     }
 
     /// Whether points sample all light that broad lobes send on from here, wherever it counts.
-    [[nodiscard]] bool goes_on_by_sharp_alone(bool is_near_field) const {
+    [[nodiscard]] bool goes_on_by_narrow_alone(bool is_near_field) const {
         return !is_near_field &&
                (class_ == PathClass::from_source ||
                 (class_ == PathClass::from_light_vertex && !rules_.has_unconnected));
     }
 
     /// The class of the light after a surface that scatters it.
-    [[nodiscard]] PathClass class_after(bool is_near_field, bool is_sharp) const {
+    [[nodiscard]] PathClass class_after(bool is_near_field, bool is_narrow) const {
         if (!meets_points(class_)) {
             return class_;
         }
-        if (is_sharp || rules_.connected.empty()) {
+        if (is_narrow || rules_.connected.empty()) {
             return PathClass::sampled_from_source;
         }
         return is_near_field ? PathClass::from_light_vertex : PathClass::connected;
@@ -155,9 +155,10 @@ LightSubpaths::Rules rules_of(
     const PreparedScene& prepared,
     const MeasuredArea& measured,
     const LampNearField& near,
-    double sharp_from) {
+    double narrow_from) {
     const Scene& scene = prepared.scene();
-    LightSubpaths::Rules rules{near, sharp_from, parts_of_unit(prepared, measured, near), {}, true};
+    LightSubpaths::Rules rules{
+        near, narrow_from, parts_of_unit(prepared, measured, near), {}, true};
     for (std::size_t i = 0; i < scene.regions().size(); ++i) {
         const double own = scene.organs()[scene.regions()[i].organ.value].area;
         rules.scales[i] *= units_of_light_path(measured, own);
@@ -185,13 +186,13 @@ LightSubpaths::LightSubpaths(
     const SolverInput& input,
     const MeasuredArea& measured,
     const LampNearField& near,
-    double sharp_from)
+    double narrow_from)
     : prepared_(input.prepared),
       sampler_(input.sampler),
       stop_(input.stop),
       max_depth_(input.spec.max_depth),
       roulette_threshold_(roulette_threshold(input)),
-      rules_(rules_of(input.prepared, measured, near, sharp_from)),
+      rules_(rules_of(input.prepared, measured, near, narrow_from)),
       any_(needs_light_paths(input.prepared, near)),
       start_dimensions_(start_dimensions(input.prepared)) {}
 

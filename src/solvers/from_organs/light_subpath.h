@@ -13,7 +13,7 @@
 
 namespace quasimc {
 
-/// The weights and light vertices of a subpath, kept by each worker.
+/// The weights and light vertices of a subpath, reused by each worker.
 struct LightSubpathScratch {
     explicit LightSubpathScratch(std::size_t bands) { resize_apart(weights, bands); }
     std::vector<double> weights;  // per band
@@ -24,12 +24,12 @@ struct LightSubpathScratch {
 /// (PathClass).
 class LightSubpaths {
   public:
-    /// @param sharp_from  peak_brightness() of lobes that count as sharp
+    /// @param narrow_from  peak_brightness() from which on lobes count as narrow
     LightSubpaths(
         const SolverInput& input,
         const MeasuredArea& measured,
         const LampNearField& near,
-        double sharp_from);
+        double narrow_from);
 
     /// Whether there may be such light; otherwise no subpath need be traced.
     [[nodiscard]] bool any() const { return any_; }
@@ -46,10 +46,10 @@ class LightSubpaths {
         LightSubpathScratch& scratch,
         Tally& tally) const;
 
-    /// Which paths count, and in which units.
+    /// The paths that count, and their units.
     struct Rules {
         const LampNearField& near;
-        double sharp_from;
+        double narrow_from;
         std::vector<double> scales;   // by region: factor on its light
         std::vector<char> connected;  // by region: are_connected_with(), not 0; empty: none is
         bool has_unconnected;         // whether light counts on regions that are not

@@ -24,7 +24,7 @@ VertexLight::Connection VertexLight::connect(
     const Vec3 wi = way / distance;
     const Side& side = prepared_.material(vertex.surface.region).side(vertex.surface.side);
     std::fill(irradiance.begin(), irradiance.end(), 0.0);
-    side.add_scattered(vertex.surface.normal, vertex.wi, wi, sharp_from_, weights, irradiance);
+    side.add_scattered(vertex.surface.normal, vertex.wi, wi, narrow_from_, weights, irradiance);
     const auto is_none = [](double x) { return x == 0; };
     if (std::all_of(irradiance.begin(), irradiance.end(), is_none)) {
         return {};

@@ -16,60 +16,60 @@ NextEvent::NextEvent(
     const Sampler& sampler,
     const LampNearField& near,
     double scale,
-    double sharp_from,
+    double narrow_from,
     std::uint64_t points)
     : prepared_(prepared),
       sampler_(sampler),
       near_(near),
       scale_(scale),
-      sharp_from_(sharp_from),
-      shares_(prepared, points) {
+      narrow_from_(narrow_from),
+      light_sampler_(prepared, points) {
     const auto& lights = prepared.lights();
     dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
-    constexpr std::size_t kMost = 1000;  // lights, all of which are looked at each time
+    constexpr std::size_t kMaxEvaluated = 1000;  // lights, all of which are evaluated each time
     const bool has_lamp = std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
         return light.source->is_lamp();
     });
-    if (has_lamp && lights.size() > 1 && lights.size() <= kMost) {
+    if (has_lamp && lights.size() > 1 && lights.size() <= kMaxEvaluated) {
         for (const BoundSource& light : lights) {
-            lamps_.push_back(light.source_sampler->lamp_place().value_or(LampPlace{}));
+            lamps_.push_back(light.source_sampler->lamp_extent().value_or(LampExtent{}));
         }
     }
 }
 
-/// About the irradiance that a light would bring to a place, mean over the bands; of a lamp as if
-/// it shone alike in all directions.
-double NextEvent::importance(std::size_t index, const Vec3& place) const {
+/// The approximate irradiance of a light at a point without occlusion, mean over the bands; lamps
+/// count as isotropic.
+double NextEvent::importance(std::size_t index, const Vec3& p) const {
     const BoundSource& light = prepared_.lights()[index];
     const double spectrum = light.probability / light.source_sampler->flux();
     if (!light.source->is_lamp()) {
         return spectrum;
     }
-    const Ball& body = lamps_[index].body;
+    const BoundingSphere& body = lamps_[index].body;
     constexpr double kNearest = 1e-6;
-    const Vec3 offset = place - body.center;
+    const Vec3 offset = p - body.center;
     const double square = std::max(dot(offset, offset), body.radius * body.radius);
     return spectrum /
            (4 * std::numbers::pi * prepared_.projection().world_area() * (square + kNearest));
 }
 
-/// Picks a fifth of the lights by their flux, so that a light that brings more than its importance
-/// says is not missed.
-NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
+/// Picks lights by flux with a probability of a fifth, so that lights with an underestimated
+/// importance are not missed.
+NextEvent::Pick NextEvent::pick(double u, const Vec3& p) const {
     const auto& lights = prepared_.lights();
     if (lamps_.empty()) {
-        const LightPick share = shares_.pick(u);
+        const LightPick share = light_sampler_.pick(u);
         return {&lights[share.index], share.u, share.probability};
     }
     double sum = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-        sum += importance(i, place);
+        sum += importance(i, p);
     }
     constexpr double kByFlux = 0.2;
     double before = 0;
     for (std::size_t i = 0;; ++i) {
         const double probability =
-            kByFlux * lights[i].probability + (1 - kByFlux) * importance(i, place) / sum;
+            kByFlux * lights[i].probability + (1 - kByFlux) * importance(i, p) / sum;
         if (u < before + probability || i + 1 == lights.size()) {
             return {
                 &lights[i], std::clamp((u - before) / probability, 0.0, kBelowOne), probability};
@@ -80,12 +80,12 @@ NextEvent::Pick NextEvent::pick(double u, const Vec3& place) const {
 
 namespace {
 
-/// A sky as a narrow view shows it. Of directions drawn over all of the sky as many fall into the
-/// view in nearly every replicate, which then can't tell how many should.
+/// Samples a sky within a narrow field of view. If directions were sampled over all of the sky,
+/// nearly every replicate would have the same number in the view, and hide the error.
 Illumination sky_within(const Source& sky, const FieldOfView& view, double u0, double u1) {
     const double part = 1 - view.least_cosine * view.least_cosine;  // sine of its edge, squared
     const double edge = std::sqrt(part);
-    const bool above = view.normal.z > -edge;  // whether that side sees any of the sky
+    const bool above = view.normal.z > -edge;  // whether that side sees part of the sky
     const bool below = -view.normal.z > -edge;
     const bool is_upper = above && (!below || u0 < .5);
     const double u = above && below ? 2 * u0 - (is_upper ? 0 : 1) : u0;
@@ -103,7 +103,7 @@ LightSample NextEvent::sample_light(
     const Stream& stream,
     std::uint64_t point,
     std::uint32_t dimension,
-    const Vec3& place,
+    const Vec3& p,
     const FieldOfView& view) const {
     double u0 = 0;
     double u1 = 0;
@@ -111,13 +111,13 @@ LightSample NextEvent::sample_light(
         u0 = sampler_.coordinate(stream, point, dimension);
         u1 = sampler_.coordinate(stream, point, dimension + 1);
     }
-    const Pick picked = pick(u0, place);
+    const Pick picked = pick(u0, p);
     const BoundSource& light = *picked.light;
     const Illumination seen =
         view.least_cosine > 0 && light.is_extended()
             ? sky_within(*light.source, view, picked.u, u1)
             : model_of(*light.source)
-                  .illuminate(prepared_.caster().mesh().to_world(place), picked.u, u1);
+                  .illuminate(prepared_.caster().mesh().to_world(p), picked.u, u1);
     const double rarer = light.probability / picked.probability;
     return {
         &light, seen.to_light, seen.weight * scale_of(light) * rarer,
@@ -125,7 +125,7 @@ LightSample NextEvent::sample_light(
 }
 
 bool NextEvent::is_in_plane(const LightSample& sample, const Vec3& normal) {
-    // Half a digit of the coordinates of either, and a little.
+    // Half a unit in the last digit of either's coordinates, and a margin.
     constexpr double kHeight = 8e-8;
     return std::isfinite(sample.distance) &&
            std::abs(dot(sample.to_light, normal)) * sample.distance < kHeight;
@@ -134,15 +134,15 @@ bool NextEvent::is_in_plane(const LightSample& sample, const Vec3& normal) {
 std::uint64_t NextEvent::add_light(
     const LightSample& sample,
     const Surface& surface,
-    const Vec3& place,
+    const Vec3& p,
     const Vec3& out,
     GatherScratch& path) const {
     const bool is_same_side = dot(sample.to_light, surface.normal) > 0;
     const SurfaceSide arrival = is_same_side ? surface.side : opposite(surface.side);
     const Material& material = prepared_.material(surface.region);
     if (material.side(arrival).lobes().empty() || sample.factor == 0 ||
-        is_in_plane(sample, surface.normal) || near_.scatters_near(*sample.light, place) ||
-        !is_visible_source(prepared_, place, sample.to_light, sample.distance, surface.triangle)) {
+        is_in_plane(sample, surface.normal) || near_.scatters_near(*sample.light, p) ||
+        !is_visible_source(prepared_, p, sample.to_light, sample.distance, surface.triangle)) {
         return 0;
     }
     for (std::size_t b = 0; b < path.weights.size(); ++b) {
@@ -150,7 +150,7 @@ std::uint64_t NextEvent::add_light(
     }
     material.add_reflected(
         surface.normal, surface.side, out, -sample.to_light, sample.factor, path.products,
-        path.gathered, sample.light->is_extended() ? kSharpPeak : sharp_from_);
+        path.gathered, sample.light->is_extended() ? kSharpPeak : narrow_from_);
     return 1;
 }
 

@@ -38,7 +38,7 @@ double OrganPoints::open_part(const Organ& organ) {
     return organ.area > 0 ? std::max(0.0, 1 - organ.covered_area / organ.area) : 0;
 }
 
-OrganPoint OrganPoints::place(std::size_t organ_index, double u0, double u1) const {
+OrganPoint OrganPoints::point(std::size_t organ_index, double u0, double u1) const {
     const Organ& organ = prepared_.scene().organs()[organ_index];
     EXPECT(organ.area > organ.covered_area);
     const OrganAreas::Pick pick = areas_.pick(organ, u0 * (organ.area - organ.covered_area));
@@ -55,7 +55,7 @@ OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, doub
         prepared_.region(triangle)};
 }
 
-/// Across a triangle on its upper side: as it is rounded, or as given where that turns it.
+/// The normal of a triangle's upper side: of its rounded corners, or as given if rounding turns it.
 Vec3 OrganPoints::across(std::uint32_t scene_triangle, std::uint32_t mesh_triangle) const {
     constexpr double kLeast = 1e-5;
     const LocalMesh& mesh = prepared_.caster().mesh();

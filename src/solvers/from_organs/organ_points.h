@@ -10,23 +10,23 @@ namespace quasimc {
 
 /// A point of an organ, local coordinates.
 struct OrganPoint {
-    Vec3 place;
+    Vec3 p;
     Vec3 up;                     ///< unit normal of the upper side
-    std::uint32_t triangle = 0;  ///< of the mesh
+    std::uint32_t triangle = 0;  ///< index in the mesh
     std::uint32_t region = 0;
 };
 
-/// Places points on organs, uniformly over what other organs leave of their area.
+/// Samples points on organs, uniformly over the area that other organs do not cover.
 class OrganPoints {
   public:
     explicit OrganPoints(const PreparedScene& prepared);
 
-    /// The part of an organ's area that is not covered (Organ::covered_area); of no area: 0.
+    /// The fraction of an organ's area that is not covered (Organ::covered_area); 0 without area.
     [[nodiscard]] static double open_part(const Organ& organ);
     /// The point of an organ (of which some part is open) for a point of the unit square: u0 picks
     /// the triangle and is used again inside it. Periodic scenes: on that image of the triangle
     /// which has the point in the cell.
-    [[nodiscard]] OrganPoint place(std::size_t organ, double u0, double u1) const;
+    [[nodiscard]] OrganPoint point(std::size_t organ, double u0, double u1) const;
 
   private:
     void list_images();

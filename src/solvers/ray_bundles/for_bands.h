@@ -11,8 +11,8 @@ namespace quasimc {
 /// them have a length that the compiler knows.
 template <typename F>
 void for_bands(std::size_t bands, const F& f) {
-    static_assert(kMostInPack == 5);
-    EXPECT(1 <= bands && bands <= kMostInPack);
+    static_assert(kMaxInPack == 5);
+    EXPECT(1 <= bands && bands <= kMaxInPack);
     switch (bands) {
         case 1:
             return f.template operator()<1>();
@@ -23,7 +23,7 @@ void for_bands(std::size_t bands, const F& f) {
         case 4:
             return f.template operator()<4>();
         default:
-            return f.template operator()<kMostInPack>();
+            return f.template operator()<kMaxInPack>();
     }
 }
 

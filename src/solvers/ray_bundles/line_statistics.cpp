@@ -5,8 +5,8 @@
 namespace quasimc {
 namespace {
 
-/// How often lines meet a region tells little if they are fewer in the mean: at times none does.
-constexpr double kFewestMeetings = 10;
+/// The minimum mean number of lines that meet a corrected region: with fewer, at times none does.
+constexpr double kMinMeetings = 10;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ MetAreas met_areas(const PatchScene& scene, std::span<const double> found, doubl
         met.found[scene.surfaces[i].region] += found[i];
     }
     for (std::size_t region = 0; region < areas.size(); ++region) {
-        if (areas[region] * lines_per_area >= kFewestMeetings && met.found[region] > 0) {
+        if (areas[region] * lines_per_area >= kMinMeetings && met.found[region] > 0) {
             met.is_corrected[region] = true;
             met.corrections[region] = areas[region] / met.found[region];
         }

@@ -6,17 +6,17 @@
 namespace quasimc {
 namespace {
 
-/// Directions that are drawn more seldom than evenly by more than this count less.
-constexpr double kMostWeight = 4;
-/// A side of which less is surrounded gets little scattered light, and what is left when all that
-/// is open is taken from it is not known well enough.
-constexpr double kLeastSurrounded = 0.25;
+/// Directions with a density below the uniform one by more than this factor count less.
+constexpr double kMaxWeight = 4;
+/// The minimum surrounded fraction of a corrected side. Below it a side receives little scattered
+/// light, and the difference of area and open area is too noisy.
+constexpr double kMinSurrounded = 0.25;
 constexpr double kHemisphere = 2 * std::numbers::pi;
 
 }  // namespace
 
 double sky_weight(const SkyDirections& skies, const Vec3& travel) {
-    return std::min(1.0, kMostWeight * kHemisphere * skies.density(travel));
+    return std::min(1.0, kMaxWeight * kHemisphere * skies.density(travel));
 }
 
 void add_open_pixels(
@@ -38,7 +38,7 @@ std::vector<bool> surrounded_sides(const LineStatistics& lines) {
     std::vector<bool> is_surrounded(lines.open.size());
     for (std::size_t i = 0; i < lines.open.size(); ++i) {
         const double met = lines.areas.found[i / 2];
-        is_surrounded[i] = met > 0 && lines.open[i] <= (1 - kLeastSurrounded) * met;
+        is_surrounded[i] = met > 0 && lines.open[i] <= (1 - kMinSurrounded) * met;
     }
     return is_surrounded;
 }

@@ -11,17 +11,17 @@
 namespace quasimc {
 namespace {
 
-/// Each patch is met a few times in every step, however few paths there are: with fewer than this
-/// for each triangle that takes more time than it is worth.
-constexpr double kFewestPathsPerTriangle = 0.2;
-/// Of few organs each has so many paths that first hits leave less of an error than patches do.
-constexpr double kMostPathsPerOrgan = 1000;
-/// ... and far fewer under a sun where so much of all surfaces is closed stems of long patches,
-/// whose error does not get less with more paths.
-constexpr double kManyStems = 0.15, kMostPathsBesideStems = 4;
-constexpr std::size_t kFewestOrgans = 16;
+/// Minimum number of paths per triangle: each patch is met a few times in every step, however few
+/// paths there are.
+constexpr double kMinPathsPerTriangle = 0.2;
+/// Maximum number of paths per organ: with more, the errors of patches exceed those of first hits.
+constexpr double kMaxPathsPerOrgan = 1000;
+/// The maximum under a sun if this fraction of all surfaces is in closed stems with long patches,
+/// whose error does not decrease with more paths.
+constexpr double kManyStems = 0.15, kMaxPathsBesideStems = 4;
+constexpr std::size_t kMinOrgans = 16;
 
-bool is_matt(const Side& side) {
+bool is_diffuse(const Side& side) {
     return std::all_of(side.lobes().begin(), side.lobes().end(), [](const Lobe& lobe) {
         return lobe.shape->is_lambertian();
     });
@@ -29,15 +29,15 @@ bool is_matt(const Side& side) {
 
 }  // namespace
 
-bool is_matt(const Material& material) {
-    return material.is_transparent() || (is_matt(material.side(SurfaceSide::upper)) &&
-                                         is_matt(material.side(SurfaceSide::lower)));
+bool is_diffuse(const Material& material) {
+    return material.is_transparent() || (is_diffuse(material.side(SurfaceSide::upper)) &&
+                                         is_diffuse(material.side(SurfaceSide::lower)));
 }
 
-bool is_matt(const Scene& scene) {
+bool is_diffuse(const Scene& scene) {
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
-        if (is_used[m] && !is_matt(data_of(scene).materials[m])) {
+        if (is_used[m] && !is_diffuse(data_of(scene).materials[m])) {
             return false;
         }
     }
@@ -56,10 +56,10 @@ bool suits_bundles(const Scene& scene, const RunSpec& spec, double gain, bool ha
         }
         const LongPatches are_long = find_long_patches(scene, size);
         return are_long.organs.empty() && (!has_sun || are_long.closed_part < kManyStems ||
-                                           paths <= kMostPathsBesideStems * organs);
+                                           paths <= kMaxPathsBesideStems * organs);
     };
-    return scene.organs().size() >= kFewestOrgans && paths <= kMostPathsPerOrgan * organs &&
-           paths >= kFewestPathsPerTriangle * triangles * std::max(1.0, gain) && is_matt(scene) &&
+    return scene.organs().size() >= kMinOrgans && paths <= kMaxPathsPerOrgan * organs &&
+           paths >= kMinPathsPerTriangle * triangles * std::max(1.0, gain) && is_diffuse(scene) &&
            has_good_patches();
 }
 

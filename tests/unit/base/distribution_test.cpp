@@ -44,7 +44,7 @@ TEST(PiecewiseConstant2D, DrawsEachCellAsOftenAsItsShareSays) {
     const std::vector<double> shares{1, 0, 3, 0, 0, 0, 2, 1, 1};
     const PiecewiseConstant2D cells(shares, 3);
     EXPECT_EQ(cells.total(), 8);
-    constexpr int kSteps = 64;  // all borders are among the places
+    constexpr int kSteps = 64;  // all borders are among the points
     std::vector<int> drawn(shares.size());
     for (int i = 0; i < kSteps; ++i) {
         for (int j = 0; j < kSteps; ++j) {

@@ -5,7 +5,7 @@
 namespace quasimc {
 namespace {
 
-TEST(Fault, ReadsPlaceProblemWhyAndSuggestion) {
+TEST(Fault, ReadsLocationProblemWhyAndSuggestion) {
     const Fault fault{"a.toml:3", "rho is 2", "a fraction, 0 ... 1", "a percentage?"};
     EXPECT_EQ(fault.text(), "a.toml:3: rho is 2 (a fraction, 0 ... 1); a percentage?");
 }
@@ -42,8 +42,8 @@ TEST(Faults, AreToldInTheirOrder) {
     others.add({"b", "y", "", ""});
     faults.add(others);
     ASSERT_EQ(faults.all().size(), 2U);
-    EXPECT_EQ(faults.all()[0].place, "a");
-    EXPECT_EQ(faults.all()[1].place, "b");
+    EXPECT_EQ(faults.all()[0].where, "a");
+    EXPECT_EQ(faults.all()[1].where, "b");
     EXPECT_EQ(others.size(), 1U);
 }
 

@@ -33,14 +33,14 @@ void expect_same_bits(const quasimc_result& result, const Result& expected) {
         for (const QuantityEntry& entry : quantity_table()) {
             const auto mean = column(result, entry.name.data(), bands[b]);
             const auto error = column(result, entry.name.data(), bands[b], "standard_error");
-            const auto low = column(result, entry.name.data(), bands[b], "low");
-            const auto high = column(result, entry.name.data(), bands[b], "high");
+            const auto low = column(result, entry.name.data(), bands[b], "ci95_low");
+            const auto high = column(result, entry.name.data(), bands[b], "ci95_high");
             for (std::size_t i = 0; i < expected.organs(); ++i) {
                 const Estimate e = reported(expected.at(i, entry.quantity, b));
                 EXPECT_EQ(bits(mean[i]), bits(e.mean)) << entry.name;
                 EXPECT_EQ(bits(error[i]), bits(e.standard_error)) << entry.name;
-                EXPECT_EQ(bits(low[i]), bits(e.low)) << entry.name;
-                EXPECT_EQ(bits(high[i]), bits(e.high)) << entry.name;
+                EXPECT_EQ(bits(low[i]), bits(e.ci95_low)) << entry.name;
+                EXPECT_EQ(bits(high[i]), bits(e.ci95_high)) << entry.name;
             }
         }
     }
@@ -56,8 +56,8 @@ TEST(CInterface, GivesTheBitsOfTheLibraryFromArraysAndFromARunFile) {
     const RunFile file = read_run_file(path);
     const Result expected = quasimc::run(file.scene, file.sources, file.spec);
 
-    const SceneHandle stated = small_canopy(12);
-    const ResultHandle from_arrays = run(*stated);
+    const SceneHandle given = small_canopy(12);
+    const ResultHandle from_arrays = run(*given);
     ASSERT_TRUE(from_arrays) << quasimc_last_error();
     expect_same_bits(*from_arrays, expected);
 

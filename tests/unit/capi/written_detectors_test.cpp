@@ -71,7 +71,7 @@ TEST_P(WrittenDetectors, HaveARowForEachBinAndBand) {
         EXPECT_TRUE(line.starts_with(
             fmt::format("it,{},{},W,{},", seen().bins[i / 2], i % 2 == 0 ? "PAR" : "NIR", e.mean)))
             << line;
-        EXPECT_TRUE(line.ends_with(fmt::format(",{},{}", e.low, e.high))) << line;
+        EXPECT_TRUE(line.ends_with(fmt::format(",{},{}", e.ci95_low, e.ci95_high))) << line;
     }
     EXPECT_FALSE(std::getline(table, line));
 }
@@ -108,13 +108,13 @@ TEST_P(WrittenDetectors, AreReadByName) {
     ASSERT_EQ(bins, static_cast<std::int64_t>(seen().bins.size()));
     std::vector<double> high(seen().bins.size());
     ASSERT_EQ(
-        quasimc_result_get_detector(result.get(), "it", "NIR", "high", high.data(), bins),
+        quasimc_result_get_detector(result.get(), "it", "NIR", "ci95_high", high.data(), bins),
         QUASIMC_DONE);
     for (std::size_t i = 0; i < high.size(); ++i) {
         EXPECT_EQ(
             quasimc_result_detector_bin(result.get(), "it", static_cast<std::int64_t>(i)),
             seen().bins[i]);
-        EXPECT_EQ(high[i], reported(seen().at(i, 1)).high);
+        EXPECT_EQ(high[i], reported(seen().at(i, 1)).ci95_high);
     }
     EXPECT_EQ(quasimc_result_detector_bin_count(result.get(), "that"), -1);
     EXPECT_STREQ(quasimc_last_error(), "there is no detector 'that'");

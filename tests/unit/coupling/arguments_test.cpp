@@ -57,11 +57,11 @@ TEST(Arguments, FollowTheNameOfTheProgram) {
     EXPECT_EQ(kind_of_program("MonteCarlo"), SpecificationKind::montecarlo);
     EXPECT_EQ(kind_of_program("/usr/bin/MonteCarlo"), SpecificationKind::montecarlo);
     EXPECT_EQ(kind_of_program("/opt/MonteCarlo/QuasiMC"), SpecificationKind::automatic);
-    const std::vector<const char*> words{"s"}, stated{"--spec", "quasimc", "s"};
+    const std::vector<const char*> words{"s"}, given{"--spec", "quasimc", "s"};
     EXPECT_EQ(
         parse_arguments(words, SpecificationKind::montecarlo).kind, SpecificationKind::montecarlo);
     EXPECT_EQ(
-        parse_arguments(stated, SpecificationKind::montecarlo).kind, SpecificationKind::quasimc);
+        parse_arguments(given, SpecificationKind::montecarlo).kind, SpecificationKind::quasimc);
 }
 
 }  // namespace

@@ -7,12 +7,12 @@
 namespace quasimc::test {
 namespace {
 
-CommFile read(const std::string& text, KeptNotices& kept) {
+CommFile read(const std::string& text, RecordedNotices& kept) {
     return read_comm_text(text, "comm.e", kept.notices);
 }
 
 TEST(CommFile, TellsTransportAndChunks) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const CommFile file = read("communication type: sockets 50\n", kept);
     EXPECT_EQ(file.transport, Transport::sockets);
     EXPECT_EQ(file.chunk, 50U);
@@ -21,7 +21,7 @@ TEST(CommFile, TellsTransportAndChunks) {
 }
 
 TEST(CommFile, CountsTheNumbersOfATurtleLineAndWhatStandsBefore) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const CommFile file = read("turtle position:P:%.3f %.3f %.3f\nturtle line width: %f\n", kept);
     EXPECT_EQ(file.line(TurtleField::position).skip, 2U);
     EXPECT_EQ(file.line(TurtleField::position).values, 3U);
@@ -30,7 +30,7 @@ TEST(CommFile, CountsTheNumbersOfATurtleLineAndWhatStandsBefore) {
 }
 
 TEST(CommFile, TellsWhetherModulesAreInterpreted) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_TRUE(read("interpreted modules: all\n", kept).interprets_modules);
     EXPECT_TRUE(read("when interpret: -1\n", kept).interprets_modules);
     EXPECT_FALSE(read("interpreted modules:\n", kept).interprets_modules);
@@ -39,7 +39,7 @@ TEST(CommFile, TellsWhetherModulesAreInterpreted) {
 }
 
 TEST(CommFile, TakesYesAndOnForTheFollowingModule) {
-    KeptNotices kept;
+    RecordedNotices kept;
     for (const char* value : {"yes", "on", "maybe"}) {
         EXPECT_TRUE(read(std::string("following module: ") + value, kept).following_module);
     }
@@ -50,7 +50,7 @@ TEST(CommFile, TakesYesAndOnForTheFollowingModule) {
 }
 
 TEST(CommFile, SkipsWhatIsNotKnownWithANotice) {
-    KeptNotices kept;
+    RecordedNotices kept;
     static_cast<void>(read("Turtle position: %f\nexecutable: a:b\n\nno colon\n", kept));
     EXPECT_TRUE(kept.has("comm.e:1"));
     EXPECT_TRUE(kept.has("did you mean 'turtle position'?"));
@@ -59,7 +59,7 @@ TEST(CommFile, SkipsWhatIsNotKnownWithANotice) {
 }
 
 TEST(CommFile, NamesAllItsFaultsAtOnce) {
-    KeptNotices kept;
+    RecordedNotices kept;
     try {
         static_cast<void>(read("binary data: on\nbinary data: on\n", kept));
         FAIL();
@@ -70,7 +70,7 @@ TEST(CommFile, NamesAllItsFaultsAtOnce) {
 
 /// The simulator reads the same line, and the two must agree.
 TEST(CommFile, TakesPipesForWhatTheSimulatorDoesNotKnow) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_EQ(read("communication type: Pipes\n", kept).transport, Transport::pipes);
     EXPECT_TRUE(kept.texts.empty());
     EXPECT_EQ(read("communication type: Files 5\n", kept).transport, Transport::pipes);
@@ -79,7 +79,7 @@ TEST(CommFile, TakesPipesForWhatTheSimulatorDoesNotKnow) {
         read("communication type: sockets\ncommunication type: File\n", kept).transport,
         Transport::sockets);
     EXPECT_FALSE(read("communication type: files 0\n", kept).chunk.has_value());
-    EXPECT_TRUE(kept.has("the usual number"));
+    EXPECT_TRUE(kept.has("the default is used"));
 }
 
 }  // namespace

@@ -6,14 +6,14 @@
 
 namespace quasimc::test {
 
-bool KeptNotices::has(const std::string& word) const {
+bool RecordedNotices::has(const std::string& word) const {
     return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) {
         return text.find(word) != std::string::npos;
     });
 }
 
 CommFile usual_format() {
-    KeptNotices kept;
+    RecordedNotices kept;
     return read_comm_text(
         "turtle position: %f %f %f\nturtle heading: %f %f %f\nturtle left: %f %f %f\n"
         "turtle up: %f %f %f\nfollowing module: yes\n",
@@ -22,7 +22,7 @@ CommFile usual_format() {
 
 Specification specification(
     const std::string& text,
-    KeptNotices& kept,
+    RecordedNotices& kept,
     const std::map<std::string, std::string>& files,
     SpecificationKind kind) {
     InputFiles input("/", [&](const std::filesystem::path& path) {
@@ -36,7 +36,7 @@ Specification specification(
 }
 
 std::string faults_of(const std::string& text, const std::map<std::string, std::string>& files) {
-    KeptNotices kept;
+    RecordedNotices kept;
     try {
         static_cast<void>(specification(text, kept, files));
         return "";

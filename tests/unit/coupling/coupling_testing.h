@@ -9,7 +9,7 @@
 namespace quasimc::test {
 
 /// Notices that are kept.
-struct KeptNotices {
+struct RecordedNotices {
     std::vector<std::string> texts;
     Notices notices{[this](const std::string& text) { texts.push_back(text); }};
 
@@ -23,7 +23,7 @@ struct KeptNotices {
 /// A specification from its text; `files` are those it may name.
 [[nodiscard]] Specification specification(
     const std::string& text,
-    KeptNotices& kept,
+    RecordedNotices& kept,
     const std::map<std::string, std::string>& files = {},
     SpecificationKind kind = SpecificationKind::automatic);
 
@@ -31,7 +31,7 @@ struct KeptNotices {
 [[nodiscard]] std::string faults_of(
     const std::string& text, const std::map<std::string, std::string>& files = {});
 
-/// A query for a module at a place, lying flat with its upper side up and its heading to -z, as
+/// A query for a module at a position, lying flat with its upper side up and its heading to -z, as
 /// cpfg writes it.
 [[nodiscard]] std::string flat(
     int id, const std::string& module, double height, const std::string& question = "E(1)");

@@ -14,7 +14,7 @@ namespace quasimc::test {
 namespace {
 
 Lighting lighting(const std::string& text, const std::map<std::string, std::string>& files = {}) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(text, kept, files);
     return make_lighting(spec, spec.sky);
 }
@@ -124,10 +124,10 @@ TEST(Lighting, OfADistributionFunctionIsWhatItGrowsBy) {
 }
 
 TEST(Lighting, OfADistributionFunctionMayHaveIntensitiesBeside) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const auto sky = specification("sky file: s\n", kept, {{"s", "2 2\n0 1\n0 1\n0 1\n1 1\n"}});
     EXPECT_EQ(sky.sky_table->radiance, (std::vector<double>{1}));
-    EXPECT_TRUE(kept.has("distribution function, as MonteCarlo has it"));
+    EXPECT_TRUE(kept.has("distribution function as in MonteCarlo"));
 }
 
 TEST(Lighting, OfAFileThatIsNoSkyIsRefusedWithTheNumbersItHas) {

@@ -87,7 +87,7 @@ TEST(Messages, DoNotTakeSignsAloneForNumbers) {
 
 /// The text before the numbers may stand with or without the blanks of the format.
 TEST(Messages, HaveWhatStandsBeforeTheNumbersSkipped) {
-    KeptNotices kept;
+    RecordedNotices kept;
     for (const char* format : {" P: %f %f %f", "P:%f %f %f"}) {
         for (const char* line : {" P: 10 2 3", "P:10 2 3", "P: 10 2 3"}) {
             MessageParser parser(read_comm_text(
@@ -140,7 +140,7 @@ TEST(Messages, AreRefusedWithTheirLine) {
 }
 
 TEST(Messages, HaveThePositionOfLpfgThatTheFileDoesNotMention) {
-    KeptNotices kept;
+    RecordedNotices kept;
     MessageParser parser(
         read_comm_text("turtle heading: %f %f %f\nturtle up: %f %f %f\n", "comm.e", kept.notices));
     Pass pass;
@@ -230,7 +230,7 @@ RC_GTEST_PROP(MessageEnd, IsFoundInPieces, ()) {
     MessageEndFinder finder;
     for (std::size_t size = 0; size < bytes.size(); size += piece) {
         RC_ASSERT(finder.find(std::string_view(bytes).substr(0, size)) == std::string::npos);
-        RC_ASSERT(finder.place() + 8 > size);
+        RC_ASSERT(finder.offset() + 8 > size);
     }
     RC_ASSERT(finder.find(bytes + "0 E(1)\n") == bytes.size());
 }

@@ -10,7 +10,7 @@ const std::string kOld =
     "periodic canopy: yes\nreflectance model: blinn\nlight source: 0 1 0 1\nnumber of runs: 2\n";
 
 TEST(MonteCarlo, IsRecognizedByItsDirectives) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(kOld, kept);
     EXPECT_EQ(spec.kind, SpecificationKind::montecarlo);
     EXPECT_EQ(spec.run.max_depth, 3U);
@@ -24,7 +24,7 @@ TEST(MonteCarlo, IsRecognizedByItsDirectives) {
 }
 
 TEST(MonteCarlo, StatesTheDirectionTowardsTheLight) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_EQ(specification(kOld, kept).lights.front().travel, (Vec3{0, -1, 0}));
     EXPECT_EQ(
         specification("light source: 0 1 0 1", kept, {}, SpecificationKind::montecarlo)
@@ -35,7 +35,7 @@ TEST(MonteCarlo, StatesTheDirectionTowardsTheLight) {
 }
 
 TEST(MonteCarlo, NeedsADomainForAPeriodicCanopy) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_THROW(
         static_cast<void>(
             specification("periodic canopy: yes", kept, {}, SpecificationKind::montecarlo)),
@@ -43,7 +43,7 @@ TEST(MonteCarlo, NeedsADomainForAPeriodicCanopy) {
 }
 
 TEST(MonteCarlo, GivesTheFluxOfAPeriodicCanopy) {
-    KeptNotices kept;
+    RecordedNotices kept;
     PlantLight light(specification(kOld + "leaf material (top): 0 0 0 0\n", kept), kept.notices);
     // A leaf as large as a tenth of the domain takes a tenth of its light.
     const auto answers = answers_of(light, flat(0, "P(1.96,10)", 1));
@@ -51,7 +51,7 @@ TEST(MonteCarlo, GivesTheFluxOfAPeriodicCanopy) {
 }
 
 TEST(MonteCarlo, AnswersOrgansThatOnlyShade) {
-    KeptNotices kept;
+    RecordedNotices kept;
     PlantLight light(specification(kOld + "leaf material (top): 0 0 0 0\n", kept), kept.notices);
     const auto answers =
         answers_of(light, flat(0, "P(1.96,10)", 1, "E(-1)") + flat(1, "P(1.96,10)", 0, "E(1)"));
@@ -61,7 +61,7 @@ TEST(MonteCarlo, AnswersOrgansThatOnlyShade) {
 }
 
 TEST(MonteCarlo, CountsMaterialsFromOne) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const std::string black_above =
         "leaf material (top): 0 0 0 0\nleaf material (bottom): 1 0 0 0\nmaterial: 0.5 0 0 0\n";
     PlantLight light(specification(kOld + black_above, kept), kept.notices);
@@ -83,7 +83,7 @@ TEST(MonteCarlo, CountsMaterialsFromOne) {
 
 /// Organs that only shade are answered, but beside sensors nothing is known of their light.
 TEST(MonteCarlo, AnswersSensorsAlone) {
-    KeptNotices kept;
+    RecordedNotices kept;
     PlantLight light(specification(kOld + "rays from objects: yes 30\n", kept), kept.notices);
     const auto answers = answers_of(light, flat(10, "P(1,1)", 1, "E(-1)") + flat(20, "P(1,1)", 2));
     EXPECT_EQ(answers.count(10), 0U);
@@ -92,7 +92,7 @@ TEST(MonteCarlo, AnswersSensorsAlone) {
 }
 
 TEST(MonteCarlo, KnowsDirectivesOfItsOwn) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(
         "version: 2\nno direct light: yes\nrays from objects: yes 30\n"
         "reflectance model: parcinopy\n",
@@ -101,14 +101,14 @@ TEST(MonteCarlo, KnowsDirectivesOfItsOwn) {
     EXPECT_EQ(spec.run.direct_light, DirectLight::excluded);
     EXPECT_EQ(spec.sensor_half_angle_deg, 30);
     EXPECT_EQ(spec.light_model, "phong");
-    EXPECT_TRUE(kept.has("PARCINOPY is not known"));
+    EXPECT_TRUE(kept.has("PARCINOPY is unknown"));
     EXPECT_EQ(
         specification("ray density: 1\nno direct light: no\n", kept).run.direct_light,
         DirectLight::included);
 }
 
 TEST(MonteCarlo, ReadsSkiesWithComments) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(
         kOld + "sky file: sky\n", kept,
         {{"sky", "// of a day\n2 1\n# azimuth elevation value\n0 0 1\n0 0 3\n"}});

@@ -12,9 +12,9 @@ namespace {
 class OrganShapesTest : public ::testing::Test {
   protected:
     OrganShape make(const std::string& module, const std::string& text = "") {
-        spec_ = specification(text, kept_, {{"leaf.s", square_surface()}});
+        spec_ = specification(text, cached_, {{"leaf.s", square_surface()}});
         const Pass pass = pass_of(flat(0, module, 1));
-        return OrganShapes(spec_, kept_.notices).make(pass, pass.queries.front());
+        return OrganShapes(spec_, cached_.notices).make(pass, pass.queries.front());
     }
     static Vec3 normal(const OrganShape& shape) {
         Vec3 sum;
@@ -24,7 +24,7 @@ class OrganShapesTest : public ::testing::Test {
         return sum;
     }
 
-    KeptNotices kept_;
+    RecordedNotices cached_;
     Specification spec_;
 };
 
@@ -50,11 +50,11 @@ TEST_F(OrganShapesTest, HaveTheirUpperSideTowardsUp) {
 
 TEST_F(OrganShapesTest, HaveTheUpperSideOfEitherSimulator) {
     // The same leaf from cpfg (up = left x heading) and lpfg (up = heading x left).
-    spec_ = specification("", kept_);
-    const std::string place = " 0 1 0\n 0 0 -1\n -1 0 0\n";
+    spec_ = specification("", cached_);
+    const std::string frame = " 0 1 0\n 0 0 -1\n -1 0 0\n";
     const Pass pass =
-        pass_of("0 E(1)P(1,1)\n" + place + " 0 -1 0\n1 E(1)P(1,1)\n" + place + " 0 1 0\n");
-    OrganShapes shapes(spec_, kept_.notices);
+        pass_of("0 E(1)P(1,1)\n" + frame + " 0 -1 0\n1 E(1)P(1,1)\n" + frame + " 0 1 0\n");
+    OrganShapes shapes(spec_, cached_.notices);
     EXPECT_LT(normal(shapes.make(pass, pass.queries[0])).y, 0);
     EXPECT_GT(normal(shapes.make(pass, pass.queries[1])).y, 0);
 }
@@ -96,90 +96,91 @@ TEST_F(OrganShapesTest, TakeTheirMaterials) {
     EXPECT_EQ(
         make("S(2,1)", kMaterials + "material parameter: 1\n").materials, (SideMaterials{0, 1}));
     EXPECT_EQ(make("P(1,1,9)", kMaterials).materials, (SideMaterials{0, 1}));
-    EXPECT_TRUE(kept_.has("names material 9"));
+    EXPECT_TRUE(cached_.has("uses material 9"));
 }
 
 TEST_F(OrganShapesTest, NameWhatTheyDoNotUnderstandOnce) {
     for (int i = 0; i < 3; ++i) {
         EXPECT_TRUE(make("X(1,1)").triangles.empty());
     }
-    EXPECT_TRUE(kept_.has("module 'X' is not understood"));
-    EXPECT_EQ(kept_.texts.size(), 1U);
+    EXPECT_TRUE(cached_.has("module 'X' is unknown"));
+    EXPECT_EQ(cached_.texts.size(), 1U);
     EXPECT_TRUE(make("Plant(1,1)").triangles.empty());
-    EXPECT_TRUE(kept_.has("'Plant'"));
+    EXPECT_TRUE(cached_.has("'Plant'"));
 }
 
 TEST_F(OrganShapesTest, WithoutSizeAreNothing) {
     EXPECT_TRUE(make("P(0,1)").triangles.empty());  // a bud that has not grown
-    EXPECT_TRUE(kept_.texts.empty());
+    EXPECT_TRUE(cached_.texts.empty());
     for (const char* module :
          {"P(-1,1)", "T(nan,1)", "U(1,1,1,91)", "S(3,1)", "I(1,inf)", "P(1)"}) {
         EXPECT_TRUE(make(module, "surface: leaf.s 0").triangles.empty()) << module;
     }
-    EXPECT_GE(kept_.texts.size(), 5U);
+    EXPECT_GE(cached_.texts.size(), 5U);
 }
 
 TEST_F(OrganShapesTest, TellOfParametersInNumbersThatAgree) {
     EXPECT_TRUE(make("P()").triangles.empty());
-    EXPECT_TRUE(kept_.has("has 1 parameter; 2 are needed")) << kept_.texts.front();
+    EXPECT_TRUE(cached_.has("has 1 parameter; 2 are needed")) << cached_.texts.front();
     EXPECT_TRUE(make("U(1,2)").triangles.empty());
-    EXPECT_TRUE(kept_.has("has 2 parameters; 4 are needed"));
+    EXPECT_TRUE(cached_.has("has 2 parameters; 4 are needed"));
 }
 
 TEST_F(OrganShapesTest, TellOfMaterialsThatAreNoWholeNumbers) {
     const std::string two = "leaf material (top): 1 0 0 0\nmaterial: 0.5 0 0 0\n";
     EXPECT_FALSE(make("P(1,1,1)", two).triangles.empty());
-    EXPECT_TRUE(kept_.texts.empty());
+    EXPECT_TRUE(cached_.texts.empty());
     EXPECT_EQ(make("P(1,1,0.7)", two).materials.upper, 0U) << "what stands before the point";
-    EXPECT_TRUE(kept_.has("names material 0.7: what stands behind the point does not count"));
+    EXPECT_TRUE(cached_.has("uses material 0.7; text after the point is ignored"));
 }
 
 TEST_F(OrganShapesTest, TellOfPolygonsByTheirLines) {
-    spec_ = specification("", kept_);
+    spec_ = specification("", cached_);
     const std::string turtle = " 0 0 0\n 0 0 -1\n -1 0 0\n 0 1 0\n";
     const Pass pass = pass_of(
         "0 E(1)\n" + turtle + "Dbegin\npolygon\n 0 0 0\n 1 0 0\n 0 0 1\npolygon\n 0 0 0\nDend\n" +
         "1 E(1)M(1)\n" + turtle + "Dbegin\npolygon\n 0 0 0\n 1 0 0\n 2 0 0\nDend\n");
-    OrganShapes shapes(spec_, kept_.notices);
+    OrganShapes shapes(spec_, cached_.notices);
     EXPECT_EQ(shapes.make(pass, pass.queries[0]).triangles.size(), 1U);
-    EXPECT_TRUE(
-        kept_.has("query 0, without a module, has a polygon (line 11 of its message) of 1 corner"))
-        << kept_.texts.front();
+    EXPECT_TRUE(cached_.has(
+        "query 0, without a module, has a polygon (line 11 of its message) of 1 corner"))
+        << cached_.texts.front();
     static_cast<void>(shapes.make(pass, pass.queries[1]));
-    EXPECT_TRUE(kept_.has("module M (query 1) has a polygon (line 20 of its message) without area"))
-        << kept_.texts.back();
+    EXPECT_TRUE(
+        cached_.has("module M (query 1) has a polygon (line 20 of its message) without area"))
+        << cached_.texts.back();
 }
 
 TEST_F(OrganShapesTest, OfPolygonsAddUp) {
-    spec_ = specification("", kept_);
+    spec_ = specification("", cached_);
     const std::string turtle = " 0 0 0\n 0 0 -1\n -1 0 0\n 0 1 0\n";
     const Pass pass = pass_of(
         "0 E(1)M(1)\n" + turtle +
         "Dbegin\npolygon\n 0 0 0\n 1 0 0\n 1 0 0\n 1 0 1\n 0 0 1\n"  // a square
         "polygon\n 2 0 0\n 5 0 0\n 3 0 0.5\n 2 0 2\nDend\n");        // a dart, not convex
-    const OrganShape shape = OrganShapes(spec_, kept_.notices).make(pass, pass.queries.front());
+    const OrganShape shape = OrganShapes(spec_, cached_.notices).make(pass, pass.queries.front());
     EXPECT_NEAR(area(shape.triangles), 1 + 1.75, 1e-12);
     EXPECT_GT(normal(shape).y, 0);
-    EXPECT_TRUE(kept_.texts.empty());
+    EXPECT_TRUE(cached_.texts.empty());
 }
 
 TEST_F(OrganShapesTest, OfPolygonsWhoseSidesCrossAreFans) {
-    spec_ = specification("", kept_);
+    spec_ = specification("", cached_);
     const std::string turtle = " 0 0 0\n 0 0 -1\n -1 0 0\n 0 1 0\n";
     const Pass pass = pass_of(
         "0 E(1)M(1)\n" + turtle +
         "Dbegin\npolygon\n 0 0 0\n 4 0 0\n 4 0 2\n 2 0 -1\n 0 0 2\nDend\n"
         "1 E(1)M(1)\n" +
         turtle + "Dbegin\npolygon\n 0 0 0\n 1e200 0 0\n 1e200 0 1e200\n 0 0 1e200\nDend\n");
-    OrganShapes shapes(spec_, kept_.notices);
+    OrganShapes shapes(spec_, cached_.notices);
     const OrganShape fan = shapes.make(pass, pass.queries[0]);
     ASSERT_EQ(fan.triangles.size(), 3U);
     EXPECT_NEAR(area(fan.triangles), 4 + 4 + 2, 1e-12);
     for (const Triangle& t : fan.triangles) {
         EXPECT_GT(area_vector(t).y, 0);
     }
-    EXPECT_TRUE(kept_.has("cut into a fan"));
-    KeptNotices of_huge;
+    EXPECT_TRUE(cached_.has("divided into a fan"));
+    RecordedNotices of_huge;
     EXPECT_TRUE(OrganShapes(spec_, of_huge.notices).make(pass, pass.queries[1]).triangles.empty());
     EXPECT_TRUE(of_huge.has("left out"));
 }

@@ -19,14 +19,15 @@ class PlantLightTest : public ::testing::Test {
   protected:
     std::map<std::int64_t, std::vector<double>> answers(
         const std::string& text, const std::string& queries) {
-        PlantLight light(specification(text, kept_, {{"leaf.s", square_surface()}}), kept_.notices);
+        PlantLight light(
+            specification(text, cached_, {{"leaf.s", square_surface()}}), cached_.notices);
         return answers_of(light, queries);
     }
     double first(const std::string& text, const std::string& queries) {
         return answers(text, queries).at(0).at(0);
     }
 
-    KeptNotices kept_;
+    RecordedNotices cached_;
 };
 
 /// A model subtracts it from 1.
@@ -59,21 +60,21 @@ TEST_F(PlantLightTest, LetsOrgansWithNegativeQuestionsShadeOnly) {
 TEST_F(PlantLightTest, AnswersWhatItDoesNotUnderstandWithZeroAndANotice) {
     const auto all = answers(kBlack, flat(0, "X(1,2)", 1) + flat(1, "P(1,2)", 2));
     EXPECT_EQ(all.at(0).at(0), 0);
-    EXPECT_TRUE(kept_.has("'X' is not understood"));
+    EXPECT_TRUE(cached_.has("'X' is unknown"));
 }
 
 TEST_F(PlantLightTest, WarnsOnceOfOrgansThatLieOnEachOther) {
-    PlantLight light(specification(kBlack, kept_), kept_.notices);
+    PlantLight light(specification(kBlack, cached_), cached_.notices);
     const std::string apart = flat(0, "P(1,2)", 1) + flat(1, "P(1,2)", 2);
     static_cast<void>(answers_of(light, apart));
-    const std::size_t before = kept_.texts.size();
-    EXPECT_FALSE(kept_.has("black")) << "as it is stated";
-    const std::string upon = apart + flat(2, "P(1,2)", 2);
-    static_cast<void>(answers_of(light, upon));
-    EXPECT_TRUE(kept_.has("with the same corners as triangles of organ 'P' (id 2)"));
-    EXPECT_EQ(kept_.texts.size(), before + 1);
-    static_cast<void>(answers_of(light, upon + flat(3, "P(1,2)", 1)));
-    EXPECT_EQ(kept_.texts.size(), before + 1);
+    const std::size_t before = cached_.texts.size();
+    EXPECT_FALSE(cached_.has("black")) << "as it is stated";
+    const std::string onto = apart + flat(2, "P(1,2)", 2);
+    static_cast<void>(answers_of(light, onto));
+    EXPECT_TRUE(cached_.has("have the same corners as triangles of organ 'P' (id 2)"));
+    EXPECT_EQ(cached_.texts.size(), before + 1);
+    static_cast<void>(answers_of(light, onto + flat(3, "P(1,2)", 1)));
+    EXPECT_EQ(cached_.texts.size(), before + 1);
 }
 
 TEST_F(PlantLightTest, AnswersSeveralBandsAndLeavesSlotsEmpty) {
@@ -88,9 +89,9 @@ TEST_F(PlantLightTest, AnswersSeveralBandsAndLeavesSlotsEmpty) {
         EXPECT_NEAR(all.at(0)[1], 2, 2 * kMargin);
         EXPECT_EQ(all.at(0)[2], 0);
     }
-    EXPECT_TRUE(kept_.texts.empty());
+    EXPECT_TRUE(cached_.texts.empty());
     static_cast<void>(answers(bands, flat(0, "P(1,2)", 1, "E(1)")));
-    EXPECT_TRUE(kept_.has("3 values"));
+    EXPECT_TRUE(cached_.has("3 values"));
 }
 
 TEST_F(PlantLightTest, ReturnsQuantitiesByName) {
@@ -115,25 +116,25 @@ TEST_F(PlantLightTest, IgnoresDirectLightWhenTold) {
 
 TEST_F(PlantLightTest, TakesSettingsFromModules) {
     PlantLight light(
-        specification(kBlack + "location: 45 0\ngrowth period: 12 12\n", kept_), kept_.notices);
+        specification(kBlack + "location: 45 0\ngrowth period: 12 12\n", cached_), cached_.notices);
     const auto with_settings =
         answers_of(light, flat(0, "Q(64)", 0) + flat(1, "J(100,0,2.45)", 0) + flat(2, "P(1,2)", 1));
     EXPECT_EQ(with_settings.size(), 1U);
     EXPECT_EQ(light.last().results.front().paths, 64U);
     EXPECT_GT(with_settings.at(2).at(0), 0);
-    EXPECT_TRUE(kept_.texts.empty());
+    EXPECT_TRUE(cached_.texts.empty());
     static_cast<void>(answers_of(light, flat(0, "J(400)", 0) + flat(1, "Q(0)", 0)));
-    EXPECT_TRUE(kept_.has("J(day"));
-    EXPECT_TRUE(kept_.has("Q(rays"));
+    EXPECT_TRUE(cached_.has("J(day"));
+    EXPECT_TRUE(cached_.has("Q(rays"));
 }
 
 TEST_F(PlantLightTest, IsDarkAtNight) {
     EXPECT_EQ(first(kBlack + "location: 45 0\ngrowth period: 0 0.5\n", flat(0, "P(1,2)", 1)), 0);
-    EXPECT_TRUE(kept_.has("no light"));
+    EXPECT_TRUE(cached_.has("no light"));
 }
 
 TEST_F(PlantLightTest, KeepsTheGeometryOfAStandingPlant) {
-    PlantLight light(specification(kBlack, kept_), kept_.notices);
+    PlantLight light(specification(kBlack, cached_), cached_.notices);
     const std::string leaf = flat(0, "P(1,2)", 1);
     const double before = answers_of(light, leaf).at(0).at(0);
     EXPECT_NEAR(answers_of(light, leaf).at(0).at(0), before, 2 * kMargin);
@@ -201,8 +202,8 @@ TEST_F(PlantLightTest, ReachesATargetError) {
         specification(
             "target error: 0.02 1\nnumber of rays: 256\nsampling method: monte carlo\n"
             "method: light_tracing\n",
-            kept_),
-        kept_.notices);
+            cached_),
+        cached_.notices);
     static_cast<void>(answers_of(light, flat(0, "P(1,2)", 1) + flat(1, "P(1,2)", 0.5)));
     EXPECT_EQ(light.last().results.front().stop, StopReason::target_reached);
     EXPECT_GT(light.last().results.front().paths, 256U);
@@ -210,7 +211,8 @@ TEST_F(PlantLightTest, ReachesATargetError) {
 
 TEST_F(PlantLightTest, EndsWhenAskedTo) {
     PlantLight light(
-        specification("number of rays: 1073741824\nnumber of runs: 100\n", kept_), kept_.notices);
+        specification("number of rays: 1073741824\nnumber of runs: 100\n", cached_),
+        cached_.notices);
     Answers answers;
     EXPECT_THROW(
         light.answer(
@@ -231,7 +233,7 @@ std::string pile(int asking, int shading) {
 
 TEST_F(PlantLightTest, UsesTheMethodThatAutoFindsBest) {
     const auto method_of = [&](const std::string& text, const std::string& queries) {
-        PlantLight light(specification(text, kept_), kept_.notices);
+        PlantLight light(specification(text, cached_), cached_.notices);
         static_cast<void>(answers_of(light, queries));
         return light.last().results.front().chosen.method;
     };
@@ -262,7 +264,7 @@ std::string leaves_around_a_stem(int count, double spread) {
 /// Whoever writes few rays asks for speed: no method that does more work is chosen for its errors.
 TEST_F(PlantLightTest, IsBoundByTheNumberOfRays) {
     const auto run = [&](const std::string& text, const std::string& queries) {
-        PlantLight light(specification(text, kept_), kept_.notices);
+        PlantLight light(specification(text, cached_), cached_.notices);
         static_cast<void>(answers_of(light, queries));
         return light.last().results.front();
     };
@@ -281,7 +283,7 @@ TEST_F(PlantLightTest, IsBoundByTheNumberOfRays) {
                 EXPECT_EQ(
                     bounded.chosen.method, spread > 1 ? Method::from_organs : Method::first_hits)
                     << text;
-                EXPECT_NE(bounded.chosen.reason, "asked for");
+                EXPECT_NE(bounded.chosen.reason, "requested");
             }
         }
     }
@@ -304,7 +306,7 @@ TEST_F(PlantLightTest, HasLightOnFoggyDays) {
         EXPECT_NEAR(foggy, hazy, 0.01 * hazy) << turbidity;
         EXPECT_NEAR(foggy, 0.2159, 0.002) << turbidity;  // half of what falls on the leaf
     }
-    PlantLight light(specification(day, kept_), kept_.notices);
+    PlantLight light(specification(day, cached_), cached_.notices);
     const std::string setting = "1 E(1)J(200,1,64)\n 0 0 0\n 0 1 0\n -1 0 0\n 0 0 1\n";
     EXPECT_NEAR(answers_of(light, setting + leaf).at(0).at(0), hazy, 0.01 * hazy);
 }
@@ -321,8 +323,8 @@ TEST_F(PlantLightTest, AnswersAlikeByEveryMethod) {
           "light source: 0.3 -1 0.1 1\nignore direct light: yes\n"}) {
         const auto answers_by = [&](const std::string& method) {
             PlantLight plant(
-                specification(two_bands + light + method, kept_, {{"cells", cells}}),
-                kept_.notices);
+                specification(two_bands + light + method, cached_, {{"cells", cells}}),
+                cached_.notices);
             std::string queries = pile(4, 1);
             for (std::size_t at = 0; (at = queries.find("E(1)", at)) != std::string::npos; ++at) {
                 queries.replace(at, 4, "E(1,0)");
@@ -353,8 +355,8 @@ TEST_F(PlantLightTest, KnowsDirectLightWellEvenWithFewRays) {
 
 TEST_F(PlantLightTest, GivesTheSameLightAgainAndOtherNoiseAtEachStep) {
     const std::string text = "number of rays: 256\nseed: 5\n";
-    PlantLight once(specification(text, kept_), kept_.notices);
-    PlantLight again(specification(text, kept_), kept_.notices);
+    PlantLight once(specification(text, cached_), cached_.notices);
+    PlantLight again(specification(text, cached_), cached_.notices);
     const auto first = answers_of(once, pile(5, 0));
     once.set_step(1);
     const auto second = answers_of(once, pile(5, 0));
@@ -365,7 +367,7 @@ TEST_F(PlantLightTest, GivesTheSameLightAgainAndOtherNoiseAtEachStep) {
 }
 
 TEST_F(PlantLightTest, TracesNothingWhereNothingAsks) {
-    PlantLight light(specification("method: from_organs\n", kept_), kept_.notices);
+    PlantLight light(specification("method: from_organs\n", cached_), cached_.notices);
     EXPECT_TRUE(answers_of(light, pile(0, 3)).empty());
     EXPECT_TRUE(light.last().results.empty());
 }

@@ -6,7 +6,7 @@ namespace quasimc::test {
 namespace {
 
 TEST(Specification, HasDefaultsForAllThatIsNotStated) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification("", kept);
     EXPECT_EQ(spec.kind, SpecificationKind::quasimc);
     EXPECT_EQ(spec.irradiance, std::vector<double>{1});
@@ -19,7 +19,7 @@ TEST(Specification, HasDefaultsForAllThatIsNotStated) {
 }
 
 TEST(Specification, ReadsEveryDirectiveOfTheOriginal) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(
         R"(// a model of two bands
 Verbose: 1
@@ -88,7 +88,7 @@ visualization: light box wire 1 0 0
 }
 
 TEST(Specification, ReadsWhatIsNew) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(
         "seed: 7\nnumber of threads: 2\ntarget error: 0.05 0.9\nmaximum seconds: 3\n"
         "canopy period: 2 3 -1 -1.5\nground: 0.5 0\nsky: uniform\ndirect sun: no\n"
@@ -112,7 +112,7 @@ TEST(Specification, ReadsWhatIsNew) {
 }
 
 TEST(Specification, SaysWhetherStepsAreShown) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_FALSE(specification("", kept).view_port);
     EXPECT_EQ(specification("view: yes\n", kept).view_port, 0);
     EXPECT_EQ(specification("View: yes 8080\n", kept).view_port, 8080);
@@ -123,7 +123,7 @@ TEST(Specification, SaysWhetherStepsAreShown) {
 }
 
 TEST(Specification, MayStateTheBandsAfterWhatNeedsThem) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(
         "source spectrum: 1 2 3 4\nleaf material (top): 0 0 0 0\n: 0 0 0 0\nspectrum samples: 2\n",
         kept);
@@ -135,8 +135,9 @@ TEST(Specification, NamesAllFaultsAtOnceWithTheirLines) {
         "number of rays: 0\nmaximum depth: 0\nreturn type: X\nleaf material (top): 0.6 10 0.6 10\n"
         "weather: 1 0.5\nlight source: 0 0 0 1\nsky file: none.dat\n");
     for (const char* expected :
-         {"light.qmc:1", "light.qmc:2", "light.qmc:3", "light.qmc:4", "more than 1", "light.qmc:5",
-          "1 to 64", "light.qmc:6", "points nowhere", "light.qmc:7", "can't be read"}) {
+         {"light.qmc:1", "light.qmc:2", "light.qmc:3", "light.qmc:4", "their sum exceeds 1",
+          "light.qmc:5", "1 to 64", "light.qmc:6", "it has no direction", "light.qmc:7",
+          "can't be read"}) {
         EXPECT_NE(faults.find(expected), std::string::npos) << expected << "\n" << faults;
     }
 }
@@ -198,19 +199,19 @@ INSTANTIATE_TEST_SUITE_P(
 /// One row: a line that says more than is known, and what the notice of it holds.
 struct Surplus {
     const char* line;
-    const char* told;
+    const char* reported;
 };
 
 class SurplusLines : public ::testing::TestWithParam<Surplus> {};
 
 TEST_P(SurplusLines, AreSkippedWithANotice) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec =
         specification(std::string(GetParam().line) + "\nmaximum depth: 7\n", kept);
     EXPECT_EQ(spec.run.max_depth, 7U);
     ASSERT_EQ(kept.texts.size(), 1U);
     EXPECT_TRUE(kept.has("light.qmc:1")) << kept.texts.front();
-    EXPECT_TRUE(kept.has(GetParam().told)) << kept.texts.front();
+    EXPECT_TRUE(kept.has(GetParam().reported)) << kept.texts.front();
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -218,18 +219,18 @@ INSTANTIATE_TEST_SUITE_P(
     SurplusLines,
     ::testing::Values(
         Surplus{"number of ray: 5", "did you mean 'number of rays'?"},
-        Surplus{"something else: 5\n: 6", "docs/formats/specification.md"},
-        Surplus{"not a directive", "a line reads"},
-        Surplus{": 1 2", "a line reads"},
-        Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is no directive"},
+        Surplus{"something else: 5\n: 6", "docs/reference/specification.md"},
+        Surplus{"not a directive", "is not a directive"},
+        Surplus{": 1 2", "is not a directive"},
+        Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is not a directive"},
         Surplus{"source spectrum: 660 1.0 730 0.5", "'730 0.5' is not read"},
         Surplus{"return type: D F", "2 letters for the 1 band"},
         Surplus{"sampling method: latin", "Monte Carlo is used"},
-        Surplus{"light source: 0 -1 0", "no weight: 1 is taken"},
+        Surplus{"light source: 0 -1 0", "no weight: 1 is used"},
         Surplus{"weather: 1 1", "that of 1.4"}));
 
 TEST(Specification, TakesWhatTheOriginalTakesForMonteCarlo) {
-    KeptNotices kept;
+    RecordedNotices kept;
     for (const char* said : {"MonteCarlo", "monte carlo", "Monte-Carlo", "monte_carlo", "monte"}) {
         const std::string text = std::string("sampling method: ") + said + "\n";
         EXPECT_EQ(specification(text, kept).run.sampler, "monte_carlo") << said;
@@ -242,7 +243,7 @@ TEST(Specification, TakesWhatTheOriginalTakesForMonteCarlo) {
 }
 
 TEST(Specification, TakesOnAndOffForTheLevelOfMessages) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_EQ(specification("verbose: on\n", kept).verbose, 1);
     EXPECT_EQ(specification("verbose: off\n", kept).verbose, 0);
     EXPECT_EQ(specification("verbose: 2\n", kept).verbose, 2);
@@ -250,7 +251,7 @@ TEST(Specification, TakesOnAndOffForTheLevelOfMessages) {
 }
 
 TEST(Specification, TakesALightWithoutAWeight) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const auto lights = specification("light source: 1 -1 0\n", kept).lights;
     ASSERT_EQ(lights.size(), 1U);
     EXPECT_EQ(lights.front().travel, (Vec3{1, -1, 0}));
@@ -258,7 +259,7 @@ TEST(Specification, TakesALightWithoutAWeight) {
 }
 
 TEST(Specification, TakesTheFirstBandsWhereThereAreMore) {
-    KeptNotices kept;
+    RecordedNotices kept;
     const Specification spec = specification(
         "spectrum samples: 2\nsource spectrum: 660 1 730 2 800 3\nreturn type: D U L\n", kept);
     EXPECT_EQ(spec.irradiance, (std::vector<double>{1, 2}));
@@ -266,7 +267,7 @@ TEST(Specification, TakesTheFirstBandsWhereThereAreMore) {
 }
 
 TEST(Specification, TakesTheTurbiditiesOfTheManual) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_EQ(specification("weather: 0 1\n", kept).sky->weather, Weather::overcast);
     EXPECT_EQ(specification("weather: 1 64\n", kept).sky->turbidity, 64);
     EXPECT_TRUE(kept.texts.empty());
@@ -274,12 +275,12 @@ TEST(Specification, TakesTheTurbiditiesOfTheManual) {
 }
 
 TEST(Specification, HasSeveralRunsForATargetWhereverItStands) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_GT(specification("target error: 0.1\nnumber of runs: 1\n", kept).run.replicates, 1U);
 }
 
 TEST(Specification, KeepsTheNameOfTheTableWhicheverDirectiveHasIt) {
-    KeptNotices kept;
+    RecordedNotices kept;
     for (const char* text :
          {"return variance: yes\noutput file: yes a.dat\n",
           "output file: yes a.dat\nreturn variance: yes\n"}) {
@@ -290,12 +291,12 @@ TEST(Specification, KeepsTheNameOfTheTableWhicheverDirectiveHasIt) {
 }
 
 TEST(Specification, TakesTheNearestPowerOfTwoForLattices) {
-    KeptNotices kept;
+    RecordedNotices kept;
     EXPECT_EQ(specification("sampling method: korobov\nnumber of rays: 512", kept).run.paths, 512U);
     EXPECT_TRUE(kept.texts.empty());
     EXPECT_EQ(
         specification("sampling method: korobov\nnumber of rays: 1000", kept).run.paths, 1024U);
-    EXPECT_TRUE(kept.has("1024 rays instead of 1000"));
+    EXPECT_TRUE(kept.has("1024 rays are used instead of 1000"));
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ class StepFilesTest : public FolderTest {
         PlantLight light(
             specification(
                 black + "number of rays: 4096\nnumber of runs: 4\nreturn type: D\n" + directives,
-                kept_),
-            kept_.notices);
+                cached_),
+            cached_.notices);
         static_cast<void>(answers_of(
             light, "0 E(1)P(1,2)\n 0 1 0\n 0 0.8660254 -0.5\n -1 0 0\n 0 0.5 0.8660254\n" +
                        flat(1, "P(1,2)", 0) + flat(2, "P(1,2)", -1, "E(-1)")));
@@ -46,7 +46,7 @@ class StepFilesTest : public FolderTest {
         return all;
     }
 
-    KeptNotices kept_;
+    RecordedNotices cached_;
 };
 
 TEST_F(StepFilesTest, TellAreasAndVariances) {
@@ -88,8 +88,8 @@ TEST_F(StepFilesTest, AreNumberedAfterTheFirst) {
     PlantLight light(
         specification(
             "number of rays: 64\noutput file: yes " + (folder_.path() / "v.dat").string() + "\n",
-            kept_),
-        kept_.notices);
+            cached_),
+        cached_.notices);
     for (std::uint64_t step = 0; step < 3; ++step) {
         light.set_step(step);
         static_cast<void>(answers_of(light, flat(0, "P(1,2)", 1)));

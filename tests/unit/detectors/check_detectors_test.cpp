@@ -9,7 +9,7 @@ namespace {
 
 SceneBuilder builder_of_a_leaf() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     return builder;
 }
@@ -55,7 +55,7 @@ TEST(CheckDetectors, NamesADetectorByItsType) {
 
 TEST(CheckDetectors, FindsEachFaultAndSaysWhere) {
     EXPECT_TRUE(mentions(
-        faults_of_building({{.type = "escaped_by_zenit", .place = "run.toml:7"}}),
+        faults_of_building({{.type = "escaped_by_zenit", .where = "run.toml:7"}}),
         "run.toml:7: no detector 'escaped_by_zenit'; did you mean 'escaped_by_zenith'?"));
     EXPECT_TRUE(mentions(
         faults_of_building({{.type = "escaped_by_zenith", .parameters = {{"rigs", 3}}}}),
@@ -65,7 +65,7 @@ TEST(CheckDetectors, FindsEachFaultAndSaysWhere) {
     }
     EXPECT_TRUE(mentions(
         faults_of_building({rings_named(3, "a"), rings_named(4, "a")}),
-        "detector 'a' is there already"));
+        "detector 'a' exists already"));
 }
 
 }  // namespace

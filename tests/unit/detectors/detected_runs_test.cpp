@@ -15,7 +15,7 @@ namespace {
 /// alone is measured.
 Scene plate(std::vector<DetectorSpec> detectors) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .5, .2, 2));
+    builder.add_material(diffuse("leaf", .5, .2, 2));
     OrganSpec all = organ("plate", "leaf", floor_of(0, 1, 0, 1, 0));
     all.measured = false;
     builder.add_organ(std::move(all));
@@ -55,7 +55,7 @@ TEST(DetectedRuns, AddUpToTheEscapedLightOfTheBudget) {
 
 TEST(DetectedRuns, GiveABoundWhereNothingWasSeen) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .5, 0));
+    builder.add_material(diffuse("leaf", .5, 0));
     builder.add_organ(organ("plate", "leaf", floor_of(0, 1, 0, 1, 0)));
     builder.add_detector(kNineRings);
     const Result result =
@@ -63,7 +63,7 @@ TEST(DetectedRuns, GiveABoundWhereNothingWasSeen) {
     const Estimate& below = result.detectors[0].at(8, 0);
     EXPECT_EQ(below.mean, 0);
     // 3 / (1024 paths x 32 replicates) of the emitted flux.
-    EXPECT_NEAR(below.high, 3 * 2 / (1024. * 32), 1e-6);
+    EXPECT_NEAR(below.ci95_high, 3 * 2 / (1024. * 32), 1e-6);
 }
 
 TEST(DetectedRuns, AreRefusedWhereEscapedLightIsNotFollowed) {
@@ -80,8 +80,8 @@ TEST(DetectedRuns, AreRefusedWhereEscapedLightIsNotFollowed) {
     };
     EXPECT_EQ(
         faults_of(plate({kNineRings}), Method::from_organs),
-        "method: from_organs does not follow light that escapes (a detector waits for that "
-        "light); use method = \"light_tracing\"");
+        "method: from_organs does not follow escaping light (a detector needs it); use method = "
+        "\"light_tracing\"");
     for (const Method method : {Method::light_tracing, Method::first_hits, Method::automatic}) {
         EXPECT_EQ(faults_of(plate({kNineRings}), method), "");
     }

@@ -57,7 +57,7 @@ TEST(EscapedByZenith, NamesItsRings) {
 /// Leaves over a ground, seen in two bands.
 Scene stand(bool detects, const Cell& cell = {}) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .4, .3, 2));
+    builder.add_material(diffuse("leaf", .4, .3, 2));
     builder.add_organ(organ("leaves", "leaf", random_leaves(40, .4, 1, 5)));
     builder.set_cell(cell);
     if (detects) {
@@ -134,7 +134,7 @@ TEST_P(EscapedLightTest, FollowsTheCosineLawAboveAndBelowAPlate) {
     constexpr double kTau = .3;
     constexpr std::size_t kPlateRings = 6;
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", kRho, kTau));
+    builder.add_material(diffuse("leaf", kRho, kTau));
     builder.add_organ(organ("plate", "leaf", floor_of(0, 2, 0, 1, 0)));
     builder.add_detector(of_rings(kPlateRings));
     const Scene scene = std::move(builder).build();

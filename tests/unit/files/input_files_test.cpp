@@ -18,7 +18,7 @@ TEST_F(InputFilesTest, ReadsPathsFromItsFolderAndNotesEachFileOnce) {
     EXPECT_EQ(files.read("sub/../sub/a.tri"), "abc");
     ASSERT_EQ(files.files().size(), 1U);
     EXPECT_EQ(files.files()[0].path, "sub/a.tri");
-    EXPECT_EQ(files.files()[0].resolved, (folder_.path() / "sub/a.tri").string());
+    EXPECT_EQ(files.files()[0].absolute_path, (folder_.path() / "sub/a.tri").string());
     EXPECT_EQ(files.files()[0].sha256, sha256_hex("abc"));
 }
 

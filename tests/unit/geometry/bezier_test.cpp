@@ -18,7 +18,7 @@ namespace {
 
 using test::Random;
 
-/// A patch over the unit square, its heights (and a little of its places) by chance.
+/// A patch over the unit square, with random heights and slightly random positions.
 BezierPatch random_patch(Random& random, double height) {
     BezierPatch patch;
     for (std::size_t i = 0; i < 4; ++i) {

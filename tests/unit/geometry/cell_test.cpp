@@ -77,7 +77,7 @@ TEST(WrapIntoCell, AnAbsurdlyLargeTriangleIsRefusedByName) {
         FAIL() << "not refused";
     } catch (const InputError& error) {
         ASSERT_EQ(error.faults().size(), 1U);
-        EXPECT_EQ(error.faults()[0].place, "triangle 2");
+        EXPECT_EQ(error.faults()[0].where, "triangle 2");
     }
 }
 
@@ -91,7 +91,7 @@ TEST(WrapIntoCell, ImagesOfOneTriangleStandTogether) {
     }
 }
 
-/// Whether the place (x, y) lies under the triangle.
+/// Whether the point (x, y) lies under the triangle.
 bool covers(const Triangle& t, double x, double y) {
     int turns = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -101,7 +101,7 @@ bool covers(const Triangle& t, double x, double y) {
     return turns == 0 || turns == 3;
 }
 
-/// How many triangles of the infinite scene lie above a place, for each input triangle.
+/// How many triangles of the infinite scene lie above a point, for each input triangle.
 std::map<std::size_t, int> cover_of_copies(
     const std::vector<Triangle>& triangles, const Cell& cell, double x, double y) {
     std::map<std::size_t, int> cover;
@@ -120,7 +120,7 @@ std::map<std::size_t, int> cover_of_copies(
     return cover;
 }
 
-RC_GTEST_PROP(WrapIntoCell, CoversEveryPlaceAsTheInfiniteSceneDoes, ()) {
+RC_GTEST_PROP(WrapIntoCell, CoversEveryPointAsTheInfiniteSceneDoes, ()) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const Cell cell{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(),
                     random.between(-3, 3),       random.between(-3, 3),

@@ -120,7 +120,7 @@ TEST(ConvexMap, SweepsEqualAreasExactly) {
         for (int i = 0; i <= 1000; ++i) {
             const double u = i / 1000.0;
             EXPECT_NEAR(
-                area_left_of(polygon, map.place(u, 0.5).s), u * map.area(), 1e-9 * map.area());
+                area_left_of(polygon, map.point(u, 0.5).s), u * map.area(), 1e-9 * map.area());
         }
     }
 }
@@ -129,8 +129,8 @@ TEST(ConvexMap, RunsFromBorderToBorderAlongChords) {
     for (const auto& polygon : polygons()) {
         const ConvexMap map(polygon);
         for (int i = 1; i < 100; ++i) {
-            const Point2 low = map.place(i / 100.0, 0), high = map.place(i / 100.0, 1);
-            const Point2 middle = map.place(i / 100.0, 0.5);
+            const Point2 low = map.point(i / 100.0, 0), high = map.point(i / 100.0, 1);
+            const Point2 middle = map.point(i / 100.0, 0.5);
             EXPECT_EQ(low.s, high.s);
             EXPECT_NEAR(middle.t, 0.5 * (low.t + high.t), 1e-12);
             EXPECT_NEAR(distance_outside(polygon, low), 0, 1e-9);
@@ -143,9 +143,9 @@ TEST(ConvexMap, NeighboursStayNeighbours) {
     const auto polygon = polygons().back();
     const ConvexMap map(polygon);
     constexpr int kSteps = 100000;
-    Point2 last = map.place(0, 0.3);
+    Point2 last = map.point(0, 0.3);
     for (int i = 1; i <= kSteps; ++i) {
-        const Point2 p = map.place(static_cast<double>(i) / kSteps, 0.3);
+        const Point2 p = map.point(static_cast<double>(i) / kSteps, 0.3);
         // Near a corner the map is steep: as the square root of the area.
         EXPECT_LT(std::hypot(p.s - last.s, p.t - last.t), 5 / std::sqrt(kSteps));
         EXPECT_GE(p.s, last.s);
@@ -153,23 +153,23 @@ TEST(ConvexMap, NeighboursStayNeighbours) {
     }
 }
 
-/// The largest difference between the fraction of places on one side of a line and the fraction of
+/// The largest difference between the fraction of points on one side of a line and the fraction of
 /// the polygon on that side, over lines through the middle. u0 is raised to `skew`: 1 for the map
 /// as it is.
 double worst_side(const std::vector<Point2>& polygon, double skew) {
     const ConvexMap map(polygon);
     std::array<double, 16> left{}, right{};
-    constexpr int kPlaces = 1 << 16;
+    constexpr int kPoints = 1 << 16;
     // Halves of the polygon cut by lines through its middle, at sixteen angles.
-    const double s0 = map.place(0.5, 0.5).s, t0 = map.place(0.5, 0.5).t;
-    for (int i = 0; i < kPlaces; ++i) {
-        const double u0 = std::pow((i + 0.5) / kPlaces, skew);
+    const double s0 = map.point(0.5, 0.5).s, t0 = map.point(0.5, 0.5).t;
+    for (int i = 0; i < kPoints; ++i) {
+        const double u0 = std::pow((i + 0.5) / kPoints, skew);
         const double u1 = std::fmod(i * 0.6180339887498949, 1.0);
-        const Point2 p = map.place(u0, u1);
+        const Point2 p = map.point(u0, u1);
         for (std::size_t k = 0; k < 16; ++k) {
             const double angle = std::numbers::pi * static_cast<double>(k) / 16;
             const bool is_left = std::cos(angle) * (p.s - s0) + std::sin(angle) * (p.t - t0) < 0;
-            (is_left ? left : right)[k] += 1.0 / kPlaces;
+            (is_left ? left : right)[k] += 1.0 / kPoints;
         }
     }
     double worst = 0;

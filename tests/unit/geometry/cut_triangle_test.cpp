@@ -14,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-/// A place on a triangle, uniform.
+/// A point on a triangle, uniform.
 Point2 random_point(test::Random& random) {
     const double u = random.uniform();
     const double v = random.uniform();
@@ -47,17 +47,17 @@ bool is_inside(const std::vector<SurfaceCrossing>& sides, const Point2& p) {
     return true;
 }
 
-/// Patches share the triangle: places fall into each as often as it is large.
+/// Patches share the triangle: points fall into each in proportion to its area.
 void expect_areas(const CutTriangle& cut, int level) {
     test::Random random(1);
-    constexpr int kPlaces = 200000;
+    constexpr int kPoints = 200000;
     std::vector<double> counts(cut.patches());
-    for (int i = 0; i < kPlaces; ++i) {
+    for (int i = 0; i < kPoints; ++i) {
         counts.at(patch_at(cut, level, random_point(random))) += 1;
     }
     double sum = 0;
     for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
-        const double expected = cut.area(patch) * kPlaces;
+        const double expected = cut.area(patch) * kPoints;
         EXPECT_NEAR(counts[patch], expected, 5 * std::sqrt(expected) + 1e-9) << patch;
         sum += cut.area(patch);
     }
@@ -142,12 +142,12 @@ TEST(CutTriangle, CutsALineWhereItPassesFromPatchToPatch) {
     constexpr int kPoints = 20000;
     std::vector<TriangleParts::Segment> scratch;
     for (int i = 0; i < 20; ++i) {
-        const auto place = [&] {
+        const auto point = [&] {
             const Point2 p = random_point(random);
             return Barycentric{static_cast<float>(p.s), static_cast<float>(p.t)};
         };
-        const Barycentric a = place();
-        const Barycentric b = place();
+        const Barycentric a = point();
+        const Barycentric b = point();
         std::vector<double> shares(patches.count());
         double sum = 0;
         patches.cut(0, a, b, scratch, [&](std::uint32_t patch, double share) {

@@ -105,7 +105,7 @@ TEST(DrawSpan, DrawsOneSpanAfterTheOther) {
 TEST(DrawSpan, DrawsTheRowsOfABlock) {
     constexpr std::uint32_t kColumns = 40, kRows = 30;
     std::mt19937 random(1);
-    std::uniform_real_distribution<double> place(-1, 1);
+    std::uniform_real_distribution<double> position(-1, 1);
     const RasterGrid grid{
         .x = {{20, 0, 0}, 19.7},
         .y = {{0, 15, 0}, 15.2},
@@ -117,7 +117,7 @@ TEST(DrawSpan, DrawsTheRowsOfABlock) {
         for (auto& corner : block.at) {
             for (auto& coordinate : corner) {
                 std::generate(
-                    std::begin(coordinate), std::end(coordinate), [&] { return place(random); });
+                    std::begin(coordinate), std::end(coordinate), [&] { return position(random); });
             }
         }
         const std::size_t pixels = kColumns * kRows + kSpanLanes;

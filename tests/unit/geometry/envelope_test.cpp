@@ -32,7 +32,7 @@ std::vector<VisibleSegment> envelope_of(std::vector<VisibleSegment> segments) {
     return pieces;
 }
 
-/// Segments of random places, lengths and slopes, many of which cross.
+/// Segments of random positions, lengths and slopes, many of which cross.
 std::vector<VisibleSegment> random_segments(std::size_t n, std::mt19937_64& random) {
     std::vector<VisibleSegment> segments;
     for (std::uint32_t i = 0; i < n; ++i) {

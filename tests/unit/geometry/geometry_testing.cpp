@@ -124,7 +124,7 @@ bool is_close_call(const LocalMesh& mesh, const Ray& ray) {
 
 namespace {
 
-/// Collects hits; remembers the first, and the nearest place where rounding may decide.
+/// Collects hits; remembers the first, and the nearest distance where rounding may decide.
 class FirstOf {
   public:
     void add(std::size_t i, const Triangle& triangle, const PlaneHit& hit) {

@@ -22,13 +22,14 @@ double largest_coordinate(const LocalMesh& mesh) {
     return largest;
 }
 
-RC_GTEST_PROP(LocalMesh, FillsTheUnitCubeWhateverSizeAndPlace, ()) {
+RC_GTEST_PROP(LocalMesh, FillsTheUnitCubeWhateverSizeAndPosition, ()) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const double size = std::pow(10.0, *rc::gen::inRange(-12, 13));
-    const Vec3 place = size * random.point(-1000, 1000);
+    const Vec3 position = size * random.point(-1000, 1000);
     std::vector<Triangle> triangles;
     for (const Triangle& t : test::random_soup(3, 0.5, random)) {
-        triangles.push_back({place + size * t[0], place + size * t[1], place + size * t[2]});
+        triangles.push_back(
+            {position + size * t[0], position + size * t[1], position + size * t[2]});
     }
     const LocalMesh mesh = make_local_mesh(triangles);
     RC_ASSERT(mesh.triangle_count() == 3U);
@@ -76,8 +77,9 @@ RC_GTEST_PROP(LocalMesh, KnowsHowFarRoundingTurnsItsTriangles, ()) {
     const double size = std::pow(10.0, *rc::gen::inRange(-3, 1));
     std::vector<Triangle> triangles;
     for (const Triangle& t : test::random_soup(20, 0.5, random)) {
-        const Vec3 place = random.point(-1, 1);
-        triangles.push_back({place + size * t[0], place + size * t[1], place + size * t[2]});
+        const Vec3 position = random.point(-1, 1);
+        triangles.push_back(
+            {position + size * t[0], position + size * t[1], position + size * t[2]});
     }
     const LocalMesh mesh = make_local_mesh(triangles);
     double most = 0;

@@ -12,8 +12,8 @@
 namespace quasimc {
 namespace {
 
-/// A place on a triangle, uniform.
-std::array<double, 2> random_place(test::Random& random) {
+/// A point on a triangle, uniform.
+std::array<double, 2> random_uv(test::Random& random) {
     const double u = random.uniform();
     const double v = random.uniform();
     return u + v > 1 ? std::array{1 - u, 1 - v} : std::array{u, v};
@@ -25,7 +25,7 @@ TEST(Patches, AreEquallyLargePartsOfATriangle) {
     constexpr int kEach = 1000;
     std::vector<int> counts(64);
     for (int i = 0; i < 64 * kEach; ++i) {
-        const auto [u, v] = random_place(random);
+        const auto [u, v] = random_uv(random);
         ++counts.at(TriangleParts(kLevel).at(u, v));
     }
     double chi = 0;
@@ -40,7 +40,7 @@ TEST(Patches, LieInThoseOfTheLevelAbove) {
     test::Random random(2);
     for (int level = 1; level <= Patches::kFinest; ++level) {
         for (int i = 0; i < 2000; ++i) {
-            const auto [u, v] = random_place(random);
+            const auto [u, v] = random_uv(random);
             EXPECT_EQ(
                 TriangleParts(level).parent(TriangleParts(level).at(u, v)),
                 TriangleParts(level - 1).at(u, v))
@@ -67,8 +67,8 @@ TEST(Patches, AreNumberedFromTriangleToTriangle) {
     EXPECT_EQ(patches.first(3), 5U);
 }
 
-// Rounding may lay a place on the border beside it.
-TEST(Patches, HoldPlacesOnTheBorder) {
+// Rounding may move a point on the border off it.
+TEST(Patches, HoldPointsOnTheBorder) {
     for (const auto& [u, v] :
          {std::array{1., 0.}, {0., 1.}, {0., 0.}, {.5, .5}, {1 + 1e-9, -1e-9}}) {
         EXPECT_LT(TriangleParts(3).at(u, v), 64U);
@@ -81,8 +81,8 @@ TEST(Patches, CutALineWhereItPassesFromOneToTheNext) {
     constexpr int kPoints = 20000;
     std::vector<TriangleParts::Segment> scratch;
     for (int i = 0; i < 20; ++i) {
-        const auto [au, av] = random_place(random);
-        const auto [bu, bv] = random_place(random);
+        const auto [au, av] = random_uv(random);
+        const auto [bu, bv] = random_uv(random);
         const Barycentric a{static_cast<float>(au), static_cast<float>(av)};
         const Barycentric b{static_cast<float>(bu), static_cast<float>(bv)};
         std::vector<double> shares(64);

@@ -26,7 +26,7 @@ struct Repeated {
           projection(caster.mesh(), cell, StartArea::silhouette) {
         for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
             const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
-            roles.push_back(image ? VisibilityRole::left_out : VisibilityRole::opaque);
+            roles.push_back(image ? VisibilityRole::omitted : VisibilityRole::opaque);
         }
         scene = {&caster.mesh(), projection.cell(), roles, projection.outline()};
     }
@@ -130,8 +130,8 @@ TEST_P(PeriodicBeams, AreFoundWhereTheSunIsLow) {
     EXPECT_LT(most_triangles, 30U * 200U);
 }
 
-/// Every place that is lit sees the sky between the images of the leaves, and both ways of looking
-/// find as much of it.
+/// Every lit point sees the sky between the images of the leaves, and both methods find the same
+/// area of it.
 TEST_P(PeriodicBeams, AgreeWithRays) {
     const Repeated repeated(test::random_leaves(60, .4, 1, 5), GetParam());
     const LocalMesh& mesh = repeated.caster.mesh();
@@ -139,8 +139,8 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
     int free = 0;
     const auto look = [&](std::uint32_t triangle, double u, double v, const Vec3& direction) {
         ++looks;
-        const Vec3 place = mesh.point(triangle, u, v);
-        free += repeated.caster.occluded(place, -direction, triangle) ? 0 : 1;
+        const Vec3 point = mesh.point(triangle, u, v);
+        free += repeated.caster.occluded(point, -direction, triangle) ? 0 : 1;
     };
     for (const Vec3& direction : kDirections) {
         std::map<std::uint32_t, double> by_lines;

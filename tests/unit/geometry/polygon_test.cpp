@@ -87,10 +87,10 @@ RC_GTEST_PROP(Polygon, MayLieInAnyPlane, ()) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const auto flat = star(3 + random.below(20), random);
     const Frame frame = frame_about(normalized(random.direction()));
-    const Vec3 place = random.point(-100, 100);
+    const Vec3 position = random.point(-100, 100);
     std::vector<Vec3> corners;
     for (const Vec3& p : flat) {
-        corners.push_back(place + p.x * frame.s + p.y * frame.t);
+        corners.push_back(position + p.x * frame.s + p.y * frame.t);
     }
     RC_PRE(shoelace(flat) > 0.01);
     const auto triangles = make_polygon(corners);
@@ -106,7 +106,7 @@ std::vector<FlatCorner> on_grid(const std::vector<Vec3>& corners, double cells) 
     for (const Vec3& p : corners) {
         const FlatCorner corner{
             {std::round(cells * p.x) / cells, std::round(cells * p.y) / cells}, flat.size()};
-        if (flat.empty() || !same_place(flat.back(), corner)) {
+        if (flat.empty() || !same_point(flat.back(), corner)) {
             flat.push_back(corner);
         }
     }

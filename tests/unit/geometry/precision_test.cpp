@@ -135,13 +135,13 @@ std::vector<Triangle> long_sliver() {
         Triangle{Vec3{-1, -1, -.9}, Vec3{1, -1, -1}, Vec3{0, 1, -1}}};
 }
 
-/// How far the place of a hit lies from the line of its ray.
+/// The distance of a hit point from the line of its ray.
 double distance_from_ray(const RayCaster& caster, const Ray& ray, const Hit& hit) {
-    const Vec3 place = caster.mesh().point(hit.triangle, hit.u, hit.v);
-    return length(cross(place - ray.origin, ray.direction));
+    const Vec3 point = caster.mesh().point(hit.triangle, hit.u, hit.v);
+    return length(cross(point - ray.origin, ray.direction));
 }
 
-/// Of the engine alone a ray's place on a sliver may be a ten-thousandth of the scene away.
+/// The hit point of the accelerator alone on a sliver may be wrong by 1e-4 of the scene.
 TEST_F(Precision, RaysMeetLongSliversWhereTheyPassThem) {
     Random random(36);
     const RayCaster caster(long_sliver(), Cell{}, Accelerator::embree);
@@ -253,7 +253,7 @@ TEST_F(Precision, UnitsThatArePowersOfTwoGiveTheSameBits) {
     }
 }
 
-TEST_F(Precision, APlaceOnTheMapGivesTheSameBits) {
+TEST_F(Precision, APointOnTheMapGivesTheSameBits) {
     Random random(36);
     auto triangles = leaves(300, 0.02, random);
     for (Triangle& t : triangles) {

@@ -89,7 +89,7 @@ TEST(ScanLines, SeeThroughSensorsAndWhatSensorsSee) {
     EXPECT_EQ(areas.count(2), 0U);
 }
 
-/// Every place on a lit segment sees the light, and the segments of a line cover what rays hit.
+/// Every point on a lit segment sees the light, and the segments of a line cover what rays hit.
 TEST(ScanLines, AgreeWithRays) {
     const std::vector<Triangle> leaves = test::random_leaves(200, .3, 1, 7);
     const LocalMesh mesh = make_local_mesh(leaves);

@@ -27,20 +27,20 @@ const std::vector<Vec3> beams{
     normalized(Vec3{-1, 0.1, -0.2}),
     normalized(Vec3{0.1, 1, 0.05})};
 
-/// Places of a window on a lattice of n points.
-std::vector<Vec3> lattice_places(const BeamCrossSection& window, int n) {
-    std::vector<Vec3> places;
+/// The points of a window for a lattice of n points.
+std::vector<Vec3> lattice_points(const BeamCrossSection& window, int n) {
+    std::vector<Vec3> points;
     for (int i = 0; i < n; ++i) {
-        places.push_back(window.place((i + 0.5) / n, std::fmod(i * 0.6180339887498949 + 0.3, 1.0)));
+        points.push_back(window.point((i + 0.5) / n, std::fmod(i * 0.6180339887498949 + 0.3, 1.0)));
     }
-    return places;
+    return points;
 }
 
 /// The area of the scene seen along a beam, by the fraction of the window's rays that meet it;
 /// square local units.
 double seen_area(const BeamCrossSection& window, const RayCaster& caster, const Vec3& d, int rays) {
     int hits = 0;
-    for (const Vec3& p : lattice_places(window, rays)) {
+    for (const Vec3& p : lattice_points(window, rays)) {
         hits += caster.cast(p, d, kNoTriangle).end == RayEnd::hit ? 1 : 0;
     }
     return window.area() * hits / rays;
@@ -92,18 +92,18 @@ TEST_P(OpenWindow, ShowsAPlateAsItsProjection) {
     }
 }
 
-/// Places along the border of a window.
-std::vector<Vec3> border_places(const BeamCrossSection& window) {
-    std::vector<Vec3> places;
+/// Points along the border of a window.
+std::vector<Vec3> border_points(const BeamCrossSection& window) {
+    std::vector<Vec3> points;
     constexpr int kSteps = 4000;
     for (int i = 0; i <= kSteps; ++i) {
         const double u = static_cast<double>(i) / kSteps;
-        places.push_back(window.place(u, 0));
-        places.push_back(window.place(u, 1));
-        places.push_back(window.place(0, u));
-        places.push_back(window.place(1, u));
+        points.push_back(window.point(u, 0));
+        points.push_back(window.point(u, 1));
+        points.push_back(window.point(0, u));
+        points.push_back(window.point(1, u));
     }
-    return places;
+    return points;
 }
 
 TEST_P(OpenWindow, NoRayThatMeetsTheScenePassesBesideIt) {
@@ -112,7 +112,7 @@ TEST_P(OpenWindow, NoRayThatMeetsTheScenePassesBesideIt) {
     const SceneProjection projection(mesh, Cell{}, GetParam());
     const std::vector<Vec3> scene = vertices(mesh);
     for (const Vec3& d : beams) {
-        const std::vector<Vec3> border = border_places(*projection.window(d));
+        const std::vector<Vec3> border = border_points(*projection.window(d));
         const Frame frame = frame_about(-d);
         for (int k = 0; k < 64; ++k) {
             const double angle = 2 * std::numbers::pi * k / 64;
@@ -122,32 +122,32 @@ TEST_P(OpenWindow, NoRayThatMeetsTheScenePassesBesideIt) {
     }
 }
 
-TEST_P(OpenWindow, PlacesLieBeforeTheScene) {
+TEST_P(OpenWindow, PointsLieBeforeTheScene) {
     Random random(82);
     const LocalMesh mesh = make_local_mesh(test::random_soup(50, 0.3, random));
     const SceneProjection projection(mesh, Cell{}, GetParam());
     for (const Vec3& d : beams) {
         const double nearest = -reach(vertices(mesh), -d);
-        for (const Vec3& p : lattice_places(*projection.window(d), 1000)) {
+        for (const Vec3& p : lattice_points(*projection.window(d), 1000)) {
             EXPECT_LT(dot(p, d), nearest);
             EXPECT_LT(length(p), 3);
         }
     }
 }
 
-TEST_P(OpenWindow, SeveralPlacesAtOnceAreThoseOneByOne) {
+TEST_P(OpenWindow, SeveralPointsAtOnceAreThoseOneByOne) {
     Random random(83);
     const LocalMesh mesh = make_local_mesh(test::random_soup(50, 0.3, random));
     const auto window = SceneProjection(mesh, Cell{}, GetParam()).window(beams[4]);
     std::array<double, 100> u0{}, u1{};
-    std::array<Vec3, 100> places{};
+    std::array<Vec3, 100> points{};
     for (std::size_t i = 0; i < 100; ++i) {
         u0[i] = random.uniform();
         u1[i] = random.uniform();
     }
-    window->places(u0, u1, places);
+    window->points(u0, u1, points);
     for (std::size_t i = 0; i < 100; ++i) {
-        EXPECT_EQ(places[i], window->place(u0[i], u1[i]));
+        EXPECT_EQ(points[i], window->point(u0[i], u1[i]));
     }
 }
 
@@ -165,7 +165,7 @@ TEST(SilhouetteCrossSection, OfASceneSeenEdgeOnHasNoArea) {
         const auto window = projection.window(d);
         ASSERT_NE(window, nullptr);
         EXPECT_EQ(window->area(), 0);
-        EXPECT_LT(length(window->place(0.3, 0.7)), 3);
+        EXPECT_LT(length(window->point(0.3, 0.7)), 3);
     }
 }
 
@@ -173,24 +173,24 @@ TEST(SilhouetteCrossSection, OfABeamAlongAnAxisRunsAlongTheOthers) {
     const LocalMesh plate = make_local_mesh(make_parallelogram({0, 0, 0}, {2, 0, 0}, {0, 2, 0}));
     const auto window = SceneProjection(plate, Cell{}, StartArea::silhouette).window({0, 0, -1});
     EXPECT_NEAR(window->area(), 4, 1e-5);
-    EXPECT_NEAR(window->place(0.25, 0.75).x, -0.5, 1e-5);
-    EXPECT_NEAR(window->place(0.25, 0.75).y, 0.5, 1e-5);
+    EXPECT_NEAR(window->point(0.25, 0.75).x, -0.5, 1e-5);
+    EXPECT_NEAR(window->point(0.25, 0.75).y, 0.5, 1e-5);
 }
 
 TEST(SphereWindow, IsTheDiscAcrossTheBoundingSphere) {
     const LocalMesh plate = make_local_mesh(make_parallelogram({0, 0, 0}, {2, 0, 0}, {0, 2, 0}));
     const auto window = SceneProjection(plate, Cell{}, StartArea::bounding_sphere).window(beams[4]);
     EXPECT_NEAR(window->area(), 2 * std::numbers::pi, 1e-4);
-    // Rings of equal area hold equal numbers of places.
+    // Rings of equal area hold equal numbers of points.
     std::array<int, 4> ring{};
-    const Vec3 center = window->place(0.5, 0.5);
-    for (const Vec3& p : lattice_places(*window, 40000)) {
+    const Vec3 center = window->point(0.5, 0.5);
+    for (const Vec3& p : lattice_points(*window, 40000)) {
         const Vec3 from = p - center;
         EXPECT_NEAR(dot(from, beams[4]), 0, 1e-12);
         ++ring[static_cast<std::size_t>(std::min(3.0, 4 * dot(from, from) / 2.00001))];
     }
-    for (const int places : ring) {
-        EXPECT_NEAR(places, 10000, 50);
+    for (const int count : ring) {
+        EXPECT_NEAR(count, 10000, 50);
     }
 }
 
@@ -254,7 +254,7 @@ TEST(PeriodicWindow, IsNoneForBeamsThatNeverMeetTheScene) {
     EXPECT_NE(window({}, {1, 0, 0}), nullptr);
 }
 
-TEST(PeriodicWindow, NothingLiesBeforeItsPlaces) {
+TEST(PeriodicWindow, NothingLiesBeforeItsPoints) {
     Random random(84);
     for (int axes = 1; axes < 4; ++axes) {
         const Cell cell{(axes & 1) != 0, (axes & 2) != 0, 0, 0, 1, 1};
@@ -262,9 +262,9 @@ TEST(PeriodicWindow, NothingLiesBeforeItsPlaces) {
         const SceneProjection projection(caster.mesh(), cell, StartArea::silhouette);
         for (const Vec3& d : beams) {
             const auto window = projection.window(d);
-            const auto places =
-                window == nullptr ? std::vector<Vec3>{} : lattice_places(*window, 200);
-            for (const Vec3& p : places) {
+            const auto points =
+                window == nullptr ? std::vector<Vec3>{} : lattice_points(*window, 200);
+            for (const Vec3& p : points) {
                 EXPECT_LT(length(p), 10);
                 EXPECT_EQ(caster.cast(p, -d, kNoTriangle).end, RayEnd::escaped);
             }

@@ -118,10 +118,10 @@ TEST(Directional, SpreadsItsPathsEvenlyOverTheScene) {
     for (int i = 0; i < kStarts; ++i) {
         const Emission start = sampler->emit({uniform(bits), uniform(bits), 0, 0});
         const Vec3 from = opening.mesh.origin + start.origin / opening.mesh.scale;
-        const Vec3 place = from - (from.z / start.direction.z) * start.direction;
-        if (place.x >= 0 && place.x < 2 && place.y >= 0 && place.y < 1) {
-            x.push_back(place.x / 2);
-            y.push_back(place.y);
+        const Vec3 point = from - (from.z / start.direction.z) * start.direction;
+        if (point.x >= 0 && point.x < 2 && point.y >= 0 && point.y < 1) {
+            x.push_back(point.x / 2);
+            y.push_back(point.y);
         }
     }
     EXPECT_GE(x.size(), kStarts * 9U / 10);

@@ -18,11 +18,11 @@ constexpr std::array kWeights{
     0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
     0.2369268850561891};
 
-/// Adds borders around a place, each half as far from it as the one before.
-void grade(std::vector<double>& borders, double place, double low, double high) {
-    borders.push_back(place);
+/// Adds borders around `border`, each half as far from it as the one before.
+void grade(std::vector<double>& borders, double border, double low, double high) {
+    borders.push_back(border);
     for (double step = .5; step > 3e-4; step /= 3) {
-        for (const double x : {place - step, place + step}) {
+        for (const double x : {border - step, border + step}) {
             if (x > low && x < high) {
                 borders.push_back(x);
             }

@@ -13,7 +13,7 @@
 namespace quasimc::test {
 
 /// Borders in azimuth (0 to 2 pi) and sine of elevation (0 to 1) of a mesh that is finer by halves
-/// towards given places, where a function may have an edge or a cusp.
+/// towards given positions, where a function may have an edge or a cusp.
 struct GradedMesh {
     std::vector<double> azimuths, sines;
 

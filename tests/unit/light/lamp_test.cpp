@@ -37,14 +37,14 @@ LampSpec tube() {
     return spec;
 }
 
-/// Irradiance at a place on a plane with normal n, averaged over an even grid of draws.
-double irradiance(const Source& lamp, const Vec3& place, const Vec3& n) {
+/// Irradiance at a point on a plane with normal n, averaged over an even grid of draws.
+double irradiance(const Source& lamp, const Vec3& point, const Vec3& n) {
     constexpr int kSide = 300;
     double sum = 0;
     for (int i = 0; i < kSide; ++i) {
         for (int j = 0; j < kSide; ++j) {
             const Illumination seen =
-                model_of(lamp).illuminate(place, (i + .5) / kSide, (j + .5) / kSide);
+                model_of(lamp).illuminate(point, (i + .5) / kSide, (j + .5) / kSide);
             sum += seen.weight > 0 ? seen.weight * std::max(0.0, dot(seen.to_light, n)) : 0;
         }
     }
@@ -71,8 +71,8 @@ TEST(Lamp, ThatShinesTo90DegreesShinesNorthIfItIsAlongEast) {
             {{0, 90, 180}, {0, 90, 180, 270, 360}, {1, 1, 1, 3, 3, 3, 2, 2, 2, 0, 0, 0, 1, 1, 1}}));
     spec.axes = lamp_axes({0, 0, -1}, {1, 0, 0});
     const auto lamp = make_lamp(spec);
-    const auto intensity = [&](const Vec3& place) {
-        return model_of(*lamp).illuminate(place, .5, .5).weight;
+    const auto intensity = [&](const Vec3& point) {
+        return model_of(*lamp).illuminate(point, .5, .5).weight;
     };
     const double east = intensity({1, 0, 0});
     EXPECT_NEAR(intensity({0, 1, 0}) / east, 3, 1e-9);
@@ -80,7 +80,7 @@ TEST(Lamp, ThatShinesTo90DegreesShinesNorthIfItIsAlongEast) {
     EXPECT_NEAR(intensity({0, -1, 0}) / east, 0, 1e-9);
 }
 
-TEST(Lamp, ADiskLightsThePlaceBelowItsCenterByTheClosedForm) {
+TEST(Lamp, ADiskLightsThePointBelowItsCenterByTheClosedForm) {
     const auto lamp = make_lamp(disk());
     const double exitance = 1 / (pi * .25);
     for (const double h : {.2, .5, 3.0}) {
@@ -89,8 +89,8 @@ TEST(Lamp, ADiskLightsThePlaceBelowItsCenterByTheClosedForm) {
     EXPECT_EQ(irradiance(*lamp, {0, 0, .5}, {0, 0, -1}), 0) << "behind it";
 }
 
-/// View factor of a rectangle from a place below its corner (Howell, C-11; here four of them).
-TEST(Lamp, ARectangleLightsThePlaceBelowItsCenterByTheClosedForm) {
+/// View factor of a rectangle from a point below its corner (Howell, C-11; here four of them).
+TEST(Lamp, ARectangleLightsThePointBelowItsCenterByTheClosedForm) {
     const auto lamp = make_lamp(rectangle());
     for (const double h : {.01, .4, 2.0, 500.0}) {
         const double a = 1 / h;
@@ -105,15 +105,15 @@ TEST(Lamp, ARectangleLightsThePlaceBelowItsCenterByTheClosedForm) {
     }
 }
 
-/// Every place a lamp near it sees is lit with a bounded weight.
+/// Every point near a lamp is lit with a bounded weight.
 TEST(Lamp, ARectangleHasNoBrightSpecksNearIt) {
     const auto lamp = make_lamp(rectangle());
     std::mt19937_64 bits(5);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < 10000; ++i) {
-        const Vec3 place{uniform(bits) - .5, .5 * uniform(bits) - .25, -1e-3};
+        const Vec3 point{uniform(bits) - .5, .5 * uniform(bits) - .25, -1e-3};
         const double weight =
-            model_of(*lamp).illuminate(place, uniform(bits), uniform(bits)).weight;
+            model_of(*lamp).illuminate(point, uniform(bits), uniform(bits)).weight;
         EXPECT_LE(weight, 2 / 1.2 * 1.001) << "half of the sphere, of radiance M / pi";
     }
 }
@@ -129,7 +129,7 @@ TEST(Lamp, ASphereLightsAsItsCenterWould) {
 
 /// Below the middle of a tube of flux 1 per length L, at distance h, on a plane facing it:
 /// 1/(pi^2 L h) (sin b cos b + b) with tan b = L / 2h (cos of incidence times sin of emission).
-TEST(Lamp, ATubeLightsThePlaceBelowItsMiddleByTheClosedForm) {
+TEST(Lamp, ATubeLightsThePointBelowItsMiddleByTheClosedForm) {
     const auto lamp = make_lamp(tube());
     for (const double h : {.001, .5, 20.0}) {
         const double b = std::atan(1.5 / h);
@@ -139,7 +139,7 @@ TEST(Lamp, ATubeLightsThePlaceBelowItsMiddleByTheClosedForm) {
     EXPECT_EQ(irradiance(*lamp, {9, 0, 0}, {-1, 0, 0}), 0) << "seen along its axis";
 }
 
-/// What reaches a scene by light tracing against what its places see: flux through the floor.
+/// Flux through the floor by light tracing, against the irradiance sampled at points of the floor.
 void expect_same_flux_on_the_floor(const LampSpec& spec) {
     const auto lamp = make_lamp(spec);
     const auto triangles = make_parallelogram({-1, -.5, -1}, {2, 0, 0}, {0, 1.5, 0});
@@ -159,19 +159,19 @@ void expect_same_flux_on_the_floor(const LampSpec& spec) {
         EXPECT_NEAR(length(e.direction), 1, 1e-12);
         const Vec3 from = mesh.to_world(e.origin);
         const double t = (-1 - from.z) / e.direction.z;
-        const Vec3 place = from + t * e.direction;
-        const bool hits = e.direction.z < 0 && t > -1e-3 && std::abs(place.x) <= 1 &&
-                          place.y >= -.5 && place.y <= 1;
+        const Vec3 point = from + t * e.direction;
+        const bool hits = e.direction.z < 0 && t > -1e-3 && std::abs(point.x) <= 1 &&
+                          point.y >= -.5 && point.y <= 1;
         sent += hits ? e.weight : 0;
     }
     EXPECT_NEAR(weights / kStarts, 1, .01);
     const double flux = sampler->flux() * projection.world_area() * sent / kStarts;
     double seen = 0;
-    constexpr int kPlaces = 400000;
-    for (int i = 0; i < kPlaces; ++i) {
-        const Vec3 place{2 * uniform(bits) - 1, 1.5 * uniform(bits) - .5, -1};
-        const Illumination light = model_of(*lamp).illuminate(place, uniform(bits), uniform(bits));
-        seen += light.weight * std::max(0.0, light.to_light.z) * 3 / kPlaces;
+    constexpr int kPoints = 400000;
+    for (int i = 0; i < kPoints; ++i) {
+        const Vec3 point{2 * uniform(bits) - 1, 1.5 * uniform(bits) - .5, -1};
+        const Illumination light = model_of(*lamp).illuminate(point, uniform(bits), uniform(bits));
+        seen += light.weight * std::max(0.0, light.to_light.z) * 3 / kPoints;
     }
     EXPECT_NEAR(flux, seen, .02 * seen);
 }

@@ -198,7 +198,7 @@ EntryBox make_entry_box() {
 }
 
 /// Seen along the light, starts are even over the box: each face has its share.
-TEST(EntryPlace, IsEvenOverTheBoxAsSeenAlongTheLight) {
+TEST(EntryPoint, IsEvenOverTheBoxAsSeenAlongTheLight) {
     const EntryBox box = make_entry_box();
     std::mt19937_64 bits(10);
     std::uniform_real_distribution<double> uniform;
@@ -207,7 +207,7 @@ TEST(EntryPlace, IsEvenOverTheBoxAsSeenAlongTheLight) {
         constexpr int kStarts = 20000;
         std::array<double, 3> faces{};
         for (int i = 0; i < kStarts; ++i) {
-            const Vec3 p = entry_place(box, d, uniform(bits), uniform(bits));
+            const Vec3 p = entry_point(box, d, uniform(bits), uniform(bits));
             const bool at_z = p.z == (d.z > 0 ? 0 : 1) && d.z != 0;
             const bool at_x = !at_z && d.x != 0 && p.x == (d.x > 0 ? 0 : 4);
             faces[at_z ? 2 : at_x ? 0 : 1] += 1;

@@ -72,7 +72,7 @@ TEST_P(EverySky, IlluminatesWithTheRadianceThatIsSeen) {
         sidak_level(kLevel, kFamily)));
 }
 
-/// Cells are so small, too, that weights hardly differ: a path's noise is that of its place.
+/// Cells are so small, too, that weights hardly differ: a path's noise is that of its position.
 TEST_P(EverySky, SendsItsRadianceThroughTheBoxAroundTheScene) {
     const LitBox lit;
     const EntryBox& box = lit.projection.entry_box();
@@ -147,7 +147,7 @@ TEST_P(EverySky, TellsTheDensityThatItDrawsDirectionsWith) {
         const double u1 = uniform(bits);
         const Emission start = sampler->emit({.5, .5, u0, u1});
         const Vec3& d = start.direction;
-        const DrawnDirection drawn = sampler->draw_direction(u0, u1);
+        const DirectionSample drawn = sampler->draw_direction(u0, u1);
         EXPECT_EQ(length(drawn.direction - d), 0);
         EXPECT_NEAR(drawn.density, sampler->density(d), 1e-12 * drawn.density);
         const double light = model_of(*sky_).radiance(-d) *
@@ -161,22 +161,22 @@ SkyShape half_dark_shape() {
     return {[](const Vec3& d) { return std::max(0.0, d.x + .7 * d.y + .3 * d.z - .6); }, {}, {}};
 }
 
-TEST(Skies, SendLightFromEveryPlaceThatHasSome) {
+TEST(Skies, SendLightFromEveryPointThatHasSome) {
     const LitBox lit;
     const SkyShape shape = half_dark_shape();
     const auto sky = make_sky("sky", shape, {1});
     const auto sampler = model_of(*sky).make_sampler_in(lit.projection);
     std::mt19937_64 bits(18);
     std::uniform_real_distribution<double> uniform;
-    int lit_places = 0;
+    int lit_points = 0;
     for (int i = 0; i < 100000; ++i) {
         const Vec3 d = upward(2 * pi * uniform(bits), uniform(bits));
         if (shape.radiance(d) > 0) {
-            ++lit_places;
+            ++lit_points;
             ASSERT_GT(sampler->density(-d), 0);
         }
     }
-    EXPECT_GT(lit_places, 1000);
+    EXPECT_GT(lit_points, 1000);
     std::vector<double> weights;
     for (int i = 0; i < 20000; ++i) {
         weights.push_back(sampler->emit({.5, .5, uniform(bits), uniform(bits)}).weight);

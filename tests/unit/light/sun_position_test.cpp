@@ -9,7 +9,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Golden, Colorado: the place of the report's example.
+/// Golden, Colorado: the site of the report's example.
 constexpr Site kGolden{39.742476, -105.1786, 1830.14, 820, 11};
 constexpr CivilTime kExample{2003, 10, 17, 12, 30, 30, -7};
 
@@ -163,7 +163,7 @@ TEST(SunPosition, IsDefinedAtThePolesAndOverhead) {
     }
 }
 
-RC_GTEST_PROP(SunPosition, IsADirectionAtAnyTimeAndPlace, ()) {
+RC_GTEST_PROP(SunPosition, IsADirectionAtAnyTimeAndSite, ()) {
     const auto uniform = [](int low, int high) { return *rc::gen::inRange(low, high + 1); };
     const Site site{uniform(-900, 900) / 10.0, uniform(-1800, 1800) / 10.0};
     CivilTime time{

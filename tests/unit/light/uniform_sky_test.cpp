@@ -70,7 +70,7 @@ TEST(UniformSky, EntersAPeriodicSceneThroughItsOpenFacesOnly) {
 
 /// Where paths start on one face, and in which directions: coordinates in which both are uniform.
 struct Face {
-    std::vector<double> across, along;        // place
+    std::vector<double> across, along;        // position
     std::vector<double> square_sine, around;  // direction about the face's normal
 };
 
@@ -89,7 +89,7 @@ std::array<Face, 5> draw_faces(int starts) {
         EXPECT_EQ(e.weight, 1);
         EXPECT_NEAR(length(e.direction), 1, 1e-14);
         EXPECT_LE(e.direction.z, 0) << "the sky is above";
-        const Vec3 place{
+        const Vec3 origin{
             (e.origin.x - box.low.x) / box.size().x, (e.origin.y - box.low.y) / box.size().y,
             (e.origin.z - box.low.z) / box.size().z};
         const Vec3& d = e.direction;
@@ -103,14 +103,14 @@ std::array<Face, 5> draw_faces(int starts) {
             EXPECT_GE(q.z, 0) << "inward";
         };
         if (e.origin.z == box.high.z) {
-            put(faces[0], place, {d.x, d.y, -d.z}, 2 * pi);
+            put(faces[0], origin, {d.x, d.y, -d.z}, 2 * pi);
         } else if (e.origin.x == box.low.x || e.origin.x == box.high.x) {
             const bool low = e.origin.x == box.low.x;
-            put(faces[low ? 1 : 2], {place.y, place.z, 0}, {d.y, -d.z, low ? d.x : -d.x}, pi);
+            put(faces[low ? 1 : 2], {origin.y, origin.z, 0}, {d.y, -d.z, low ? d.x : -d.x}, pi);
         } else {
             const bool low = e.origin.y == box.low.y;
             EXPECT_TRUE(low || e.origin.y == box.high.y);
-            put(faces[low ? 3 : 4], {place.x, place.z, 0}, {d.x, -d.z, low ? d.y : -d.y}, pi);
+            put(faces[low ? 3 : 4], {origin.x, origin.z, 0}, {d.x, -d.z, low ? d.y : -d.y}, pi);
         }
     }
     return faces;
@@ -179,22 +179,22 @@ void tell_the_density(const Cell& cell) {
     constexpr int kDraws = 60000;
     std::array<double, 2 * kOctants> found{};
     std::array<double, 2 * kOctants> expected{};
-    const auto place_of = [](const Vec3& d) {
+    const auto bin_of = [](const Vec3& d) {
         return (d.x > 0 ? 1U : 0U) + (d.y > 0 ? 2U : 0U) + (d.z < -.5 ? 4U : 0U);
     };
     std::mt19937_64 bits(21);
     std::uniform_real_distribution<double> uniform;
     for (int i = 0; i < kDraws; ++i) {
         const double u0 = uniform(bits);
-        const DrawnDirection drawn = sampler->draw_direction(u0, uniform(bits));
+        const DirectionSample drawn = sampler->draw_direction(u0, uniform(bits));
         EXPECT_EQ(drawn.density, sampler->density(drawn.direction));
-        found[place_of(drawn.direction)] += 1;
+        found[bin_of(drawn.direction)] += 1;
     }
-    for (std::size_t place = 0; place < found.size(); ++place) {
-        expected[place] = over_hemisphere(
-            [&](const Vec3& d) { return place_of(-d) == place ? sampler->density(-d) : 0; });
+    for (std::size_t bin = 0; bin < found.size(); ++bin) {
+        expected[bin] = over_hemisphere(
+            [&](const Vec3& d) { return bin_of(-d) == bin ? sampler->density(-d) : 0; });
         EXPECT_TRUE(agrees(
-            measured_fraction(found[place], kDraws, expected[place]), expected[place], .01,
+            measured_fraction(found[bin], kDraws, expected[bin]), expected[bin], .01,
             sidak_level(kLevel, found.size())));
     }
 }

@@ -195,17 +195,17 @@ TEST(Formats, WarnOfWhatAWriterDoesNotKeep) {
     const auto lost = [&](std::string_view format) {
         std::vector<std::string> texts;
         for (const Warning& warning : lost_when_written(*find_format(format), scene)) {
-            texts.push_back(warning.place + ": " + warning.text);
+            texts.push_back(warning.where + ": " + warning.text);
         }
         return texts;
     };
     using Texts = std::vector<std::string>;
     EXPECT_EQ(
         lost("tri"), (Texts{
-                         "tri: names of 2 materials are not written: this format has no place for "
-                         "them; obj, ply, glb keep them",
-                         "tri: labels of 1 organ are not written: this format has no place for "
-                         "them; obj, glb keep them"}));
+                         "tri: names of 2 materials are not written: this format does not support "
+                         "them; obj, ply, glb do",
+                         "tri: labels of 1 organ are not written: this format does not support "
+                         "them; obj, glb do"}));
     EXPECT_EQ(lost("ply").size(), 1U);
     EXPECT_EQ(lost("obj"), Texts{});
     EXPECT_EQ(lost("glb"), Texts{});
@@ -220,8 +220,8 @@ TEST(Formats, WarnOfTexturesThatCanBeMasks) {
     EXPECT_EQ(ply.faults, std::vector<std::string>{});
     EXPECT_TRUE(mentions(
         ply.warnings,
-        "1 material has textures that can cut out parts of a face (TextureFile): masks are not "
-        "read, and each face counts whole, 0.5 of the area of 0.5"));
+        "1 material has textures that may mask parts of a face (TextureFile): masks are not read; "
+        "faces are opaque, 0.5 of the area of 0.5"));
 }
 
 TEST(Formats, AreToldByTheExtensionWhateverItsCase) {
@@ -266,7 +266,7 @@ TEST(IsUtf8, TellsTextFromBytes) {
     }
 }
 
-/// Leaves of 0.1 m, 2 triangles each, at a place of a map; each number rounded by `store`.
+/// Leaves of 0.1 m, 2 triangles each, at a position of a map; each number rounded by `store`.
 template <typename Store>
 std::string leaves_on_a_map(double x, double y, const Store& store) {
     std::string text;
@@ -326,14 +326,14 @@ TEST(Formats, NameTheOnesThatAreNotRead) {
         return faults_of(text.text());
     };
     const std::string way =
-        ", which is not read; load it in Python with PlantGL, and give the Scene to "
+        ", which is not supported; load it in Python with PlantGL, and give the Scene to "
         "quasimc.compat.caribu.CaribuScene or let it write triangles: "
         "Scene(\"plant.geom\").save(\"plant.obj\")";
     EXPECT_TRUE(mentions(faults("tree.geom"), "'tree.geom' is a scene of PlantGL" + way));
     EXPECT_TRUE(mentions(faults("t.bgeom"), "'t.bgeom' is a binary scene of PlantGL" + way));
     EXPECT_TRUE(mentions(
         faults("tree.dae"),
-        "'tree.dae' is a COLLADA file, which is not read; make glTF of it, with Blender or by "
+        "'tree.dae' is a COLLADA file, which is not supported; make glTF of it, with Blender or by "
         "`assimp export plant.dae plant.glb`"));
 }
 

@@ -79,21 +79,21 @@ constexpr double kAtNormal = 0.04;
 /// A waxy side: coat, two matt lobes beneath that share a hemisphere, and one through the leaf.
 Side waxy_side(std::size_t bands) {
     const std::vector<double> all(bands, 1.0);
-    std::vector<double> matt, sharp, through;
+    std::vector<double> diffuse, sharp, through;
     for (std::size_t b = 0; b < bands; ++b) {
         const auto x = static_cast<double>(b);
-        matt.push_back(0.15 + 0.1 * std::sin(x));
+        diffuse.push_back(0.15 + 0.1 * std::sin(x));
         sharp.push_back(0.1 + 0.05 * std::cos(x));
         through.push_back(0.3 + 0.1 * std::cos(2 * x));
     }
-    const auto beneath = [](Hemisphere hemisphere, double k) {
+    const auto below_side = [](Hemisphere hemisphere, double k) {
         return std::make_shared<UnderACoat>(hemisphere, kAtNormal, k);
     };
     return {
         {{std::make_shared<Coat>(kAtNormal), all},
-         {beneath(Hemisphere::reflected, 1), matt},
-         {beneath(Hemisphere::reflected, 6), sharp},
-         {beneath(Hemisphere::transmitted, 2), through}},
+         {below_side(Hemisphere::reflected, 1), diffuse},
+         {below_side(Hemisphere::reflected, 6), sharp},
+         {below_side(Hemisphere::transmitted, 2), through}},
         bands};
 }
 
@@ -126,10 +126,10 @@ TEST_P(WaxyLeaf, TellsItsAlbedoAtEveryAngle) {
     for (const double cosine : {1.0, 0.7, 0.2, 0.01}) {
         const double f = fresnel(kAtNormal, cosine);
         for (std::size_t b = 0; b < bands_; ++b) {
-            const double beneath =
+            const double below_side =
                 lobes()[1].albedo[b] + lobes()[2].albedo[b] + lobes()[3].albedo[b];
-            EXPECT_NEAR(side.albedo(b, cosine), f + (1 - f) * beneath, 1e-15);
-            EXPECT_NEAR(side.absorptance(b, cosine), (1 - f) * (1 - beneath), 1e-15);
+            EXPECT_NEAR(side.albedo(b, cosine), f + (1 - f) * below_side, 1e-15);
+            EXPECT_NEAR(side.absorptance(b, cosine), (1 - f) * (1 - below_side), 1e-15);
         }
     }
 }
@@ -236,10 +236,10 @@ TEST_P(WaxyLeaf, LookingUpEqualsTheDefinition) {
         std::vector<double> out(bands_, 0.0);
         leaf_.add_reflected(n, SurfaceSide::upper, wo, wi, 3.0, before_, out);
         for (std::size_t b = 0; b < bands_; ++b) {
-            const double matt = lobes()[1].albedo[b] / std::numbers::pi;
+            const double diffuse = lobes()[1].albedo[b] / std::numbers::pi;
             const double sharp =
                 lobes()[2].albedo[b] * 7 / (2 * std::numbers::pi) * std::pow(dot(wo, n), 5);
-            const double expected = 3 * before_[b] * (1 - f) * (matt + sharp) * -dot(wi, n);
+            const double expected = 3 * before_[b] * (1 - f) * (diffuse + sharp) * -dot(wi, n);
             ASSERT_NEAR(out[b], expected, 1e-12 * expected);
         }
     }

@@ -233,7 +233,7 @@ TEST(Catalogue, ParametersAreThoseStatedOrElseTheUsualOnes) {
         parameter_values(kTwoModels[0], {{"index", 2}, {"exponent", 3}}),
         (std::vector<double>{3, 2}));
     EXPECT_TRUE(std::isnan(parameter_values(kTwoModels[0], {})[0]));
-    EXPECT_EQ(parameter_words(kTwoModels[0]), "exponent 1 ... 50, index 1 ... 3 (else 1.5)");
+    EXPECT_EQ(describe_parameters(kTwoModels[0]), "exponent 1 ... 50, index 1 ... 3 (else 1.5)");
 }
 
 TEST(Catalogue, AParameterOfSeveralModelsHasTheWidestDomain) {

@@ -10,13 +10,13 @@ namespace {
 constexpr double kTwoPi = 2 * std::numbers::pi;
 
 double gauss(const DirectionFunction& f, const Vec3& n, const Patch& p) {
-    constexpr std::array<double, 3> kPlace{0.1127016653792583, 0.5, 0.8872983346207417};
+    constexpr std::array<double, 3> kNode{0.1127016653792583, 0.5, 0.8872983346207417};
     constexpr std::array<double, 3> kWeight{5.0 / 18, 8.0 / 18, 5.0 / 18};
     double sum = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = 0; j < 3; ++j) {
-            const double z = p.z0 + (p.z1 - p.z0) * kPlace[i];
-            const double t = p.t0 + (p.t1 - p.t0) * kPlace[j];
+            const double z = p.z0 + (p.z1 - p.z0) * kNode[i];
+            const double t = p.t0 + (p.t1 - p.t0) * kNode[j];
             sum += kWeight[i] * kWeight[j] * f(direction_at(n, z, t));
         }
     }
@@ -72,7 +72,7 @@ void cut(
     }
 }
 
-bool is_inside(const Patch& p, const Place& at) {
+bool is_inside(const Patch& p, const HemispherePoint& at) {
     return at.z >= p.z0 && at.z < p.z1 && at.t >= p.t0 && at.t < p.t1;
 }
 
@@ -84,7 +84,7 @@ Vec3 direction_at(const Vec3& n, double z, double t) {
     return sine * std::cos(kTwoPi * t) * frame.s + sine * std::sin(kTwoPi * t) * frame.t + z * n;
 }
 
-Place place_of(const Vec3& n, const Vec3& d) {
+HemispherePoint point_of(const Vec3& n, const Vec3& d) {
     const Frame frame = frame_about(n);
     const double turn = std::atan2(dot(d, frame.t), dot(d, frame.s)) / kTwoPi;
     const double t = turn < 0 ? turn + 1 : turn;
@@ -152,7 +152,7 @@ double chi_square_test(
     Random random(12345);
     for (unsigned i = 0; i < samples; ++i) {
         const double u0 = random();
-        const Place at = place_of(n, sample(u0, random()));
+        const HemispherePoint at = point_of(n, sample(u0, random()));
         const auto bin = std::find_if(
             bins.begin(), bins.end(), [&](const auto& b) { return is_inside(b.first, at); });
         ++counts[static_cast<std::size_t>(bin - bins.begin())];

@@ -53,10 +53,10 @@ struct Patch {
 [[nodiscard]] Vec3 direction_at(const Vec3& n, double z, double t);
 
 /// The (z, t) of a direction on the side of `n`.
-struct Place {
+struct HemispherePoint {
     double z, t;
 };
-[[nodiscard]] Place place_of(const Vec3& n, const Vec3& d);
+[[nodiscard]] HemispherePoint point_of(const Vec3& n, const Vec3& d);
 
 using DirectionFunction = std::function<double(const Vec3&)>;
 

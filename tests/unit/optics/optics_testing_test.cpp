@@ -37,10 +37,10 @@ TEST(OpticsYardsticks, IntegralOverTheHemisphereFindsANarrowPeak) {
     EXPECT_NEAR(integral(peak, kNormal, {}, 1e-9), 2 * std::numbers::pi * 1e-4, 1e-9);
 }
 
-TEST(OpticsYardsticks, PlaceIsTheInverseOfDirection) {
+TEST(OpticsYardsticks, PointIsTheInverseOfDirection) {
     for (const double z : {0.01, 0.5, 0.99}) {
         for (const double t : {0.0, 0.3, 0.6, 0.99}) {
-            const Place at = place_of(kNormal, direction_at(kNormal, z, t));
+            const HemispherePoint at = point_of(kNormal, direction_at(kNormal, z, t));
             EXPECT_NEAR(at.z, z, 1e-12);
             EXPECT_NEAR(at.t, t, 1e-12);
         }

@@ -44,7 +44,7 @@ TEST(CosineDirection, MapsTheSquareToCosineAndAzimuth) {
                 EXPECT_NEAR(length(d), 1, 1e-15);
                 EXPECT_NEAR(dot(d, n), std::sqrt(1 - u0), 1e-15);
                 EXPECT_GT(dot(d, n), 0);
-                const double turns = place_of(n, d).t - u1;
+                const double turns = point_of(n, d).t - u1;
                 EXPECT_NEAR(u0 > 0 ? turns - std::round(turns) : 0, 0, 1e-12);
             }
         }

@@ -113,11 +113,11 @@ TEST(Camera, ShowsABoxWholeFromEverywhere) {
                         (i & 1) != 0 ? box.high.x : box.low.x,
                         (i & 2) != 0 ? box.high.y : box.low.y,
                         (i & 4) != 0 ? box.high.z : box.low.z};
-                    const PixelPlace at = camera.place_of(corner);
+                    const PixelPoint at = camera.pixel_of(corner);
                     EXPECT_TRUE(at.x >= 0 && at.x <= 300 && at.y >= 0 && at.y <= 200)
                         << azimuth << ' ' << elevation << ' ' << opening;
                     least = std::min({least, at.x, at.y, 300 - at.x, 200 - at.y});
-                    const Camera::SightLine line = camera.through(at);
+                    const Camera::CameraRay line = camera.through(at);
                     const Vec3 to = corner - line.origin;
                     EXPECT_NEAR(dot(normalized(to), line.direction), 1, 1e-6);
                 }

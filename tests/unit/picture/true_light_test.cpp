@@ -26,7 +26,7 @@ Band band_of(std::string name, double from_nm = 0, double to_nm = 0) {
 const std::vector<Band> kColors{
     band_of("b", 400, 500), band_of("g", 500, 600), band_of("r", 600, 700)};
 
-MaterialSpec matt(const std::string& name, const std::vector<double>& rho, double tau = 0) {
+MaterialSpec diffuse(const std::string& name, const std::vector<double>& rho, double tau = 0) {
     MaterialSpec material{name, {}, {}};
     for (const double each : rho) {
         SideOptics side;
@@ -82,7 +82,7 @@ int written(double part) {
 }
 
 TEST_F(TrueLight, HasTheColoursOfTheSurface) {
-    add(matt("leaf", {.1, .4, .2}));
+    add(diffuse("leaf", {.1, .4, .2}));
     add(square("leaf", 1, 0));
     const Rgb middle = look_down().at(32, 32);
     // Luminance of what is sent back is that of the brightest hundredth.
@@ -93,8 +93,8 @@ TEST_F(TrueLight, HasTheColoursOfTheSurface) {
 }
 
 TEST_F(TrueLight, LeavesShadowsToWhatIsScattered) {
-    add(matt("soil", {.2, .2, .2}));
-    add(matt("shade", {0, 0, 0}));
+    add(diffuse("soil", {.2, .2, .2}));
+    add(diffuse("shade", {0, 0, 0}));
     add(square("soil", 1, 0));
     // Nearer to the sun, beside the line of sight: its shadow falls on the right half.
     OrganSpec shade = square("shade", .25, 0);
@@ -116,14 +116,14 @@ TEST_F(TrueLight, LeavesShadowsToWhatIsScattered) {
 }
 
 TEST_F(TrueLight, ShinesThroughLeaves) {
-    add(matt("leaf", {0, 0, 0}, .5));
+    add(diffuse("leaf", {0, 0, 0}, .5));
     add(square("leaf", 1, 0));
     sources_ = {make_directional_source("lamp", {0, 0, 1}, {100, 100, 100})};
     EXPECT_NEAR(look_down().at(32, 32).g, written(1), 1) << "lit from below, seen from above";
 }
 
 TEST_F(TrueLight, IsTheSameOnAnyNumberOfThreads) {
-    add(matt("leaf", {.1, .4, .2}, .1));
+    add(diffuse("leaf", {.1, .4, .2}, .1));
     add(square("leaf", 1, 0));
     add(square("leaf", .3, .5));
     sources_.push_back(make_uniform_sky("sky", {50, 40, 30}));

@@ -18,7 +18,7 @@ const std::string kTwoOrgans =
 
 std::string light_estimate(int mean) {
     return R"({"mean":)" + std::to_string(mean) +
-           R"(,"standard_error":0.5,"low":0.25,"high":0.75})";
+           R"(,"standard_error":0.5,"ci95_low":0.25,"ci95_high":0.75})";
 }
 
 /// Two organs, the second without what is sunlit.
@@ -33,24 +33,24 @@ TEST(ReadLight, FillsInWhatTheResultHas) {
     RunText text;
     text.organs = kTwoOrgans;
     const RunFile run = read_text(text.text());
-    std::size_t told = 0;
+    std::size_t reported = 0;
     LightEvents events;
     events.on_time_step = [&](std::size_t time_step, const Result& result) {
-        ++told;
+        ++reported;
         EXPECT_EQ(time_step, 0U);
         ASSERT_EQ(result.organs(), 2U);
         const Estimate& second = result.at(1, Quantity::absorbed_flux, 0);
         EXPECT_EQ(second.mean, 8);
         EXPECT_EQ(second.standard_error, 0.5);
-        EXPECT_EQ(second.low, 0.25);
-        EXPECT_EQ(second.high, 0.75);
+        EXPECT_EQ(second.ci95_low, 0.25);
+        EXPECT_EQ(second.ci95_high, 0.75);
         EXPECT_TRUE(std::isnan(result.at(0, Quantity::absorbed_flux_density, 0).mean));
         ASSERT_EQ(result.sunlit_fraction.size(), 2U);
         EXPECT_EQ(result.sunlit_fraction[0].mean, 17);
         EXPECT_TRUE(std::isnan(result.sunlit_fraction[1].mean));
     };
     read_light(R"({"organs":)" + light_organs(7) + "}", "a.json", run, events);
-    EXPECT_EQ(told, 1U);
+    EXPECT_EQ(reported, 1U);
 }
 
 TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
@@ -72,8 +72,8 @@ TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
         EXPECT_EQ(sum.at(1, Quantity::absorbed_flux, 0).mean, 10);
     };
     read_light(
-        R"({"moments":[{"time":")" + noon + R"(","organs":)" + light_organs(3) + R"(},{"time":")" +
-            last + R"(","organs":)" + light_organs(5) +
+        R"({"time_steps":[{"time":")" + noon + R"(","organs":)" + light_organs(3) +
+            R"(},{"time":")" + last + R"(","organs":)" + light_organs(5) +
             R"(}],"days":[{"date":"2024-06-22","organs":)" + light_organs(9) + "}]}",
         "a.json", run, events);
     EXPECT_EQ(times, (std::vector<std::size_t>{12, 30}));
@@ -84,17 +84,17 @@ TEST(ReadLight, TellsThePointsOfASweep) {
     RunText text;
     text.organs = kTwoOrgans;
     const RunFile run = read_text(text.text());
-    std::vector<std::pair<std::size_t, double>> told;
+    std::vector<std::pair<std::size_t, double>> reported;
     std::size_t point = 9;
     LightEvents events;
     events.on_point = [&](std::size_t next) { point = next; };
     events.on_time_step = [&](std::size_t /*time_step*/, const Result& result) {
-        told.emplace_back(point, result.at(0, Quantity::absorbed_flux, 0).mean);
+        reported.emplace_back(point, result.at(0, Quantity::absorbed_flux, 0).mean);
     };
     read_light(
         R"({"points":[{"organs":)" + light_organs(3) + R"(},{"organs":)" + light_organs(5) + "}]}",
         "a.json", run, events);
-    EXPECT_EQ(told, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
+    EXPECT_EQ(reported, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
 }
 
 /// They may be called the same, but none is passed over without a word.
@@ -105,20 +105,22 @@ TEST(ReadLight, TakesTimesInTheirOrder) {
     const std::string noon = "2024-06-21T12:00+02:00";
     text.rest = "[time]\ntimes = ['" + noon + "', '" + noon + "']\n";
     const RunFile run = read_text(text.text());
-    const auto moment = [&](const std::string& time, int mean) {
+    const auto time_step = [&](const std::string& time, int mean) {
         return R"({"time":")" + time + R"(","organs":)" + light_organs(mean) + "}";
     };
-    std::vector<std::pair<std::size_t, double>> told;
+    std::vector<std::pair<std::size_t, double>> reported;
     LightEvents events;
-    events.on_time_step = [&](std::size_t time_step, const Result& result) {
-        told.emplace_back(time_step, result.at(0, Quantity::absorbed_flux, 0).mean);
+    events.on_time_step = [&](std::size_t index, const Result& result) {
+        reported.emplace_back(index, result.at(0, Quantity::absorbed_flux, 0).mean);
     };
     read_light(
-        R"({"moments":[)" + moment(noon, 3) + "," + moment(noon, 5) + "]}", "a.json", run, events);
-    EXPECT_EQ(told, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
+        R"({"time_steps":[)" + time_step(noon, 3) + "," + time_step(noon, 5) + "]}", "a.json", run,
+        events);
+    EXPECT_EQ(reported, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
     EXPECT_THROW(
         read_light(
-            R"({"moments":[)" + moment("2024-06-22T12:00+02:00", 3) + "]}", "a.json", run, events),
+            R"({"time_steps":[)" + time_step("2024-06-22T12:00+02:00", 3) + "]}", "a.json", run,
+            events),
         InputError);
 }
 
@@ -131,7 +133,7 @@ TEST(ReadLight, RefusesAResultWithoutAny) {
         ASSERT_EQ(error.faults().size(), 1U);
         EXPECT_EQ(
             error.faults()[0].text(),
-            "a.json: holds no light of organs (the run did not get so far)");
+            "a.json: contains no light of organs (the run ended before the first result)");
     }
 }
 

@@ -92,17 +92,19 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
     };
     EXPECT_NE(faults_of_text("").find("not JSON"), std::string::npos);
     EXPECT_NE(faults_of_text("{ \"format\": ").find("not JSON"), std::string::npos);
-    EXPECT_NE(faults_of_text("[]").find("is no result of QuasiMC"), std::string::npos);
-    EXPECT_NE(faults_of_text("{}").find("is no result of QuasiMC"), std::string::npos);
+    EXPECT_NE(faults_of_text("[]").find("is not a result of QuasiMC"), std::string::npos);
+    EXPECT_NE(faults_of_text("{}").find("is not a result of QuasiMC"), std::string::npos);
     EXPECT_NE(
         faults_of_text(R"({"format": "quasimc-result", "format_version": 3})")
             .find("format_version"),
         std::string::npos);
     EXPECT_NE(
-        faults_of_text(R"({"format": "quasimc-result", "format_version": 2})").find("holds no run"),
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 2})")
+            .find("contains no run file"),
         std::string::npos);
     EXPECT_NE(
-        faults_of_text(R"({"format": "quasimc-result", "format_version": 2, "run": {"a": null}})")
+        faults_of_text(
+            R"({"format": "quasimc-result", "format_version": 2, "run_file": {"a": null}})")
             .find("unknown key 'a'"),
         std::string::npos);
     EXPECT_NE(faults_of_text(R"({"format": 1e999})").find("too large"), std::string::npos);
@@ -111,9 +113,10 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
 }
 
 TEST_F(StoredRunTest, RefusesDeepNesting) {
-    std::string text = R"({"format": "quasimc-result", "format_version": 2, "run": {"a": )";
+    std::string text = R"({"format": "quasimc-result", "format_version": 2, "run_file": {"a": )";
     text += std::string(100000, '[') + std::string(100000, ']') + "}}";
-    EXPECT_NE(faults(folder_.write("b.json", text)).find("nested too deeply"), std::string::npos);
+    EXPECT_NE(
+        faults(folder_.write("b.json", text)).find("is nested too deeply"), std::string::npos);
 }
 
 }  // namespace

@@ -46,11 +46,11 @@ TEST(RunFileCumulative, MakesAMomentOfAPeriod) {
     for (const std::size_t band : {0U, 1U}) {
         EXPECT_NEAR(sum_over(one, band), sum_over(hours, band), 1e-6 * sum_over(hours, band));
     }
-    const MomentNotes& notes = one.notes[0];
+    const TimeStepNotes& notes = one.notes[0];
     ASSERT_TRUE(notes.cumulated.has_value());
     std::size_t suns = 0;
     std::size_t lit = 0;
-    for (const MomentNotes& hour : hours.notes) {
+    for (const TimeStepNotes& hour : hours.notes) {
         suns += hour.suns;
         lit += hour.daylight.global() > 0 ? 1 : 0;
         EXPECT_FALSE(hour.cumulated.has_value());
@@ -110,7 +110,7 @@ std::string series_json(RunFile run) {
     run.output.include_night = true;  // the result is dark
     std::string text;
     JsonWriter json(run, [&](std::string_view part) { text += part; });
-    json.on_time_step({0, dark_result(run.scene, run.spec)});
+    json.on_time_step({0, zero_result(run.scene, run.spec)});
     json.finish({});
     return text;
 }
@@ -120,7 +120,7 @@ TEST(RunFileCumulative, IsToldInTheResults) {
         read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'period'\n"));
     const std::string csv = days_head(run);
     EXPECT_NE(
-        csv.find("# moment: 2024-06-20T00:00+01:00 to 2024-06-23T00:00+01:00, 259200 s: 72 "),
+        csv.find("# time_step: 2024-06-20T00:00+01:00 to 2024-06-23T00:00+01:00, 259200 s: 72 "),
         std::string::npos);
     EXPECT_NE(csv.find("incident_upper_PAR [mol m-2]:"), std::string::npos);
     const std::string json = series_json(run);
@@ -148,7 +148,7 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
     std::string digest;
     {
         JsonWriter json(run, [&](std::string_view part) { text += part; });
-        const Result dark = dark_result(run.scene, run.spec);
+        const Result dark = zero_result(run.scene, run.spec);
         for (std::size_t day = 0; day < 3; ++day) {
             for (std::size_t hour = 0; hour < 24; ++hour) {
                 json.on_time_step({24 * day + hour, dark, 24 * day + hour});
@@ -161,30 +161,30 @@ TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
         digest = json.digest();
     }
     const auto json = nlohmann::ordered_json::parse(text);
-    EXPECT_EQ(json["moments"].size(), 72U);
-    EXPECT_EQ(json["moments"][71]["time"], "2024-06-22T23:00+01:00");
-    EXPECT_EQ(json["moments"][71]["organs"].size(), 1U);
+    EXPECT_EQ(json["time_steps"].size(), 72U);
+    EXPECT_EQ(json["time_steps"][71]["time"], "2024-06-22T23:00+01:00");
+    EXPECT_EQ(json["time_steps"][71]["organs"].size(), 1U);
     ASSERT_EQ(json["days"].size(), 3U);
     EXPECT_EQ(json["days"][2]["date"], "2024-06-22");
     EXPECT_EQ(json["days"][2]["seconds"], 86400);
     EXPECT_EQ(json["days"][2]["organs"][0]["incident_upper"]["NIR"]["mean"], 3);
     EXPECT_EQ(json["days"][2]["organs"][0]["incident_upper"]["PAR"]["mean"], 3e-6) << "mol";
-    EXPECT_EQ(json["total"]["organs"][0]["incident_upper"]["NIR"]["high"], 6);
-    EXPECT_EQ(json["done"]["moments"], 72);
+    EXPECT_EQ(json["total"]["organs"][0]["incident_upper"]["NIR"]["ci95_high"], 6);
+    EXPECT_EQ(json["completed"]["time_steps"], 72);
     EXPECT_EQ(json["organs_sha256"], digest);
     std::vector<std::string> keys;
     for (const auto& [key, value] : json.items()) {
         keys.push_back(key);
     }
-    const auto place = [&](const char* key) { return std::find(keys.begin(), keys.end(), key); };
-    EXPECT_LT(place("moments"), place("days"));
-    EXPECT_LT(place("days"), place("total"));
-    EXPECT_LT(place("total"), place("organs_sha256"));
+    const auto where = [&](const char* key) { return std::find(keys.begin(), keys.end(), key); };
+    EXPECT_LT(where("time_steps"), where("days"));
+    EXPECT_LT(where("days"), where("total"));
+    EXPECT_LT(where("total"), where("organs_sha256"));
 }
 
 TEST(JsonOfTimes, HasADigestWithoutAFile) {
     const RunFile run = read_text(with_two_bands(kDays));
-    const Result dark = dark_result(run.scene, run.spec);
+    const Result dark = zero_result(run.scene, run.spec);
     std::string text;
     JsonWriter written(run, [&](std::string_view part) { text += part; });
     JsonWriter unwritten(run);
@@ -198,11 +198,11 @@ TEST(JsonOfTimes, HasADigestWithoutAFile) {
 
 TEST(MomentsOf, ARunWithoutTimesAreOneInstant) {
     const RunFile single = read_text(RunText{}.text());
-    const std::vector<TimeStep> one = moments_of(single);
+    const std::vector<TimeStep> one = time_steps_of(single);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(one[0].sources, single.sources);
     EXPECT_EQ(one[0].seconds, 0);
-    EXPECT_EQ(moments_of(read_text(with_two_bands(kDays))).size(), 72U);
+    EXPECT_EQ(time_steps_of(read_text(with_two_bands(kDays))).size(), 72U);
 }
 
 }  // namespace

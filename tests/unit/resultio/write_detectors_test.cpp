@@ -24,7 +24,7 @@ RunFile detector_run(const std::string& more) {
 
 /// The table of a result in which every bin has the numbers 3, 1, 2 and 4, without comments.
 std::vector<std::string> rows_of(const RunFile& run, std::size_t time_step = 0) {
-    Result result = dark_result(run.scene, run.spec);
+    Result result = zero_result(run.scene, run.spec);
     for (DetectorResult& detector : result.detectors) {
         detector.values.assign(detector.values.size(), {3, 1, 2, 4});
     }

@@ -8,7 +8,7 @@
 
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
-#include "resultio/result_words.h"
+#include "resultio/describe_result.h"
 #include "results/units.h"
 #include "text/line_scanner.h"
 #include "unit/runfile/io_testing.h"
@@ -19,7 +19,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Two organs with names that need care, two bands, one ratio.
-RunFile small_run() {
+/// @param keys  of the second organ
+RunFile small_run(const std::string& keys = "") {
     RunText text;
     text.top = "title = \"a,\\nb\"\nbands = ['R', 'FR']\nlength_unit = 'cm'\n";
     text.run = "[run]\nratios = ['R:FR']\n";
@@ -28,7 +29,8 @@ RunFile small_run() {
         "'leaf'\nshape = 'triangle'\n"
         "corners = [[0, 0, 1], [2, 0, 1], [0, 2, 1]]\n"
         "[[organ]]\nname = 'd'\nlabels = { kind = 'leaf' }\nmaterial = 'leaf'\nshape = 'triangle'\n"
-        "corners = [[0, 0, 2], [1, 0, 2], [0, 1, 2]]\n";
+        "corners = [[0, 0, 2], [1, 0, 2], [0, 1, 2]]\n" +
+        keys;
     return read_text(text.text());
 }
 
@@ -78,10 +80,10 @@ TEST(WriteCsv, HasAHeaderLineAndARowForEachOrgan) {
     ASSERT_EQ(table.size(), 3U);
     EXPECT_TRUE(
         table[0].starts_with("id,name,plant,label_area,kind,area,absorbed_flux_R,absorbed_flux_R_"
-                             "se,absorbed_flux_R_high,"));
-    EXPECT_TRUE(
-        table[0].ends_with(",sunlit_fraction,sunlit_fraction_se,sunlit_fraction_high,ratio_R:FR,"
-                           "ratio_R:FR_se,ratio_R:FR_high"));
+                             "se,absorbed_flux_R_ci95_high,"));
+    EXPECT_TRUE(table[0].ends_with(
+        ",sunlit_fraction,sunlit_fraction_se,sunlit_fraction_ci95_high,ratio_R:FR,"
+        "ratio_R:FR_se,ratio_R:FR_ci95_high"));
     // absorbed_flux_density_R is value 2 of the first organ
     EXPECT_TRUE(table[1].starts_with("1,\"a \"\"b\"\", #c\",1,x,,2,0,0,1,2,0.2,3,")) << table[1];
     EXPECT_TRUE(table[1].ends_with(",0.5,0.1,0.6,1.25,0.01,1.3"));
@@ -108,7 +110,7 @@ TEST(WriteCsv, HasMeansInTheirIntervals) {
     write_json(small_run(), result, [&](std::string_view piece) { text += piece; });
     const auto json = nlohmann::json::parse(text);
     EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["mean"], 1.236);
-    EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["high"], 1.236);
+    EXPECT_EQ(json["organs"][0]["absorbed_flux_density"]["R"]["ci95_high"], 1.236);
     EXPECT_EQ(json["organs"][0]["sunlit_fraction"]["mean"], 1);
 }
 
@@ -124,8 +126,7 @@ TEST(WriteCsv, SaysWhereItCameFrom) {
     const std::vector<std::string> lines = lines_of(csv_text());
     EXPECT_TRUE(mentions(lines, "# title: a, b"));
     EXPECT_TRUE(mentions(lines, "seed = 1"));
-    EXPECT_TRUE(
-        mentions(lines, "# source: directional: directional, light travels along (0, 0, -1)"));
+    EXPECT_TRUE(mentions(lines, "# source: directional: azimuth 0 deg, elevation 90 deg; R 1 "));
     EXPECT_TRUE(mentions(lines, "# axes: up z, north (0, 1, 0); length unit cm"));
 }
 
@@ -169,19 +170,19 @@ TEST(WriteJson, HoldsTheOrgansWithTheirEstimates) {
     EXPECT_EQ(organ["labels"]["plant"], "1");
     EXPECT_EQ(organ["absorbed_flux_density"]["R"]["mean"], 2.0);
     EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["standard_error"], 0.3);
-    EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["low"], 2.0);
+    EXPECT_EQ(organ["absorbed_flux_density"]["FR"]["ci95_low"], 2.0);
     EXPECT_EQ(organ["ratios"]["R:FR"]["mean"], 1.25);
     EXPECT_TRUE(json["organs"][1]["absorbed_flux"]["R"]["standard_error"].is_null());
-    EXPECT_EQ(json["organs"][1]["sunlit_fraction"]["high"], 0.1);
+    EXPECT_EQ(json["organs"][1]["sunlit_fraction"]["ci95_high"], 0.1);
     EXPECT_EQ(json["energy"]["FR"]["emitted"], 7.0);
     EXPECT_EQ(json["energy"]["FR"]["emitted_standard_error"], .5);
 }
 
 TEST(WriteJson, HoldsTheWholeRunFile) {
     const auto json = json_of(small_run(), small_result());
-    EXPECT_EQ(json["run"]["run"]["paths"], 65536);
-    EXPECT_EQ(json["run"]["organ"].size(), 2U);
-    EXPECT_EQ(json["run"]["organ"][1]["corners"][1][0], 1);
+    EXPECT_EQ(json["run_file"]["run"]["paths"], 65536);
+    EXPECT_EQ(json["run_file"]["organ"].size(), 2U);
+    EXPECT_EQ(json["run_file"]["organ"][1]["corners"][1][0], 1);
     EXPECT_EQ(json["format"], "quasimc-result");
 }
 
@@ -195,8 +196,8 @@ Result grouped_result() {
          .value = "1",
          .organs = {1},
          .area = .5,
-         .low = 0,
-         .high = 2,
+         .height_min = 0,
+         .height_max = 2,
          .plant_area_index = .25,
          .cumulative_plant_area_index = .75}};
     groups.bands = 2;
@@ -231,13 +232,13 @@ TEST(WriteGroups, HasARowForEachGroup) {
     ASSERT_EQ(table.size(), 3U);
     EXPECT_TRUE(table[0].starts_with(
         "by,value,organs,area,low,high,plant_area_index,cumulative_plant_area_index,"
-        "absorbed_flux_R,absorbed_flux_R_se,absorbed_flux_R_high,"))
+        "absorbed_flux_R,absorbed_flux_R_se,absorbed_flux_R_ci95_high,"))
         << table[0];
     EXPECT_NE(
-        table[0].find(",sunlit_area,sunlit_area_se,sunlit_area_high,ratio_R:FR,"),
+        table[0].find(",sunlit_area,sunlit_area_se,sunlit_area_ci95_high,ratio_R:FR,"),
         std::string::npos);
     EXPECT_TRUE(table[0].ends_with(
-        ",ground_absorptance_FR,ground_absorptance_FR_se,ground_absorptance_FR_high"));
+        ",ground_absorptance_FR,ground_absorptance_FR_se,ground_absorptance_FR_ci95_high"));
     EXPECT_TRUE(table[1].starts_with("all,,2,2.5,,,,,0,0,1,2,0.2,3,")) << table[1];
     EXPECT_NE(table[1].find(",0.125,0.01,0.15,,,,"), std::string::npos) << "R of FR, no T";
     EXPECT_TRUE(table[2].starts_with("layer,1,1,0.5,0,2,0.25,0.75,0,,0.25,")) << table[2];
@@ -251,7 +252,7 @@ TEST(WriteGroups, HasARowForEachGroup) {
 
 TEST(WriteGroups, NamesItsColumns) {
     const std::vector<std::string> lines = lines_of(groups_text(small_run()));
-    EXPECT_TRUE(mentions(lines, "# column area [cm2]: of one side of all of them"));
+    EXPECT_TRUE(mentions(lines, "# column area [cm2]: their one-sided area"));
     EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [1e-4 W]: "));
     EXPECT_TRUE(mentions(lines, "# column reflectance_BAND [1]: "));
 }
@@ -261,7 +262,7 @@ TEST(WriteJson, HoldsGroupsAndFractions) {
     ASSERT_EQ(json["groups"].size(), 2U);
     EXPECT_EQ(json["groups"][0]["by"], "all");
     EXPECT_EQ(json["groups"][0]["organs"], 2);
-    EXPECT_FALSE(json["groups"][0].contains("low"));
+    EXPECT_FALSE(json["groups"][0].contains("height_min"));
     EXPECT_EQ(json["groups"][1]["cumulative_plant_area_index"], .75);
     EXPECT_EQ(json["groups"][0]["absorbed_flux"]["FR"]["mean"], 1.0);
     EXPECT_EQ(json["groups"][0]["sunlit_area"]["mean"], 1.25);
@@ -286,7 +287,7 @@ TEST(WrittenColumns, AreThoseAskedFor) {
     EXPECT_EQ(
         table_of(text)[0],
         "id,name,plant,label_area,kind,area,incident_upper_FR,incident_upper_FR_se,"
-        "incident_upper_FR_high,ratio_R:FR,ratio_R:FR_se,ratio_R:FR_high");
+        "incident_upper_FR_ci95_high,ratio_R:FR,ratio_R:FR_se,ratio_R:FR_ci95_high");
     EXPECT_TRUE(table_of(text)[1].ends_with(",2,5,0.5,6,1.25,0.01,1.3")) << table_of(text)[1];
     EXPECT_EQ(table_of(groups_text(chosen_run()))[0].find("absorbed_flux"), std::string::npos);
     const auto json = json_of(chosen_run(), grouped_result());
@@ -321,7 +322,7 @@ TEST(WriteJson, DigestTellsResultsApart) {
 TEST(Summary, IsShortAndTellsTheEnergy) {
     const std::string text = summary(small_run(), small_result(), {"a.csv"});
     EXPECT_LE(lines_of(text).size(), 12U) << text;
-    EXPECT_NE(text.find("FR [1e-4 W]: 7 +- 0.5 emitted"), std::string::npos) << text;
+    EXPECT_NE(text.find("FR [1e-4 W]: emitted 7 +- 0.5"), std::string::npos) << text;
     EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
 }
 
@@ -330,14 +331,14 @@ TEST(Summary, TellsOfEnergyThatAddsUp) {
     Result result = small_result();
     BandBudget& budget = result.budget[0];
     budget.emitted = {20.5, 0, 20.5, 20.5};
-    budget.roulette.mean = -.0016;
+    budget.imbalance.mean = -.0016;
     budget.absorbed_by_organs = {1.86, .01, 1.8, 1.9};
     budget.absorbed_by_ground = {2, 0, 2, 2};
     budget.escaped.mean = 16.6384;
     const std::string text = summary(small_run(), result, {});
     EXPECT_NE(
-        text.find("R [1e-4 W]: 20.5 emitted - 0.0016 by roulette = 20.4984; organs 1.86 +- "
-                  "0.01, ground 2, escaped 16.6384, cut off 0: together 20.4984"),
+        text.find("R [1e-4 W]: emitted 20.5, imbalance -0.0016; organs 1.86 +- "
+                  "0.01, ground 2, escaped 16.6384, cut off 0\n"),
         std::string::npos)
         << text;
 }
@@ -351,7 +352,7 @@ TEST(Summary, GivesZerosNoSign) {
     result.canopy.resize(2);
     result.canopy[0].reflectance = {-1e-17, 0, -1e-17, -1e-17};
     std::string text = summary(small_run(), result, {});
-    EXPECT_NE(text.find("escaped 0, cut off 0: together 20.5"), std::string::npos) << text;
+    EXPECT_NE(text.find("escaped 0, cut off 0\n"), std::string::npos) << text;
     EXPECT_NE(text.find("reflectance 0.0000 +- 0"), std::string::npos) << text;
     budget.emitted.mean = 2e6;
     budget.escaped.mean = -3e-10;
@@ -368,8 +369,7 @@ TEST(Summary, TellsHowManyOrgansReachedTheTarget) {
     run.spec.target_error = 0.07;
     const std::string text = summary(run, result, {});
     EXPECT_NE(
-        text.find("target    7 % error or less: NOT reached (5.62 % of the organs have it, 95 % "
-                  "were asked for)"),
+        text.find("target    not reached: 5.62 % of the organs are within 7 % (95 % required)\n"),
         std::string::npos)
         << text;
 }
@@ -377,35 +377,45 @@ TEST(Summary, TellsHowManyOrgansReachedTheTarget) {
 TEST(Summary, TellsOfErrorsInWords) {
     Result result = small_result();
     std::string text = summary(small_run(), result, {});
-    EXPECT_NE(text.find("median 10 %, worst 10 % (organ "), std::string::npos) << text;
+    EXPECT_NE(text.find("median 10 %, largest 10 % (organ "), std::string::npos) << text;
     EXPECT_EQ(text.find("advice"), std::string::npos) << text;
     for (Estimate& estimate : result.values) {
         estimate.standard_error = estimate.mean;
     }
     text = summary(small_run(), result, {});
-    EXPECT_NE(
-        text.find("1 of 2 organs is known to no better than 50 % (worst: organ "),
-        std::string::npos)
+    EXPECT_NE(text.find(", above 50 % for 1 of 2 organs (largest: organ "), std::string::npos)
         << text;
     EXPECT_EQ(text.find("e+02"), std::string::npos) << text;
-    EXPECT_NE(
-        text.find("advice    target_error = 0.05 traces more paths until errors are that small"),
-        std::string::npos);
+    EXPECT_NE(text.find("advice    to reach 5 %: --target-error 0.05\n"), std::string::npos)
+        << text;
+}
+
+/// The light of the other organs is not reported.
+TEST(Summary, CountsTheErrorsOfMeasuredOrgans) {
+    Result result = small_result();
+    EXPECT_NE(summary(small_run(), result, {}).find("; none for 1 organ ("), std::string::npos);
+    for (Estimate& estimate : result.values) {
+        estimate.standard_error = estimate.mean;
+    }
+    const std::string text = summary(small_run("measured = false\n"), result, {});
+    EXPECT_NE(text.find(", above 50 % for 1 of 1 organ (largest: organ "), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("none for"), std::string::npos) << text;
 }
 
 TEST(Summary, TellsThatTheTimeWasUp) {
     Result result = small_result();
-    result.stop = StopReason::time_is_up;
+    result.stop = StopReason::time_limit;
     RunFile run = small_run();
     run.spec.max_seconds = 2;
     run.spec.paths = 16;
     EXPECT_NE(
-        summary(run, result, {}).find("stopped   by max_seconds = 2: 4 of 16 paths are done"),
+        summary(run, result, {}).find("stopped   max_seconds = 2 reached: 4 of 16 paths completed"),
         std::string::npos);
-    EXPECT_EQ(json_of(run, result)["done"]["stop"], "time_is_up");
+    EXPECT_EQ(json_of(run, result)["completed"]["stop"], "time_limit");
     result.stop = StopReason::interrupted;
-    EXPECT_NE(summary(run, result, {}).find("stopped   on request: 4 of 16"), std::string::npos);
-    EXPECT_EQ(json_of(run, result)["done"]["stop"], "interrupted");
+    EXPECT_NE(summary(run, result, {}).find("stopped   interrupted: 4 of 16"), std::string::npos);
+    EXPECT_EQ(json_of(run, result)["completed"]["stop"], "interrupted");
 }
 
 /// What "auto" chose and why stands in every form of the result.
@@ -422,10 +432,11 @@ TEST(Method, IsToldWithItsReason) {
     Result result = small_result();
     result.chosen = {Method::first_hits, "it is sunny"};
     EXPECT_NE(
-        summary(run, result, {}).find("method    first_hits: it is sunny"), std::string::npos);
+        summary(run, result, {}).find("method    first_hits (automatic): it is sunny"),
+        std::string::npos);
     const auto json = json_of(run, result)["method"];
     EXPECT_EQ(json["used"], "first_hits");
-    EXPECT_EQ(json["asked"], "auto");
+    EXPECT_EQ(json["requested"], "auto");
     EXPECT_EQ(json["reason"], "it is sunny");
     std::string table;
     write_csv(run, result, [&](std::string_view piece) { table += piece; });
@@ -434,10 +445,12 @@ TEST(Method, IsToldWithItsReason) {
 
 TEST(Method, IsNoNewsToWhoAskedForIt) {
     Result result = small_result();
-    result.chosen = {Method::light_tracing, "asked for"};
+    result.chosen = {Method::light_tracing, "the reason"};
     RunFile run = small_run();
     run.spec.method = Method::light_tracing;
-    EXPECT_EQ(summary(run, result, {}).find("asked for"), std::string::npos);
+    const std::string text = summary(run, result, {});
+    EXPECT_NE(text.find("method    light_tracing (requested)\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("the reason"), std::string::npos);
 }
 
 Audit small_audit(double chance) {
@@ -473,12 +486,12 @@ TEST(Audit, IsLoudWhenItDisagrees) {
     result.audit = small_audit(kAuditLevel / 2);
     EXPECT_EQ(json_of(small_run(), result)["audit"]["agrees"], false);
     EXPECT_NE(summary(small_run(), result, {}).find("audit     DISAGREES"), std::string::npos);
-    EXPECT_NE(audit_warning(result.audit->chance).find("do not trust"), std::string::npos);
+    EXPECT_NE(audit_warning(result.audit->p_value).find("do not trust"), std::string::npos);
     EXPECT_EQ(audit_warning(kAuditLevel), "");
     SeriesSummary series;
     EXPECT_EQ(audit_line(series), "");
     series.audited = 3;
-    series.audit_chance = 0;
+    series.audit_p_value = 0;
     EXPECT_NE(audit_line(series).find("DISAGREES"), std::string::npos);
 }
 

@@ -15,7 +15,7 @@ constexpr double kCoatReflectance = .04;
 
 /// A leaf under a coat, the same on both sides.
 MaterialSpec coated(std::string name, double rho, double tau, std::size_t bands = 1) {
-    MaterialSpec spec = matt(std::move(name), rho, tau, bands);
+    MaterialSpec spec = diffuse(std::move(name), rho, tau, bands);
     for (auto* side : {&spec.upper, &spec.lower}) {
         for (SideOptics& optics : *side) {
             optics.reflection_model = optics.transmission_model = "coated_lambertian";
@@ -60,7 +60,7 @@ TEST_P(AbsorbedLight, OfAPlateUnderASkyIsTheMeanOverItsAngles) {
 TEST_P(AbsorbedLight, OfAStandIsTheSameFromEveryWayAndItsEnergyCloses) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(coated("waxy", .4, .3, 2));
-    builder.add_material(matt("matt", .2, .5, 2));
+    builder.add_material(diffuse("matt", .2, .5, 2));
     const std::vector<Triangle> leaves = random_leaves(24, .5, 1, 3);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         builder.add_organ(organ("", i % 2 == 0 ? "waxy" : "matt", {leaves[i]}));
@@ -78,7 +78,7 @@ TEST_P(AbsorbedLight, OfAStandIsTheSameFromEveryWayAndItsEnergyCloses) {
         EXPECT_LT(result.budget[b].closure_error, 1e-6);
         if (GetParam() != Method::from_organs) {
             EXPECT_TRUE(agrees(
-                measured(result.budget[b].roulette, kReplicates), 0,
+                measured(result.budget[b].imbalance, kReplicates), 0,
                 .02 * result.budget[b].emitted.mean, sidak_level(kLevel, 2)));
         }
     }

@@ -25,7 +25,7 @@ class AuditRate : public ::testing::TestWithParam<Stand> {};
 TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
     const Stand& stand = GetParam();
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .4));
+    builder.add_material(diffuse("leaf", .4, .4));
     add_leaves(builder, random_leaves(stand.leaves, stand.edge, 1, 9));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(30, {1}), sky({.3})};
@@ -40,9 +40,9 @@ TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
     for (int seed = 1; seed <= seeds; ++seed) {
         spec.seed = static_cast<std::uint64_t>(seed);
         const Audit audit = *run(scene, sources, spec).audit;
-        by_chi += audit.bands[0].chi_chance < kAlarm ? 1 : 0;
-        by_total += audit.bands[0].difference_chance < kAlarm ? 1 : 0;
-        in_all += audit.chance < kAlarm ? 1 : 0;
+        by_chi += audit.bands[0].chi_square_p_value < kAlarm ? 1 : 0;
+        by_total += audit.bands[0].difference_p_value < kAlarm ? 1 : 0;
+        in_all += audit.p_value < kAlarm ? 1 : 0;
     }
     RecordProperty("chi", std::to_string(by_chi / seeds));
     RecordProperty("total", std::to_string(by_total / seeds));

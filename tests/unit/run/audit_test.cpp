@@ -19,8 +19,8 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 /// Fifty leaves of two bands above a ground; the first `measured` are.
 Scene make_audited_stand(double reflectance = .2, std::size_t measured = 50) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", reflectance, .2, 2));
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("leaf", reflectance, .2, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     std::size_t count = 0;
     for (const Triangle& triangle : random_leaves(50, .3, 1, 3)) {
         OrganSpec leaf = organ("", "leaf", {triangle});
@@ -67,7 +67,7 @@ Estimate known(double mean, double error) {
 
 Scene two_leaves() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     for (const double z : {0.0, 1.0}) {
         builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, z)));
     }
@@ -84,7 +84,7 @@ TEST(Audit, ChiIsTheSumOfSquaresOverTheSumOfVariances) {
     EXPECT_NEAR(audit.bands[0].difference, 1, 1e-12);
     EXPECT_NEAR(audit.bands[0].standard_error, 1, 1e-6);
     // Variances of 7 degrees each: (.36 + .64)^2 / (.36^2 + .64^2) * 7 = 12.98; |t| = 1.
-    EXPECT_NEAR(audit.bands[0].difference_chance, f_tail(1, 1, 7 / .5392), 1e-6);
+    EXPECT_NEAR(audit.bands[0].difference_p_value, f_tail(1, 1, 7 / .5392), 1e-6);
     EXPECT_TRUE(audit.agrees());
 }
 
@@ -96,14 +96,14 @@ TEST(Audit, CountsWhatWasNeverSeenAndSkipsWhatWasNotMeasured) {
     const Audit audit = compare_results(two_leaves(), a, b);
     EXPECT_NEAR(audit.bands[0].reduced_chi_square, 1 / .25, 1e-6);
     EXPECT_TRUE(std::isnan(audit.bands[0].difference));
-    EXPECT_EQ(audit.bands[0].difference_chance, 1);
+    EXPECT_EQ(audit.bands[0].difference_p_value, 1);
 }
 
 TEST(Audit, OfDarknessAgrees) {
     const Result dark = result_of({known(0, 0), known(0, 0)}, known(0, 0));
     const Audit audit = compare_results(two_leaves(), dark, dark);
     EXPECT_EQ(audit.bands[0].reduced_chi_square, 1);
-    EXPECT_EQ(audit.chance, 1);
+    EXPECT_EQ(audit.p_value, 1);
 }
 
 TEST(Audit, AgreesWithEveryWayOfTracing) {
@@ -113,7 +113,7 @@ TEST(Audit, AgreesWithEveryWayOfTracing) {
         spec.method = from;
         const Result result = run(scene, make_sources(), spec);
         ASSERT_TRUE(result.audit.has_value());
-        EXPECT_TRUE(result.audit->agrees()) << result.audit->chance;
+        EXPECT_TRUE(result.audit->agrees()) << result.audit->p_value;
         EXPECT_EQ(result.audit->paths, 410U);
         EXPECT_EQ(result.audit->replicates, 8U);
         for (const BandAudit& band : result.audit->bands) {
@@ -157,7 +157,7 @@ TEST(Audit, FindsAWrongAlbedo) {
     const Result right = run(make_audited_stand(.2), make_sources(), spec);
     const Audit audit = compare_results(make_audited_stand(), wrong, right);
     EXPECT_FALSE(audit.agrees());
-    EXPECT_LT(audit.bands[0].difference_chance, kAuditLevel);
+    EXPECT_LT(audit.bands[0].difference_p_value, kAuditLevel);
 }
 
 /// The leaves that get least and most light from above.
@@ -189,8 +189,8 @@ TEST(Audit, FindsLightOnTheWrongOrgan) {
     const auto organ = tampered.values.begin();
     std::swap_ranges(organ + least * size, organ + (least + 1) * size, organ + most * size);
     const Audit audit = compare_results(scene, tampered, right);
-    EXPECT_LT(audit.bands[0].chi_chance, kAuditLevel);
-    EXPECT_GT(audit.bands[0].difference_chance, .01);
+    EXPECT_LT(audit.bands[0].chi_square_p_value, kAuditLevel);
+    EXPECT_GT(audit.bands[0].difference_p_value, .01);
     EXPECT_FALSE(audit.agrees());
 }
 
@@ -212,7 +212,7 @@ TEST(Audit, IsMadeOfEachTraceOfASeries) {
     ASSERT_EQ(audits.size(), 3U);
     EXPECT_EQ(summary.audited, 2U);
     EXPECT_DOUBLE_EQ(
-        summary.audit_chance, std::min(1.0, 2 * std::min(audits[0].chance, audits[1].chance)));
+        summary.audit_p_value, std::min(1.0, 2 * std::min(audits[0].p_value, audits[1].p_value)));
     // The third is twice the first.
     EXPECT_EQ(audits[2].bands[1].reduced_chi_square, audits[0].bands[1].reduced_chi_square);
     EXPECT_NEAR(audits[2].bands[1].difference, 2 * audits[0].bands[1].difference, 1e-12);

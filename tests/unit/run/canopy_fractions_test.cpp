@@ -23,8 +23,8 @@ class Fractions : public BothWays {};
 /// Sheets without end above a soil of albedo .3; the answers are those of the adding method.
 Scene make_sheets_over_soil(int sheets, bool has_soil = true) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("sheet", .1, .2));
-    builder.add_material(matt("soil", .3, 0));
+    builder.add_material(diffuse("sheet", .1, .2));
+    builder.add_material(diffuse("soil", .3, 0));
     for (int i = 0; i < sheets; ++i) {
         builder.add_organ(organ("", "sheet", floor_of(0, 2, 0, 1, 1 + i)));
     }
@@ -63,7 +63,7 @@ TEST_P(Fractions, AddUpToOneButForTheRoulette) {
     const Result result = trace(make_sheets_over_soil(2), {sun(30, {1}), sky({2})}, 1 << 10);
     const CanopyFractions& f = result.canopy.at(0);
     const double open = f.reflectance.mean + f.absorptance.mean + f.ground_absorptance.mean - 1 -
-                        result.budget[0].roulette.mean / result.budget[0].emitted.mean;
+                        result.budget[0].imbalance.mean / result.budget[0].emitted.mean;
     EXPECT_NEAR(open, 0, 1e-12);
 }
 
@@ -74,8 +74,8 @@ TEST_P(Fractions, HaveErrorsOfTheirOwn) {
     for (const Estimate& e : {f.reflectance, f.transmittance, f.absorptance}) {
         EXPECT_GT(e.standard_error, 0);
         EXPECT_LT(e.standard_error, .05);
-        EXPECT_LT(e.low, e.mean);
-        EXPECT_GT(e.high, e.mean);
+        EXPECT_LT(e.ci95_low, e.mean);
+        EXPECT_GT(e.ci95_high, e.mean);
     }
 }
 
@@ -90,8 +90,8 @@ TEST_P(Fractions, WithoutAGroundTellWhatOrgansAbsorbAlone) {
 /// A soil of 4, and a black plate of .25 that casts its shadow on it, if there is one.
 Scene make_plot(double albedo, bool has_plate) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
-    builder.add_material(matt("soil", albedo, 0));
+    builder.add_material(diffuse("black", 0, 0));
+    builder.add_material(diffuse("soil", albedo, 0));
     if (has_plate) {
         builder.add_organ(organ("", "black", floor_of(0, .5, 0, .5, .1)));
     }
@@ -124,14 +124,14 @@ TEST_P(Fractions, OfABarePlotAreItsAlbedo) {
 
 TEST_P(Fractions, NeedAGroundOrACell) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("leaf", .3, .2));
     builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, 1)));
     EXPECT_TRUE(trace(std::move(builder).build(), {sun(0, {1})}, 64).canopy.empty());
 }
 
 TEST_P(Fractions, OfLightThatNeverReachedTheGroundAreABound) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("", "black", floor_of(0, 1, 0, 1, 1)));
     builder.set_ground(ground("black"));
     builder.set_cell({.along_x = true, .along_y = true});
@@ -139,8 +139,8 @@ TEST_P(Fractions, OfLightThatNeverReachedTheGroundAreABound) {
     const Estimate& through = result.canopy.at(0).transmittance;
     EXPECT_EQ(through.mean, 0);
     EXPECT_TRUE(std::isnan(through.standard_error));
-    EXPECT_GT(through.high, 0);
-    EXPECT_LT(through.high, .05);
+    EXPECT_GT(through.ci95_high, 0);
+    EXPECT_LT(through.ci95_high, .05);
 }
 
 QUASIMC_BOTH_WAYS(Fractions);

@@ -15,7 +15,7 @@ namespace {
 
 Scene make_leaf_of_bands(std::size_t bands = 1) {
     SceneBuilder builder = make_builder(bands);
-    builder.add_material(matt("leaf", .1, .1, bands));
+    builder.add_material(diffuse("leaf", .1, .1, bands));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     return std::move(builder).build();
 }
@@ -36,7 +36,7 @@ std::vector<Fault> faults_of(const RunSpec& spec, const Sources& sources = {sun(
 /// A leaf of a material with one side like this.
 Scene make_leaf_with(const SideOptics& upper) {
     SceneBuilder builder = make_builder();
-    MaterialSpec waxy = matt("waxy", .1, .1);
+    MaterialSpec waxy = diffuse("waxy", .1, .1);
     waxy.upper[0] = upper;
     builder.add_material(waxy);
     builder.add_organ(organ("leaf", "waxy", floor_of(0, 1, 0, 1, 0)));
@@ -54,7 +54,7 @@ TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotMatt) {
         Faults faults;
         check_run(make_leaf_with(side), {sun(0, {1})}, spec, faults);
         ASSERT_EQ(faults.size(), 1U);
-        EXPECT_EQ(faults.all()[0].place, "method");
+        EXPECT_EQ(faults.all()[0].where, "method");
         EXPECT_NE(faults.all()[0].problem.find("'waxy'"), std::string::npos);
         EXPECT_NE(faults.all()[0].suggestion.find("first_hits"), std::string::npos);
         spec.method = Method::automatic;
@@ -68,13 +68,13 @@ TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotMatt) {
 Scene make_large_scene() {
     constexpr std::size_t kBands = 40;
     SceneBuilder builder = make_builder(kBands);
-    builder.add_material(matt("leaf", .1, .1, kBands));
+    builder.add_material(diffuse("leaf", .1, .1, kBands));
     const auto plant = std::make_shared<const Mesh>(random_leaves(1000, .1, 1, 1));
     for (int i = 0; i < 100; ++i) {
         OrganSpec organ;
-        Affine place;
-        place.shift = {2. * i, 0, 0};
-        organ.parts.push_back({"leaf", {}, plant, place});
+        Affine transform;
+        transform.shift = {2. * i, 0, 0};
+        organ.parts.push_back({"leaf", {}, plant, transform});
         builder.add_organ(std::move(organ));
     }
     return std::move(builder).build();
@@ -94,7 +94,7 @@ TEST(CheckRun, RefusesRayBundlesThatTakeMoreMemoryThanThereIs) {
         ASSERT_EQ(faults.size(), is_refused ? 1U : 0U);
         if (is_refused) {
             EXPECT_TRUE(faults.all()[0].problem.starts_with(
-                "ray_bundles takes about 1572.9 GB of memory for 400000 patches"))
+                "ray_bundles needs about 1572.9 GB of memory for 400000 patches"))
                 << faults.all()[0].text();
         }
     }
@@ -117,7 +117,7 @@ TEST(CheckRun, FindsNothingInAGoodSpecification) {
 TEST(CheckRun, FindsEachFaultAndSaysWhere) {
     constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
     struct Case {
-        std::string place;
+        std::string where;
         std::function<void(RunSpec&)> spoil;
     };
     const std::vector<Case> cases{
@@ -167,7 +167,7 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
         cases[i].spoil(spec);
         const std::vector<Fault> faults = faults_of(spec);
         ASSERT_EQ(faults.size(), 1U) << "case " << i;
-        EXPECT_EQ(faults[0].place, cases[i].place) << "case " << i;
+        EXPECT_EQ(faults[0].where, cases[i].where) << "case " << i;
         EXPECT_FALSE(faults[0].problem.empty());
     }
 }
@@ -200,7 +200,7 @@ TEST(CheckRun, FindsFaultsOfSources) {
     EXPECT_NE(tiny[0].why.find("1e-60"), std::string::npos);
     const std::vector<Fault> faults = faults_of({}, {sun(0, {1}), sky({1, 2})});
     ASSERT_EQ(faults.size(), 1U);
-    EXPECT_NE(faults[0].place.find("sky"), std::string::npos);
+    EXPECT_NE(faults[0].where.find("sky"), std::string::npos);
 }
 
 TEST(CheckRun, AllFaultsOfARunAreReportedAtOnce) {

@@ -18,8 +18,8 @@ namespace {
 
 Scene make_stand() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
-    builder.add_material(matt("soil", .2, 0));
+    builder.add_material(diffuse("leaf", .3, .2));
+    builder.add_material(diffuse("soil", .2, 0));
     add_leaves(builder, random_leaves(10, .6, 1, 3));
     GroundSpec soil = ground("soil");
     soil.height = -.4;
@@ -31,7 +31,7 @@ Sources make_sources() {
     return {sun(30, {1}), sky({.5})};
 }
 
-struct Trial {
+struct Pilot {
     Method from;
     const char* sampler;
     int seeds;
@@ -46,7 +46,7 @@ double resolution_of(int seeds) {
     return seeds < kManySeeds ? .034 : .02;
 }
 
-class Coverage : public ::testing::TestWithParam<Trial> {
+class Coverage : public ::testing::TestWithParam<Pilot> {
   protected:
     [[nodiscard]] RunSpec spec() const {
         RunSpec spec;
@@ -59,7 +59,7 @@ class Coverage : public ::testing::TestWithParam<Trial> {
 };
 
 bool holds_truth(const Estimate& interval, double truth) {
-    return interval.low <= truth && truth <= interval.high;
+    return interval.ci95_low <= truth && truth <= interval.ci95_high;
 }
 
 TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
@@ -70,12 +70,12 @@ TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
     const Result truth = run(scene, sources, truth_spec);
 
     const int seeds = GetParam().seeds;
-    RunSpec trial = spec();
+    RunSpec pilot = spec();
     std::vector<double> organs_right;
     int total_right = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
-        trial.seed = static_cast<std::uint64_t>(seed);
-        const Result result = run(scene, sources, trial);
+        pilot.seed = static_cast<std::uint64_t>(seed);
+        const Result result = run(scene, sources, pilot);
         int right = 0;
         for (std::size_t i = 0; i < result.organs(); ++i) {
             right += holds_truth(
@@ -100,36 +100,36 @@ TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
     RecordProperty("organs", std::to_string(organs.mean));
 }
 
-std::string name_of_trial(const ::testing::TestParamInfo<Trial>& trial) {
-    return name_of({trial.param.from, trial.index}) + "_" + trial.param.sampler;
+std::string name_of_trial(const ::testing::TestParamInfo<Pilot>& pilot) {
+    return name_of({pilot.param.from, pilot.index}) + "_" + pilot.param.sampler;
 }
 
 INSTANTIATE_TEST_SUITE_P(
     EveryWay,
     Coverage,
     ::testing::Values(
-        Trial{Method::light_tracing, "sobol", kFewSeeds},
-        Trial{Method::first_hits, "korobov", kFewSeeds},
-        Trial{Method::from_organs, "monte_carlo", kFewSeeds}),
+        Pilot{Method::light_tracing, "sobol", kFewSeeds},
+        Pilot{Method::first_hits, "korobov", kFewSeeds},
+        Pilot{Method::from_organs, "monte_carlo", kFewSeeds}),
     name_of_trial);
 
 INSTANTIATE_TEST_SUITE_P(
     Long,
     Coverage,
     ::testing::Values(
-        Trial{Method::light_tracing, "monte_carlo", kManySeeds},
-        Trial{Method::light_tracing, "sobol", kManySeeds},
-        Trial{Method::light_tracing, "korobov", kManySeeds},
-        Trial{Method::first_hits, "sobol", kManySeeds},
-        Trial{Method::first_hits, "korobov", kManySeeds},
-        Trial{Method::from_organs, "monte_carlo", kManySeeds},
-        Trial{Method::from_organs, "sobol", kManySeeds}),
+        Pilot{Method::light_tracing, "monte_carlo", kManySeeds},
+        Pilot{Method::light_tracing, "sobol", kManySeeds},
+        Pilot{Method::light_tracing, "korobov", kManySeeds},
+        Pilot{Method::first_hits, "sobol", kManySeeds},
+        Pilot{Method::first_hits, "korobov", kManySeeds},
+        Pilot{Method::from_organs, "monte_carlo", kManySeeds},
+        Pilot{Method::from_organs, "sobol", kManySeeds}),
     name_of_trial);
 
 /// Two leaves, one in the shade of the other: the sum of both, whose errors have opposite signs.
 Scene make_pair() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .05));
+    builder.add_material(diffuse("leaf", .1, .05));
     builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("", "leaf", floor_of(.2, .7, .1, .9, .5)));
     return std::move(builder).build();
@@ -138,7 +138,7 @@ Scene make_pair() {
 /// An interval of the sum of two estimates as if their errors were independent.
 Estimate added(const Estimate& a, const Estimate& b) {
     const double mean = a.mean + b.mean;
-    const double half = std::hypot(a.high - a.mean, b.high - b.mean);
+    const double half = std::hypot(a.ci95_high - a.mean, b.ci95_high - b.mean);
     return {mean, half, mean - half, mean + half};
 }
 
@@ -150,16 +150,16 @@ TEST(GroupCoverage, IsThatOfTheIntervalsAndNotThatOfErrorsAdded) {
         spec.seed = 12345;
         const double truth =
             run(scene, sources, spec).groups.at(0, Quantity::absorbed_flux, 0).mean;
-        RunSpec trial;
-        trial.method = method;
-        trial.sampler = "monte_carlo";
-        trial.threads = 1;
-        trial.paths = 256;
+        RunSpec pilot;
+        pilot.method = method;
+        pilot.sampler = "monte_carlo";
+        pilot.threads = 1;
+        pilot.paths = 256;
         int right = 0;
         int right_if_added = 0;
         for (int seed = 1; seed <= kFewSeeds; ++seed) {
-            trial.seed = static_cast<std::uint64_t>(seed);
-            const Result result = run(scene, sources, trial);
+            pilot.seed = static_cast<std::uint64_t>(seed);
+            const Result result = run(scene, sources, pilot);
             right += holds_truth(result.groups.at(0, Quantity::absorbed_flux, 0), truth) ? 1 : 0;
             right_if_added += holds_truth(
                                   added(
@@ -186,8 +186,8 @@ TEST(GroupCoverage, IsThatOfTheIntervalsAndNotThatOfErrorsAdded) {
 /// in the sun, straight above.
 Scene make_slit(double lit) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("black", 0, 0));
+    builder.add_material(diffuse("leaf", .3, .2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     if (lit < .5) {
         builder.add_organ(organ("left", "black", floor_of(-1, .3, -1, 2, .5)));

@@ -43,7 +43,7 @@ std::uint64_t digest(const SideOptics& side) {
 }
 
 std::uint64_t digest(std::shared_ptr<const Source> source) {
-    return digest(scene_of(matt("leaf", .3, .1)), {std::move(source)});
+    return digest(scene_of(diffuse("leaf", .3, .1)), {std::move(source)});
 }
 
 /// Expects all digests to differ.
@@ -59,7 +59,7 @@ TEST(Digest, IsTheSameForTheSameParameters) {
 
 TEST(Digest, TellsASensorFromABlackLeaf) {
     EXPECT_NE(
-        digest(scene_of(matt("leaf", 0, 0)), {sky({1})}),
+        digest(scene_of(diffuse("leaf", 0, 0)), {sky({1})}),
         digest(scene_of(sensor("leaf", 1)), {sky({1})}));
 }
 
@@ -173,7 +173,7 @@ TEST(Digest, ChangesWithEveryParameterOfLamps) {
 TEST(Digest, ChangesWithEveryParameterOfEveryDetector) {
     std::vector<std::uint64_t> digests;
     const auto add = [&](const DetectorSpec& spec) {
-        digests.push_back(digest(scene_of(matt("leaf", .3, .1), {spec}), {sky({1})}));
+        digests.push_back(digest(scene_of(diffuse("leaf", .3, .1), {spec}), {sky({1})}));
     };
     for (const DetectorEntry& type : detector_catalogue()) {
         DetectorSpec spec{.type = std::string(type.name)};

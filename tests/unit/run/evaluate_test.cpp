@@ -22,8 +22,8 @@ class EvaluateBothWays : public BothWays {
 /// A grey leaf inside a black box under the sun, where no light comes.
 Scene make_dark_room() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .1, 2));
-    builder.add_material(matt("black", 0, 0, 2));
+    builder.add_material(diffuse("leaf", .3, .1, 2));
+    builder.add_material(diffuse("black", 0, 0, 2));
     builder.add_organ(organ("leaf", "leaf", floor_of(.4, .6, .4, .6, .5)));
     std::vector<Triangle> walls = floor_of(0, 1, 0, 1, 0);
     const auto add = [&](const std::vector<Triangle>& wall) {
@@ -48,22 +48,23 @@ TEST_P(EvaluateBothWays, AnOrganThatNoPathHitHasAnUpperBoundAndNoError) {
             const Estimate& dark = result.at(0, entry.quantity, band);
             EXPECT_EQ(dark.mean, 0) << entry.name;
             EXPECT_TRUE(std::isnan(dark.standard_error)) << entry.name;
-            EXPECT_EQ(dark.low, 0);
-            EXPECT_GT(dark.high, 0);
-            EXPECT_LT(dark.high, .1 * result.at(1, entry.quantity, band).high + .1) << entry.name;
+            EXPECT_EQ(dark.ci95_low, 0);
+            EXPECT_GT(dark.ci95_high, 0);
+            EXPECT_LT(dark.ci95_high, .1 * result.at(1, entry.quantity, band).ci95_high + .1)
+                << entry.name;
         }
     }
     EXPECT_TRUE(std::isnan(result.ratio(0, 0).mean));
     EXPECT_EQ(result.sunlit_fraction[0].mean, 0);
-    EXPECT_GT(result.sunlit_fraction[0].high, 0);
+    EXPECT_GT(result.sunlit_fraction[0].ci95_high, 0);
 }
 
 /// A grey ground right under a larger black plate, the sun overhead: what the ground absorbs in all
 /// is as unknown as what falls on it.
 TEST_P(EvaluateBothWays, WhatNoPathFoundHasAnUpperBoundInTheBudgetToo) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("soil", .3, 0, 2));
-    builder.add_material(matt("black", 0, 0, 2));
+    builder.add_material(diffuse("soil", .3, 0, 2));
+    builder.add_material(diffuse("black", 0, 0, 2));
     builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 1)));
     GroundSpec soil = ground("soil");
     soil.height = .5;
@@ -75,8 +76,8 @@ TEST_P(EvaluateBothWays, WhatNoPathFoundHasAnUpperBoundInTheBudgetToo) {
         const Estimate& own = result.at(1, Quantity::absorbed_flux, band);
         EXPECT_EQ(whole.mean, 0);
         EXPECT_TRUE(std::isnan(whole.standard_error));
-        EXPECT_GT(whole.high, 0);
-        EXPECT_EQ(whole.high, own.high);
+        EXPECT_GT(whole.ci95_high, 0);
+        EXPECT_EQ(whole.ci95_high, own.ci95_high);
     }
 }
 
@@ -86,10 +87,10 @@ TEST(Evaluate, TheBoundIsThatOfTheRuleOfThree) {
     const Result result = run(scene, {sun(0, {10, 20})}, spec_of(Method::light_tracing, kPaths));
     const double one_path = result.budget[1].emitted.mean / kPaths;
     EXPECT_NEAR(
-        result.at(0, Quantity::absorbed_flux, 1).high, 3 * one_path * .6 / kReplicates,
+        result.at(0, Quantity::absorbed_flux, 1).ci95_high, 3 * one_path * .6 / kReplicates,
         1e-12 * one_path);
     EXPECT_NEAR(
-        result.at(0, Quantity::incident_lower, 1).high,
+        result.at(0, Quantity::incident_lower, 1).ci95_high,
         3 * one_path / kReplicates / scene.organs()[0].area, 1e-10 * one_path);
 }
 
@@ -100,7 +101,7 @@ Scene make_odd_plant() {
     leaf.upper = {{.reflectance = .1, .transmittance = .2}, {.reflectance = .5}};
     leaf.lower = {{.reflectance = .3}, {.reflectance = .4, .transmittance = .4}};
     builder.add_material(leaf);
-    builder.add_material(matt("stem", .2, 0, 2));
+    builder.add_material(diffuse("stem", .2, 0, 2));
     builder.add_material(sensor("sensor", 2));
     builder.add_organ(organ("leaf", "leaf", make_triangle({0, 0, 0}, {1, 0, .3}, {0, 1, .5})));
     builder.add_organ(organ("sensor", "sensor", floor_of(0, 1, 0, 1, 1)));
@@ -159,7 +160,7 @@ TEST_P(EvaluateBothWays, ASensorAbsorbsNothingForSure) {
     const Estimate& absorbed = result.at(1, Quantity::absorbed_flux, 0);
     EXPECT_EQ(absorbed.mean, 0);
     EXPECT_EQ(absorbed.standard_error, 0);
-    EXPECT_EQ(absorbed.high, 0);
+    EXPECT_EQ(absorbed.ci95_high, 0);
     EXPECT_GT(result.at(1, Quantity::incident_upper, 0).mean, 0);
 }
 
@@ -169,15 +170,15 @@ TEST_P(EvaluateBothWays, AnOrganOfNoAreaReceivesNothingForSure) {
         const Estimate& estimate = result.at(2, entry.quantity, 1);
         EXPECT_EQ(estimate.mean, 0) << entry.name;
         EXPECT_EQ(estimate.standard_error, 0) << entry.name;
-        EXPECT_EQ(estimate.high, 0) << entry.name;
+        EXPECT_EQ(estimate.ci95_high, 0) << entry.name;
     }
-    EXPECT_EQ(result.sunlit_fraction[2].high, 0);
+    EXPECT_EQ(result.sunlit_fraction[2].ci95_high, 0);
 }
 
 /// Bands that ride on the same paths have errors in common, which a ratio does not have.
 TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("black", 0, 0, 2));
+    builder.add_material(diffuse("black", 0, 0, 2));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(
         organ("shade", "black", make_triangle({.2, .2, 1}, {.9, .1, 1}, {.4, .9, 1})));
@@ -196,7 +197,7 @@ TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
 /// alone had a ratio without any error.
 TEST_P(EvaluateBothWays, ARatioOfFewFindsHoldsTheTruth) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .2, .2, 2));
+    builder.add_material(diffuse("leaf", .2, .2, 2));
     add_leaves(builder, random_leaves(60, .2, 1, 5));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(70, {1, .5}), sky({.3, .6})};
@@ -211,7 +212,7 @@ TEST_P(EvaluateBothWays, ARatioOfFewFindsHoldsTheTruth) {
             const Estimate& e = few.ratio(i, 0);
             const Estimate& t = truth.ratio(i, 0);
             if (std::isfinite(e.standard_error)) {
-                held += e.low <= t.high && t.low <= e.high ? 1 : 0;
+                held += e.ci95_low <= t.ci95_high && t.ci95_low <= e.ci95_high ? 1 : 0;
                 ++count;
             }
         }
@@ -227,13 +228,13 @@ TEST_P(EvaluateBothWays, ASingleReplicateHasAMeanAndNoError) {
         run(make_odd_plant(), sun_and_sky(), spec).at(0, Quantity::absorbed_flux, 0);
     EXPECT_GT(estimate.mean, 0);
     EXPECT_TRUE(std::isnan(estimate.standard_error));
-    EXPECT_TRUE(std::isnan(estimate.low));
+    EXPECT_TRUE(std::isnan(estimate.ci95_low));
 }
 
 /// What can't absorb any light is known without tracing.
 TEST_P(EvaluateBothWays, OrgansThatAbsorbNothingForSureAreAtAnyTarget) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_material(sensor("sensor"));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("sensor", "sensor", floor_of(0, 1, 0, 1, 1)));

@@ -25,7 +25,7 @@ class EvenShares : public testing::TestWithParam<std::string> {};
 
 TEST_P(EvenShares, ALeafThatNothingShadesKnowsWhatSeveralSunsBring) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     const Sources suns{sun(20, {1}), sun(87, {.3}), sun(60, {.07})};
@@ -44,7 +44,7 @@ TEST_P(EvenShares, ALeafThatNothingShadesKnowsWhatSeveralSunsBring) {
 
 TEST_P(EvenShares, ALeafThatIsPartlyCoveredKnowsHowMuchIsOpen) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("first", "black", floor_of(0, .87, -1, 2, 0)));
     builder.add_organ(organ("second", "black", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();

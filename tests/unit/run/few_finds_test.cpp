@@ -45,8 +45,8 @@ double coverage_of(
     for (int seed = 1; seed <= asked.seeds; ++seed) {
         spec.seed = static_cast<std::uint64_t>(seed);
         const Estimate e = read(run(scene, sources, spec));
-        EXPECT_GE(e.low, 0);
-        right += e.low <= truth && truth <= e.high + kRounding * truth ? 1 : 0;
+        EXPECT_GE(e.ci95_low, 0);
+        right += e.ci95_low <= truth && truth <= e.ci95_high + kRounding * truth ? 1 : 0;
     }
     return right / static_cast<double>(asked.seeds);
 }
@@ -94,7 +94,7 @@ TEST_P(FewFinds, OfALeafInTheSunHoldWhatTheSkyAdds) {
 TEST_P(FewFinds, OfANeedleThatFewLinesMeetHold) {
     for (const double width : {1e-4, 1e-3, 1e-2}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("black", 0, 0));
+        builder.add_material(diffuse("black", 0, 0));
         builder.add_organ(organ("needle", "black", floor_of(.3, .6, .4, .4 + width, .5)));
         builder.add_organ(organ("floor", "black", floor_of(0, 1, 0, 1, 0)));
         const Scene scene = std::move(builder).build();
@@ -112,7 +112,7 @@ TEST_P(FewFinds, OfALowSunBesideAHighOneHold) {
     constexpr double kHigh = 80, kLow = 1;
     for (const double width : {1e-4, 1e-3, 5e-3}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("black", 0, 0));
+        builder.add_material(diffuse("black", 0, 0));
         builder.add_organ(
             organ("needle", "black", floor_of(.3, .3 + 20 * width, .4, .4 + width, .2)));
         builder.add_organ(organ("floor", "black", floor_of(0, .7, 0, 2, 0)));
@@ -135,7 +135,7 @@ TEST_P(FewFinds, OfALowSunBesideAHighOneHold) {
 TEST_P(FewFinds, OfASunThatGetsTheSameNumberOfPathsHold) {
     for (const double expected : {5.03, 20.04, 20.97}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("black", 0, 0));
+        builder.add_material(diffuse("black", 0, 0));
         builder.add_organ(organ("roof", "black", floor_of(0, 1, 0, 1, 1)));
         builder.add_organ(organ("floor", "black", floor_of(0, 1, 0, 1, 0)));
         constexpr double kPaths = 256;
@@ -160,7 +160,7 @@ TEST_P(FewFinds, OfASunThatGetsTheSameNumberOfPathsHold) {
 TEST_P(FewFinds, OfASteepLeafInALowSunAndAHighOneHold) {
     for (const auto& [low, height] : {std::pair{.8, 37.5}, {.9, 37.5}, {.8, 56.}, {.9, 56.}}) {
         SceneBuilder builder = make_builder(2);
-        builder.add_material(matt("black", 0, 0, 2));
+        builder.add_material(diffuse("black", 0, 0, 2));
         const Vec3 base{0, 0, 0}, tip{1, 0, height};
         const Vec3 right{.5, -.5, height / 2}, left{.5, .5, height / 2};
         builder.add_organ(organ("leaf", "black", {{base, right, tip}, {base, tip, left}}));
@@ -180,11 +180,11 @@ TEST_P(FewFinds, InsideOfAHollowOrganHold) {
     const Vec3 a{.5, .5, .5}, b{.5 + kSide, .5, .5}, c{.5, .5 + kSide, .5};
     const Vec3 top{.5 + kSide / 4, .5 + kSide / 4, .5 + kSide};
     const std::vector<Triangle> body{{a, c, b}, {a, b, top}, {b, c, top}, {c, a, top}};
-    MaterialSpec bright = matt("bright", 0, kInto);
+    MaterialSpec bright = diffuse("bright", 0, kInto);
     bright.lower = {{kBright, 0}};
     SceneBuilder builder = make_builder();
     builder.add_material(std::move(bright));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("body", "bright", body));
     builder.add_organ(organ("floor", "black", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
@@ -206,7 +206,7 @@ TEST_P(FewFinds, InsideOfAHollowOrganHold) {
 TEST_P(FewFinds, OfTheGroundBelowANeedleHold) {
     constexpr double kShadow = 4e-5;
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("needle", "black", floor_of(.3, .7, .4, .4 + kShadow / .4, .2)));
     builder.set_ground(ground("black"));
     builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
@@ -248,8 +248,8 @@ TEST_P(FewFinds, OfPointsOnTheTopOfASensorHold) {
 /// almost along itself: each factor of the angle brings as much as the next one.
 TEST_P(FewFinds, OfALeafUprightOverShinyGroundHold) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
-    MaterialSpec shiny = matt("shiny", 0, 0);
+    builder.add_material(diffuse("black", 0, 0));
+    MaterialSpec shiny = diffuse("shiny", 0, 0);
     shiny.upper = {{.5, 0, "phong", {{"exponent", 154}}}};
     builder.add_material(shiny);
     builder.add_organ(
@@ -273,8 +273,8 @@ TEST_P(FewFinds, OfALeafUprightOverShinyGroundHold) {
 TEST_P(FewFinds, OfALeafThatFewScatteredPathsMeetHold) {
     for (const double size : {.01, .03, .06, .1}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("floor", .4, 0));
-        builder.add_material(matt("black", 0, 0));
+        builder.add_material(diffuse("floor", .4, 0));
+        builder.add_material(diffuse("black", 0, 0));
         builder.add_organ(organ("leaf", "black", floor_of(.5, .5 + size, .5, .5 + size, .5)));
         builder.add_organ(organ("floor", "floor", floor_of(0, 1, 0, 1, 0)));
         const Scene scene = std::move(builder).build();
@@ -308,7 +308,7 @@ TEST(ManyDirections, FallIntoNarrowConesAsIntervalsPromise) {
             }
         }
         const Estimate e = estimate_mean(counts);
-        right += e.low <= kExpected && kExpected <= e.high ? 1 : 0;
+        right += e.ci95_low <= kExpected && kExpected <= e.ci95_high ? 1 : 0;
     }
     EXPECT_GT(right, .932 * kRuns) << right;
     EXPECT_LT(right, .97 * kRuns) << right;
@@ -324,7 +324,7 @@ TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
     double of_none = 0;
     for (std::uint64_t seed = 1; seed <= 24; ++seed) {
         SceneBuilder builder = make_builder(1);
-        builder.add_material(matt("leaf", 0, 0));
+        builder.add_material(diffuse("leaf", 0, 0));
         builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
         builder.add_organ(
             organ("steep", "leaf", {make_triangle({-.5, 0, .5}, {.5, 0, .5}, {0, .1, 1.49})}));
@@ -338,7 +338,7 @@ TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
         if (lit.mean > 0) {
             of_one = std::min(of_one, lit.mean);
         } else {
-            of_none = lit.high;
+            of_none = lit.ci95_high;
         }
     }
     ASSERT_TRUE(std::isfinite(of_one));

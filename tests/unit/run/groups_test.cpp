@@ -25,8 +25,8 @@ OrganSpec labelled(OrganSpec organ, Labels labels) {
 /// nobody asks for.
 Scene make_two_plants() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     builder.add_material(sensor("sensor", 2));
     const auto leaves = random_leaves(6, .6, 1, 3);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -107,7 +107,7 @@ TEST(Groups, TakeAKeyThatHasAPlusInItForOneKey) {
 /// Horizontal squares of 1 and of .25, and an upright one from 0 to 1, in a cell of 2.
 Scene make_stories() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("leaf", .3, .2));
     for (const double z : {0.0, 1.0, 2.0, 3.0}) {
         builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, z < 3 ? 1 : .25, z)));
     }
@@ -124,8 +124,8 @@ TEST(Layers, HoldTheOrgansWhoseCentroidsLieInThem) {
     EXPECT_EQ(layers[1].organs, (std::vector<std::uint32_t>{4}));
     EXPECT_EQ(layers[2].organs, (std::vector<std::uint32_t>{1, 2, 3}))
         << "the height between two layers belongs to the upper one, the last to the last";
-    EXPECT_EQ(layers[2].low, 1);
-    EXPECT_EQ(layers[2].high, 3);
+    EXPECT_EQ(layers[2].height_min, 1);
+    EXPECT_EQ(layers[2].height_max, 3);
     EXPECT_DOUBLE_EQ(layers[1].plant_area_index, .25);
     EXPECT_DOUBLE_EQ(layers[2].plant_area_index, 2.25 / 2);
     EXPECT_DOUBLE_EQ(layers[2].cumulative_plant_area_index, 2.25 / 2);
@@ -135,9 +135,9 @@ TEST(Layers, HoldTheOrgansWhoseCentroidsLieInThem) {
 TEST(Layers, OfEqualHeightReachFromTheLowestPointToTheHighest) {
     const auto layers = make_groups(make_stories(), {.layers = 3});
     ASSERT_EQ(layers.size(), 4U);
-    EXPECT_EQ(layers[1].low, 0);
-    EXPECT_DOUBLE_EQ(layers[2].low, 1);
-    EXPECT_EQ(layers[3].high, 3);
+    EXPECT_EQ(layers[1].height_min, 0);
+    EXPECT_DOUBLE_EQ(layers[2].height_min, 1);
+    EXPECT_EQ(layers[3].height_max, 3);
     std::size_t organs = 0;
     for (std::size_t i = 1; i < layers.size(); ++i) {
         organs += layers[i].organs.size();
@@ -147,13 +147,13 @@ TEST(Layers, OfEqualHeightReachFromTheLowestPointToTheHighest) {
 
 TEST(Layers, OverAGroundBeginThere) {
     const auto layers = make_groups(make_two_plants(), {.layers = 2});
-    EXPECT_DOUBLE_EQ(layers[1].low, -.4);
+    EXPECT_DOUBLE_EQ(layers[1].height_min, -.4);
     EXPECT_GT(layers[1].plant_area_index, 0);
 }
 
 TEST(Layers, WithoutAreaBelowHaveNoPlantAreaIndex) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("leaf", .3, .2));
     builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, .2)));
     const auto layers = make_groups(std::move(builder).build(), {.layer_heights = {0, 1}});
     EXPECT_TRUE(std::isnan(layers[1].plant_area_index));
@@ -175,10 +175,10 @@ TEST(GroupFaults, NameTheLabelThatNoOrganHas) {
     EXPECT_EQ(
         faults_of_groups(make_two_plants(), spec),
         (std::vector<std::string>{
-            "groups: no organ has a label 'plnat' (groups are made of the values of a label); "
+            "groups: no organ has a label 'plnat' (groups are formed by the values of a label); "
             "did you mean 'plant'?",
-            "groups: no organ has a label 'knd' (groups are made of the values of a label); "
-            "did you mean 'kind'?"}));
+            "groups: no organ has a label 'knd' (groups are formed by the values of a label); did "
+            "you mean 'kind'?"}));
 }
 
 TEST(GroupFaults, TellHeightsThatDoNotAscend) {
@@ -186,8 +186,8 @@ TEST(GroupFaults, TellHeightsThatDoNotAscend) {
     spec.layer_heights = {0, 2, 1};
     EXPECT_EQ(
         faults_of_groups(make_two_plants(), spec),
-        (std::vector<std::string>{"layer_heights: 1 follows 2 (heights are finite numbers that "
-                                  "ascend); state them from below to above"}));
+        (std::vector<std::string>{"layer_heights: 1 follows 2 (heights must be finite and "
+                                  "ascending); give them in ascending order"}));
     spec.layer_heights = {0, std::nan("")};
     EXPECT_EQ(faults_of_groups(make_two_plants(), spec).size(), 1U);
     spec.layer_heights = {3};
@@ -200,7 +200,7 @@ TEST(GroupFaults, TellHeightsThatDoNotAscend) {
 
 TEST(GroupFaults, TellLayersOfAFlatScene) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
     builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, .2)));
     RunSpec spec = spec_of(Method::light_tracing, 64);
     spec.layers = 2;
@@ -242,7 +242,7 @@ TEST_P(GroupsOfRuns, OfOneOrganHaveItsErrorsAndRatios) {
     const Estimate& group = result.groups.at(kSensors, Quantity::incident_upper, 1);
     const Estimate& own = result.at(8, Quantity::incident_upper, 1);
     EXPECT_NEAR(group.standard_error, own.standard_error, 1e-9 * own.standard_error + 1e-14);
-    EXPECT_NEAR(group.high, own.high, 1e-9);
+    EXPECT_NEAR(group.ci95_high, own.ci95_high, 1e-9);
     EXPECT_NEAR(result.groups.ratio(kSensors, 0).mean, result.ratio(8, 0).mean, 1e-12);
 }
 
@@ -257,15 +257,15 @@ TEST_P(GroupsOfRuns, AreTheSameBitsOnAnyNumberOfThreads) {
         for (std::size_t i = 0; i < one.groups.values.size(); ++i) {
             EXPECT_EQ(one.groups.values[i].mean, many.groups.values[i].mean);
             EXPECT_EQ(one.groups.values[i].standard_error, many.groups.values[i].standard_error);
-            EXPECT_EQ(one.groups.values[i].high, many.groups.values[i].high);
+            EXPECT_EQ(one.groups.values[i].ci95_high, many.groups.values[i].ci95_high);
         }
     }
 }
 
 TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
     SceneBuilder builder = make_builder(1);
-    builder.add_material(matt("leaf", .3, .1));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("leaf", .3, .1));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(
         labelled(organ("a", "leaf", floor_of(.4, .6, .4, .6, -1)), {{"place", "below"}}));
     builder.add_organ(
@@ -278,14 +278,14 @@ TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
     const Estimate& dark = result.groups.at(1, Quantity::absorbed_flux, 0);
     EXPECT_EQ(dark.mean, 0);
     EXPECT_TRUE(std::isnan(dark.standard_error));
-    const double a = result.at(0, Quantity::absorbed_flux, 0).high;
-    const double b = result.at(1, Quantity::absorbed_flux, 0).high;
+    const double a = result.at(0, Quantity::absorbed_flux, 0).ci95_high;
+    const double b = result.at(1, Quantity::absorbed_flux, 0).ci95_high;
     if (GetParam() == Method::first_hits) {
         // A line may meet both.
-        EXPECT_GT(dark.high, 1.2 * std::max(a, b));
-        EXPECT_LE(dark.high, a + b);
+        EXPECT_GT(dark.ci95_high, 1.2 * std::max(a, b));
+        EXPECT_LE(dark.ci95_high, a + b);
     } else {
-        EXPECT_EQ(dark.high, std::max(a, b));
+        EXPECT_EQ(dark.ci95_high, std::max(a, b));
     }
 }
 
@@ -296,7 +296,7 @@ TEST_P(GroupsOfRuns, WithoutOrgansHaveNoLightForSure) {
     const Estimate& none = result.groups.at(1, Quantity::incident_upper, 0);
     EXPECT_EQ(none.mean, 0);
     EXPECT_EQ(none.standard_error, 0);
-    EXPECT_EQ(none.high, 0);
+    EXPECT_EQ(none.ci95_high, 0);
 }
 
 QUASIMC_BOTH_WAYS(GroupsOfRuns);
@@ -304,7 +304,7 @@ QUASIMC_BOTH_WAYS(GroupsOfRuns);
 /// A leaf in the shade of another: what the one takes the other lacks.
 Scene make_shading_pair() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .05));
+    builder.add_material(diffuse("leaf", .1, .05));
     builder.add_organ(labelled(organ("", "leaf", floor_of(0, 1, 0, 1, 0)), {{"pair", "1"}}));
     builder.add_organ(labelled(organ("", "leaf", floor_of(.2, .7, .1, .9, .5)), {{"pair", "1"}}));
     return std::move(builder).build();
@@ -377,7 +377,7 @@ TEST(GroupSums, OfADayAreThoseOfItsOrgansWithErrorsOfTheirOwn) {
         pair.standard_error, std::hypot(3600 * error_at(0), (3600 + 3 * 1800) * error_at(1)),
         1e-9 * pair.standard_error);
     EXPECT_NEAR(error_at(2), 3 * error_at(1), 1e-12);
-    EXPECT_EQ(results[3].groups.at(1, Quantity::absorbed_flux, 0).high, 0);
+    EXPECT_EQ(results[3].groups.at(1, Quantity::absorbed_flux, 0).ci95_high, 0);
     EXPECT_EQ(results[3].groups.groups[1].organs.size(), 2U);
 }
 

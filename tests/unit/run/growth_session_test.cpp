@@ -16,8 +16,8 @@ namespace {
 
 SceneBuilder growth_frame(double rho = .3) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", rho, .2));
-    builder.add_material(matt("soil", .2, 0));
+    builder.add_material(diffuse("leaf", rho, .2));
+    builder.add_material(diffuse("soil", .2, 0));
     builder.set_ground({.material = "soil", .extent = {{-.2, -.2, 1.2, 1.2}}});
     return builder;
 }
@@ -103,14 +103,14 @@ TEST_F(GrowthSessionTest, KeepsTheTreeWhenOpticsChange) {
     EXPECT_EQ(session_.tree_builds(), 1U);
 }
 
-TEST_F(GrowthSessionTest, TellsPlacesInTheOrderAsked) {
+TEST_F(GrowthSessionTest, GivesIndicesInTheOrderAsked) {
     for (const std::int64_t id : {5, 3, 8}) {
         session_.add(growing_leaf(id, 0));
     }
     const std::array<std::int64_t, 3> asked{8, 5, 3};
-    EXPECT_EQ(session_.places_of(asked), (std::vector<std::size_t>{2, 0, 1}));
+    EXPECT_EQ(session_.indices_of(asked), (std::vector<std::size_t>{2, 0, 1}));
     const std::array<std::int64_t, 1> unknown{4};
-    EXPECT_THROW(static_cast<void>(session_.places_of(unknown)), InputError);
+    EXPECT_THROW(static_cast<void>(session_.indices_of(unknown)), InputError);
 }
 
 TEST_F(GrowthSessionTest, GivesNoIdASecondTime) {

@@ -19,20 +19,20 @@ namespace {
 Scene make_copied_stand(bool shared, const Cell& cell) {
     const auto plant = std::make_shared<const Mesh>(random_leaves(80, .3, 1, 5));
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .3));
-    builder.add_material(matt("soil", .2, 0));
+    builder.add_material(diffuse("leaf", .3, .3));
+    builder.add_material(diffuse("soil", .2, 0));
     for (int i = 0; i < 12; ++i) {
         const double size = .6 + .05 * i, angle = .7 * i;
         const double c = size * std::cos(angle), s = size * std::sin(angle);
-        const Affine place{
+        const Affine transform{
             {Vec3{c, s, 0}, Vec3{-s, c, 0}, Vec3{0, 0, size}}, {1.2 * (i % 4), 1.3 * (i / 4), .1}};
         OrganSpec organ;
         if (shared) {
-            organ.parts.push_back({"leaf", {}, plant, place});
+            organ.parts.push_back({"leaf", {}, plant, transform});
         } else {
             std::vector<Triangle> triangles;
             for (std::size_t k = 0; k < plant->size(); ++k) {
-                triangles.push_back(Instance{plant, place}.triangle(k));
+                triangles.push_back(Instance{plant, transform}.triangle(k));
             }
             organ.parts.push_back({"leaf", triangles});
         }

@@ -23,8 +23,8 @@ constexpr std::size_t kMeasured = 6;
 /// measured.
 Scene make_lit_stand(double albedo) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .5 * albedo, .5 * albedo));
-    builder.add_material(matt("floor", albedo, 0));
+    builder.add_material(diffuse("leaf", .5 * albedo, .5 * albedo));
+    builder.add_material(diffuse("floor", albedo, 0));
     std::vector<Triangle> leaves = random_leaves(60, .2, 1, 7);
     const auto from_middle = [](const Triangle& t) {
         return length((t[0] + t[1] + t[2]) / 3 - Vec3{.5, .5, .5});
@@ -87,28 +87,28 @@ class LampCoverage : public ::testing::TestWithParam<Case> {};
 TEST_P(LampCoverage, IsThatOfIntervalsWhereAutoTracesFromTheOrgans) {
     const Scene scene = make_lit_stand(GetParam().albedo);
     const Sources sources = lamp_of(GetParam());
-    RunSpec trial;
-    trial.method = Method::automatic;
-    trial.threads = 1;
-    trial.paths = 1024;
-    ASSERT_EQ(plan_method(scene, sources, trial).method, Method::from_organs);
+    RunSpec pilot;
+    pilot.method = Method::automatic;
+    pilot.threads = 1;
+    pilot.paths = 1024;
+    ASSERT_EQ(plan_method(scene, sources, pilot).method, Method::from_organs);
     const Result truth = run(scene, sources, spec_of(Method::from_organs, 1 << 15));
     const Result other = run(scene, sources, spec_of(Method::light_tracing, 1 << 17));
 
     constexpr int kSeeds = 200;
     std::vector<double> held, widths;
     for (int seed = 1; seed <= kSeeds; ++seed) {
-        trial.seed = static_cast<std::uint64_t>(seed);
-        const Result result = run(scene, sources, trial);
+        pilot.seed = static_cast<std::uint64_t>(seed);
+        const Result result = run(scene, sources, pilot);
         double right = 0, count = 0;
         for (std::size_t organ = 0; organ < kMeasured; ++organ) {
             const Estimate& absorbed = result.at(organ, Quantity::absorbed_flux, 0);
-            widths.push_back((absorbed.high - absorbed.low) / absorbed.mean);
+            widths.push_back((absorbed.ci95_high - absorbed.ci95_low) / absorbed.mean);
             for (const Quantity q : kAsked) {
                 const double mean = truth.at(organ, q, 0).mean;
                 const Estimate& e = result.at(organ, q, 0);
                 count += mean > 0 ? 1 : 0;
-                right += mean > 0 && e.low <= mean && mean <= e.high ? 1 : 0;
+                right += mean > 0 && e.ci95_low <= mean && mean <= e.ci95_high ? 1 : 0;
             }
         }
         held.push_back(right / count);

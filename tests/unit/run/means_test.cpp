@@ -1,4 +1,4 @@
-// The means alone of sums are those that evaluate() tells, in every place that is read.
+// The means alone of sums equal those of evaluate(), in every entry that is read.
 
 #include "results/means.h"
 
@@ -29,8 +29,8 @@ void expect_means(
 /// Leaves in a cell over a ground, in two bands.
 Scene leaves_over_ground() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     add_leaves(builder, random_leaves(40, .2, 1, 3));
     builder.set_ground(ground("soil"));
     builder.set_cell({.along_x = true, .along_y = true});
@@ -61,7 +61,7 @@ TEST(Means, AreThoseOfTheWholeResult) {
 
 TEST(Means, AreUnknownOfOrgansThatNobodyAskedFor) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("leaf", .3, .2));
     builder.add_organ(organ("asked for", "leaf", floor_of(0, 1, 0, 1, 1)));
     OrganSpec other = organ("other", "leaf", floor_of(2, 3, 0, 1, 1));
     other.measured = false;

@@ -35,7 +35,7 @@ constexpr std::size_t kTriangles = 200'000;
 
 /// Makes a scene ready to trace.
 void prepare(SceneBuilder builder) {
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(0, {1})};
     const PreparedScene prepared(
@@ -148,7 +148,7 @@ TEST_F(Memory, OfSumsIsGivenBackWhileTheResultGrows) {
     }
     const double bytes = of_child([&] {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         for (const Triangle& leaf : random_leaves(kTriangles, .001, 1, 1)) {
             builder.add_organ({.parts = {{"leaf", {leaf}}}});
         }
@@ -170,10 +170,10 @@ TEST_F(Memory, OfCopiesIsThatOfOneMesh) {
         const auto plant = std::make_shared<const Mesh>(random_leaves(kTriangles / 1000, .1, 1, 1));
         SceneBuilder builder = make_builder();
         for (int i = 0; i < 1000; ++i) {
-            Affine place;
-            place.shift = {1.0 * (i % 32), 1.0 * (i / 32), 0};
+            Affine transform;
+            transform.shift = {1.0 * (i % 32), 1.0 * (i / 32), 0};
             OrganSpec organ;
-            organ.parts.push_back({"leaf", {}, plant, place});
+            organ.parts.push_back({"leaf", {}, plant, transform});
             builder.add_organ(std::move(organ));
         }
         prepare(std::move(builder));

@@ -22,7 +22,7 @@ constexpr double kHalfView = 25;
 
 Scene make_sensor_over_leaves() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", 0, 0));
+    builder.add_material(diffuse("leaf", 0, 0));
     builder.add_material(sensor("sensor"));
     OrganSpec eye = organ("eye", "sensor", floor_of(.2, .8, .2, .8, 1.1));
     eye.field_of_view_deg = kHalfView;
@@ -44,7 +44,7 @@ void expect_covered(const Scene& scene, std::uint64_t paths, double truth, int s
     for (int seed = 1; seed <= seeds; ++seed) {
         spec.seed = static_cast<std::uint64_t>(seed);
         const Estimate seen = run(scene, {sky({1})}, spec).at(0, Quantity::incident_upper, 0);
-        right += seen.low <= truth && truth <= seen.high ? 1 : 0;
+        right += seen.ci95_low <= truth && truth <= seen.ci95_high ? 1 : 0;
         squares += std::pow(seen.mean - truth, 2);
         variances += std::pow(seen.standard_error, 2);
     }
@@ -83,7 +83,7 @@ TEST_P(NarrowViews, OfALeafInATubeAreCoveredAsPromised) {
 /// A sensor over a leaf, on a slope.
 Scene make_sensor(double half_view_deg, double slope = 0, double side = 1) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, 0));
+    builder.add_material(diffuse("leaf", .1, 0));
     builder.add_material(sensor("sensor"));
     std::vector<Triangle> plate = floor_of(0, side, 0, side, 1);
     for (Triangle& triangle : plate) {
@@ -127,7 +127,7 @@ TEST(NarrowViewsFromOrgans, OfAnOvercastSkyAreCoveredAsPromised) {
     for (int seed = 1; seed <= kSeeds; ++seed) {
         const Estimate seen =
             seen_from_organs(scene, sources, 256, static_cast<std::uint64_t>(seed));
-        right += seen.low <= truth && truth <= seen.high ? 1 : 0;
+        right += seen.ci95_low <= truth && truth <= seen.ci95_high ? 1 : 0;
     }
     // Of 300 that hold in 95 % fewer than 271 are seen once in 600.
     EXPECT_GE(right, 271);

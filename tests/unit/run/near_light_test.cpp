@@ -1,6 +1,6 @@
 // Sensors near lamps and shiny leaves, traced from the sensors: means against light tracing, which
-// knows no such places, how often the intervals hold the truth, and how wide they are. What
-// scatters light next to a lamp is taken from there by points far from it; see
+// treats these points like all others, how often the intervals contain the truth, and how wide they
+// are. Light scattered next to a lamp is sampled there from points far from it; see
 // docs/theory/light-tracing.md.
 
 #include <array>
@@ -72,7 +72,7 @@ std::vector<Setting> settings() {
 
 Scene scene_of(const Setting& setting) {
     SceneBuilder builder = make_builder();
-    MaterialSpec leaf = matt("leaf", .5 * setting.floor, .3 * setting.floor);
+    MaterialSpec leaf = diffuse("leaf", .5 * setting.floor, .3 * setting.floor);
     for (SideOptics* side : {&leaf.upper[0], &leaf.lower[0]}) {
         if (setting.exponent > 0) {
             side->reflection_model = "phong";
@@ -80,7 +80,7 @@ Scene scene_of(const Setting& setting) {
         }
     }
     builder.add_material(leaf);
-    builder.add_material(matt("floor", setting.floor, 0));
+    builder.add_material(diffuse("floor", setting.floor, 0));
     builder.add_material(sensor("sensor"));
     for (const Vec3& c : setting.sensors) {
         OrganSpec eye =
@@ -126,11 +126,11 @@ struct SettingTrial {
     double resolution = 0;    ///< of the comparison with it
 };
 
-void PrintTo(const SettingTrial& trial, std::ostream* out) {
-    *out << trial.setting.name;
+void PrintTo(const SettingTrial& pilot, std::ostream* out) {
+    *out << pilot.setting.name;
 }
 
-std::vector<SettingTrial> trials(int seeds, std::uint64_t paths, double resolution) {
+std::vector<SettingTrial> pilots(int seeds, std::uint64_t paths, double resolution) {
     std::vector<SettingTrial> all;
     for (const Setting& setting : settings()) {
         all.push_back({setting, seeds, paths, resolution});
@@ -152,7 +152,7 @@ double part_held(const Result& result, const Result& truth, std::size_t sensors)
         for (const Quantity q : kAskedOfSensors) {
             const Estimate& e = result.at(i, q, 0);
             const double mean = truth.at(i, q, 0).mean;
-            right += e.low <= mean && mean <= e.high ? 1 : 0;
+            right += e.ci95_low <= mean && mean <= e.ci95_high ? 1 : 0;
         }
     }
     return right / static_cast<double>(sensors * kAskedOfSensors.size());
@@ -165,18 +165,18 @@ TEST_P(NearLight, IsKnownByTheSensorsThatLookForIt) {
     const Result truth = run(scene, sources, spec_of(Method::from_organs, 1 << 15));
     const Result other = run(scene, sources, spec_of(Method::light_tracing, paths));
     const std::size_t sensors = setting.sensors.size();
-    RunSpec trial;
-    trial.method = Method::from_organs;
-    trial.threads = 1;
-    trial.paths = 1024 * sensors;
+    RunSpec pilot;
+    pilot.method = Method::from_organs;
+    pilot.threads = 1;
+    pilot.paths = 1024 * sensors;
     std::vector<double> held, widths;
     for (int seed = 1; seed <= seeds; ++seed) {
-        trial.seed = static_cast<std::uint64_t>(seed);
-        const Result result = run(scene, sources, trial);
+        pilot.seed = static_cast<std::uint64_t>(seed);
+        const Result result = run(scene, sources, pilot);
         held.push_back(part_held(result, truth, sensors));
         for (std::size_t i = 0; i < sensors; ++i) {
             const Estimate& e = result.at(i, Quantity::incident_scattered, 0);
-            widths.push_back((e.high - e.low) / e.mean);
+            widths.push_back((e.ci95_high - e.ci95_low) / e.mean);
         }
     }
     const Estimate part = estimate_mean(held);
@@ -201,9 +201,9 @@ std::string name_of_setting(const ::testing::TestParamInfo<SettingTrial>& info) 
     return info.param.setting.name;
 }
 INSTANTIATE_TEST_SUITE_P(
-    Quick, NearLight, ::testing::ValuesIn(trials(40, 1 << 16, .6)), name_of_setting);
+    Quick, NearLight, ::testing::ValuesIn(pilots(40, 1 << 16, .6)), name_of_setting);
 INSTANTIATE_TEST_SUITE_P(
-    Long, NearLight, ::testing::ValuesIn(trials(400, 1 << 22, .15)), name_of_setting);
+    Long, NearLight, ::testing::ValuesIn(pilots(400, 1 << 22, .15)), name_of_setting);
 
 }  // namespace
 }  // namespace quasimc::test

@@ -96,7 +96,7 @@ class NewQuantity : public ::testing::Test {
   private:
     static Scene scene_of_a_leaf() {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .3, .2));
+        builder.add_material(diffuse("leaf", .3, .2));
         builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 1)));
         return std::move(builder).build();
     }
@@ -125,7 +125,7 @@ TEST_F(NewQuantity, HasABoundWhereNothingWasSummed) {
     Sums sums = none;
     sums->samples = 100;
     EXPECT_EQ(fraction_of(sums, 2, 1).mean, 0);
-    EXPECT_NEAR(fraction_of(sums, 2, 1).high, 3 * 2. / (2 * 100), 1e-12);
+    EXPECT_NEAR(fraction_of(sums, 2, 1).ci95_high, 3 * 2. / (2 * 100), 1e-12);
 }
 
 TEST_F(NewQuantity, IsSavedAndAdded) {

@@ -25,7 +25,7 @@ std::shared_ptr<const Source> lamp(double flux = 1) {
 /// A hundred equal leaves, of which some are measured.
 struct StandSpec {
     std::size_t measured = 100;
-    MaterialSpec leaf = matt("leaf", .1, .1);
+    MaterialSpec leaf = diffuse("leaf", .1, .1);
     Cell cell = {};
 };
 
@@ -44,7 +44,7 @@ Scene make_stand(const StandSpec& spec) {
 
 /// Leaves that reflect by one of the models.
 MaterialSpec glossy(const std::string& model, double exponent) {
-    MaterialSpec leaf = matt("leaf", .1, .1);
+    MaterialSpec leaf = diffuse("leaf", .1, .1);
     for (SideOptics* side : {&leaf.upper[0], &leaf.lower[0]}) {
         side->reflection_model = model;
         side->reflection_parameters["exponent"] = exponent;
@@ -65,7 +65,7 @@ TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
         const ChosenMethod choice =
             plan_method(make_stand(StandSpec{}), {sun(0, {1})}, spec_of(from, 1));
         EXPECT_EQ(choice.method, from);
-        EXPECT_EQ(choice.reason, "asked for");
+        EXPECT_EQ(choice.reason, "requested");
     }
 }
 
@@ -87,7 +87,7 @@ TEST(Planner, TracesSunsAndSkiesFromWhatTheyLight) {
 TEST(Planner, TakesBundlesForNeitherTooFewPathsNorTooMany) {
     const auto planned = [](std::size_t leaves, std::uint64_t paths) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         add_leaves(builder, random_leaves(leaves, .1, 1, 5));
         return plan_method(
                    std::move(builder).build(), {sky({1})}, spec_of(Method::automatic, paths))
@@ -104,7 +104,7 @@ TEST(Planner, TakesBundlesForNeitherTooFewPathsNorTooMany) {
 TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
     const auto planned = [](double half_width) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         add_leaves(builder, random_leaves(100, .1, 1, 5));
         GroundSpec soil = ground("leaf");
         soil.extent = std::array<double, 4>{-half_width, -half_width, half_width, half_width};
@@ -120,7 +120,7 @@ TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
 TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
     const auto planned = [](double radius) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         add_leaves(builder, random_leaves(100, .1, 1, 5));
         builder.add_organ(organ(
             "drum", "leaf", make_cylinder({.5, .5, 2}, {0, 0, radius}, radius, radius, 16, true)));
@@ -135,7 +135,7 @@ TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
 TEST(Planner, TakesFewPathsForBundlesBesideManyStems) {
     const auto planned = [](int stems, const Sources& sources, std::uint64_t paths) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         add_leaves(builder, random_leaves(200, .3, 1, 5));
         for (int i = 0; i < stems; ++i) {
             const Vec3 base{.1 * i, .5, 0};
@@ -154,7 +154,7 @@ TEST(Planner, TakesFewPathsForBundlesBesideManyStems) {
 /// A heap of leaves through one point, each of which crosses all others.
 TEST(Planner, ARunTakesAnotherMethodWherePatchesCantBeCut) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     constexpr int kLeaves = 500;
     for (int i = 0; i < kLeaves; ++i) {
         const double angle = M_PI * i / kLeaves;
@@ -180,7 +180,7 @@ TEST(Planner, ARunTakesAnotherMethodWhereSunsAloneGrazeAnEndlessStand) {
 }
 
 TEST(Planner, TracesLampsFromThemselves) {
-    const StandSpec bright{.leaf = matt("leaf", .4, .4)};
+    const StandSpec bright{.leaf = diffuse("leaf", .4, .4)};
     EXPECT_EQ(plan(bright, {lamp()}).method, Method::light_tracing);
     // A dark source is none.
     EXPECT_EQ(plan(bright, {lamp(), sun(0, {0})}).method, Method::light_tracing);
@@ -193,7 +193,7 @@ TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
         EXPECT_EQ(plan(few, {source}).method, Method::from_organs) << source->name();
     }
     EXPECT_EQ(plan(few, {lamp(), sun(0, {1})}).method, Method::from_organs);
-    EXPECT_NE(plan(few, {sky({1})}).reason.find("factor of 50"), std::string::npos);
+    EXPECT_NE(plan(few, {sky({1})}).reason.find("50 times as efficient"), std::string::npos);
     EXPECT_EQ(plan({.measured = 60}, {sky({1})}).method, Method::ray_bundles);
 }
 
@@ -201,7 +201,7 @@ TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
 TEST(Planner, TracesFromTheOrgansWhereASceneIsNearlyEmpty) {
     const auto row = [](double apart) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .2, .2));
+        builder.add_material(diffuse("leaf", .2, .2));
         for (int i = 0; i < 100; ++i) {
             const double x = i * apart;
             builder.add_organ(organ("", "leaf", floor_of(x, x + .5, 0, .5, .1 * (i % 2))));
@@ -269,7 +269,7 @@ TEST(Planner, LooksForLampsThatStandApartFromDarkLeaves) {
         RunSpec run;
         run.method = Method::automatic;
         run.paths = paths;
-        const StandSpec stand{.leaf = matt("leaf", albedo, albedo)};
+        const StandSpec stand{.leaf = diffuse("leaf", albedo, albedo)};
         return plan_method(make_stand(stand), {make_lamp(spec)}, run).method;
     };
     EXPECT_EQ(planned(3, .1, 1 << 14), Method::from_organs);
@@ -296,7 +296,7 @@ TEST(Planner, ComparesTheMeasuredOrgansWithAll) {
         gain_of_equal_shares(make_stand({.measured = 0})), std::numeric_limits<double>::infinity());
     // Of areas 1, 4 and 100 the median is 4.
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     for (const double side : {1.0, 2.0, 10.0}) {
         builder.add_organ(organ("", "leaf", floor_of(0, side, 0, side, side)));
     }
@@ -322,7 +322,7 @@ TEST(Planner, MakesTheRunThatItNames) {
         EXPECT_EQ(chosen.chosen.method, plan_method(scene, sources, spec).method);
         spec.method = chosen.chosen.method;
         const Result asked = run(scene, sources, spec);
-        EXPECT_EQ(asked.chosen.reason, "asked for");
+        EXPECT_EQ(asked.chosen.reason, "requested");
         EXPECT_EQ(
             chosen.at(0, Quantity::absorbed_flux, 0).mean,
             asked.at(0, Quantity::absorbed_flux, 0).mean);

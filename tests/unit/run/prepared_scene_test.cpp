@@ -17,7 +17,7 @@ namespace {
 /// A floor of 2 x 3, in one infinite layer: 6 square metres of light for each unit overhead.
 Scene make_layer(std::size_t bands, const std::vector<OrganSpec>& more = {}) {
     SceneBuilder builder = make_builder(bands);
-    builder.add_material(matt("leaf", .1, .1, bands));
+    builder.add_material(diffuse("leaf", .1, .1, bands));
     builder.add_material(net("mirror", std::vector<double>(bands, .5)));
     builder.add_material(sensor("sensor", bands));
     builder.add_organ(organ("floor", "leaf", floor_of(0, 2, 0, 3, 0)));
@@ -136,11 +136,11 @@ TEST(PreparedScene, KnowsWhatItsMaterialsAskFor) {
     const Staged plain(make_layer(1), light);
     EXPECT_LT(plain.prepared.optics().sharpest_peak, kSharpPeak);
     EXPECT_FALSE(plain.prepared.optics().has_transparent);
-    const std::vector<Triangle> place = floor_of(0, 1, 0, 1, .1);
-    const Staged shiny(make_layer(1, {organ("m", "mirror", place)}), light);
+    const std::vector<Triangle> floor = floor_of(0, 1, 0, 1, .1);
+    const Staged shiny(make_layer(1, {organ("m", "mirror", floor)}), light);
     EXPECT_GE(shiny.prepared.optics().sharpest_peak, kSharpPeak);
     EXPECT_FALSE(shiny.prepared.optics().has_transparent);
-    const Staged watched(make_layer(1, {organ("s", "sensor", place)}), light);
+    const Staged watched(make_layer(1, {organ("s", "sensor", floor)}), light);
     EXPECT_TRUE(watched.prepared.optics().has_transparent);
     EXPECT_LT(watched.prepared.optics().sharpest_peak, kSharpPeak);
 }

@@ -22,14 +22,14 @@ bool are_same(const Result& a, const Result& b) {
     return std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
         [&](const Estimate& x, const Estimate& y) {
-            return bits(x.mean) == bits(y.mean) && bits(x.low) == bits(y.low) &&
+            return bits(x.mean) == bits(y.mean) && bits(x.ci95_low) == bits(y.ci95_low) &&
                    bits(x.standard_error) == bits(y.standard_error);
         });
 }
 
 Scene make_leaves() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
+    builder.add_material(diffuse("leaf", .4, .2));
     add_leaves(builder, random_leaves(200, .2, 1, 3));
     return std::move(builder).build();
 }
@@ -60,9 +60,9 @@ class PreviewOfMethods : public ::testing::TestWithParam<Method> {
   protected:
     /// The result of a run that is looked at; what was seen of it goes to seen_.
     Result run_seen(const RunSpec& spec) {
-        Looking looking;
-        const Result result = run(scene_, sources_, spec, {.listeners = {&looking}});
-        seen_ = std::move(looking.seen);
+        Looking watching;
+        const Result result = run(scene_, sources_, spec, {.listeners = {&watching}});
+        seen_ = std::move(watching.seen);
         return result;
     }
     [[nodiscard]] RunSpec make_spec(std::uint64_t paths) const {
@@ -137,13 +137,13 @@ TEST(Preview, TellsTheTimeStepOfASeries) {
     };
     static_cast<void>(run_series(scene, times, spec, {.listeners = {&listening}}));
     spec.max_paths = 512;
-    LookingAtTimes looking;
-    static_cast<void>(run_series(scene, times, spec, {.listeners = {&looking}}));
-    EXPECT_EQ(looking.rounds, (std::vector<std::size_t>{0, 1}));
-    EXPECT_EQ(looking.last_rounds, (std::vector<std::size_t>{0, 1}));
+    LookingAtTimes watching;
+    static_cast<void>(run_series(scene, times, spec, {.listeners = {&watching}}));
+    EXPECT_EQ(watching.rounds, (std::vector<std::size_t>{0, 1}));
+    EXPECT_EQ(watching.last_rounds, (std::vector<std::size_t>{0, 1}));
     ASSERT_EQ(of_one_round.size(), 2U);
-    for (std::size_t i = 0; i < looking.rounds.size(); ++i) {
-        EXPECT_TRUE(are_same(looking.seen[i], of_one_round.at(looking.rounds[i]))) << i;
+    for (std::size_t i = 0; i < watching.rounds.size(); ++i) {
+        EXPECT_TRUE(are_same(watching.seen[i], of_one_round.at(watching.rounds[i]))) << i;
     }
 }
 

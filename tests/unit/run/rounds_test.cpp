@@ -45,7 +45,7 @@ TEST(Rounds, AreOneWithoutABudget) {
     EXPECT_EQ(first->count, 1000U);
     rounds.finish(after(limits, 1), 0);
     EXPECT_FALSE(rounds.next());
-    EXPECT_EQ(rounds.stop(), StopReason::paths_done);
+    EXPECT_EQ(rounds.stop(), StopReason::finished);
 }
 
 TEST(Rounds, TraceAsManyAgainUntilTheTargetIsReached) {
@@ -119,14 +119,14 @@ TEST(Rounds, StopBeforeTheTimeIsUp) {
         ++count;
     }
     EXPECT_EQ(count, 3);  // 1, 2, 4 seconds; the next would end at 8
-    EXPECT_EQ(rounds.stop(), StopReason::time_is_up);
+    EXPECT_EQ(rounds.stop(), StopReason::time_limit);
 }
 
 /// The first points and the numbers of the rounds of a run in which a round takes `fixed` seconds,
 /// and each path `each`. A round that is not done in time is given up.
 struct Course {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> rounds;
-    StopReason stop = StopReason::paths_done;
+    StopReason stop = StopReason::finished;
     double seconds = 0, wasted = 0;
 };
 
@@ -141,7 +141,7 @@ Course course_of(const RunSpec& spec, const SecondsOf& seconds_of) {
         if (spec.max_seconds > 0 && !is_first && course.seconds + takes > spec.max_seconds) {
             course.wasted = spec.max_seconds - course.seconds;
             course.seconds = spec.max_seconds;
-            rounds.interrupt(StopReason::time_is_up);
+            rounds.interrupt(StopReason::time_limit);
             break;
         }
         course.seconds += takes;
@@ -178,9 +178,9 @@ TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
     EXPECT_EQ(counts.front(), 1U << 14U);
     EXPECT_EQ(counts.back(), spec.paths);
     EXPECT_EQ(counts[counts.size() - 2], spec.paths / 64);
-    const auto trials = std::accumulate(counts.begin(), counts.end() - 1, std::uint64_t{0});
-    EXPECT_LT(static_cast<double>(trials), .022 * static_cast<double>(spec.paths));
-    EXPECT_EQ(rounds.stop(), StopReason::paths_done);
+    const auto pilots = std::accumulate(counts.begin(), counts.end() - 1, std::uint64_t{0});
+    EXPECT_LT(static_cast<double>(pilots), .022 * static_cast<double>(spec.paths));
+    EXPECT_EQ(rounds.stop(), StopReason::finished);
 }
 
 TEST(Rounds, OfOtherRunsThatMayBeStoppedAreOne) {
@@ -202,7 +202,7 @@ TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
         spec.max_seconds = 100;
         const Course limited = course_of(spec, fixed, 1e-5);
         EXPECT_EQ(limited.rounds.back(), (std::pair<std::uint64_t, std::uint64_t>{0, spec.paths}));
-        EXPECT_EQ(limited.stop, StopReason::paths_done) << "a limit is no wish for more";
+        EXPECT_EQ(limited.stop, StopReason::finished) << "a limit is no wish for more";
         spec.max_seconds = 0;
         const Course free = course_of(spec, fixed, 1e-5);
         EXPECT_EQ(free.rounds.size(), 1U);
@@ -222,7 +222,7 @@ TEST(Rounds, OfAShortLimitUseTheTime) {
             constexpr double kEach = 1e-6;
             const Course course = course_of(spec, fixed, kEach);
             const double most = (limit - fixed) / kEach;
-            EXPECT_EQ(course.stop, StopReason::time_is_up);
+            EXPECT_EQ(course.stop, StopReason::time_limit);
             EXPECT_EQ(course.wasted, 0) << limit << " " << fixed;
             EXPECT_LE(course.seconds, limit);
             EXPECT_GT(static_cast<double>(paths_of(course)), .2 * most) << limit << " " << fixed;
@@ -278,7 +278,7 @@ TEST(Rounds, BeginWithATrialWhereOneCannotTell) {
     EXPECT_EQ(rounds.next()->count, 256U);
     rounds.finish(after(limits, 5), 0);  // the time is up already
     EXPECT_FALSE(rounds.next());
-    EXPECT_EQ(rounds.stop(), StopReason::time_is_up);
+    EXPECT_EQ(rounds.stop(), StopReason::time_limit);
 }
 
 TEST(Rounds, KnowTheirShareOfTheWork) {
@@ -296,7 +296,7 @@ TEST(Rounds, KnowTheirShareOfTheWork) {
 
 TEST(RatioBands, AreFoundByName) {
     SceneBuilder builder({{"R"}, {"FR"}, {"PAR"}});
-    builder.add_material(matt("leaf", .1, .1, 3));
+    builder.add_material(diffuse("leaf", .1, .1, 3));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
     const Scene scene = std::move(builder).build();
     RunSpec spec;

@@ -19,7 +19,7 @@ namespace quasimc::test {
 namespace {
 
 /// Keeps every state that a run has, as bytes.
-class KeptStates final : public RunListener, public StoredStates {
+class RecordedStates final : public RunListener, public StoredStates {
   public:
     std::vector<std::string> saved;
     std::string finished;
@@ -41,7 +41,7 @@ Sources kept_lights() {
     return {sun(30, {1}), sky({1})};
 }
 
-Result run_kept(RunSpec spec, KeptStates& states, unsigned threads = 1) {
+Result run_recorded(RunSpec spec, RecordedStates& states, unsigned threads = 1) {
     spec.threads = threads;
     std::stop_source never;
     return run(
@@ -57,7 +57,7 @@ void expect_equal_runs(const Result& a, const Result& b) {
     EXPECT_TRUE(std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
         [](const Estimate& x, const Estimate& y) {
-            return x.mean == y.mean && x.low == y.low && x.high == y.high;
+            return x.mean == y.mean && x.ci95_low == y.ci95_low && x.ci95_high == y.ci95_high;
         }));
 }
 
@@ -77,14 +77,14 @@ TEST_P(RunStates, GoOnToTheSameBitsFromEveryPause) {
     rounds.max_paths = 2 * rounds.paths;
     for (const RunSpec& spec : {spec(), rounds}) {
         const Result whole = run(kept_scene(), kept_lights(), spec);
-        KeptStates first;
-        expect_equal_runs(run_kept(spec, first), whole);
+        RecordedStates first;
+        expect_equal_runs(run_recorded(spec, first), whole);
         ASSERT_GE(first.saved.size(), 3U);
         const std::size_t step = std::max<std::size_t>(1, first.saved.size() / 5);
         for (std::size_t i = 0; i < first.saved.size(); i += step) {
-            KeptStates later;
+            RecordedStates later;
             later.from = load_state(first.saved[i]);
-            const Result resumed = run_kept(spec, later, static_cast<unsigned>(1 + i % 3));
+            const Result resumed = run_recorded(spec, later, static_cast<unsigned>(1 + i % 3));
             expect_equal_runs(resumed, whole);
             // Each pause comes after a task more.
             const auto tasks = static_cast<double>(first.saved.size());
@@ -103,12 +103,12 @@ TEST_P(RunStates, OfRunsThatAreDoneGiveTheResultAndGoOnToASmallerTarget) {
     RunSpec spec = RunStates::spec();
     spec.paths = 1U << 10U;
     spec.target_error = 0.5;
-    KeptStates first;
-    const Result whole = run_kept(spec, first);
+    RecordedStates first;
+    const Result whole = run_recorded(spec, first);
     ASSERT_EQ(whole.stop, StopReason::target_reached);
-    KeptStates again;
+    RecordedStates again;
     again.from = load_state(first.finished);
-    const Result there = run_kept(spec, again);
+    const Result there = run_recorded(spec, again);
     expect_equal_runs(there, whole);
     EXPECT_EQ(there.paths_before, static_cast<double>(whole.paths));
     EXPECT_EQ(whole.paths_before, 0);
@@ -117,9 +117,9 @@ TEST_P(RunStates, OfRunsThatAreDoneGiveTheResultAndGoOnToASmallerTarget) {
 
     spec.target_error = 1e-9;
     spec.max_paths = 1U << 12U;
-    KeptStates later;
+    RecordedStates later;
     later.from = load_state(first.finished);
-    const Result exact = run_kept(spec, later);
+    const Result exact = run_recorded(spec, later);
     EXPECT_EQ(exact.paths, spec.max_paths);
     EXPECT_EQ(exact.paths_before, static_cast<double>(whole.paths));
     EXPECT_EQ(exact.stop, StopReason::path_limit);
@@ -136,14 +136,14 @@ TEST_P(RunStates, BecomeRunsOfMorePathsWhereTheBitsAreTheSame) {
     for (const SamplerEntry& sampler : sampler_catalogue()) {
         few.sampler = many.sampler = sampler.name;
         const bool can = adds_up && sampler.is_sequence;
-        KeptStates first;
-        static_cast<void>(run_kept(few, first));
-        KeptStates later;
+        RecordedStates first;
+        static_cast<void>(run_recorded(few, first));
+        RecordedStates later;
         later.from = load_state(first.finished);
         if (can) {
-            expect_equal_runs(run_kept(many, later), run(kept_scene(), kept_lights(), many));
+            expect_equal_runs(run_recorded(many, later), run(kept_scene(), kept_lights(), many));
         } else {
-            EXPECT_THROW(static_cast<void>(run_kept(many, later)), InputError) << sampler.name;
+            EXPECT_THROW(static_cast<void>(run_recorded(many, later)), InputError) << sampler.name;
         }
     }
 }
@@ -151,16 +151,16 @@ TEST_P(RunStates, BecomeRunsOfMorePathsWhereTheBitsAreTheSame) {
 TEST(RunState, BecomesNoRunThatWouldHaveOtherBits) {
     RunSpec few = spec_of(Method::light_tracing, 1U << 15U);
     few.max_paths = 2 * few.paths;
-    KeptStates first;
-    static_cast<void>(run_kept(few, first));
+    RecordedStates first;
+    static_cast<void>(run_recorded(few, first));
     const auto refusal_of = [&](std::uint64_t paths) {
         RunSpec other = few;
         other.paths = paths;
         other.max_paths = 0;
-        KeptStates later;
+        RecordedStates later;
         later.from = load_state(first.finished);
         try {
-            static_cast<void>(run_kept(other, later));
+            static_cast<void>(run_recorded(other, later));
         } catch (const InputError& error) {
             return std::string(error.what());
         }
@@ -168,12 +168,12 @@ TEST(RunState, BecomesNoRunThatWouldHaveOtherBits) {
     };
     EXPECT_EQ(refusal_of(1U << 16U), "");
     EXPECT_EQ(refusal_of(1U << 17U), "");
-    EXPECT_NE(refusal_of(1U << 14U).find("65536 paths are traced already"), std::string::npos);
+    EXPECT_NE(refusal_of(1U << 14U).find("65536 paths are computed already"), std::string::npos);
     few.sampler = "halton";
     few.max_paths = 0;
     few.paths = 20000;  // no whole blocks
     first.saved.clear();
-    static_cast<void>(run_kept(few, first));
+    static_cast<void>(run_recorded(few, first));
     EXPECT_NE(refusal_of(40000).find("are not the beginning of 40000"), std::string::npos);
     EXPECT_NE(refusal_of(60000).find("must be 20000, doubled"), std::string::npos);
 }
@@ -182,27 +182,27 @@ TEST(RunState, BecomesNoRunThatWouldHaveOtherBits) {
 TEST(RunState, LooksAtATargetAfterTheFirstRoundThatWasAskedFor) {
     RunSpec few = spec_of(Method::light_tracing, 1U << 14U);
     few.target_error = 0.9;
-    KeptStates first;
-    ASSERT_EQ(run_kept(few, first).stop, StopReason::target_reached);
+    RecordedStates first;
+    ASSERT_EQ(run_recorded(few, first).stop, StopReason::target_reached);
     RunSpec many = few;
     many.paths = 1U << 16U;
-    KeptStates later;
+    RecordedStates later;
     later.from = load_state(first.finished);
-    expect_equal_runs(run_kept(many, later), run(kept_scene(), kept_lights(), many));
+    expect_equal_runs(run_recorded(many, later), run(kept_scene(), kept_lights(), many));
 }
 
 TEST_P(RunStates, OfAnotherRunAreRefused) {
-    KeptStates first;
-    static_cast<void>(run_kept(spec(), first));
+    RecordedStates first;
+    static_cast<void>(run_recorded(spec(), first));
     RunSpec other = spec();
     ++other.seed;
-    KeptStates later;
+    RecordedStates later;
     later.from = load_state(first.saved[0]);
-    EXPECT_THROW(static_cast<void>(run_kept(other, later)), InputError);
+    EXPECT_THROW(static_cast<void>(run_recorded(other, later)), InputError);
     other = spec();
     ++other.replicates;
     later.from = load_state(first.saved[0]);
-    EXPECT_THROW(static_cast<void>(run_kept(other, later)), InputError);
+    EXPECT_THROW(static_cast<void>(run_recorded(other, later)), InputError);
 }
 
 INSTANTIATE_TEST_SUITE_P(

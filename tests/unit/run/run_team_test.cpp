@@ -40,14 +40,14 @@ class Meeting {
 
     /// What the first has to say.
     template <typename T>
-    T told(unsigned rank, const T& own, T& place) {
+    T reported(unsigned rank, const T& own, T& shared) {
         if (rank == 0) {
-            place = own;
+            shared = own;
         }
         barrier_.arrive_and_wait();
-        const T told = place;
+        const T reported = shared;
         barrier_.arrive_and_wait();
-        return told;
+        return reported;
     }
 
     unsigned size_;
@@ -69,11 +69,13 @@ class Member final : public RunTeam {
     [[nodiscard]] std::uint64_t size() const override { return all_.size_; }
     [[nodiscard]] bool meet(bool is_done) override {
         all_.is_stopped_ = all_.is_stopped_ || (rank_ == 0 && !is_done);
-        const bool is_first_done = all_.told(rank_, is_done, all_.met_);
+        const bool is_first_done = all_.reported(rank_, is_done, all_.met_);
         all_.is_stopped_ = false;
         return is_first_done;
     }
-    TeamOrder order(const TeamOrder& own) override { return all_.told(rank_, own, all_.order_); }
+    TeamOrder order(const TeamOrder& own) override {
+        return all_.reported(rank_, own, all_.order_);
+    }
     void add_up(std::vector<std::int64_t>& numbers) override {
         if (rank_ == 0) {
             all_.total_.assign(numbers.size(), 0);
@@ -150,7 +152,7 @@ void help(RunTeam& team, const Day& day, const RunSpec& spec) {
         if (order.kind == TeamOrder::kDealt) {
             HelpedRuns runs(team);
             try {
-                runs.trace(day.scene, day.moments, spec, order.moment);
+                runs.trace(day.scene, day.moments, spec, order.time_step);
             } catch (const Stopped&) {  // by the first
             }
             runs.end();
@@ -160,7 +162,7 @@ void help(RunTeam& team, const Day& day, const RunSpec& spec) {
 }
 
 /// States of runs that are kept, as bytes.
-class KeptRuns : public RunListener, public StoredStates {
+class RecordedRuns : public RunListener, public StoredStates {
   public:
     std::map<std::size_t, std::string> saved, finished;  // by time step
     std::size_t saves = 0, restored = 0;
@@ -192,12 +194,12 @@ class KeptRuns : public RunListener, public StoredStates {
 /// Deals the runs of a day out to a team, from the first that was not kept.
 class DealtDay final : public SumsSource {
   public:
-    DealtDay(RunTeam& team, const Day& day, const KeptRuns* kept)
-        : team_(team), day_(day), kept_(kept) {}
+    DealtDay(RunTeam& team, const Day& day, const RecordedRuns* kept)
+        : team_(team), day_(day), cached_(kept) {}
 
     [[nodiscard]] std::optional<GivenSums> sums_of(
         std::size_t time_step, const RunSpec& spec, const RunControl& control) override {
-        if (!dealt_ && kept_ != nullptr && kept_->has_state(time_step)) {
+        if (!dealt_ && cached_ != nullptr && cached_->has_state(time_step)) {
             return std::nullopt;
         }
         if (!dealt_) {
@@ -209,7 +211,7 @@ class DealtDay final : public SumsSource {
   private:
     RunTeam& team_;
     const Day& day_;
-    const KeptRuns* kept_;
+    const RecordedRuns* cached_;
     Simulator simulator_;
     std::optional<DealtRuns> dealt_;
 };
@@ -219,7 +221,7 @@ std::vector<Result> trace_day(
     const Day& day,
     const RunSpec& spec,
     unsigned ranks,
-    KeptRuns* kept = nullptr,
+    RecordedRuns* kept = nullptr,
     const std::stop_token& stop = {},
     Sharing sharing = Sharing::tasks) {
     Meeting meeting(ranks);
@@ -265,7 +267,7 @@ void expect_equal_days(const std::vector<Result>& a, const std::vector<Result>& 
         EXPECT_TRUE(std::equal(
             a[i].values.begin(), a[i].values.end(), b[i].values.begin(), b[i].values.end(),
             [](const Estimate& x, const Estimate& y) {
-                return x.mean == y.mean && x.low == y.low && x.high == y.high;
+                return x.mean == y.mean && x.ci95_low == y.ci95_low && x.ci95_high == y.ci95_high;
             }));
     }
 }
@@ -299,7 +301,7 @@ TEST_P(RunTeams, GiveTheBitsOfOneProcess) {
 
 TEST_P(RunTeams, KeepRoundsThatOthersGoOnFrom) {
     const Day day;
-    KeptRuns kept;
+    RecordedRuns kept;
     const std::vector<Result> alone = day_alone(day, spec());
     expect_equal_days(trace_day(day, spec(), 3, &kept), alone);
     ASSERT_GE(kept.saves, 3U);
@@ -322,7 +324,7 @@ TEST_P(RunTeams, KeepRunsThatOthersHaveTracedAndGoOnFromThem) {
     const Day day;
     RunSpec spec = RunTeams::spec();
     spec.max_paths = 0;
-    KeptRuns kept;
+    RecordedRuns kept;
     kept.saves_rounds = false;
     const std::vector<Result> alone = day_alone(day, spec);
     expect_equal_days(trace_day(day, spec, 3, &kept, {}, Sharing::runs), alone);
@@ -348,12 +350,12 @@ TEST(RunTeam, TellsTheProcessorTimeOfAll) {
     RunSpec spec = spec_of(Method::light_tracing, 1U << 18U);
     spec.threads = 1;
     const Stopwatch watch;
-    double told = 0;
+    double reported = 0;
     for (const Result& result : trace_day(day, spec, 3)) {
-        told += result.trace_cpu_seconds;
+        reported += result.solve_cpu_seconds;
     }
     // Here all are threads of one process, and each tells the time of all.
-    EXPECT_GT(told, 1.5 * watch.cpu_seconds());
+    EXPECT_GT(reported, 1.5 * watch.cpu_seconds());
 }
 
 TEST(RunTeam, StopsWhenTheFirstIsStopped) {

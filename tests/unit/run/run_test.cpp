@@ -29,7 +29,7 @@ class TiredSky final : public SourceModel {
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
         constexpr unsigned kBetween = 512;
-        if (++looks_ % kBetween == 0) {
+        if (++samples_ % kBetween == 0) {
             std::this_thread::sleep_for(std::chrono::milliseconds(3));
         }
         return model_of(*sky_).illuminate(point, u0, u1);
@@ -40,7 +40,7 @@ class TiredSky final : public SourceModel {
 
   private:
     std::shared_ptr<const Source> sky_;
-    mutable std::atomic<unsigned> looks_{0};
+    mutable std::atomic<unsigned> samples_{0};
 };
 
 /// A run of half a second or more on two threads.
@@ -106,9 +106,9 @@ TEST(Run, TakesEmptyBracesForItsControl) {
     EXPECT_EQ(simulator.run(scene, sources, spec, {}).at(0, Quantity::absorbed_flux, 0).mean, free);
     std::vector<TimeStep> steps(1);
     steps[0].sources = sources;
-    EXPECT_EQ(run_series(scene, steps, spec, {}).traced, 1U);
-    EXPECT_EQ(run_series(simulator, scene, steps, spec, {}).traced, 1U);
-    EXPECT_EQ(run_series(std::move(simulator), scene, steps, spec, {}).traced, 1U);
+    EXPECT_EQ(run_series(scene, steps, spec, {}).computed, 1U);
+    EXPECT_EQ(run_series(simulator, scene, steps, spec, {}).computed, 1U);
+    EXPECT_EQ(run_series(std::move(simulator), scene, steps, spec, {}).computed, 1U);
 }
 
 /// The parts of work are fractions of the whole, however deep they lie in the tree.
@@ -163,7 +163,7 @@ TEST(Run, SaysWhyItMissedTheTarget) {
     spec.max_seconds = 1e-9;
     spec.max_paths = 0;
     result = run(leaf_over_ground(), {sky({1})}, spec);
-    EXPECT_EQ(result.stop, StopReason::time_is_up);
+    EXPECT_EQ(result.stop, StopReason::time_limit);
     EXPECT_EQ(result.paths, 256U);
 }
 
@@ -228,12 +228,12 @@ TEST(Run, ReportsWhatADepthOfOneCutsOff) {
         budget.cut_off.mean,
         .6 / .4 * budget.absorbed_by_organs.mean + .3 / .7 * budget.absorbed_by_ground.mean,
         1e-7 * budget.emitted.mean);
-    EXPECT_NEAR(budget.roulette.mean, 0, 1e-7) << "the fixed point of the tallies";
+    EXPECT_NEAR(budget.imbalance.mean, 0, 1e-7) << "the fixed point of the tallies";
 }
 
 TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
+    builder.add_material(diffuse("leaf", .4, .2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
     const Scene scene = std::move(builder).build();
     const auto below = make_directional_source("below", {0, .6, .8}, {1});
@@ -249,12 +249,12 @@ TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
 /// A band for which there is no light is dark, and nothing is divided by zero.
 TEST_P(RunBothWays, ABandWithoutLightIsDark) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .4, .2, 2));
+    builder.add_material(diffuse("leaf", .4, .2, 2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, .5)));
     const Result result = trace(std::move(builder).build(), {sun(0, {0, 1}), sky({0, 2})}, 1024);
     for (const QuantityEntry& entry : quantity_table()) {
         EXPECT_EQ(result.at(0, entry.quantity, 0).mean, 0) << entry.name;
-        EXPECT_EQ(result.at(0, entry.quantity, 0).high, 0) << entry.name;
+        EXPECT_EQ(result.at(0, entry.quantity, 0).ci95_high, 0) << entry.name;
     }
     EXPECT_EQ(result.budget[0].emitted.mean, 0);
     EXPECT_EQ(result.budget[0].closure_error, 0);
@@ -268,7 +268,7 @@ QUASIMC_BOTH_WAYS(RunBothWays);
 TEST(Targets, AreReachedWhereOrgansCanHaveNoLight) {
     for (const Method method : {Method::light_tracing, Method::first_hits, Method::from_organs}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", 0, 0));
+        builder.add_material(diffuse("leaf", 0, 0));
         builder.add_organ(organ("roof", "leaf", floor_of(0, 1, 0, 1, 1)));
         builder.add_organ(organ("on roof", "leaf", floor_of(0, 1, 0, 1, 1)));
         builder.add_organ(organ("below", "leaf", floor_of(.4, .6, .4, .6, 0)));

@@ -1,11 +1,11 @@
-#include "series/basis/season_errors.h"
-
 #include <cmath>
 #include <random>
 #include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
+
+#include "series/basis/interpolation_errors.h"
 
 namespace quasimc::test {
 namespace {
@@ -27,7 +27,7 @@ LightSum light(double factor, double noise, std::mt19937_64& random) {
     for (std::vector<float>& bins : response.bins) {
         for (std::size_t region = 0; region < kRegions; ++region) {
             const double bright = region < kRegions / 2 ? 1 : 10;
-            bins[BinPlaces(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))] =
+            bins[BinIndex(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))] =
                 static_cast<float>(bright * factor * (1 + noise * normal(random)));
         }
     }
@@ -39,28 +39,28 @@ LightSum light(double factor, double noise, std::mt19937_64& random) {
 /// The errors of a dim and of a bright region.
 std::pair<double, double> errors_told(double noise, double off) {
     std::mt19937_64 random(3);
-    SeasonErrors errors(layout_of_regions());
+    InterpolationErrors errors(layout_of_regions());
     constexpr int kTimes = 12;
     for (int i = 0; i < kTimes; ++i) {
         const double sign = i % 2 == 0 ? 1 : -1;
         errors.add(light(1 + sign * off, noise, random), light(1, noise, random));
     }
-    const std::vector<double> told = errors.relative();
+    const std::vector<double> reported = errors.relative();
     const BasisLayout layout = layout_of_regions();
     const auto at = [&](std::size_t region) {
-        return told[BinPlaces(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))];
+        return reported[BinIndex(layout).of(layout.light.direct(region, SurfaceSide::upper, 0))];
     };
     return {at(0), at(kRegions - 1)};
 }
 
-TEST(SeasonErrors, AreWhatLightIsOff) {
+TEST(InterpolationErrors, AreWhatLightIsOff) {
     const auto [dim, bright] = errors_told(0, .05);
     EXPECT_NEAR(dim, .05, 1e-6);
     EXPECT_NEAR(bright, .05, 1e-6);
 }
 
 /// The noise of a difference is 7 % here.
-TEST(SeasonErrors, HoldNoNoise) {
+TEST(InterpolationErrors, HoldNoNoise) {
     const auto [dim, bright] = errors_told(.1, 0);
     EXPECT_LT(dim, .035);
     EXPECT_LT(bright, .035);

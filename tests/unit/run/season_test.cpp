@@ -18,7 +18,7 @@ namespace {
 /// A leaf over a floor, both grey.
 Scene leaf_and_floor() {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
     OrganSpec leaf = organ("leaf", "leaf", floor_of(0, .5, 0, .5, .4));
     leaf.labels = {{"plant", "1"}};
     builder.add_organ(leaf);
@@ -72,7 +72,7 @@ void expect_same(const std::vector<Estimate>& a, const std::vector<Estimate>& b)
         const bool is_unknown = std::isnan(a[i].standard_error);
         EXPECT_EQ(is_unknown, std::isnan(b[i].standard_error));
         EXPECT_TRUE(is_unknown || a[i].standard_error == b[i].standard_error);
-        EXPECT_EQ(a[i].high, b[i].high);
+        EXPECT_EQ(a[i].ci95_high, b[i].ci95_high);
     }
 }
 
@@ -127,7 +127,7 @@ TEST(Season, SumsOverDays) {
     EXPECT_NEAR(plant.standard_error, leaf.standard_error, 1e-9 * leaf.standard_error);
     EXPECT_GT(plant.standard_error, 0);
     EXPECT_EQ(season.summary.total.seconds, 16200);
-    EXPECT_EQ(season.summary.traced, 3U);
+    EXPECT_EQ(season.summary.computed, 3U);
 }
 
 /// Hours lit alike but for a factor have the same light times that factor, but for their suns.
@@ -203,7 +203,7 @@ TEST(Season, KeepsWhatIsDoneWhenItIsStopped) {
     EXPECT_EQ(summary.stop, StopReason::interrupted);
     EXPECT_EQ(hours, (std::vector<std::size_t>{0, 1, 2}));
     EXPECT_EQ(days, std::vector<std::size_t>{0});
-    EXPECT_EQ(summary.done, 3U);
+    EXPECT_EQ(summary.completed, 3U);
     EXPECT_EQ(summary.total.seconds, 3 * 3600);
 }
 
@@ -220,7 +220,7 @@ TEST(Season, HasNoResultIfItIsStoppedBeforeItsFirstHour) {
         run_series(leaf_and_floor(), two_short_days(), spec);
         FAIL() << "it can't be done in a millisecond";
     } catch (const Stopped& stopped) {
-        EXPECT_EQ(stopped.why(), StopReason::time_is_up);
+        EXPECT_EQ(stopped.why(), StopReason::time_limit);
     }
 }
 

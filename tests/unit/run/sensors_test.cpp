@@ -16,7 +16,7 @@ class Sensors : public ::testing::TestWithParam<Method> {
     static Scene above_ground(double field_of_view_deg) {
         SceneBuilder builder = make_builder();
         builder.add_material(sensor("sensor"));
-        builder.add_material(matt("soil", .5, 0));
+        builder.add_material(diffuse("soil", .5, 0));
         OrganSpec eye = organ("eye", "sensor", floor_of(-.5, .5, -.5, .5, .1));
         eye.field_of_view_deg = field_of_view_deg;
         builder.add_organ(eye);
@@ -53,7 +53,7 @@ TEST_P(Sensors, SeeThePartOfTheSkyInTheirFieldOfView) {
 TEST_P(Sensors, CountAllLightThoughTheyLieOnEachOther) {
     SceneBuilder builder = make_builder();
     builder.add_material(sensor("sensor"));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("a", "sensor", floor_of(0, 1, 0, 1, .5)));
     builder.add_organ(organ("b", "sensor", floor_of(.2, 1.2, 0, 1, .5)));
     builder.add_organ(organ("c", "sensor", floor_of(-.2, .8, 0, 1, .5)));
@@ -71,7 +71,7 @@ TEST_P(Sensors, CountAllLightThoughTheyLieOnEachOther) {
 TEST_P(Sensors, CountAllLightThoughTheyAreWiderThanTheirCell) {
     SceneBuilder builder = make_builder();
     builder.add_material(sensor("sensor"));
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
     builder.add_organ(organ("plate", "black", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(organ("x", "sensor", floor_of(.1, 2.6, .2, .7, .3)));
@@ -118,7 +118,7 @@ TEST_P(Sensors, OnALeafLeaveItsShadeAsItIs) {
     for (const bool is_first : {true, false}) {
         SceneBuilder builder = make_builder();
         builder.add_material(sensor("sensor"));
-        builder.add_material(matt("leaf", 0, 0));
+        builder.add_material(diffuse("leaf", 0, 0));
         const OrganSpec on_leaf = organ("on leaf", "sensor", floor_of(.4, .6, .4, .6, 1));
         if (is_first) {
             builder.add_organ(on_leaf);
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(SensorFaults, FieldsOfViewAreAnglesAndForSensors) {
     SceneBuilder builder = make_builder();
     builder.add_material(sensor("sensor"));
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     for (const double angle : {0.0, 91.0, std::nan("")}) {
         OrganSpec eye = organ("eye", "sensor", floor_of(0, 1, 0, 1, 0));
         eye.field_of_view_deg = angle;
@@ -162,7 +162,7 @@ TEST(SensorFaults, FieldsOfViewAreAnglesAndForSensors) {
 /// Two leaves, side by side, the second one not measured.
 Scene half_measured(bool measured) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
+    builder.add_material(diffuse("leaf", .4, .2));
     builder.add_organ(organ("asked", "leaf", floor_of(0, 1, 0, 1, 0)));
     OrganSpec other = organ("other", "leaf", floor_of(.2, .9, 0, 1, .5));
     other.measured = measured;
@@ -196,7 +196,7 @@ TEST(Unmeasured, OrgansAreMeasuredAllTheSameFromSources) {
 
 TEST(Unmeasured, AllOrgansIsAFault) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
+    builder.add_material(diffuse("leaf", .4, .2));
     OrganSpec leaf = organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0));
     leaf.measured = false;
     builder.add_organ(leaf);

@@ -16,13 +16,13 @@ namespace {
 /// A leaf over a ground, both grey.
 Scene make_scene(std::size_t bands = 1) {
     SceneBuilder builder = make_builder(bands);
-    builder.add_material(matt("leaf", .3, .2, bands));
+    builder.add_material(diffuse("leaf", .3, .2, bands));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, .5, 0, .5, .4)));
     builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
     return std::move(builder).build();
 }
 
-TimeStep moment_of(
+TimeStep time_step_of(
     Sources sources, std::string shapes, std::size_t day = 0, double seconds = 3600) {
     return {"moment", std::move(sources), std::move(shapes), seconds, day};
 }
@@ -50,22 +50,24 @@ std::vector<Result> results_of(
 bool same_numbers(const Result& a, const Result& b) {
     return std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
-        [](const Estimate& x, const Estimate& y) { return x.mean == y.mean && x.high == y.high; });
+        [](const Estimate& x, const Estimate& y) {
+            return x.mean == y.mean && x.ci95_high == y.ci95_high;
+        });
 }
 
 TEST(Series, RefusesTimesThatAreNotInTheOrderOfTheirDays) {
     const Scene scene = make_scene();
     const Sources sources{sun(30, {500})};
     const std::vector<TimeStep> times{
-        moment_of(sources, "a", 2), moment_of(sources, "a", 1), moment_of(sources, "a", 3),
-        moment_of(sources, "a", 0)};
+        time_step_of(sources, "a", 2), time_step_of(sources, "a", 1), time_step_of(sources, "a", 3),
+        time_step_of(sources, "a", 0)};
     try {
         run_series(scene, times, small_spec());
         FAIL() << "it is not refused";
     } catch (const InputError& error) {
         ASSERT_EQ(error.faults().size(), 2U);
-        EXPECT_EQ(error.faults()[0].problem, "it is of day 1, after one of day 2");
-        EXPECT_EQ(error.faults()[1].problem, "it is of day 0, after one of day 3");
+        EXPECT_EQ(error.faults()[0].problem, "it belongs to day 1, but follows day 2");
+        EXPECT_EQ(error.faults()[1].problem, "it belongs to day 0, but follows day 3");
     }
 }
 
@@ -80,7 +82,7 @@ TEST(Progress, IsReportedOfManyShortRounds) {
     events.progress = [&](const Progress&) { ++reports; };
     std::vector<TimeStep> times;
     for (int i = 0; i < 50; ++i) {
-        times.push_back(moment_of({sun(20 + i, {1})}, std::to_string(i)));
+        times.push_back(time_step_of({sun(20 + i, {1})}, std::to_string(i)));
     }
     run_series(make_scene(), times, spec, {.listeners = {&events}});
     EXPECT_GT(reports, 0U);
@@ -94,7 +96,7 @@ class PlainListener final : public RunListener {
 
     void on_end(const SeriesSummary& summary) override {
         ++ends;
-        done = summary.done;
+        done = summary.completed;
         has_total = !summary.total.values.empty();
     }
 };
@@ -104,7 +106,7 @@ TEST(Series, ReportsItsEndOnceWithTheTotalToAPlainListener) {
     const Sources sources{sun(30, {500})};
     PlainListener listener;
     run_series(
-        scene, {moment_of(sources, "a"), moment_of(sources, "a", 1)}, small_spec(),
+        scene, {time_step_of(sources, "a"), time_step_of(sources, "a", 1)}, small_spec(),
         {.listeners = {&listener}});
     EXPECT_EQ(listener.ends, 1U);
     EXPECT_EQ(listener.done, 2U);
@@ -114,19 +116,19 @@ TEST(Series, ReportsItsEndOnceWithTheTotalToAPlainListener) {
 TEST(Series, OfOneMomentIsTheRun) {
     const Scene scene = make_scene();
     const Sources sources{sun(30, {500}), sky({100})};
-    const auto results = results_of(scene, {moment_of(sources, "a")}, small_spec());
+    const auto results = results_of(scene, {time_step_of(sources, "a")}, small_spec());
     ASSERT_EQ(results.size(), 1U);
     EXPECT_TRUE(same_numbers(results[0], run(scene, sources, small_spec())));
 }
 
 TEST(Series, TracesProportionalMomentsOnce) {
     const std::vector<TimeStep> time_steps{
-        moment_of({sky({100, 40})}, "overcast"),
-        moment_of({sun(20, {100, 40})}, "sun"),
-        moment_of({sky({50, 20})}, "overcast"),
-        moment_of({sky({50, 21})}, "overcast"),
-        moment_of({}, ""),
-        moment_of({sky({0, 0})}, "overcast")};
+        time_step_of({sky({100, 40})}, "overcast"),
+        time_step_of({sun(20, {100, 40})}, "sun"),
+        time_step_of({sky({50, 20})}, "overcast"),
+        time_step_of({sky({50, 21})}, "overcast"),
+        time_step_of({}, ""),
+        time_step_of({sky({0, 0})}, "overcast")};
     const auto plans = plan_series(time_steps);
     EXPECT_EQ(plans[0].traced, 0U);
     EXPECT_EQ(plans[1].traced, 1U);
@@ -149,7 +151,7 @@ TEST(Series, TracesProportionalMomentsOnce) {
 TEST(Series, GivesEachTraceNumbersOfItsOwn) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
-        moment_of({sun(30, {1})}, "a"), moment_of({sun(30, {1})}, "b")};
+        time_step_of({sun(30, {1})}, "a"), time_step_of({sun(30, {1})}, "b")};
     const auto results = results_of(scene, time_steps, small_spec());
     EXPECT_NE(results[0].values[0].mean, results[1].values[0].mean);
     const auto again = results_of(scene, time_steps, small_spec());
@@ -160,9 +162,9 @@ TEST(Series, GivesEachTraceNumbersOfItsOwn) {
 TEST(Series, SumsOverDaysAndInAll) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
-        moment_of({sky({10})}, "o"),           moment_of({sun(30, {20})}, "s"),
-        moment_of({sky({30})}, "o"),           moment_of({sky({20})}, "o", 1, 7200),
-        moment_of({sun(40, {5})}, "t", 1, 60), moment_of({}, "", 1)};
+        time_step_of({sky({10})}, "o"),           time_step_of({sun(30, {20})}, "s"),
+        time_step_of({sky({30})}, "o"),           time_step_of({sky({20})}, "o", 1, 7200),
+        time_step_of({sun(40, {5})}, "t", 1, 60), time_step_of({}, "", 1)};
     std::vector<Result> results;
     std::vector<SeriesSum> days;
     Listening events;
@@ -175,7 +177,7 @@ TEST(Series, SumsOverDaysAndInAll) {
     };
     const SeriesSummary summary =
         run_series(scene, time_steps, small_spec(), {.listeners = {&events}});
-    EXPECT_EQ(summary.traced, 3U);
+    EXPECT_EQ(summary.computed, 3U);
     ASSERT_EQ(days.size(), 2U);
     EXPECT_EQ(days[0].seconds, 3 * 3600);
     EXPECT_EQ(days[1].seconds, 7200 + 60 + 3600);
@@ -205,8 +207,8 @@ TEST(Series, SumsOverDaysAndInAll) {
 TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
-        moment_of({sun(30, {1})}, "a"), moment_of({sun(40, {1})}, "b"),
-        moment_of({sun(30, {2})}, "a", 1, 7200), moment_of({sun(50, {1})}, "c", 1)};
+        time_step_of({sun(30, {1})}, "a"), time_step_of({sun(40, {1})}, "b"),
+        time_step_of({sun(30, {2})}, "a", 1, 7200), time_step_of({sun(50, {1})}, "c", 1)};
     std::stop_source source;
     std::vector<Result> results;
     std::vector<std::size_t> days;
@@ -221,9 +223,9 @@ TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
     const SeriesSummary summary = run_series(
         scene, time_steps, small_spec(), {.stop = source.get_token(), .listeners = {&events}});
     EXPECT_EQ(summary.stop, StopReason::interrupted);
-    EXPECT_EQ(summary.done, 3U);
-    EXPECT_EQ(summary.traced, 2U);
-    EXPECT_EQ(summary.cut_short, 0U);
+    EXPECT_EQ(summary.completed, 3U);
+    EXPECT_EQ(summary.computed, 2U);
+    EXPECT_EQ(summary.with_fewer_paths, 0U);
     EXPECT_EQ(days, std::vector<std::size_t>{0});
     EXPECT_EQ(summary.total.seconds, 2 * 3600 + 7200);
     const auto mean = [&](std::size_t m) { return results[m].values[0].mean; };
@@ -237,32 +239,34 @@ TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
 TEST(Series, SharesItsTime) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
-        moment_of({sun(30, {1})}, "a"), moment_of({sun(40, {1})}, "b"), moment_of({}, ""),
-        moment_of({sun(50, {1})}, "c")};
+        time_step_of({sun(30, {1})}, "a"), time_step_of({sun(40, {1})}, "b"), time_step_of({}, ""),
+        time_step_of({sun(50, {1})}, "c")};
     RunSpec spec = small_spec();
     spec.paths = std::uint64_t{1} << 30U;
     spec.max_seconds = 2;
     Listening events;
     events.time_step = [&](std::size_t i, const Result& result, std::size_t) {
-        EXPECT_EQ(result.stop, i == 2 ? StopReason::paths_done : StopReason::time_is_up);
+        EXPECT_EQ(result.stop, i == 2 ? StopReason::finished : StopReason::time_limit);
     };
     const SeriesSummary summary = run_series(scene, time_steps, spec, {.listeners = {&events}});
-    EXPECT_EQ(summary.stop, StopReason::time_is_up);
-    EXPECT_EQ(summary.done, 4U);
-    EXPECT_EQ(summary.cut_short, 3U);
+    EXPECT_EQ(summary.stop, StopReason::time_limit);
+    EXPECT_EQ(summary.completed, 4U);
+    EXPECT_EQ(summary.with_fewer_paths, 3U);
 }
 
 /// Sums take as much memory as a result: they are made only for who asks for them.
 /// Three hours of a day that bring less and less, and each is traced.
 std::vector<TimeStep> fading_day() {
-    return {moment_of({sky({900})}, "a"), moment_of({sky({90})}, "b"), moment_of({sky({9})}, "c")};
+    return {
+        time_step_of({sky({900})}, "a"), time_step_of({sky({90})}, "b"),
+        time_step_of({sky({9})}, "c")};
 }
 
 /// Of two traces after a dark night each is half of the work.
 TEST(Series, CountsNoDarkTimesAsProgress) {
-    std::vector<TimeStep> time_steps(10, moment_of({}, ""));
-    time_steps.push_back(moment_of({sun(30, {1})}, "a"));
-    time_steps.push_back(moment_of({sun(40, {1})}, "b"));
+    std::vector<TimeStep> time_steps(10, time_step_of({}, ""));
+    time_steps.push_back(time_step_of({sun(30, {1})}, "a"));
+    time_steps.push_back(time_step_of({sun(40, {1})}, "b"));
     RunSpec spec = small_spec();
     spec.paths = std::uint64_t{1} << 30U;
     spec.max_seconds = 1.5;
@@ -299,8 +303,8 @@ TEST(SpreadEffort, FollowsTheLightOfTheDay) {
 
 TEST(SpreadEffort, OfDaysIsOfEachByItself) {
     const std::vector<TimeStep> time_steps{
-        moment_of({sky({900})}, "a", 0), moment_of({sky({900})}, "b", 0),
-        moment_of({sky({1})}, "c", 1), moment_of({}, "", 1)};
+        time_step_of({sky({900})}, "a", 0), time_step_of({sky({900})}, "b", 0),
+        time_step_of({sky({1})}, "c", 1), time_step_of({}, "", 1)};
     auto plans = plan_series(time_steps);
     allocate_paths(make_scene(), time_steps, plans);
     for (const std::size_t i : {0, 1, 2}) {
@@ -310,8 +314,8 @@ TEST(SpreadEffort, OfDaysIsOfEachByItself) {
 
 TEST(SpreadEffort, CountsASharedTraceByAllItServes) {
     const std::vector<TimeStep> time_steps{
-        moment_of({sky({100})}, "overcast"), moment_of({sky({100})}, "b"),
-        moment_of({sky({200})}, "overcast"), moment_of({sky({400})}, "overcast")};
+        time_step_of({sky({100})}, "overcast"), time_step_of({sky({100})}, "b"),
+        time_step_of({sky({200})}, "overcast"), time_step_of({sky({400})}, "overcast")};
     auto plans = plan_series(time_steps);
     allocate_paths(make_scene(), time_steps, plans);
     EXPECT_EQ(plans[0].path_factor, 2) << "700 of 800, and two traces";
@@ -381,7 +385,7 @@ TEST(Series, OfADayKeepsToTheMostPaths) {
 TEST(Series, LeavesOutSumsThatNobodyWants) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
-        moment_of({sky({10})}, "o"), moment_of({}, ""), moment_of({sky({20})}, "o", 1)};
+        time_step_of({sky({10})}, "o"), time_step_of({}, ""), time_step_of({sky({20})}, "o", 1)};
     std::vector<Result> results;
     Listening events;
     events.time_step = [&](std::size_t, const Result& result, std::size_t) {
@@ -391,7 +395,7 @@ TEST(Series, LeavesOutSumsThatNobodyWants) {
     const SeriesSummary summary =
         run_series(scene, time_steps, small_spec(), {.listeners = {&events}});
     EXPECT_TRUE(summary.total.values.empty());
-    EXPECT_EQ(summary.traced, 1U);
+    EXPECT_EQ(summary.computed, 1U);
     const auto usual = results_of(scene, time_steps, small_spec());
     ASSERT_EQ(results.size(), usual.size());
     for (std::size_t i = 0; i < usual.size(); ++i) {
@@ -414,7 +418,7 @@ TEST(SeriesAdder, AddsMeansAndSquaresOfErrors) {
     EXPECT_DOUBLE_EQ(sum.mean, 5);
     EXPECT_DOUBLE_EQ(sum.standard_error, std::sqrt(5));
     // Welch and Satterthwaite: (4 + 1)^2 / (16 + 1) degrees of freedom, 1 and a half.
-    EXPECT_NEAR(sum.high - sum.mean, std::sqrt(5) * interval_quantile(1), 1e-9);
+    EXPECT_NEAR(sum.ci95_high - sum.mean, std::sqrt(5) * interval_quantile(1), 1e-9);
 }
 
 TEST(SeriesAdder, KeepsTheBoundsOfWhatWasNotSeen) {
@@ -427,13 +431,13 @@ TEST(SeriesAdder, KeepsTheBoundsOfWhatWasNotSeen) {
     Estimate sum = adder.sum(1, 1).values[0];
     EXPECT_EQ(sum.mean, 0);
     EXPECT_TRUE(std::isnan(sum.standard_error));
-    EXPECT_DOUBLE_EQ(sum.high, 10 * .2);
+    EXPECT_DOUBLE_EQ(sum.ci95_high, 10 * .2);
     Result seen = unseen;
     seen.values = {estimate_mean(std::vector<double>{1, 2, 1, 2})};
     adder.add(seen, 1);
     sum = adder.sum(1, 1).values[0];
     EXPECT_DOUBLE_EQ(sum.mean, 1.5);
-    EXPECT_NEAR(sum.high, seen.values[0].high + 2, 1e-9);
+    EXPECT_NEAR(sum.ci95_high, seen.values[0].ci95_high + 2, 1e-9);
     Result single = unseen;
     const double nan = std::numeric_limits<double>::quiet_NaN();
     single.values = {{1, nan, nan, nan}};

@@ -15,7 +15,7 @@ namespace {
 
 Scene make_two_leaves(double height, double rho = .4) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", rho, .2));
+    builder.add_material(diffuse("leaf", rho, .2));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, height)));
     builder.add_organ(organ("lower leaf", "leaf", floor_of(.5, 1.5, 0, 1, 0)));
     return std::move(builder).build();
@@ -103,7 +103,7 @@ TEST_F(SimulatorTest, GivesAGrowingPlantTheSameLightOnAnyNumberOfThreads) {
     Simulator of_one_thread;
     for (const std::size_t leaves : {1U, 30U, 200U, 1000U}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .4, .2));
+        builder.add_material(diffuse("leaf", .4, .2));
         add_leaves(builder, random_leaves(leaves, .2, 1, 3));
         const Scene plant = std::move(builder).build();
         RunSpec spec = short_run();

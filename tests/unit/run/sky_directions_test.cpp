@@ -39,7 +39,7 @@ struct Moments {
     double mean = 0, variance = 0, skewness = 0;
 };
 
-Moments moments_of(const std::vector<double>& values) {
+Moments time_steps_of(const std::vector<double>& values) {
     const auto n = static_cast<double>(values.size());
     Moments m;
     for (const double x : values) {
@@ -75,7 +75,7 @@ TEST(HemisphereLattice, FallsIntoAnyConeInVaryingNumbers) {
                 points, kRotations, [&](const Vec3& d) { return dot(d, cone.axis) > least; });
             const double expected = points * (1 - least);
             EXPECT_TRUE(agrees(measured(counts), expected, .05 * expected + .1, 1e-8));
-            const Moments m = moments_of(counts);
+            const Moments m = time_steps_of(counts);
             EXPECT_GT(m.variance, .1 * std::sqrt(expected)) << points << " " << expected;
             EXPECT_LT(std::abs(m.skewness), 1) << points << " " << expected;
             // It is still a good lattice: far from random points.
@@ -89,7 +89,7 @@ TEST(HemisphereLattice, FallsIntoAnyBandOfHeightsInVaryingNumbers) {
         for (const double low : {0.0, .25, .5, .75}) {
             const std::vector<double> counts = counts_of(
                 points, kRotations, [&](const Vec3& d) { return d.z > low && d.z <= low + .25; });
-            const Moments m = moments_of(counts);
+            const Moments m = time_steps_of(counts);
             EXPECT_NEAR(m.mean, points / 4.0, 6 * std::sqrt(m.variance / kRotations) + 1e-9);
             EXPECT_GT(m.variance, .1 * std::sqrt(points / 4.0)) << points << " " << low;
             EXPECT_LT(std::abs(m.skewness), 1) << points << " " << low;

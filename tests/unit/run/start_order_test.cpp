@@ -55,7 +55,7 @@ TEST(StartOrder, PutsNeighboursNextToEachOther) {
     EXPECT_LT(mean_step(starts), 3 / std::sqrt(kStarts));
 }
 
-TEST(StartOrder, KeepsTheOrderOfStartsAtOnePlace) {
+TEST(StartOrder, KeepsTheOrderOfStartsAtOnePoint) {
     PathStarts starts;
     starts.u0.assign(1000, .3);
     starts.u1.assign(1000, .7);

@@ -33,7 +33,7 @@ class StoppingSky final : public SourceModel {
         return model_of(*sky_).make_sampler_in(projection);
     }
     [[nodiscard]] Illumination illuminate(const Vec3& point, double u0, double u1) const override {
-        if (++looks_ == at_) {
+        if (++samples_ == at_) {
             source_.request_stop();
         }
         return model_of(*sky_).illuminate(point, u0, u1);
@@ -41,13 +41,13 @@ class StoppingSky final : public SourceModel {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return model_of(*sky_).radiance(to_light);
     }
-    [[nodiscard]] std::uint64_t looks() const { return looks_; }
+    [[nodiscard]] std::uint64_t looks() const { return samples_; }
 
   private:
     std::shared_ptr<const Source> sky_;
     std::stop_source& source_;
     std::uint64_t at_;
-    mutable std::atomic<std::uint64_t> looks_{0};
+    mutable std::atomic<std::uint64_t> samples_{0};
 };
 
 /// Rounds of 256 paths and more, from organs.
@@ -61,7 +61,7 @@ bool same_values(const Result& a, const Result& b) {
     return std::equal(
         a.values.begin(), a.values.end(), b.values.begin(), b.values.end(),
         [](const Estimate& x, const Estimate& y) {
-            return x.mean == y.mean && x.low == y.low && x.high == y.high;
+            return x.mean == y.mean && x.ci95_low == y.ci95_low && x.ci95_high == y.ci95_high;
         });
 }
 
@@ -118,7 +118,7 @@ TEST(StoppedRun, OfNoCompleteRoundIsThatOfAFewPathsIfThereIsTime) {
 /// A closed box that absorbs nothing, with a lamp in it: no path ever ends.
 Scene make_white_box() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("white", 1, 0));
+    builder.add_material(diffuse("white", 1, 0));
     const std::vector<Triangle> floor = floor_of(0, 1, 0, 1, 0);
     std::vector<Triangle> walls = floor;
     for (const Triangle& t : floor_of(0, 1, 0, 1, 1)) {
@@ -150,7 +150,7 @@ TEST_P(WhiteBox, IsLeftWhenTheTimeIsUp) {
             RunControl{.deadline = Deadline::after(.05, .05)});
         ADD_FAILURE() << "there is no end to it";
     } catch (const Stopped& stopped) {
-        EXPECT_EQ(stopped.why(), StopReason::time_is_up);
+        EXPECT_EQ(stopped.why(), StopReason::time_limit);
         EXPECT_NE(std::string(stopped.what()).find("max_depth"), std::string::npos);
     }
 }
@@ -162,7 +162,7 @@ TEST_P(TimeLimit, ThatIsLongChangesNoBit) {
     const Result free = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
     spec.max_seconds = 1000;
     const Result limited = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
-    EXPECT_EQ(limited.stop, StopReason::paths_done);
+    EXPECT_EQ(limited.stop, StopReason::finished);
     EXPECT_EQ(limited.paths, free.paths);
     EXPECT_TRUE(same_values(free, limited));
 }
@@ -171,7 +171,7 @@ TEST_P(TimeLimit, EndsAHugeRunWithAResult) {
     RunSpec spec = spec_of(GetParam(), std::uint64_t{1} << 30U);
     spec.max_seconds = 2;  // for the first trial, under a sanitizer too
     const Result result = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
-    EXPECT_EQ(result.stop, StopReason::time_is_up);
+    EXPECT_EQ(result.stop, StopReason::time_limit);
     EXPECT_GE(result.paths, 256U);
     EXPECT_LT(result.paths, spec.paths);
     // What is reported is what so many paths give without a limit.
@@ -183,7 +183,7 @@ TEST_P(TimeLimit, EndsAHugeRunWithAResult) {
 /// What trials cost is time only.
 TEST_P(TimeLimit, OfNoneChangesNoBitOfAHugeRunThatMayBeStopped) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, .5)));
     const Scene scene = std::move(builder).build();
     RunSpec spec = spec_of(GetParam(), std::uint64_t{1} << 22U);

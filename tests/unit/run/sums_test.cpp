@@ -15,7 +15,7 @@ namespace {
 
 Scene few_leaves(double rho = .3) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", rho, .2, 2));
+    builder.add_material(diffuse("leaf", rho, .2, 2));
     add_leaves(builder, random_leaves(12, .4, 1, 5));
     return std::move(builder).build();
 }
@@ -35,7 +35,7 @@ void expect_equal(const Result& a, const Result& b) {
     ASSERT_EQ(a.values.size(), b.values.size());
     for (std::size_t i = 0; i < a.values.size(); ++i) {
         EXPECT_EQ(a.values[i].mean, b.values[i].mean) << i;
-        EXPECT_EQ(a.values[i].high, b.values[i].high) << i;
+        EXPECT_EQ(a.values[i].ci95_high, b.values[i].ci95_high) << i;
     }
     EXPECT_EQ(a.budget[1].escaped.mean, b.budget[1].escaped.mean);
     EXPECT_EQ(a.rays, b.rays);
@@ -56,7 +56,7 @@ TEST_P(RunSums, SayWhatTheRunSays) {
 TEST(GivenSums, GiveTheSameResultAsKeptOnes) {
     constexpr std::size_t kLeaves = 33'000;
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .3, .2, 2));
+    builder.add_material(diffuse("leaf", .3, .2, 2));
     add_leaves(builder, random_leaves(kLeaves, .01, 1, 5));
     const Scene scene = std::move(builder).build();
     const EvaluationSpec asked{
@@ -69,15 +69,16 @@ TEST(GivenSums, GiveTheSameResultAsKeptOnes) {
     ASSERT_EQ(given.sunlit_fraction.size(), kLeaves);
     ASSERT_EQ(given.ratio_values.size(), kLeaves);
     for (std::size_t i = 0; i < kLeaves; ++i) {
-        EXPECT_EQ(given.sunlit_fraction[i].high, kept.sunlit_fraction[i].high) << i;
-        const double low = kept.ratio(i, 0).low;  // NaN where nothing was found
-        EXPECT_TRUE(given.ratio(i, 0).low == low || std::isnan(low)) << i;
+        EXPECT_EQ(given.sunlit_fraction[i].ci95_high, kept.sunlit_fraction[i].ci95_high) << i;
+        const double low = kept.ratio(i, 0).ci95_low;  // NaN where nothing was found
+        EXPECT_TRUE(given.ratio(i, 0).ci95_low == low || std::isnan(low)) << i;
     }
     ASSERT_EQ(given.groups.values.size(), kept.groups.values.size());
     for (std::size_t i = 0; i < kept.groups.values.size(); ++i) {
-        EXPECT_EQ(given.groups.values[i].high, kept.groups.values[i].high) << i;
+        EXPECT_EQ(given.groups.values[i].ci95_high, kept.groups.values[i].ci95_high) << i;
     }
-    EXPECT_EQ(given.budget[0].absorbed_by_organs.high, kept.budget[0].absorbed_by_organs.high);
+    EXPECT_EQ(
+        given.budget[0].absorbed_by_organs.ci95_high, kept.budget[0].absorbed_by_organs.ci95_high);
 }
 
 TEST_P(RunSums, OfRoundsAddUpToThoseOfTheWholeRun) {

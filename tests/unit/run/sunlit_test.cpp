@@ -12,13 +12,13 @@ namespace quasimc::test {
 namespace {
 
 /// A leaf of 1 x 1 at height 0, a cover of some material at height 1.
-Scene make_covered_leaf(const std::string& cover, const std::vector<Triangle>& place) {
+Scene make_covered_leaf(const std::string& cover, const std::vector<Triangle>& triangles) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .4));
+    builder.add_material(diffuse("leaf", .4, .4));
     builder.add_material(net("net", {.5}));
     builder.add_material(sensor("sensor"));
     builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
-    builder.add_organ(organ("cover", cover, place));
+    builder.add_organ(organ("cover", cover, triangles));
     return std::move(builder).build();
 }
 
@@ -43,7 +43,7 @@ TEST_P(Sunlit, TheShadowOfALowSunFallsAside) {
 TEST_P(Sunlit, ALeafIsSunlitOnEitherSideHoweverItIsTurned) {
     for (const Vec3& tip : {Vec3{0, 1, 0}, {.3, .8, .9}, {.2, .1, -1}, {.7, 0, .7}}) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .4, .4));
+        builder.add_material(diffuse("leaf", .4, .4));
         builder.add_organ(organ("leaf", "leaf", make_triangle({0, 0, 0}, {1, .2, .1}, tip)));
         const Estimate lit = fraction(std::move(builder).build(), {sun(20, {1})});
         EXPECT_TRUE(agrees(measured(lit, kReplicates), 1, .05, sidak_level(kLevel, 4)));
@@ -77,7 +77,7 @@ TEST_P(Sunlit, SeveralSunsCountByTheirIrradiance) {
 
 TEST_P(Sunlit, ASphereIsSunlitOnOneHalf) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("skin", .4, 0));
+    builder.add_material(diffuse("skin", .4, 0));
     builder.add_organ(organ("sphere", "skin", make_sphere({0, 0, 0}, 1, 4)));
     const Estimate lit = fraction(std::move(builder).build(), {sun(20, {1})});
     EXPECT_TRUE(agrees(measured(lit, kReplicates), .5, .03));
@@ -89,7 +89,7 @@ QUASIMC_BOTH_WAYS(Sunlit);
 TEST(SunlitBound, CountsHowSeldomTheSunIsPicked) {
     const auto bound = [](double sky_irradiance) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", 0, 0));
+        builder.add_material(diffuse("leaf", 0, 0));
         builder.add_organ(organ("roof", "leaf", floor_of(0, 1, 0, 1, 1)));
         builder.add_organ(organ("below", "leaf", floor_of(.45, .55, .45, .55, 0)));
         Sources sources{sun(0, {1})};
@@ -99,7 +99,7 @@ TEST(SunlitBound, CountsHowSeldomTheSunIsPicked) {
         const Result result =
             run(std::move(builder).build(), sources, spec_of(Method::light_tracing, 8192));
         EXPECT_EQ(result.sunlit_fraction[1].mean, 0);
-        return result.sunlit_fraction[1].high;
+        return result.sunlit_fraction[1].ci95_high;
     };
     EXPECT_GT(bound(0), 0);
     EXPECT_GT(bound(100), 50 * bound(0));

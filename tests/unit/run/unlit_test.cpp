@@ -14,7 +14,7 @@ namespace {
 /// A leaf in the plane of y and z: light along y or z, or down, finds only its edge.
 Scene upright_leaf() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .2));
+    builder.add_material(diffuse("leaf", .4, .2));
     const Vec3 low{}, right{0, 1, 0}, far{0, 1, 1}, high{0, 0, 1};
     builder.add_organ(organ("leaf", "leaf", {Triangle{low, right, far}, Triangle{low, far, high}}));
     return std::move(builder).build();
@@ -23,8 +23,8 @@ Scene upright_leaf() {
 void expect_zero(const Estimate& e, std::string_view what) {
     EXPECT_EQ(e.mean, 0) << what;
     EXPECT_EQ(e.standard_error, 0) << what;
-    EXPECT_EQ(e.low, 0) << what;
-    EXPECT_EQ(e.high, 0) << what;
+    EXPECT_EQ(e.ci95_low, 0) << what;
+    EXPECT_EQ(e.ci95_high, 0) << what;
 }
 
 void expect_unlit(const Result& result) {
@@ -79,7 +79,7 @@ TEST_P(Unlit, SunAmongOthersChangesNothing) {
     const Scene scene = upright_leaf();
     const Result alone = run(scene, {sun(60, {1})}, spec());
     const Result both = run(scene, {sun(0, {5}), sun(60, {1})}, spec());
-    EXPECT_EQ(both.stop, StopReason::paths_done);
+    EXPECT_EQ(both.stop, StopReason::finished);
     const Quantity q = Quantity::incident_direct;
     EXPECT_GT(both.at(0, q, 0).mean, .5);
     EXPECT_EQ(both.at(0, q, 0).mean, alone.at(0, q, 0).mean);
@@ -137,17 +137,17 @@ TEST_P(Unlit, SensorSeesNothing) {
 
 TEST(UnlitSeries, OfNightsAloneIsOneOfZeros) {
     const std::vector<TimeStep> times{{"night", {}, "", 3600, 0}, {"night", {}, "", 3600, 1}};
-    std::size_t told = 0;
+    std::size_t reported = 0;
     Listening events;
     events.time_step = [&](std::size_t, const Result& result, std::size_t) {
-        ++told;
+        ++reported;
         expect_zero(result.at(0, Quantity::absorbed_flux, 0), "absorbed");
         EXPECT_EQ(result.budget[0].closure_error, 0);
     };
     const SeriesSummary summary =
         run_series(upright_leaf(), times, spec_of(Method::automatic, 64), {.listeners = {&events}});
-    EXPECT_EQ(told, 2U);
-    EXPECT_EQ(summary.traced, 0U);
+    EXPECT_EQ(reported, 2U);
+    EXPECT_EQ(summary.computed, 0U);
     expect_zero(summary.total.at(0, Quantity::absorbed_flux, 0), "total");
 }
 

@@ -55,7 +55,7 @@ ReadMesh read_mesh_text(std::string_view format, std::string_view bytes, const F
         result.faults = texts_of(error);
     }
     for (const Warning& warning : reporter.warnings) {
-        result.warnings.push_back(warning.place + ": " + warning.text);
+        result.warnings.push_back(warning.where + ": " + warning.text);
     }
     return result;
 }

@@ -67,7 +67,7 @@ TEST(RunFileDetectors, FaultsStandAtTheirLines) {
     EXPECT_TRUE(mentions(faults_of_detector("[[detector]]\nname = 'a'\n"), "type is missing"));
     const std::string twice = detector_of("escaped_by_zenith", "name = 'up'\n");
     const auto faults = faults_of_detector(twice + twice);
-    EXPECT_TRUE(mentions(faults, "detector 'up' is there already"));
+    EXPECT_TRUE(mentions(faults, "detector 'up' exists already"));
     EXPECT_TRUE(mentions(faults, "run.toml:"));
 }
 
@@ -101,13 +101,13 @@ TEST(RunFileDetectors, AreReadAndTheirLightIsWritten) {
     const auto& written = up["bins"][0]["flux"]["N"];
     EXPECT_EQ(written["mean"], expected.mean);
     EXPECT_EQ(written["standard_error"], expected.standard_error);
-    EXPECT_EQ(written["low"], expected.low);
-    EXPECT_EQ(written["high"], expected.high);
+    EXPECT_EQ(written["ci95_low"], expected.ci95_low);
+    EXPECT_EQ(written["ci95_high"], expected.ci95_high);
     EXPECT_GT(expected.mean, .2);
     // The leaf passes nothing on below.
     EXPECT_EQ(up["bins"][1]["flux"]["N"]["mean"], 0.);
     EXPECT_TRUE(up["bins"][1]["flux"]["N"]["standard_error"].is_null());
-    EXPECT_EQ(up["bins"][1]["flux"]["N"]["high"], result.detectors[0].at(1, 1).high);
+    EXPECT_EQ(up["bins"][1]["flux"]["N"]["ci95_high"], result.detectors[0].at(1, 1).ci95_high);
     EXPECT_EQ(json["detectors"][1]["name"], "escaped_by_zenith");
     EXPECT_EQ(json["detectors"][1]["bins"].size(), 9U);
 }

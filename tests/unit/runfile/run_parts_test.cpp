@@ -63,7 +63,7 @@ TEST_F(RunPartsTest, ReportTheirOwnFaultsWithTheirLines) {
             read_light_document(document(bad_light, kScenePart), "run.toml", files_, scene));
         FAIL();
     } catch (const InputError& error) {
-        EXPECT_EQ(error.faults().at(0).place, "run.toml:7");
+        EXPECT_EQ(error.faults().at(0).where, "run.toml:7");
     }
     EXPECT_THROW(
         static_cast<void>(scene_of(document(kLightPart, "[[material]]\nshine = 3\n"))), InputError);

@@ -148,16 +148,17 @@ TEST(Sweep, RefusesWhatCantBeSwept) {
     for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
              {"", "[sweep]: it has no keys"},
              {"sun.elevation_deg = [1]\n", "write source.sun.elevation_deg"},
-             {"bands.PAR = [1]\n", "'bands.PAR' can't be swept (it is one for all points)"},
-             {"title = ['a', 'b']\n", "'title' can't be swept (it is one for all points)"},
-             {"source = [1]\n", "'source' can't be swept (it is a section); name a key of it"},
+             {"bands.PAR = [1]\n",
+              "'bands.PAR' can't be swept (it must be the same for all points)"},
+             {"title = ['a', 'b']\n",
+              "'title' can't be swept (it must be the same for all points)"},
+             {"source = [1]\n", "'source' can't be swept (it is a section); name one of its keys"},
              {"pahts = [1]\n",
-              "'pahts' can't be swept (it is no option of the run); did you "
-              "mean 'paths'?"},
-             {"'' = [1]\n", "[sweep]: '' is no key (a part of it is empty)"},
-             {"'run.' = [1]\n", "[sweep]: 'run.' is no key (a part of it is empty)"},
+              "'pahts' can't be swept (it is not a run option); did you mean 'paths'?"},
+             {"'' = [1]\n", "[sweep]: '' is not a key (part of it is empty)"},
+             {"'run.' = [1]\n", "[sweep]: 'run.' is not a key (part of it is empty)"},
              {"run.groups = [['plant']]\n", "'run.groups' can't be swept"},
-             {"ratios = [['R:FR']]\n", "it is one for all points"},
+             {"ratios = [['R:FR']]\n", "it must be the same for all points"},
              {"paths = 64\n", "paths is an integer"},
              {"paths = []\n", "paths is an empty list"},
              {"combine = 1\npaths = [1]\n", "combine is 1 (it must be"},
@@ -194,7 +195,7 @@ TEST(Sweep, AFlagThatItSweepsIsRefused) {
              {"paths = [64]\n", {"paths", "128", "--paths"}},
              {"method = ['first_hits']\n", {"method", "from_organs", "--method"}}}) {
         EXPECT_NE(
-            said(keys, flag).find(flag.place + ": is swept by the run file"), std::string::npos)
+            said(keys, flag).find(flag.where + ": is swept by the run file"), std::string::npos)
             << said(keys, flag);
     }
 }

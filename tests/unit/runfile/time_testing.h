@@ -9,10 +9,10 @@ namespace quasimc::test {
 inline constexpr const char* kSite = "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n";
 
 /// A run file with [time], without a [[source]].
-inline std::string with_time(const std::string& keys, const std::string& place = kSite) {
+inline std::string with_time(const std::string& keys, const std::string& site = kSite) {
     RunText text;
     text.sources = "";
-    text.rest = place + "[time]\n" + keys;
+    text.rest = site + "[time]\n" + keys;
     return text.text();
 }
 
@@ -20,7 +20,7 @@ inline std::string with_time(const std::string& keys, const std::string& place =
 inline std::string all_warnings(const RunFile& run) {
     std::string all;
     for (const Warning& warning : run.warnings) {
-        all += warning.place + ": " + warning.text + "\n";
+        all += warning.where + ": " + warning.text + "\n";
     }
     return all;
 }

@@ -11,7 +11,7 @@ using Texts = std::vector<std::string>;
 Texts folded(const std::vector<Warning>& warnings) {
     Texts texts;
     for (const Warning& warning : fold_warnings(warnings)) {
-        texts.push_back(warning.place + ": " + warning.text);
+        texts.push_back(warning.where + ": " + warning.text);
     }
     return texts;
 }

@@ -63,7 +63,7 @@ TEST(SceneInstances, KeepTheirMeshOnce) {
 
 TEST(SceneInstances, FewOrSmallCopiesAreStoredAsTriangles) {
     for (const std::size_t size : {kSmallestPrototype - 1, kSmallestPrototype}) {
-        const std::size_t copies = size < kSmallestPrototype ? 10 : kFewestCopies - 1;
+        const std::size_t copies = size < kSmallestPrototype ? 10 : kMinCopies - 1;
         SceneBuilder builder = one_band_builder();
         const auto mesh = strip(size);
         for (std::size_t i = 0; i < copies; ++i) {
@@ -146,7 +146,7 @@ TEST(SceneInstances, FlatTransformsAreNotKept) {
     EXPECT_TRUE(data_of(builder.build()).triangles().instances().empty());
 }
 
-TEST(SceneInstances, PlacesThatAreNoNumbersAreFaults) {
+TEST(SceneInstances, PositionsThatAreNoNumbersAreFaults) {
     for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 2e30}) {
         SceneBuilder builder = one_band_builder();
         OrganSpec organ = copy_of(strip(), moved({0, bad, 0}));

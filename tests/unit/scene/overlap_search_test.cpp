@@ -31,12 +31,12 @@ class FlatPairs {
             const Vec3 normal = i % 3 == 0 ? normalized(cross(kGenericDirection, any())) : any();
             const Vec3 s = normalized(cross(normal, any()));
             const Vec3 t = cross(normal, s);
-            const Vec3 place{unit_(draw_), unit_(draw_), unit_(draw_)};
+            const Vec3 corner{unit_(draw_), unit_(draw_), unit_(draw_)};
             const double size = std::exp(-5 * unit_(draw_));
-            triangles.push_back(corners(place, size * s, size * t));
+            triangles.push_back(corners(corner, size * s, size * t));
             const double part = .05 + .9 * unit_(draw_);
             const Vec3 shift = .3 * size * (unit_(draw_) * s + unit_(draw_) * t);
-            triangles.push_back(corners(place + shift, -part * size * t, part * size * s));
+            triangles.push_back(corners(corner + shift, -part * size * t, part * size * s));
         }
         return triangles;
     }

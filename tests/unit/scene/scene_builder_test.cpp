@@ -219,7 +219,7 @@ TEST(SceneBuilder, AllowsAnOrganOfNoArea) {
     EXPECT_EQ(std::move(builder).build().organs()[0].area, 0);
 }
 
-TEST(SceneBuilder, MeasuresTheSameShapesAtAnySizeAndPlace) {
+TEST(SceneBuilder, MeasuresTheSameShapesAtAnySizeAndPosition) {
     for (const double scale : {1e-25, 1e-3, 1.0, 1e6, 1e25}) {
         SceneBuilder builder = one_band_builder();
         builder.add_organ(one_triangle("a", flat_triangle({scale, -scale, 0}, scale)));

@@ -29,10 +29,10 @@ OrganSpec one_triangle(std::string name, const Triangle& triangle) {
     return organ;
 }
 
-OrganSpec with_id(std::int64_t id, std::string place) {
+OrganSpec with_id(std::int64_t id, std::string where) {
     OrganSpec organ = one_triangle("", flat_triangle({0, 0, static_cast<double>(id)}));
     organ.id = id;
-    organ.place = std::move(place);
+    organ.where = std::move(where);
     return organ;
 }
 
@@ -51,7 +51,7 @@ std::vector<std::string> faults_of(SceneBuilder builder) {
 std::vector<std::string> warnings_of(SceneBuilder builder) {
     std::vector<std::string> texts;
     for (const Warning& warning : lint(std::move(builder).build())) {
-        texts.push_back(warning.place + ": " + warning.text);
+        texts.push_back(warning.where + ": " + warning.text);
     }
     return texts;
 }

@@ -21,13 +21,13 @@ namespace quasimc::test {
 /// An organ of one triangle and of material "leaf".
 [[nodiscard]] OrganSpec one_triangle(std::string name, const Triangle& triangle);
 
-/// An organ with an id, one flat triangle and a place.
-[[nodiscard]] OrganSpec with_id(std::int64_t id, std::string place);
+/// An organ with an id, one flat triangle and a location for messages.
+[[nodiscard]] OrganSpec with_id(std::int64_t id, std::string where);
 
 /// The faults of building, each as it is printed; none if the scene is sound.
 [[nodiscard]] std::vector<std::string> faults_of(SceneBuilder builder);
 
-/// The warnings of a scene, each as "place: text".
+/// The warnings of a scene, each as "where: text".
 [[nodiscard]] std::vector<std::string> warnings_of(SceneBuilder builder);
 
 }  // namespace quasimc::test

@@ -39,8 +39,8 @@ class Stand {
   private:
     static Scene leaves(double brightest) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
-        builder.add_material(matt("bright", brightest / 2, brightest / 2));
+        builder.add_material(diffuse("leaf", .1, .1));
+        builder.add_material(diffuse("bright", brightest / 2, brightest / 2));
         add_leaves(builder, random_leaves(500, .05, 1, 7));
         builder.add_organ(organ("", "bright", random_leaves(1, .05, 1, 8)));
         return std::move(builder).build();
@@ -78,7 +78,7 @@ TEST(BundleBudget, MeetsEachPatchThreeTimesInStrongSteps) {
     }
 }
 
-/// Of few paths and bright surfaces the many orders, each with its fewest stretches, take nearly
+/// Of few paths and bright surfaces the many orders, each with its fewest segments, take nearly
 /// all of the time, and nearly all of the error is that of the last step: 10,000 bright leaves had
 /// errors of 4.8 % with 65,536 paths, and 2.2 % in half as much time again.
 TEST(BundleBudget, GivesTheLastStepWhatManyOrdersTake) {

@@ -14,7 +14,7 @@
 namespace quasimc::test {
 namespace {
 
-/// The horizontal has its exact area in every group, whatever places it.
+/// The horizontal has its exact area in every group, for any key.
 TEST(BundleDirections, AreHalfAsHighAsTheZenithOnAverage) {
     for (const std::uint32_t directions : {2U, 8U, 64U, 1000U}) {
         for (std::uint64_t key = 0; key < 20; ++key) {
@@ -62,7 +62,7 @@ TEST(BundleDirections, AreOthersForAnotherKey) {
 /// lines find of its area.
 TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .2));
+    builder.add_material(diffuse("leaf", .3, .2));
     builder.add_organ(organ("", "leaf", {{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}}));
     const Scene scene = std::move(builder).build();
     const Sources suns({sun(0, {1})});

@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// Leaves that scatter most of the light.
 Scene leaves() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .4, .4));
+    builder.add_material(diffuse("leaf", .4, .4));
     builder.add_organ(organ("leaves", "leaf", random_leaves(30, .4, 1, 3)));
     return std::move(builder).build();
 }
@@ -52,15 +52,15 @@ Scene leaves_with_unused_materials() {
     SceneBuilder builder = make_builder();
     builder.add_material(net("net", {.9}));
     builder.add_material(sensor("sensor"));
-    builder.add_material(matt("white", .6, .35));
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("white", .6, .35));
+    builder.add_material(diffuse("leaf", .1, .1));
     builder.add_organ(organ("leaves", "leaf", random_leaves(30, .4, 1, 3)));
     return std::move(builder).build();
 }
 
 Scene dark_leaves() {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     builder.add_organ(organ("leaves", "leaf", random_leaves(30, .4, 1, 3)));
     return std::move(builder).build();
 }
@@ -73,7 +73,7 @@ TEST_P(EverySolver, KnowsNothingOfMaterialsThatNobodyUses) {
     for (std::size_t q = 0; q < kQuantities; ++q) {
         const auto quantity = static_cast<Quantity>(q);
         EXPECT_EQ(with.at(0, quantity, 0).mean, without.at(0, quantity, 0).mean) << q;
-        EXPECT_EQ(with.at(0, quantity, 0).high, without.at(0, quantity, 0).high) << q;
+        EXPECT_EQ(with.at(0, quantity, 0).ci95_high, without.at(0, quantity, 0).ci95_high) << q;
     }
     EXPECT_EQ(with.rays, without.rays);
 }
@@ -87,7 +87,7 @@ TEST_P(EverySolver, HasARowOfItsOwn) {
 // All that falls on a black plate under the sun comes straight from there.
 TEST_P(EverySolver, LightsAPlateByTheSun) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("black", 0, 0));
+    builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("plate", "black", floor_of(0, 2, 0, 1, 0)));
     const Result result = run(std::move(builder).build(), {sun(60, {3})}, spec(4096));
     const double expected = 3 * std::cos(60 * kRadians) * 2;

@@ -19,7 +19,7 @@ constexpr std::uint64_t kPaths = 4096;
 /// Leaves in a cell of 1 x 1 that goes on without end, or in the open.
 Scene stand(bool repeats) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     const std::vector<Triangle> leaves = random_leaves(60, .2, 1, 5);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         builder.add_organ(organ("leaf " + std::to_string(i), "leaf", {leaves[i]}));
@@ -31,13 +31,13 @@ Scene stand(bool repeats) {
 }
 
 /// A stand that is ready to be seen by beams.
-struct SeenStand {
+struct TestStand {
     Scene scene;
     Sources sources;
     PreparedScene prepared;
     ProjectedScene seen;
 
-    SeenStand(bool repeats, Sources under)
+    TestStand(bool repeats, Sources under)
         : scene(stand(repeats)),
           sources(std::move(under)),
           prepared(
@@ -51,8 +51,8 @@ struct SeenStand {
               prepared.projection().cell(),
               {},
               prepared.projection().outline()} {}
-    SeenStand(const SeenStand&) = delete;
-    SeenStand& operator=(const SeenStand&) = delete;
+    TestStand(const TestStand&) = delete;
+    TestStand& operator=(const TestStand&) = delete;
 };
 
 /// Periods of s that a triangle reaches into where the line t = `at` cuts it.
@@ -90,7 +90,7 @@ double count_cuts(const ProjectedScene& scene, const Vec3& direction) {
 }
 
 TEST(LineCost, BoundsTheImagesThatLinesCut) {
-    const SeenStand stand(true, {sun(30, {1})});
+    const TestStand stand(true, {sun(30, {1})});
     const LineCost cost(stand.seen);
     for (const double elevation_deg : {80., 30., 5., 1., .1}) {
         const double angle = elevation_deg * 3.14159265358979 / 180;
@@ -102,22 +102,22 @@ TEST(LineCost, BoundsTheImagesThatLinesCut) {
 }
 
 TEST(LineCost, IsNotAskedForInAnOpenScene) {
-    const SeenStand stand(false, {sun(30, {1})});
+    const TestStand stand(false, {sun(30, {1})});
     EXPECT_EQ(LineCost(stand.seen).cuts_per_line({0, 0, -1}), 0);
 }
 
 TEST(SamplingBudget, HasNoLinesForSunsThatGrazeAnEndlessStand) {
     const Sources suns{sun(0, {1}), sun(60, {1}), sun(89.95, {1}), sky({1})};
-    const SeenStand endless(true, suns);
+    const TestStand infinite(true, suns);
     const SamplingBudget budget(
-        endless.prepared, SkyDirections(endless.prepared), endless.seen, kPaths);
-    ASSERT_EQ(endless.prepared.lights().size(), suns.size());
+        infinite.prepared, SkyDirections(infinite.prepared), infinite.seen, kPaths);
+    ASSERT_EQ(infinite.prepared.lights().size(), suns.size());
     EXPECT_TRUE(budget.has_lines(0));
     EXPECT_TRUE(budget.has_lines(1));
     EXPECT_FALSE(budget.has_lines(2));
     EXPECT_FALSE(budget.has_lines(3)) << "a sky is seen by pixels";
 
-    const SeenStand open(false, suns);
+    const TestStand open(false, suns);
     EXPECT_TRUE(SamplingBudget(open.prepared, SkyDirections(open.prepared), open.seen, kPaths)
                     .has_lines(2));
 }
@@ -125,20 +125,20 @@ TEST(SamplingBudget, HasNoLinesForSunsThatGrazeAnEndlessStand) {
 /// The lower the sun, the fewer lines, and none rather than a handful: beside bundles 12.8 times
 /// the root of the paths at most.
 TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
-    constexpr double kMostCuts = 160 * kPaths, kLowest_deg = 89.95, kStep_deg = .25;
+    constexpr double kMaxCuts = 160 * kPaths, kLowest_deg = 89.95, kStep_deg = .25;
     std::uint32_t before = UINT32_MAX;
     double zenith_deg = 80;
     for (; zenith_deg < kLowest_deg; zenith_deg += kStep_deg) {
-        const SeenStand endless(true, {sun(zenith_deg, {1})});
-        const SkyDirections skies(endless.prepared);
+        const TestStand infinite(true, {sun(zenith_deg, {1})});
+        const SkyDirections skies(infinite.prepared);
         const SamplingBudget budget(
-            endless.prepared, skies, endless.seen, kPaths, ScatteredBy::bundles);
+            infinite.prepared, skies, infinite.seen, kPaths, ScatteredBy::bundles);
         if (!budget.has_lines(0)) {
             break;
         }
         const std::uint32_t lines = budget.tasks({0, kPaths}).front().count;
-        const Vec3 direction = *endless.prepared.lights()[0].source_sampler->beam_direction();
-        EXPECT_LE(lines * LineCost(endless.seen).cuts_per_line(direction), kMostCuts);
+        const Vec3 direction = *infinite.prepared.lights()[0].source_sampler->beam_direction();
+        EXPECT_LE(lines * LineCost(infinite.seen).cuts_per_line(direction), kMaxCuts);
         EXPECT_LE(lines, before) << zenith_deg;
         before = lines;
     }
@@ -150,30 +150,30 @@ TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
 /// A line that brings a leaf as much as many paths leaves the larger error where it finds none:
 /// at 5 degrees 119 lines left the organs of a real stand 30 times the error of 65,536 paths.
 TEST(SamplingBudget, HasNoLinesFartherApartThanPathsFindOrgans) {
-    const SeenStand endless(true, {sun(87, {1})});
-    const SkyDirections skies(endless.prepared);
-    const SamplingBudget paths(endless.prepared, skies, endless.seen, kPaths);
+    const TestStand infinite(true, {sun(87, {1})});
+    const SkyDirections skies(infinite.prepared);
+    const SamplingBudget paths(infinite.prepared, skies, infinite.seen, kPaths);
     EXPECT_FALSE(paths.has_lines(0));
     EXPECT_TRUE(paths.traces_suns());
     // Beside bundles, which take longer, lines may cut more, and stand close together.
     const SamplingBudget bundles(
-        endless.prepared, skies, endless.seen, kPaths, ScatteredBy::bundles);
+        infinite.prepared, skies, infinite.seen, kPaths, ScatteredBy::bundles);
     EXPECT_TRUE(bundles.has_lines(0));
-    EXPECT_FALSE(bundles_trace_suns_alone(endless.prepared, kPaths));
+    EXPECT_FALSE(bundles_trace_suns_alone(infinite.prepared, kPaths));
 }
 
 TEST(SamplingBudget, KnowsWhereBundlesHaveNothingButPathsOfSuns) {
-    const SeenStand grazed(true, {sun(89.95, {1})});
+    const TestStand grazed(true, {sun(89.95, {1})});
     EXPECT_TRUE(bundles_trace_suns_alone(grazed.prepared, kPaths));
-    const SeenStand with_sky(true, {sun(89.95, {1}), sky({1})});
+    const TestStand with_sky(true, {sun(89.95, {1}), sky({1})});
     EXPECT_FALSE(bundles_trace_suns_alone(with_sky.prepared, kPaths));
-    const SeenStand open(false, {sun(89.95, {1})});
+    const TestStand open(false, {sun(89.95, {1})});
     EXPECT_FALSE(bundles_trace_suns_alone(open.prepared, kPaths));
 }
 
 /// Sixty leaves are too many triangles to be projected for two paths.
 TEST(SamplingBudget, ProjectsTrianglesForEnoughPathsOnly) {
-    const SeenStand open(false, {sun(20, {1}), sky({1})});
+    const TestStand open(false, {sun(20, {1}), sky({1})});
     const SkyDirections skies(open.prepared);
     const SamplingBudget many(open.prepared, skies, open.seen, kPaths);
     EXPECT_TRUE(many.has_lines(0));
@@ -187,7 +187,7 @@ TEST(SamplingBudget, ProjectsTrianglesForEnoughPathsOnly) {
 
 /// Sixty leaves as one organ or as sixty: of one the few directions of few paths are all the error.
 TEST(SamplingBudget, SeesNoSkiesInFewDirectionsForOneOrgan) {
-    const SeenStand open(false, {sky({1})});
+    const TestStand open(false, {sky({1})});
     const SkyDirections skies(open.prepared);
     const SamplingBudget many(open.prepared, skies, open.seen, 1024);
     ASSERT_TRUE(many.sees_skies());
@@ -195,7 +195,7 @@ TEST(SamplingBudget, SeesNoSkiesInFewDirectionsForOneOrgan) {
     ASSERT_LT(directions, 400);
 
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     builder.add_organ(organ("all leaves", "leaf", random_leaves(60, .2, 1, 5)));
     const Scene scene = std::move(builder).build();
     for (const std::uint64_t paths : {1024U, 65536U}) {
@@ -211,7 +211,7 @@ TEST(SamplingBudget, SeesNoSkiesInFewDirectionsForOneOrgan) {
 /// Beside bundles direct light is most of the error: lines by the root of the paths, more
 /// directions of the sky.
 TEST(SamplingBudget, LooksCloserAtDirectLightBesideBundles) {
-    const SeenStand open(false, {sun(20, {1}), sky({1})});
+    const TestStand open(false, {sun(20, {1}), sky({1})});
     const SkyDirections skies(open.prepared);
     const auto tasks = [&](std::uint64_t paths, ScatteredBy scattered) {
         return SamplingBudget(open.prepared, skies, open.seen, paths, scattered).tasks({0, paths});
@@ -227,7 +227,7 @@ TEST(SamplingBudget, LooksCloserAtDirectLightBesideBundles) {
 }
 
 TEST(SamplingBudget, SeesNoSkiesWhereThereAreNone) {
-    const SeenStand open(false, {sun(20, {1})});
+    const TestStand open(false, {sun(20, {1})});
     EXPECT_FALSE(SamplingBudget(open.prepared, SkyDirections(open.prepared), open.seen, kPaths)
                      .sees_skies());
 }

@@ -12,7 +12,7 @@ namespace {
 /// A floor and a leaf that rises from its middle at an angle of that tangent.
 Scene floor_and_leaf(double slope) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .3));
+    builder.add_material(diffuse("leaf", .3, .3));
     builder.add_organ(organ("floor", "leaf", floor_of(0, 1, 0, 1, 0)));
     builder.add_organ(
         organ("leaf", "leaf", {{Vec3{.5, .4, 0}, Vec3{.9, .5, .4 * slope}, Vec3{.5, .6, 0}}}));
@@ -44,7 +44,7 @@ TEST(LintWedges, IsSilentElsewhere) {
 /// Of a leaf of two triangles each has the other's edge.
 TEST(LintWedges, IsSilentOfLeavesThatAreBent) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .3));
+    builder.add_material(diffuse("leaf", .3, .3));
     builder.add_organ(organ(
         "leaf", "leaf",
         {{Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{-1, 0, .01}},

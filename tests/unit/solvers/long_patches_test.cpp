@@ -38,7 +38,7 @@ std::vector<Triangle> tube(const Vec3& base, int rings) {
 
 Scene tubes(int rings) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("stem", .5, 0));
+    builder.add_material(diffuse("stem", .5, 0));
     for (int i = 0; i < 20; ++i) {
         builder.add_organ(organ("", "stem", tube({.4 * (i % 5), .4 * (i / 5), 0}, rings)));
     }
@@ -57,7 +57,7 @@ TEST(LongPatches, AreThoseOfTubesOfOneRing) {
 
 TEST(LongPatches, AreNotThoseOfLeaves) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     add_leaves(builder, random_leaves(50, .1, 1, 5));
     EXPECT_FALSE(has_long_patches(std::move(builder).build()));
 }
@@ -65,7 +65,7 @@ TEST(LongPatches, AreNotThoseOfLeaves) {
 /// Of strips that make up a wide leaf patches are longer than these, but not than the leaf is wide.
 TEST(LongPatches, AreMeasuredByTheOrgan) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .1, .1));
+    builder.add_material(diffuse("leaf", .1, .1));
     std::vector<Triangle> strips;
     constexpr int kStrips = 40;
     for (int i = 0; i < kStrips; ++i) {
@@ -81,7 +81,7 @@ TEST(LongPatches, AreMeasuredByTheOrgan) {
 TEST(LongPatches, MayBeThoseOfAFewNeedles) {
     const auto has_long = [](int needles) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         add_leaves(builder, random_leaves(50, .3, 1, 5));
         for (int i = 0; i < needles; ++i) {
             const double y = .1 * i;
@@ -97,7 +97,7 @@ TEST(LongPatches, MayBeThoseOfAFewNeedles) {
 TEST(LongPatches, MayBeThoseOfClosedStems) {
     const auto find_long = [](int stems, bool closed) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .1, .1));
+        builder.add_material(diffuse("leaf", .1, .1));
         add_leaves(builder, random_leaves(50, .3, 1, 5));
         for (int i = 0; i < stems; ++i) {
             const Vec3 base{.25 * (i % 10), .5 * (i / 10), 0};
@@ -144,10 +144,10 @@ TEST(LintBundles, TellsOfLampsNextToSurfaces) {
     EXPECT_TRUE(lint_bundles(scene, lamp_at(30), spec).empty());
 }
 
-/// The middle of a flat scene is as near to the lamp above it as any place.
+/// The middle of a flat scene is as near to the lamp above it as any point.
 TEST(LintBundles, TellsOfALampCloseAboveTheMiddleOfAFlatScene) {
     SceneBuilder builder = make_builder();
-    builder.add_material(matt("leaf", .3, .3));
+    builder.add_material(diffuse("leaf", .3, .3));
     builder.add_organ(organ("floor", "leaf", floor_of(-1, 2, -1, 2, 0)));
     const Scene scene = std::move(builder).build();
     RunSpec spec;
@@ -161,7 +161,7 @@ TEST(LintBundles, TellsOfALampCloseAboveTheMiddleOfAFlatScene) {
 TEST(LintBundles, TellsOfPatchesTooLargeBesideOrgans) {
     const auto warnings = [](double width, double height) {
         SceneBuilder builder = make_builder();
-        builder.add_material(matt("leaf", .3, .3));
+        builder.add_material(diffuse("leaf", .3, .3));
         builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
         builder.add_organ(organ("other", "leaf", floor_of(0, 1, 0, 1, 1)));
         builder.add_organ(organ(
@@ -188,15 +188,15 @@ TEST(LongPatches, OfShortRingsHaveTheErrorThatIsTold) {
     spec.paths = 1 << 18;
     const Result traced = run(scene, sources, spec);
     for (const Quantity quantity : {Quantity::incident_scattered, Quantity::incident_lower}) {
-        double found = 0, told = 0, expected = 0;
+        double found = 0, reported = 0, expected = 0;
         for (std::size_t i = 0; i < bundles.organs(); ++i) {
             const Estimate& e = bundles.at(i, quantity, 0);
             found += e.mean;
-            told += (e.high - e.low) / 2;
+            reported += (e.ci95_high - e.ci95_low) / 2;
             expected += traced.at(i, quantity, 0).mean;
         }
-        EXPECT_NEAR(found, expected, told) << static_cast<int>(quantity);
-        EXPECT_LT(told, .2 * found);
+        EXPECT_NEAR(found, expected, reported) << static_cast<int>(quantity);
+        EXPECT_LT(reported, .2 * found);
     }
 }
 

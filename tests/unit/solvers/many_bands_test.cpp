@@ -19,7 +19,7 @@ TEST(BandPacks, HoldEachBandOnce) {
         std::size_t next = 0;
         for (const BandPack& pack : band_packs(bands)) {
             EXPECT_EQ(pack.first, next);
-            EXPECT_TRUE(1 <= pack.bands && pack.bands <= kMostInPack);
+            EXPECT_TRUE(1 <= pack.bands && pack.bands <= kMaxInPack);
             next += pack.bands;
         }
         EXPECT_EQ(next, bands);
@@ -31,10 +31,10 @@ TEST(BandPacks, HoldEachBandOnce) {
 /// Leaves over soil, some of them crossing each other, and a sensor that lines pass.
 Scene stand_with_sensor() {
     SceneBuilder builder = make_builder(2);
-    MaterialSpec leaf = matt("leaf", .05, .05, 2);
+    MaterialSpec leaf = diffuse("leaf", .05, .05, 2);
     leaf.lower[1] = leaf.upper[1] = {.reflectance = .4, .transmittance = .4};
     builder.add_material(leaf);
-    builder.add_material(matt("soil", .2, 0, 2));
+    builder.add_material(diffuse("soil", .2, 0, 2));
     builder.add_material(sensor("sensor", 2));
     add_leaves(builder, random_leaves(60, .3, 1, 3));
     builder.add_organ(organ("", "sensor", {{{.2, .2, .5}, {.8, .2, .5}, {.5, .8, .5}}}));

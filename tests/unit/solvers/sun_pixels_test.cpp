@@ -20,7 +20,7 @@ constexpr std::uint32_t kLooks = 32;
 /// Leaves over a floor, in a cell of 1 x 1 that goes on without end, or in the open.
 Scene leaves_over_floor(bool repeats) {
     SceneBuilder builder = make_builder(2);
-    builder.add_material(matt("leaf", .1, .1, 2));
+    builder.add_material(diffuse("leaf", .1, .1, 2));
     add_leaves(builder, random_leaves(20, .25, 1, 5));
     builder.add_organ(organ("floor", "leaf", floor_of(0, 1, 0, 1, -.2)));
     if (repeats) {

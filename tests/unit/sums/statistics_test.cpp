@@ -22,16 +22,16 @@ TEST(EstimateMean, IsExactForOneToFour) {
     EXPECT_EQ(e.mean, 2.5);
     EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12));
     const double half = 3.182446305284263 * std::sqrt(5.0 / 12);  // t, 3 degrees of freedom
-    EXPECT_NEAR(e.low, 2.5 - half, 1e-12);
-    EXPECT_NEAR(e.high, 2.5 + half, 1e-12);
+    EXPECT_NEAR(e.ci95_low, 2.5 - half, 1e-12);
+    EXPECT_NEAR(e.ci95_high, 2.5 + half, 1e-12);
 }
 
 TEST(EstimateMean, HasNoErrorToTellFromOneReplicate) {
     const Estimate e = estimate_mean(Values{3});
     EXPECT_EQ(e.mean, 3);
     EXPECT_TRUE(std::isnan(e.standard_error));
-    EXPECT_TRUE(std::isnan(e.low));
-    EXPECT_TRUE(std::isnan(e.high));
+    EXPECT_TRUE(std::isnan(e.ci95_low));
+    EXPECT_TRUE(std::isnan(e.ci95_high));
 }
 
 TEST(EstimateMean, HasErrorZeroForEqualReplicates) {
@@ -47,33 +47,33 @@ TEST(EstimateMean, SeesSmallDifferencesOfLargeNumbers) {
 }
 
 TEST(EstimateFinds, KeepsTheMeanAndAddsOneFindToTheVariance) {
-    const Estimate e = estimate_finds(Values{11, 12, 13, 14}, {.more = .25, .less = .5});
+    const Estimate e = estimate_contributions(Values{11, 12, 13, 14}, {.more = .25, .less = .5});
     EXPECT_EQ(e.mean, 12.5);
     EXPECT_DOUBLE_EQ(e.standard_error, std::sqrt(5.0 / 12 + .25));
     const double half = 3.182446305284263 * std::sqrt(5.0 / 12);  // t, 3 degrees of freedom
-    EXPECT_NEAR(e.low, 12.5 - std::hypot(half, 1.5), 1e-12);
-    EXPECT_NEAR(e.high, 12.5 + std::hypot(half, .75), 1e-12);
+    EXPECT_NEAR(e.ci95_low, 12.5 - std::hypot(half, 1.5), 1e-12);
+    EXPECT_NEAR(e.ci95_high, 12.5 + std::hypot(half, .75), 1e-12);
 }
 
 /// Of what can't be negative: the mean and its error as they are, of the interval what is not.
 TEST(NotAbove, LeavesOutWhatCantBe) {
     const Estimate cut = not_above({4, 1, 2, 6}, 5);
     EXPECT_EQ(cut.mean, 4);
-    EXPECT_EQ(cut.low, 2);
-    EXPECT_EQ(cut.high, 5);
+    EXPECT_EQ(cut.ci95_low, 2);
+    EXPECT_EQ(cut.ci95_high, 5);
     const Estimate missed = not_above({8, 1, 6, 10}, 5);
     EXPECT_EQ(missed.mean, 8);
-    EXPECT_EQ(missed.low, 3) << "as wide below the limit as it was below the mean";
-    EXPECT_EQ(missed.high, 5);
-    EXPECT_EQ(not_above({8, 5, 1, 15}, .5).low, 0);
-    EXPECT_EQ(not_above({0, 1, 0, 3}, 0).high, 0);
+    EXPECT_EQ(missed.ci95_low, 3) << "as wide below the limit as it was below the mean";
+    EXPECT_EQ(missed.ci95_high, 5);
+    EXPECT_EQ(not_above({8, 5, 1, 15}, .5).ci95_low, 0);
+    EXPECT_EQ(not_above({0, 1, 0, 3}, 0).ci95_high, 0);
 }
 
 TEST(NotAbove, LimitsTheMeanOfOneReplicateToo) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(reported(not_above({1336, kNan, kNan, kNan}, 1)).mean, 1);
     EXPECT_EQ(reported(not_above({.5, kNan, kNan, kNan}, 1)).mean, .5);
-    EXPECT_TRUE(std::isnan(not_above({.5, kNan, kNan, kNan}, 1).high));
+    EXPECT_TRUE(std::isnan(not_above({.5, kNan, kNan, kNan}, 1).ci95_high));
     EXPECT_EQ(reported(not_negative({-.105, kNan, kNan, kNan})).mean, 0);
 }
 
@@ -82,8 +82,8 @@ TEST(Reported, HasItsMeanInItsInterval) {
     const Estimate above = reported({1.23, .2, .67, 1});
     EXPECT_EQ(above.mean, 1);
     EXPECT_EQ(above.standard_error, .2);
-    EXPECT_EQ(above.low, .67);
-    EXPECT_EQ(above.high, 1);
+    EXPECT_EQ(above.ci95_low, .67);
+    EXPECT_EQ(above.ci95_high, 1);
     EXPECT_EQ(reported({-4, 1, 0, 2}).mean, 0);
     EXPECT_EQ(reported({.5, .1, .4, .6}).mean, .5);
     EXPECT_EQ(reported({3, nan, nan, nan}).mean, 3);
@@ -95,30 +95,30 @@ TEST(NotNegative, LeavesOutWhatCantBe) {
     const Estimate e = not_negative({1, 2, -3, 5});
     EXPECT_EQ(e.mean, 1);
     EXPECT_EQ(e.standard_error, 2);
-    EXPECT_EQ(e.low, 0);
-    EXPECT_EQ(e.high, 5);
-    EXPECT_EQ(not_negative({1, 2, .5, 5}).low, .5);
+    EXPECT_EQ(e.ci95_low, 0);
+    EXPECT_EQ(e.ci95_high, 5);
+    EXPECT_EQ(not_negative({1, 2, .5, 5}).ci95_low, .5);
     const Estimate missed = not_negative({-4, 1, -6, -2});
     EXPECT_EQ(missed.mean, -4);
-    EXPECT_EQ(missed.low, 0);
-    EXPECT_EQ(missed.high, 2) << "as wide above 0 as it was above the mean";
-    EXPECT_TRUE(std::isnan(not_negative(estimate_mean(Values{3})).low));
-    EXPECT_EQ(estimate_finds(Values{0, 0, 0, 8}, {.more = .1, .less = .1}).low, 0);
-    EXPECT_EQ(estimate_seen_or_bound(Values{0, 0, 0, 8}, 1).low, 0);
-    EXPECT_LT(estimate_mean(Values{0, 0, 0, 8}).low, 0) << "a control";
+    EXPECT_EQ(missed.ci95_low, 0);
+    EXPECT_EQ(missed.ci95_high, 2) << "as wide above 0 as it was above the mean";
+    EXPECT_TRUE(std::isnan(not_negative(estimate_mean(Values{3})).ci95_low));
+    EXPECT_EQ(estimate_contributions(Values{0, 0, 0, 8}, {.more = .1, .less = .1}).ci95_low, 0);
+    EXPECT_EQ(estimate_seen_or_bound(Values{0, 0, 0, 8}, 1).ci95_low, 0);
+    EXPECT_LT(estimate_mean(Values{0, 0, 0, 8}).ci95_low, 0) << "a control";
 }
 
 TEST(EstimateFinds, BoundsWhatWasNeverAndWhatWasAlwaysFound) {
-    const Estimate none = estimate_finds(Values(8, 0.0), {.more = .125, .less = 0});
+    const Estimate none = estimate_contributions(Values(8, 0.0), {.more = .125, .less = 0});
     EXPECT_EQ(none.mean, 0);
     EXPECT_TRUE(std::isnan(none.standard_error));
-    EXPECT_EQ(none.low, 0);
-    EXPECT_EQ(none.high, .375);
-    const Estimate all = estimate_finds(Values(8, 1.0), {.more = 0, .less = .125});
+    EXPECT_EQ(none.ci95_low, 0);
+    EXPECT_EQ(none.ci95_high, .375);
+    const Estimate all = estimate_contributions(Values(8, 1.0), {.more = 0, .less = .125});
     EXPECT_EQ(all.mean, 1);
     EXPECT_EQ(all.standard_error, .125);
-    EXPECT_EQ(all.low, .625);
-    EXPECT_EQ(all.high, 1);
+    EXPECT_EQ(all.ci95_low, .625);
+    EXPECT_EQ(all.ci95_high, 1);
 }
 
 /// Eight replicates of Poisson distributed numbers, few in all: Student's t alone holds the truth
@@ -138,10 +138,10 @@ TEST(EstimateFinds, HoldsTheTruthOfFewFindsThatOften) {
                 x = finds(random);
             }
             const double mean = expected / 8;
-            const Estimate e = estimate_finds(values, {.more = .125, .less = .125});
+            const Estimate e = estimate_contributions(values, {.more = .125, .less = .125});
             const Estimate student = estimate_seen_or_bound(values, 1);
-            right += e.low <= mean && mean <= e.high ? 1 : 0;
-            right_of_student += student.low <= mean && mean <= student.high ? 1 : 0;
+            right += e.ci95_low <= mean && mean <= e.ci95_high ? 1 : 0;
+            right_of_student += student.ci95_low <= mean && mean <= student.ci95_high ? 1 : 0;
         }
         worst = std::min(worst, right / static_cast<double>(kTrials));
         worst_of_student =
@@ -240,7 +240,7 @@ int count_covered(int tries, double expected, Draw draw) {
     int covered = 0;
     for (int i = 0; i < tries; ++i) {
         const Estimate e = draw();
-        covered += e.low <= expected && expected <= e.high ? 1 : 0;
+        covered += e.ci95_low <= expected && expected <= e.ci95_high ? 1 : 0;
     }
     return covered;
 }
@@ -268,8 +268,8 @@ TEST(EstimateMean, WouldMissTheLevelWithNormalIntervals) {
     std::normal_distribution<double> noise(-3, 10);
     const int covered = count_covered(tries, -3, [&] {
         Estimate e = estimate_mean(Values{noise(bits), noise(bits), noise(bits), noise(bits)});
-        e.low = e.mean - 1.96 * e.standard_error;
-        e.high = e.mean + 1.96 * e.standard_error;
+        e.ci95_low = e.mean - 1.96 * e.standard_error;
+        e.ci95_high = e.mean + 1.96 * e.standard_error;
         return e;
     });
     EXPECT_FALSE(agrees(measured_fraction(covered, tries, 0.95), 0.95, 0.01));
@@ -306,7 +306,7 @@ TEST(EstimateRatio, HasAPositiveErrorOverANegativeDenominator) {
     const Estimate e = estimate_ratio(Values{1, 2, 3}, Values{-2, -3, -5});
     EXPECT_LT(e.mean, 0);
     EXPECT_GT(e.standard_error, 0);
-    EXPECT_LT(e.low, e.high);
+    EXPECT_LT(e.ci95_low, e.ci95_high);
 }
 
 /// Ratios of correlated noise, 3 : 2, each from 16 replicates.
@@ -332,24 +332,23 @@ TEST(EstimateRatio, StatesTheErrorThatReplicatesShow) {
     const std::vector<Estimate> ratios = simulated_ratios(tries);
     double sum = 0;
     double squares = 0;
-    double stated = 0;
+    double given = 0;
     for (const Estimate& e : ratios) {
         sum += e.mean - 1.5;
         squares += (e.mean - 1.5) * (e.mean - 1.5);
-        stated += e.standard_error * e.standard_error;
+        given += e.standard_error * e.standard_error;
     }
     EXPECT_NEAR(sum / tries, 0, 1e-3);
     // Of a variance from n normal numbers the relative error is sqrt(2 / n).
     const double relative = std::sqrt(2.0 / tries);
-    EXPECT_TRUE(
-        agrees(Measured{squares / stated, relative, static_cast<unsigned>(tries)}, 1, 0.06));
+    EXPECT_TRUE(agrees(Measured{squares / given, relative, static_cast<unsigned>(tries)}, 1, 0.06));
 }
 
 TEST(EstimateRatio, HoldsTheTrueRatioInNineteenOfTwentyIntervals) {
     const int tries = 20000;
     int covered = 0;
     for (const Estimate& e : simulated_ratios(tries)) {
-        covered += e.low <= 1.5 && 1.5 <= e.high ? 1 : 0;
+        covered += e.ci95_low <= 1.5 && 1.5 <= e.ci95_high ? 1 : 0;
     }
     EXPECT_TRUE(agrees(measured_fraction(covered, tries, 0.95), 0.95, 0.01));
 }
@@ -358,14 +357,14 @@ TEST(EstimateUnseen, IsZeroWithTheLimitOfTheRuleOfThree) {
     const Estimate e = estimate_unseen(1000, 2);
     EXPECT_EQ(e.mean, 0);
     EXPECT_TRUE(std::isnan(e.standard_error));
-    EXPECT_EQ(e.low, 0);
-    EXPECT_DOUBLE_EQ(e.high, 3 * 2.0 / 1000);
+    EXPECT_EQ(e.ci95_low, 0);
+    EXPECT_DOUBLE_EQ(e.ci95_high, 3 * 2.0 / 1000);
 }
 
 TEST(EstimateUnseen, LimitsWhatIsMissedInNineteenOfTwentyRuns) {
     // If the chance of an event were at the limit, one run in twenty would see none.
     const double events = 500;
-    const double chance = estimate_unseen(events, 1).high;
+    const double chance = estimate_unseen(events, 1).ci95_high;
     EXPECT_NEAR(std::pow(1 - chance, events), 0.05, 1e-3);
 }
 

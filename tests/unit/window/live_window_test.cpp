@@ -73,14 +73,14 @@ float first_number(LiveWindow& window, const std::string& name) {
 TEST(LiveWindow, TellsOfFramesAsTheyCome) {
     LiveWindow window;
     EXPECT_FALSE(window.is_watched());
-    window.tell("waiting");
+    window.send("waiting");
     EXPECT_TRUE(json_of(window, "live")["frames"].empty());
     EXPECT_TRUE(window.is_watched());
     const auto scene = make_scene();
     window.add(make_frame("step 1", scene, {make_result(2)}));
     window.add(make_frame("step 2", scene, {make_result(2)}));
     window.add(make_frame("step 3", make_scene(2), {make_result(2)}));
-    window.tell("more", .25);
+    window.send("more", .25);
     const Json news = json_of(window, "live");
     EXPECT_EQ(news["words"], "more");
     EXPECT_EQ(news["fraction"], .25);
@@ -195,7 +195,7 @@ TEST(LiveWindow, IsServedUnderTheSameRules) {
     const auto window = std::make_shared<LiveWindow>();
     window->add(make_frame("", make_scene(), {make_result(2)}));
     const std::string token(32, 'a');
-    WindowSite site(
+    ViewerRoutes site(
         [window](std::string_view name) { return window->file(name); }, token, WindowKind::live);
     site.set_port(8080);
     const auto status = [&](const std::string& name, const std::string& more = "",

@@ -43,13 +43,13 @@ TEST(WindowShape, SharesCornersWithinAnOrganAlone) {
     EXPECT_EQ(take<float>(bytes, 2), (std::vector<float>{2, 1.5}));  // areas
     EXPECT_EQ(take<float>(bytes, 2), (std::vector<float>{0, 1}));    // heights
     EXPECT_EQ(take<std::uint32_t>(bytes, 2), (std::vector<std::uint32_t>{2, 1}));
-    std::vector<float> places;
+    std::vector<float> coordinates;
     for (const Vec3& p : {a, b, c, d, d, a, top}) {
         for (const double x : {p.x - middle.x, p.y - middle.y, p.z - middle.z}) {
-            places.push_back(static_cast<float>(x));
+            coordinates.push_back(static_cast<float>(x));
         }
     }
-    EXPECT_EQ(take<float>(bytes, places.size()), places);
+    EXPECT_EQ(take<float>(bytes, coordinates.size()), coordinates);
     EXPECT_EQ(bytes, std::string("\0\0\0\3\1\0\0\0\0", 9));
 }
 

@@ -35,8 +35,8 @@ WindowData small_data() {
     return {R"({"title":"</script><script>"})", std::string(36, 'p'), {"first", "second"}};
 }
 
-WindowSite small_site() {
-    WindowSite site(files_of(small_data()), kToken);
+ViewerRoutes small_site() {
+    ViewerRoutes site(files_of(small_data()), kToken);
     site.set_port(8080);
     return site;
 }
@@ -55,11 +55,11 @@ std::string get_request(
 
 const std::string kRoot = std::string("/") + kToken + "/";
 
-TEST(WindowSite, GivesThePageAndItsData) {
+TEST(ViewerRoutes, GivesThePageAndItsData) {
     for (const char* name : {"", "viewer.js", "viewer.css", "data", "colors", "shape"}) {
         EXPECT_EQ(status_of_request(get_request(kRoot + name)), 200) << name;
     }
-    const WindowSite site = small_site();
+    const ViewerRoutes site = small_site();
     const std::string request = get_request(kRoot + "values-1");
     EXPECT_EQ(site.answer(parse_request(request)).body, "second");
     EXPECT_EQ(site.address(), "http://127.0.0.1:8080" + kRoot);
@@ -68,7 +68,7 @@ TEST(WindowSite, GivesThePageAndItsData) {
     EXPECT_EQ(status_of_request(get_request(kRoot, "Sec-Fetch-Site: same-origin\r\n")), 200);
 }
 
-TEST(WindowSite, RefusesOtherTokens) {
+TEST(ViewerRoutes, RefusesOtherTokens) {
     std::string other = kRoot;
     other[5] = 'x';
     for (const std::string& target :
@@ -79,7 +79,7 @@ TEST(WindowSite, RefusesOtherTokens) {
     }
 }
 
-TEST(WindowSite, RefusesOtherHosts) {
+TEST(ViewerRoutes, RefusesOtherHosts) {
     // A name of somebody else's that was made to point to this machine.
     for (const char* host :
          {"evil.example:8080", "evil.example", "127.0.0.1", "127.0.0.1:8081", "127.0.0.1:80800",
@@ -89,7 +89,7 @@ TEST(WindowSite, RefusesOtherHosts) {
     EXPECT_EQ(status_of_request("GET " + kRoot + " HTTP/1.1\r\n\r\n"), 421);
 }
 
-TEST(WindowSite, RefusesOtherOrigins) {
+TEST(ViewerRoutes, RefusesOtherOrigins) {
     for (const char* header :
          {"Origin: http://evil.example\r\n", "Origin: null\r\n",
           "Origin: https://127.0.0.1:8080\r\n", "Origin: http://127.0.0.1:8081\r\n", "origin:\r\n",
@@ -98,7 +98,7 @@ TEST(WindowSite, RefusesOtherOrigins) {
     }
 }
 
-TEST(WindowSite, RefusesOtherPaths) {
+TEST(ViewerRoutes, RefusesOtherPaths) {
     for (const char* name :
          {"..", "../", "../../etc/passwd", "%2e%2e/data", "data/", "data?x", "index.html",
           "values-", "values-2", "values--1", "values-1x", "values-99999999999999999999", "./data",
@@ -107,7 +107,7 @@ TEST(WindowSite, RefusesOtherPaths) {
     }
 }
 
-TEST(WindowSite, RefusesOtherMethodsAndBodies) {
+TEST(ViewerRoutes, RefusesOtherMethodsAndBodies) {
     for (const char* method : {"POST", "PUT", "DELETE", "OPTIONS", "CONNECT", "get"}) {
         EXPECT_EQ(
             status_of_request(
@@ -119,7 +119,7 @@ TEST(WindowSite, RefusesOtherMethodsAndBodies) {
     EXPECT_EQ(status_of_request(get_request(kRoot, "Transfer-Encoding: chunked\r\n")), 413);
 }
 
-TEST(WindowSite, RefusesWhatIsNoRequest) {
+TEST(ViewerRoutes, RefusesWhatIsNoRequest) {
     for (const std::string& text :
          {std::string(), std::string("\r\n\r\n"), std::string("GET\r\n\r\n"),
           std::string("GET /\r\n\r\n"), "GET " + kRoot + " HTTP/2\r\nHost: 127.0.0.1:8080\r\n\r\n",
@@ -132,7 +132,7 @@ TEST(WindowSite, RefusesWhatIsNoRequest) {
     }
 }
 
-TEST(WindowSite, RefusesTwoHosts) {
+TEST(ViewerRoutes, RefusesTwoHosts) {
     const std::string host = "127.0.0.1:8080";
     for (const std::string& second :
          {"Host: " + host, std::string("Host: evil.example"), std::string("host:"),
@@ -149,7 +149,7 @@ TEST(WindowSite, RefusesTwoHosts) {
     EXPECT_EQ(status_of_request(get_request(kRoot, "Accept: a,\tb\r\n")), 200);
 }
 
-TEST(WindowSite, TellsBrowsersToKeepItToItself) {
+TEST(ViewerRoutes, TellsBrowsersToKeepItToItself) {
     const std::string request = get_request(kRoot);
     const std::string head = small_site().answer(parse_request(request)).head();
     for (const char* header :
@@ -162,7 +162,7 @@ TEST(WindowSite, TellsBrowsersToKeepItToItself) {
     EXPECT_EQ(head.find("Access-Control"), std::string::npos);
 }
 
-TEST(WindowSite, DrawsAnotherTokenEachTime) {
+TEST(ViewerRoutes, DrawsAnotherTokenEachTime) {
     const std::string token = random_token();
     EXPECT_EQ(token.size(), 32U);
     EXPECT_EQ(token.find_first_not_of("0123456789abcdef"), std::string::npos);
@@ -216,7 +216,7 @@ class WindowServerTest : public testing::Test {
   protected:
     WindowServerTest()
         : server_(
-              WindowSite(files_of(data()), kToken),
+              ViewerRoutes(files_of(data()), kToken),
               0,
               {.connections = 16, .request_bytes = 2048, .request_seconds = 1, .idle_seconds = 1}) {
     }
@@ -240,7 +240,7 @@ class WindowServerTest : public testing::Test {
     }
 
   private:
-    WindowServer server_;
+    HttpServer server_;
 };
 
 TEST_F(WindowServerTest, AnswersAndEnds) {
@@ -319,7 +319,7 @@ TEST_F(WindowServerTest, AnswersInAFloodOfRequestsThatItRefuses) {
 }
 
 TEST_F(WindowServerTest, RefusesAPortThatIsTaken) {
-    EXPECT_THROW(WindowServer(small_site(), port()), InputError);
+    EXPECT_THROW(HttpServer(small_site(), port()), InputError);
 }
 
 TEST(Page, Base64IsThatOfTheStandard) {
@@ -335,7 +335,7 @@ TEST(Page, Base64IsThatOfTheStandard) {
 
 TEST(Page, ReportsHoldNoMarkupOfTheData) {
     if (embedded_page().script.empty()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     std::string html;
     write_report(small_data(), [&html](std::string_view text) { html += text; });

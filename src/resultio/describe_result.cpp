@@ -1,0 +1,108 @@
+#include "resultio/describe_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/number_text.h"
+#include "base/text.h"
+#include "results/units.h"
+
+namespace quasimc {
+namespace {
+
+std::string verdict(double p_value) {
+    return p_value >= kAuditLevel
+               ? fmt::format("agrees (p = {:.2g})", p_value)
+               : fmt::format("DISAGREES (p = {:.2g}, below {:g})", p_value, kAuditLevel);
+}
+
+std::string band_line(const BandAudit& audit, const Band& band, const std::string& length_unit) {
+    std::string text =
+        fmt::format("{}: reduced chi-square {:.3g}", band.name, audit.reduced_chi_square);
+    if (std::isfinite(audit.difference)) {
+        const FluxUnit unit = named_flux_unit(band.unit, length_unit);
+        text += fmt::format(
+            "; organs absorb {:.3g} +- {:.2g} {} {} than in the audit",
+            unit.factor * std::abs(audit.difference), unit.factor * audit.standard_error, unit.name,
+            audit.difference < 0 ? "less" : "more");
+    }
+    return text;
+}
+
+/// Empty where nothing cut the run short.
+std::string reason(const RunSpec& spec, StopReason stop) {
+    switch (stop) {
+        case StopReason::interrupted:
+            return "interrupted";
+        case StopReason::time_limit:
+            return fmt::format("max_seconds = {} reached", shortest(spec.max_seconds));
+        default:
+            return "";
+    }
+}
+
+}  // namespace
+
+std::vector<std::string> audit_lines(const RunFile& run, const Result& result) {
+    if (!result.audit) {
+        return {};
+    }
+    const Audit& audit = *result.audit;
+    std::vector<std::string> lines{fmt::format(
+        "{} with plain Monte Carlo, {} paths x {} replicates", verdict(audit.p_value), audit.paths,
+        audit.replicates)};
+    constexpr std::size_t kMaxBands = 4;
+    for (std::size_t b = 0; b < std::min(audit.bands.size(), kMaxBands); ++b) {
+        lines.push_back(band_line(audit.bands[b], run.scene.bands()[b], run.scene.length_unit()));
+    }
+    return lines;
+}
+
+std::string audit_line(const SeriesSummary& summary) {
+    return summary.audited == 0
+               ? ""
+               : fmt::format(
+                     "{}: the least likely one {}", counted(summary.audited, "comparison"),
+                     verdict(summary.audit_p_value));
+}
+
+std::string audit_warning(double p_value) {
+    return p_value >= kAuditLevel
+               ? ""
+               : fmt::format(
+                     "audit: the result differs from plain Monte Carlo by more than random error "
+                     "(p = {:.2g}, below {:g}); do not trust this result, and report it",
+                     p_value, kAuditLevel);
+}
+
+std::string describe_stop(const RunSpec& spec, const Result& result) {
+    const std::string why = reason(spec, result.stop);
+    if (why.empty()) {
+        return "";
+    }
+    const std::string asked =
+        result.paths < spec.paths ? fmt::format(" of {}", spec.paths) : std::string();
+    const bool lacks_audit = spec.audit > 0 && !result.audit;
+    return fmt::format(
+        "{}: {}{} paths completed{}", why, result.paths, asked,
+        lacks_audit ? ", without the audit" : "");
+}
+
+std::string describe_stop(const RunFile& run, const SeriesSummary& summary) {
+    const std::string why = reason(run.spec, summary.stop);
+    if (why.empty()) {
+        return "";
+    }
+    const std::string short_of = summary.with_fewer_paths > 0
+                                     ? fmt::format(
+                                           "; {} of {} computed with fewer paths than requested",
+                                           summary.with_fewer_paths, summary.computed)
+                                     : std::string();
+    return fmt::format(
+        "{}: {} of {} time steps completed{}", why, summary.completed,
+        run.series->time_steps.size(), short_of);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,90 @@
+#include "resultio/describe_series.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "text/line_scanner.h"
+#include "text/numbers.h"
+
+namespace quasimc {
+namespace {
+
+std::string cumulated_words(const TimeStepNotes& notes) {
+    const TimeStepNotes::Cumulated& times = *notes.cumulated;
+    return fmt::format(
+        "{} to {}, {} s: {} times, {} with daylight, as {} sun positions and {} skies; mean on the "
+        "horizontal direct {:.6g}, diffuse {:.6g} W m-2",
+        notes.time, times.until, shortest(notes.seconds), times.times, times.with_light, notes.suns,
+        times.skies, notes.daylight.direct, notes.daylight.diffuse);
+}
+
+std::string describe_time_step(const TimeStepNotes& notes) {
+    if (notes.cumulated) {
+        return cumulated_words(notes);
+    }
+    std::string text = notes.time;
+    text += notes.seconds > 0 ? fmt::format(", {} s", shortest(notes.seconds)) : ", an instant";
+    text += fmt::format(
+        "; sun azimuth {:.4f} deg, elevation {:.4f} deg, towards ({:.6f}, {:.6f}, {:.6f})",
+        notes.sun.azimuth_deg, notes.sun.elevation_deg, without_rounding(notes.to_sun.x),
+        without_rounding(notes.to_sun.y), without_rounding(notes.to_sun.z));
+    return text + fmt::format(
+                      "; on the horizontal direct {:.6g}, diffuse {:.6g} W m-2; {} sun positions",
+                      notes.daylight.direct, notes.daylight.diffuse, notes.suns);
+}
+
+}  // namespace
+
+std::string series_comments(const RunFile& run) {
+    std::string out;
+    for (const std::string& words : run.series->words) {
+        out += "# " + one_line(words) + "\n";
+    }
+    for (const TimeStepNotes& notes : run.series->notes) {
+        out += "# time_step: " + describe_time_step(notes) + "\n";
+    }
+    return out;
+}
+
+std::string describe_quantity(std::string_view name) {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+SummedUnit summed_unit(const std::string& unit) {
+    constexpr double kMicro = 1e-6;
+    if (!unit.empty() && unit.front() >= '0' && unit.front() <= '9') {  // "1e-4 W"
+        const std::size_t end = std::min(unit.find(' '), unit.size() - 1) + 1;
+        SummedUnit summed = summed_unit(unit.substr(end));
+        summed.name = unit.substr(0, end) + summed.name;
+        return summed;
+    }
+    if (unit.starts_with("W ") || unit == "W") {
+        return {"J" + unit.substr(1), 1};
+    }
+    constexpr std::string_view kPerSecond = " s-1";
+    const std::size_t per_second = unit.find(kPerSecond);
+    if (unit.starts_with("umol ") && per_second != std::string::npos) {
+        return {
+            unit.substr(1, per_second - 1) + unit.substr(per_second + kPerSecond.size()), kMicro};
+    }
+    return {unit + " s", 1};
+}
+
+SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
+    std::vector<double> factors;
+    for (const Band& band : run.scene.bands()) {
+        factors.push_back(summed_unit(band.unit).factor);
+    }
+    for (std::vector<Estimate>* values : {&sum.values, &sum.groups.values}) {
+        for (std::size_t i = 0; i < values->size(); ++i) {
+            (*values)[i] = scaled((*values)[i], factors[i % factors.size()]);
+        }
+    }
+    return sum;
+}
+
+}  // namespace quasimc

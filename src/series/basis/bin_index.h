@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sums/light_blocks.h"
+
+namespace quasimc {
+
+/// The bins of light that is put together from several runs: a spectrum for each band, so that
+/// amounts of all of them can be added, and two levels of patches.
+struct BasisLayout {
+    BasisLayout(std::size_t regions, std::size_t bands);
+
+    SumLayout sums;
+    LightBlocks light;
+    ScatteredBlocks coarse;
+    std::size_t regions, bands;
+
+    [[nodiscard]] std::size_t bins() const { return sums.bins(); }
+};
+
+/// What a bin of a basis holds.
+struct BinPart {
+    enum class Kind { direct, scattered, sunlit, none };
+    Kind kind = Kind::none;
+    std::size_t band = 0;
+
+    [[nodiscard]] bool is_light() const { return kind == Kind::direct || kind == Kind::scattered; }
+    /// Of light: the amount it is multiplied by, of those of direct light by band, then those of
+    /// scattered light.
+    [[nodiscard]] std::size_t amount(std::size_t bands) const {
+        return (kind == Kind::scattered ? bands : 0) + band;
+    }
+};
+/// Of the bins of a region, then of those of the run.
+[[nodiscard]] std::vector<BinPart> bin_parts(const BasisLayout& layout);
+
+/// The index of a bin in a response: part by part, the first bin of all regions, the second of all
+/// regions, ..., then those of the run.
+class BinIndex {
+  public:
+    explicit BinIndex(const BasisLayout& layout)
+        : regions_(layout.regions), stride_(layout.sums.stride()), tail_(regions_ * stride_) {}
+
+    [[nodiscard]] std::size_t of(std::size_t bin) const {
+        return bin < tail_ ? bin % stride_ * regions_ + bin / stride_ : bin;
+    }
+    /// The first index of a part, as bin_parts() counts them, and the number of its bins below.
+    [[nodiscard]] std::size_t first(std::size_t part) const {
+        return part < stride_ ? part * regions_ : tail_ + part - stride_;
+    }
+    [[nodiscard]] std::size_t count(std::size_t part) const {
+        return part < stride_ ? regions_ : 1;
+    }
+
+  private:
+    std::size_t regions_, stride_, tail_;
+};
+
+}  // namespace quasimc
