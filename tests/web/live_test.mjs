@@ -123,7 +123,7 @@ async function checkGrowth(context) {
     }
     // A plant has no unit of length.
     assert.equal(await page.locator("#profile-title").textContent(), "Mean by height");
-    assert.match(await page.locator("#organ p").textContent(), /area [\d.e-]+, middle at height [\d.e-]+(,|$)/);
+    assert.match(await page.locator("#organ p").textContent(), /area [\d.e-]+, centre at height [\d.e-]+(,|$)/);
     if (pictures) {
       await page.screenshot({ path: path.join(pictures, "growth.png") });
     }
