@@ -148,7 +148,7 @@ async function checkGrowth(context) {
     await page.locator("#time").fill("0"); // no organ was chosen then, whose numbers are all read
     await frameIs(page, 1);
     await page.selectOption("#column", { index: 3 });
-    await page.waitForFunction(() => /ended before these numbers/.test(document.querySelector("#histogram").textContent));
+    await page.waitForFunction(() => /ended before this page/.test(document.querySelector("#histogram").textContent));
     await page.close();
   } finally {
     growth.process.kill("SIGKILL");
