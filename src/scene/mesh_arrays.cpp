@@ -70,7 +70,7 @@ class OrganMaker {
     [[noreturn]] void refuse(std::size_t face, std::int64_t vertex) const {
         throw InputError(
             {{arrays_.where,
-              "face " + std::to_string(face) + " names vertex " + std::to_string(vertex),
+              "face " + std::to_string(face) + " refers to vertex " + std::to_string(vertex),
               "there are " + std::to_string(vertex_count()) + " vertices, counted from 0", ""}});
     }
 
