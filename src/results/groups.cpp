@@ -204,7 +204,7 @@ void check_labels(const Scene& scene, const GroupSpec& spec, Faults& faults) {
                 faults.add(
                     {"groups", fmt::format("no organ has a label '{}'", key),
                      known.empty() ? "no organ has any label"
-                                   : "groups are made of the values of a label",
+                                   : "groups are formed by the values of a label",
                      known.empty() ? "give organs labels = { plant = 1 }"
                                    : did_you_mean(key, known)});
             }
@@ -216,15 +216,14 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     const std::vector<double>& heights = spec.layer_heights;
     if (spec.layers > 0 && !heights.empty()) {
         faults.add(
-            {"layers", "layers and layer_heights are both there",
-             "the one is a number of equal layers, the other the heights between them",
-             "leave one of them out"});
+            {"layers", "both layers and layer_heights are given",
+             "one is a number of equal layers, the other their boundaries", "remove one of them"});
         return;
     }
     if (heights.size() == 1) {
         faults.add(
             {"layer_heights", fmt::format("[{}]", shortest(heights.front())),
-             "a layer has a lower and an upper height", "state two heights or more"});
+             "a layer needs a lower and an upper boundary", "give at least two heights"});
     }
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const bool ascends = i == 0 || heights[i - 1] < heights[i];
@@ -232,9 +231,9 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
             faults.add(
                 {"layer_heights",
                  i == 0
-                     ? fmt::format("{} is no height", shortest(heights[i]))
+                     ? fmt::format("{} is not a height", shortest(heights[i]))
                      : fmt::format("{} follows {}", shortest(heights[i]), shortest(heights[i - 1])),
-                 "heights are finite numbers that ascend", "state them from below to above"});
+                 "heights must be finite and ascending", "give them in ascending order"});
             return;
         }
     }
@@ -242,9 +241,10 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
         const std::vector<double> equal = equal_layers(scene, spec.layers);
         if (!(equal.front() < equal.back())) {
             faults.add(
-                {"layers", fmt::format("{} layers of organs without height", spec.layers),
-                 "they lie in one horizontal plane, or there are none",
-                 "state layer_heights = [...]"});
+                {"layers",
+                 fmt::format("{} layers, but organs have no vertical extent", spec.layers),
+                 "they are in one horizontal plane, or there are none",
+                 "set layer_heights = [...]"});
         }
     }
 }

@@ -24,12 +24,11 @@ Fault fault_of(std::int64_t id, std::string problem, std::string why, std::strin
 
 Fault no_such_organ(std::int64_t id) {
     return fault_of(
-        id, "the session has no such organ", "",
-        "add it before it is changed, removed or asked for");
+        id, "the session has no such organ", "", "add it before you change, remove or read it");
 }
 
 Fault twice(std::int64_t id) {
-    return fault_of(id, "is stated twice", "ids are unique", "");
+    return fault_of(id, "is given twice", "ids must be unique", "");
 }
 
 /// Refuses ids of which the session has no organ, or which are stated twice.
@@ -45,8 +44,8 @@ void check_known(
             faults.add(twice(id));
         } else if (of_frame.contains(id)) {
             faults.add(fault_of(
-                id, "is an organ of the scene of the session",
-                "organs that were added to the session can be changed and removed",
+                id, "belongs to the scene of the session",
+                "only organs that were added to the session can be changed or removed",
                 "change the scene"));
         } else if (!has(id)) {
             faults.add(no_such_organ(id));
@@ -78,7 +77,7 @@ struct GrowthSession::State {
 
     SceneBuilder frame;
     std::unordered_set<std::int64_t> frame_ids;
-    std::map<std::uint64_t, OrganSpec> organs;  // in the order in which they were added
+    std::map<std::uint64_t, OrganSpec> organs;             // in the order in which they were added
     std::unordered_map<std::int64_t, std::uint64_t> keys;  // of ids among them
     std::uint64_t next = 0;
     std::int64_t largest_id = 0;
@@ -117,8 +116,8 @@ void GrowthSession::set_frame(SceneBuilder frame) {
     for (const std::int64_t id : ids) {
         if (has(id)) {
             faults.add(fault_of(
-                id, "the session has an organ of this id", "ids are unique",
-                "give that of the scene another id"));
+                id, "the session has an organ with this id", "ids must be unique",
+                "give the organ of the scene another id"));
         }
     }
     faults.throw_if_any();
@@ -144,14 +143,14 @@ std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
         const std::int64_t id = ids.back();
         if (id >= kLastId) {
             faults.add(fault_of(
-                id, "the id is too large", "ids end at " + std::to_string(kLastId - 1), ""));
+                id, "the id is too large", "the largest id is " + std::to_string(kLastId - 1), ""));
         } else if (has(id)) {
             faults.add(fault_of(
-                id, "the session has an organ of this id", "ids are unique",
+                id, "the session has an organ with this id", "ids must be unique",
                 "change it, or remove it first"));
         } else if (state_->frame_ids.contains(id)) {
             faults.add(fault_of(
-                id, "the scene of the session has an organ of this id", "ids are unique",
+                id, "the scene of the session has an organ with this id", "ids must be unique",
                 "take another"));
         } else if (!seen.insert(id).second) {
             faults.add(twice(id));
@@ -182,7 +181,7 @@ void GrowthSession::change(std::vector<OrganSpec> organs) {
     for (const OrganSpec& organ : organs) {
         if (!organ.id) {
             throw InputError(
-                {{"change", "an organ has no id", "it tells which organ is changed", ""}});
+                {{"change", "an organ has no id", "the id selects the organ that is changed", ""}});
         }
         ids.push_back(*organ.id);
     }

@@ -25,7 +25,7 @@ struct SunBeam {
 
 /// What the times of a series have in common: the responses of a scene to light from a set of
 /// directions, of which skies, and the scattered light of suns, are put together
-/// (docs/develop/decisions/season-by-bundles.md).
+/// (docs/develop/decisions/daylight-coefficients.md).
 class SeasonBasis {
   public:
     /// Solves for all directions that some time needs, and for a few times as they are, which tell

@@ -70,8 +70,8 @@ std::vector<SurfaceCrossing> crossings_of(
     if (all.gave_up) {
         throw InputError({{
             "method",
-            "ray_bundles, where very many triangles cross each other, or their boxes overlap",
-            "patches are cut where surfaces cross, which would take too long",
+            "ray_bundles can't be used where very many triangles intersect",
+            "dividing patches at the intersections would take too long",
             "use method = \"first_hits\"",
         }});
     }

@@ -140,7 +140,7 @@ TEST(LineHits, MarkSensorsAndLeaveOutWhatHasNoPatches) {
          {Vec3{0, 0, -1}, Vec3{1, 0, -1}, Vec3{0, 1, -1}},
          {Vec3{0, 0, -2}, Vec3{1, 0, -2}, Vec3{0, 1, -2}}});
     const std::vector<VisibilityRole> roles{
-        VisibilityRole::opaque, VisibilityRole::sensor, VisibilityRole::left_out};
+        VisibilityRole::opaque, VisibilityRole::sensor, VisibilityRole::omitted};
     const Patches patches({0, 0, Patches::kNone});
     ProjectedScene scene{&mesh, {}};
     scene.roles = roles;

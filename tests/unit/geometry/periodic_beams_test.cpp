@@ -26,7 +26,7 @@ struct Repeated {
           projection(caster.mesh(), cell, StartArea::silhouette) {
         for (std::uint32_t i = 0; i < caster.mesh().triangle_count(); ++i) {
             const bool image = i > 0 && caster.source(i) == caster.source(i - 1);
-            roles.push_back(image ? VisibilityRole::left_out : VisibilityRole::opaque);
+            roles.push_back(image ? VisibilityRole::omitted : VisibilityRole::opaque);
         }
         scene = {&caster.mesh(), projection.cell(), roles, projection.outline()};
     }
