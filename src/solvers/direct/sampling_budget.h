@@ -45,7 +45,7 @@ struct SamplingDensity {
 };
 
 /// Chooses the sampling density of direct light for a number of paths. Its constants maximize the
-/// figure of merit of direct and scattered light together, in measurements.
+/// figure of merit of direct and scattered light together (docs/develop/notebook/first-hits.md).
 class SamplingBudget {
   public:
     /// @param seen  input of projections

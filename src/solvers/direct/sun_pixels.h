@@ -20,7 +20,7 @@ struct SunLight {
 
 /// Direct light of suns by item buffers. For many suns that need not be accurate to a percent each,
 /// this is faster than scan lines, the first few of which cost as much as all pixels
-/// (docs/theory/time-series.md).
+/// (docs/develop/notebook/time-series.md).
 class SunPixels {
   public:
     /// @param input  with suns as its only lights

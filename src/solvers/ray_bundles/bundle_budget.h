@@ -16,7 +16,8 @@ namespace quasimc {
 
 /// Allocates directions and lines to the steps of the exchange. A path is worth some line segments
 /// between patches. Most go to the last step, the final gather. Single orders share the others in
-/// proportion to their light, so that weak orders cost little. See docs/theory/ray-bundles.md.
+/// proportion to their light, so that weak orders cost little. See
+/// docs/develop/notebook/ray-bundles.md.
 class BundleBudget {
   public:
     /// @param paths  of the round
