@@ -1,6 +1,6 @@
 // The Blinn-Phong lobe: a power of the cosine of half the angle to the specular direction.
 //
-// What     p = (n + 2) / (8 pi) cos^n(theta / 2) over the whole sphere about the mirror direction
+// Model    p = (n + 2) / (8 pi) cos^n(theta / 2) over the whole sphere about the mirror direction
 //          (reflected) or the unchanged direction (transmitted). What would leave on the wrong side
 //          is mirrored at the surface: pdf(wo) = p(wo) + p(image of wo), with integral 1 for
 //          any angle of incidence. Symmetric, but the BSDF is not reciprocal.

@@ -30,7 +30,7 @@ bool has_sky(const PreparedScene& prepared) {
 /// Whether light subpaths sample light of suns or lamps through narrow lobes.
 bool has_followed_lobes(const PreparedScene& prepared) {
     return has_small_light(prepared) &&
-           prepared.optics().sharpest_peak >= followed_peak(prepared.scene());
+           prepared.optics().largest_peak >= followed_peak(prepared.scene());
 }
 
 /// The largest fraction of incident light that a material of the scene scatters to one of its
@@ -203,7 +203,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     ContributionBound direct{"direct", {}}, scattered{"scattered", {}}, sunlit{"sunlit", {0}};
     const LampNearField near(prepared);
     const std::vector<double> albedo = largest_albedos(scene);
-    const double narrow_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
+    const double narrow_from = has_small_light(prepared) ? followed_peak(scene) : kNarrowPeak;
     const std::vector<double> parts =
         near.any() ? parts_by_vertices(prepared, measured, near) : std::vector<double>{};
     const bool has_connected =

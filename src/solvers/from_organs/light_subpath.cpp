@@ -95,7 +95,7 @@ class LightSubpathTracer {
         const bool is_near_field = meets_points(class_) && is_near(p);
         const bool is_vertex = is_near_field && !rules_.connected.empty();
         const bool only_by_narrow = goes_on_by_narrow_alone(is_near_field);
-        if (only_by_narrow && side.sharpest_peak() < rules_.narrow_from) {
+        if (only_by_narrow && side.largest_peak() < rules_.narrow_from) {
             return false;
         }
         if (is_vertex) {
