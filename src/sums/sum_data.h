@@ -28,7 +28,7 @@ struct SumUnits {
 /// The organs whose light is summed.
 enum class MeasuredOrgans {
     all,
-    asked_for,  ///< only those with Organ::measured
+    requested,  ///< only those with Organ::measured
 };
 /// How escaped light is obtained.
 enum class EscapedLight {

@@ -181,8 +181,8 @@ std::vector<char> connected_regions(
     const Scene& scene = prepared.scene();
     std::vector<char> connected;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const bool is_asked_for = scene.organs()[scene.regions()[i].organ.value].measured;
-        connected.push_back(!is_asked_for || parts[i] < kFewOfPaths ? 1 : 0);
+        const bool is_measured = scene.organs()[scene.regions()[i].organ.value].measured;
+        connected.push_back(!is_measured || parts[i] < kFewOfPaths ? 1 : 0);
     }
     return connected;
 }
@@ -194,7 +194,7 @@ bool needs_light_paths(const PreparedScene& prepared, const LampNearField& near)
 SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const Scene& scene = prepared.scene();
     const MeasuredArea measured = measured_area(scene);
-    SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::asked_for};
+    SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::requested};
     // Unoccluded direct light: the contribution that a sample of an organ could have had.
     declare_sides(
         "unoccluded", columns_of(SumColumn::Of::spectrum, prepared.lights().spectra().size()),
