@@ -235,7 +235,7 @@ const char* quasimc_quantity_name(int64_t quantity);
  *         "R:FR"
  *  @param band  its name; NULL for the latter two
  *  @param statistic  "mean", "standard_error", or "ci95_low" and "ci95_high", the ends of the 95 %
- * interval, which holds the mean and nothing that is physically impossible
+ * interval, which contains the mean and only physically possible values
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_organ_count() */
 int quasimc_result_get(

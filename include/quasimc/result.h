@@ -44,7 +44,7 @@ struct GroupSpec {
 }
 
 /// Organs whose light is summed. Only organs that are measured belong to groups, the ground to
-/// none, and sensors to those of labels alone.
+/// none, and sensors only to those of labels.
 struct OrganGroup {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -167,7 +167,7 @@ struct GroupResults {
 /// NaN.
 struct CanopyFractions {
     /// Flux on the horizontal area of the cell or the ground. It follows from the sources and has
-    /// no error; fractions over a cell are of what each replicate has emitted.
+    /// no error; fractions over a cell relate to the emission of each replicate.
     double incident = 0;
     Estimate
         reflectance;  ///< fraction that leaves the scene upwards: the albedo of canopy and ground

@@ -121,7 +121,7 @@ class Deadline {
     [[nodiscard]] Clock::time_point at() const { return at_; }
     /// The end of work that has no result yet.
     [[nodiscard]] Clock::time_point latest() const { return latest_; }
-    /// Infinite if it never comes.
+    /// Infinite without a deadline.
     [[nodiscard]] double seconds_left(Clock::time_point now = Clock::now()) const;
     [[nodiscard]] bool is_over() const { return Clock::now() >= at_; }
     /// The deadline of work that may take a fraction of the remaining time, and for its first few

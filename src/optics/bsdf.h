@@ -10,7 +10,7 @@ enum class Hemisphere { reflected, transmitted };
 
 /// The directional distribution of scattered light: the shape of one lobe, without its amount. (A
 /// material adds the amounts: one albedo per band for each of its lobes.) The amount may depend on
-/// the angle at which light arrives, in all bands alike: see relative_albedo.
+/// the angle at which light arrives, equally in all bands: see relative_albedo.
 ///
 /// Directions are directions of travel, unit length: `wi` before, `wo` after. `n` is the unit
 /// normal of the side on which the light arrives, so dot(wi, n) < 0; reflected light has dot(wo, n)

@@ -29,8 +29,8 @@ class Material {
     [[nodiscard]] bool has_constant_albedo() const {
         return upper_.has_constant_albedo() && lower_.has_constant_albedo();
     }
-    /// Whether light passes as if nothing were there (transmittance 1 straight on, both sides, all
-    /// bands): a sensor. Such hits are counted and change nothing.
+    /// Whether light passes unchanged (transmittance 1 in the direction of incidence, both sides,
+    /// all bands): a sensor. Such hits are scored and do not change the path.
     [[nodiscard]] bool is_transparent() const { return transparent_; }
 
     /// Samples light backwards: for light that leaves along `wo` on the side with normal `n`

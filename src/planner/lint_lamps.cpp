@@ -18,7 +18,7 @@ bool has_lamp(const Sources& sources) {
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
 }
 
-/// "the median organ measures 10 m" if plants are unlikely to have this size; otherwise "".
+/// "the median organ is 10 m large" if plants are unlikely to have this size; otherwise "".
 std::string strange_size(const Scene& scene) {
     constexpr double kLargeOrgan = 2, kSmallPlant = 5e-3;
     const std::optional<double> metres = metres_per(scene.length_unit());

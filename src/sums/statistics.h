@@ -25,8 +25,8 @@ namespace quasimc {
 
 /// The estimate of an amount that can't be above `most`. Its interval is cut there, which does not
 /// change how often it contains the truth. An interval wholly above is replaced by one that ends at
-/// the limit and is as wide as its lower half. The mean does not change: it may lie above the limit
-/// by chance, or it would be biased. If `most` is 0, the estimate is exactly 0.
+/// the limit and is as wide as its lower half. The mean does not change and may be above the limit
+/// by chance: otherwise it would be biased. If `most` is 0, the estimate is exactly 0.
 [[nodiscard]] Estimate not_above(const Estimate& e, double most);
 
 /// An amount with zero contributions in `events` independent samples, each of at most `most`: 0,

@@ -48,7 +48,7 @@ struct BlockBins {
 
 /// A layout numbers the bins of all blocks of a run. For each region the bins of all blocks are
 /// next to each other, in the order of their declaration, because a hit adds to several; those of
-/// the run come behind all regions.
+/// the run follow all regions.
 class SumLayout {
   public:
     SumLayout() = default;

@@ -121,7 +121,7 @@ class LightSubpathTracer {
         return true;
     }
 
-    /// Whether points sample all light that broad lobes send on from here, wherever it counts.
+    /// Whether points sample all counted light that broad lobes scatter from here.
     [[nodiscard]] bool goes_on_by_narrow_alone(bool is_near_field) const {
         return !is_near_field &&
                (class_ == PathClass::from_source ||
