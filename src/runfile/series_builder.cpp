@@ -133,7 +133,7 @@ void SeriesBuilder::add_time_step(
     time_step.sources = dimmed_lamps(
         [&](const DailyHours& hours) { return hours.share(interval.start, interval.seconds); });
     std::move(hour.sources.begin(), hour.sources.end(), std::back_inserter(time_step.sources));
-    time_step.shapes = std::move(hour.shapes);
+    time_step.directional_key = std::move(hour.directional_key);
     time_step.seconds = interval.seconds;
     time_step.day = day_of(interval.start);
     const SunPosition sun = path.middle();
