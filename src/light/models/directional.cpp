@@ -1,7 +1,7 @@
 // Parallel light: the sun as a point of the sky, or one direction of a table.
 //
-// Paths start in the window of the beam, the scene's silhouette: every one carries the same light.
-// Its spectrum is the irradiance on a plane that faces the light.
+// Paths start in the start area of the beam, the scene's silhouette; all carry the same light. The
+// spectrum is the irradiance on a plane facing the light.
 
 #include <algorithm>
 #include <utility>
