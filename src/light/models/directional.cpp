@@ -46,7 +46,7 @@ class Directional final : public SourceModel {
     }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
-        std::unique_ptr<BeamCrossSection> window = projection.window(travel_);
+        std::unique_ptr<BeamCrossSection> window = projection.cross_section(travel_);
         if (!window || window->area() <= 0) {
             return nullptr;
         }
