@@ -7,13 +7,13 @@
 namespace quasimc {
 namespace {
 
-/// A share of a run does not see the others: it can't know when all of them together are done.
+/// A share of a run does not know the others: it can't decide when all of them together are done.
 void check_share(const RunSpec& spec, Faults& faults) {
     const auto refuse = [&](bool is_stated, std::string_view key, std::string_view why) {
         if (is_stated) {
             faults.add(
                 {std::string(key), "a part of a run can't keep to it", std::string(why),
-                 "leave it out, and state paths"});
+                 "leave it out, and set paths"});
         }
     };
     refuse(spec.target_error > 0, "target_error", "errors are those of all parts together");

@@ -105,7 +105,7 @@ struct HourParts {
 [[nodiscard]] HourParts make_hour_parts(
     const SunPath& path, const HourLight& light, const DaylightSources& how);
 
-/// Sources of an hour, and a text that identifies their shapes (TimeStep::directional_key).
+/// Sources of an hour, and a text that identifies their shapes (TimeStep::shapes).
 struct HourSources {
     std::vector<std::shared_ptr<const Source>> sources;
     std::string shapes;

@@ -1,4 +1,4 @@
-// What a series can't be whose times are computed together.
+// Restrictions of series whose time steps are computed together.
 
 #include <string>
 #include <utility>
@@ -52,12 +52,11 @@ void check_together(
     refuse(
         spec.method != Method::ray_bundles,
         "it is \"daylight_coefficients\", and method is not ray_bundles",
-        "no other way of computing solves for many lights at once",
-        "state method = \"ray_bundles\"");
+        "no other way of computing solves for many lights at once", "set method = \"ray_bundles\"");
     refuse(
         spec.target_error > 0 || spec.max_paths > 0,
         "it is \"daylight_coefficients\", with target_error or max_paths",
-        "what all times have in common is computed once, with paths", "state paths alone");
+        "what all times have in common is computed once, with paths", "set paths alone");
     const std::uint32_t directions = season_directions();
     refuse(
         spec.paths < directions,
