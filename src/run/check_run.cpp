@@ -107,7 +107,7 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
     }
 }
 
-/// Labels that are called as other groups of the result are: their rows would look alike.
+/// Checks for labels with the name of other groups of the result, whose rows would be ambiguous.
 void check_group_names(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const bool has_layers = spec.layers > 0 || !spec.layer_heights.empty();
     for (const std::string& key : spec.groups) {
@@ -120,7 +120,7 @@ void check_group_names(const Scene& scene, const RunSpec& spec, Faults& faults) 
         if (is_taken && std::any_of(scene.organs().begin(), scene.organs().end(), has_label)) {
             faults.add(
                 {"groups", fmt::format("'{}' is a label that has the name of other groups", key),
-                 "its rows could not be told from theirs", "call the label otherwise"});
+                 "its rows would look like theirs", "rename the label"});
         }
     }
 }
@@ -130,7 +130,7 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
     if (spec.method == Method::from_organs &&
         std::none_of(scene.organs().begin(), scene.organs().end(), is_measured)) {
         faults.add(
-            {"method", "no organ is measured", "there is nothing to trace from",
+            {"method", "no organ is measured", "paths would start on measured organs",
              "leave measured = false out for the organs whose light you want"});
     }
 }
@@ -167,7 +167,8 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     }
 }
 
-/// An infinity of lamps, of which points on the organs would have to pick one.
+/// Checks for lamps in periodic scenes: points on organs would have to sample an infinite number of
+/// them.
 void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
     const bool has_lamp = std::any_of(
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
@@ -179,7 +180,7 @@ void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec
     }
 }
 
-/// A method that does not follow light that escapes, which some detector waits for.
+/// Checks for methods that do not trace escaping light, where some detector needs it.
 void check_detected_light(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const SolverEntry* solver = find_solver(spec.method);
     if (solver != nullptr && solver->escaped == EscapedLight::remainder &&

@@ -24,16 +24,16 @@ Fault fault_of(std::int64_t id, std::string problem, std::string why, std::strin
 
 Fault no_such_organ(std::int64_t id) {
     return fault_of(
-        id, "the session has no such organ", "",
-        "add it before it is changed, removed or asked for");
+        id, "the session has no such organ", "", "add it before you change, remove or request it");
 }
 
 Fault twice(std::int64_t id) {
-    return fault_of(id, "is stated twice", "ids are unique", "");
+    return fault_of(id, "appears twice", "ids are unique", "");
 }
 
-/// Refuses ids of which the session has no organ, or which are stated twice.
-/// @param has  whether the session has an organ. @param of_frame  ids of its frame
+/// Reports unknown ids and ids that appear twice.
+/// @param has  whether the session has an organ
+/// @param of_frame  ids of its frame
 void check_known(
     std::span<const std::int64_t> ids,
     FunctionRef<bool(std::int64_t)> has,
@@ -46,8 +46,7 @@ void check_known(
         } else if (of_frame.contains(id)) {
             faults.add(fault_of(
                 id, "is an organ of the scene of the session",
-                "organs that were added to the session can be changed and removed",
-                "change the scene"));
+                "only organs added to the session can be changed and removed", "change the scene"));
         } else if (!has(id)) {
             faults.add(no_such_organ(id));
         }
@@ -78,13 +77,13 @@ struct GrowthSession::State {
 
     SceneBuilder frame;
     std::unordered_set<std::int64_t> frame_ids;
-    std::map<std::uint64_t, OrganSpec> organs;  // in the order in which they were added
-    std::unordered_map<std::int64_t, std::uint64_t> keys;  // of ids among them
+    std::map<std::uint64_t, OrganSpec> organs;             // in the order of insertion
+    std::unordered_map<std::int64_t, std::uint64_t> keys;  // index of ids in `organs`
     std::uint64_t next = 0;
     std::int64_t largest_id = 0;
-    std::shared_ptr<const Scene> scene;            // null: something changed
-    std::optional<std::vector<Warning>> warnings;  // of the scene, if they were asked for
-    KnownOverlaps overlaps;                        // of the scene before
+    std::shared_ptr<const Scene> scene;            // null after a change
+    std::optional<std::vector<Warning>> warnings;  // of the scene, once requested
+    KnownOverlaps overlaps;                        // of the previous scene
     std::size_t scene_builds = 0;
     Simulator simulator;
 };
@@ -182,7 +181,7 @@ void GrowthSession::change(std::vector<OrganSpec> organs) {
     for (const OrganSpec& organ : organs) {
         if (!organ.id) {
             throw InputError(
-                {{"change", "an organ has no id", "it tells which organ is changed", ""}});
+                {{"change", "an organ has no id", "the id selects the organ to change", ""}});
         }
         ids.push_back(*organ.id);
     }

@@ -14,8 +14,8 @@ namespace quasimc {
 
 namespace {
 
-/// Why a run that has traced some paths can't become one with other `paths`, with the same bits as
-/// if it had begun so; "" if it can.
+/// Why a resumed run can't get `paths` with the same bits as a run that began with them; "" if it
+/// can.
 std::string refusal_of_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
     const std::uint64_t first = position.first_paths;
     if (spec.paths < position.rounds.done) {
@@ -38,17 +38,17 @@ std::string refusal_of_paths(const RunPosition& position, const Scene& scene, co
     return "";
 }
 
-/// @throws InputError  if the run that is kept can't become the one asked for
+/// @throws InputError  if the stored run can't become the requested one
 void check_other_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
     const std::string why = refusal_of_paths(position, scene, spec);
     if (!why.empty()) {
         throw InputError(
             {{"paths", fmt::format("the checkpoint can't go on to {} of them", spec.paths), why,
-              "leave paths as they were and state max_paths, or begin anew"}});
+              "keep paths and set max_paths, or start again"}});
     }
 }
 
-/// Why a run with these options might have ended before the rounds that are kept; "" if it can't.
+/// Why a run with these options might have ended before the stored rounds; "" if it can't.
 std::string refusal_of_ends(const RunPosition& position, const RunSpec& spec) {
     if (position.rounds.done <= spec.paths) {
         return "";
@@ -67,7 +67,7 @@ std::string refusal_of_ends(const RunPosition& position, const RunSpec& spec) {
     return !has_target || is_no_weaker ? "" : "the target may have been reached with fewer";
 }
 
-/// @throws InputError  if the run asked for might have ended before
+/// @throws InputError  if the requested run might have ended earlier
 void check_ends(const RunPosition& position, const RunSpec& spec) {
     const std::string why = refusal_of_ends(position, spec);
     if (!why.empty()) {
@@ -75,7 +75,7 @@ void check_ends(const RunPosition& position, const RunSpec& spec) {
             {{"checkpoint",
               fmt::format(
                   "has {} paths already, more than the run asked for has", position.rounds.done),
-              why, "ask for as much as before, or more, or begin anew"}});
+              why, "request as much as before, or more, or start again"}});
     }
 }
 
@@ -93,10 +93,10 @@ std::optional<RunState> state_to_go_on_from(StoredStates* states, const RunFacts
     if (stored->position.digest != facts.digest() || !fits(stored->done) ||
         !fits(stored->partial)) {
         throw InputError(
-            {{"checkpoint", "it is of another run", "scene, sources, options or version differ",
-              ""}});
+            {{"checkpoint", "it belongs to another run",
+              "scene, sources, options or version differ", ""}});
     }
-    const bool is_begun = stored->done && !stored->position.rounds.is_trial;
+    const bool is_begun = stored->done && !stored->position.rounds.is_pilot;
     if (is_begun && stored->position.asked_paths != facts.spec.paths) {
         check_other_paths(stored->position, facts.prepared.scene(), facts.spec);
     }
