@@ -4,9 +4,10 @@
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME quasimc)
-set(CPACK_PACKAGE_VENDOR "QuasiMC")
-set(CPACK_PACKAGE_CONTACT "The QuasiMC developers")
+set(CPACK_PACKAGE_VENDOR "QuasiMC developers")
+set(CPACK_PACKAGE_CONTACT "QuasiMC developers")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX "/usr")
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -33,7 +34,9 @@ if(QuasimcNetcdf_FOUND)
     string(REGEX REPLACE "^libnetcdf\\.so\\.([0-9]+)$" "libnetcdf\\1" CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
                          "${QuasimcNetcdf_SONAME}")
 endif()
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Programs: quasimc, and QuasiMC, the environment program.")
+string(CONCAT CPACK_COMPONENT_PROGRAM_DESCRIPTION
+    "The programs quasimc, and QuasiMC, the light environment of cpfg and lpfg models. Method: "
+    "Cieslak, Lemieux, Hanan and Prusinkiewicz (2008), Functional Plant Biology 35, 837-849.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libquasimc${quasimc_abi})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
@@ -66,5 +69,16 @@ if(TARGET quasimc_python)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-xarray, python3-matplotlib")
     set(CPACK_COMPONENT_PYTHON_DESCRIPTION "The Python package.")
 endif()
+
+# Every package has its file of copyright.
+foreach(package IN ITEMS program:quasimc library:libquasimc${quasimc_abi} dev:libquasimc-dev python:python3-quasimc)
+    string(REPLACE ":" ";" package "${package}")
+    list(GET package 0 component)
+    list(GET package 1 name)
+    if(component IN_LIST CPACK_COMPONENTS_ALL)
+        install(FILES "${PROJECT_SOURCE_DIR}/cmake/debian_copyright" DESTINATION "share/doc/${name}" RENAME copyright
+                COMPONENT ${component})
+    endif()
+endforeach()
 
 include(CPack)

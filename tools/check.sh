@@ -37,6 +37,7 @@ step_format() {
 
 step_layers() {
     tools/check_layers.py
+    tools/count_words.py
 }
 
 step_scripts() {

@@ -7,6 +7,8 @@ a block that opens with ```toml run is given to "quasimc check".  Every examples
 
 The table of results in README.md is compared with that of the first example: wrong_numbers().
 
+Parts of docs/reference that the program prints must be up to date: write_reference.py.
+
 missing_names() finds what pages speak of and the tree does not have: paths and names of files in
 `code`, targets of links, and pages that sources name.
 """
@@ -21,6 +23,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from write_reference import outdated_pages
+
 ROOT = Path(__file__).resolve().parent.parent
 FENCE = re.compile(r"^(?P<indent> *)```(?P<info>[^`\n]*)\n(?P<body>.*?)^ *```\s*$", re.M | re.S)
 TIME_LIMIT_S = 300
@@ -30,7 +34,7 @@ FOLDERS = "apps|bench|cmake|data|docs|examples|include|python|src|tests|tools"
 CODE = re.compile(r"`([^`\s]+)`")
 PATH = re.compile(rf"(?:{FOLDERS})/[^\s:]*$")
 FILE = re.compile(r"[\w/-]+\.(?:h|cpp|py|cmake|txt)$")
-PLACEHOLDER = re.compile(r"\w*(?:NAME|FAMILY)|<")  # stands for any part of a path: NAME.cpp
+PLACEHOLDER = re.compile(r"\w*(?:NAME|FAMILY)|<|.*\*")  # any part of a path: NAME.cpp, *.cpp
 LINK = re.compile(r"\]\(([^()\s]+)\)")
 HEADING = re.compile(r"^#+ +(.*?) *$", re.M)
 PAGE_IN_SOURCE = re.compile(r"\bdocs/[\w/.-]+\.md\b")
@@ -97,7 +101,8 @@ def missing_names(root=ROOT):
         for number, name in faults_of_page(page, root, files):
             yield f"{page.relative_to(root)}:{number}: {name}"
     for file in files:
-        if Path(file).suffix in SOURCE_SUFFIXES and not file.endswith("_test.py"):
+        is_source = Path(file).suffix in SOURCE_SUFFIXES and not file.startswith("docs/")
+        if is_source and not file.endswith("_test.py"):
             text = (root / file).read_text(encoding="utf-8", errors="replace")
             for number, line in enumerate(text.split("\n"), 1):
                 for page in PAGE_IN_SOURCE.findall(line):
@@ -188,6 +193,9 @@ def main():
     for missing in missing_names():
         failed += 1
         print(f"{missing}: there is no such thing", file=sys.stderr)
+    for page in outdated_pages(str(program)):
+        failed += 1
+        print(f"{page.relative_to(ROOT)}: outdated; run tools/write_reference.py", file=sys.stderr)
     with tempfile.TemporaryDirectory(prefix="quasimc-docs-") as folder:
         copy = Path(folder) / "quasimc"
         copy_tree(copy)

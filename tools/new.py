@@ -48,7 +48,7 @@ FAMILIES = {
             ("declares a sampler", "std::unique_ptr<Sampler> make_@name@();"),
             ("enters a sampler", '    SamplerEntry{"@name@", "@words@", make_@name@, true},'),
         ),
-        others=(("docs/guide/options.md", r"(\| `sampler` .*? one of [^|]*?) \|", r"\1, @name@ |"),),
+        others=(("docs/reference/options.md", r"(\| `sampler` .*? one of [^|]*?) \|", r"\1, @name@ |"),),
     ),
     "bsdf": Family(
         folder="src/optics",
@@ -78,7 +78,7 @@ FAMILIES = {
     "format": Family(
         folder="src/meshio",
         tests="tests/unit/meshio",
-        pages="docs/formats",
+        pages="docs/reference",
         catalogue="src/meshio/formats.cpp",
         prefix="read_",
         page="@name@.md",
@@ -101,7 +101,7 @@ FAMILIES = {
     "output": Family(
         folder="src/resultio",
         tests="tests/unit/resultio",
-        pages="docs/formats",
+        pages="docs/reference",
         catalogue="src/runfile/output_catalogue.h",
         prefix="write_",
         entries=(
@@ -136,7 +136,7 @@ FAMILIES = {
                 r"( *// \(tools/new\.py enters a method above this line\))",
                 r"    @name@,  ///< @words@\n\1",
             ),
-            ("docs/guide/options.md", r"(\| `method` .*? one of [^|]*?), auto \|", r"\1, @name@, auto |"),
+            ("docs/reference/options.md", r"(\| `method` .*? one of [^|]*?), auto \|", r"\1, @name@, auto |"),
         ),
     ),
     "detector": Family(

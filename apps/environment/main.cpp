@@ -1,4 +1,4 @@
-// QuasiMC, the environment process of cpfg and lpfg (docs/formats/environment.md). By the name
+// QuasiMC, the environment process of cpfg and lpfg (docs/reference/environment.md). By the name
 // MonteCarlo, a link to it, it reads the files of that program.
 
 #include <algorithm>
@@ -108,7 +108,8 @@ int main(int argc, char** argv) {
         return kInputError;
     } catch (const std::exception& error) {
         send(fmt::format(
-            "internal error: {}\nThis is a fault of the program; please report it.", error.what()));
+            "internal error: {}\nThis is an error in the program; please report it.",
+            error.what()));
         return kInternalError;
     }
 }

@@ -16,7 +16,7 @@ void refuse_choices(const ValueChoice& choice) {
         if (is_stated) {
             faults.add(
                 {flag, std::string("a NetCDF file has all ") + axis,
-                 "each has its place along an axis", "leave it out"});
+                 "each has its place along an axis", "remove it"});
         }
     };
     refuse(!choice.time.empty(), "--time", "times");

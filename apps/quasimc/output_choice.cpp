@@ -53,7 +53,7 @@ void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
         faults.add(std::move(fault));
     }
     if (choice.include_night && !run.series) {
-        faults.add({"--include-night", "the run has no [time]", "nights need times", ""});
+        faults.add({"--include-night", "the run has no [time]", "night hours need [time]", ""});
     }
     faults.throw_if_any();
     quasimc::OutputSpec& output = run.output;

@@ -24,7 +24,7 @@ quasimc::TrueLightSpec true_light_of(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
     if (shown.result_text.empty()) {
         throw quasimc::InputError(
-            {{path, "is no result", "--realistic shows light",
+            {{path, "is not a result", "--realistic shows light",
               "give what `quasimc run --json` wrote"}});
     }
     const std::vector<quasimc::Band>& bands = shown.run.scene.bands();

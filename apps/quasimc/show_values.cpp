@@ -102,7 +102,7 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
     for (const auto& [flag, text] :
          {std::pair("--time", &choice.time), std::pair("--day", &choice.day)}) {
         if (!run.series && !text->empty()) {
-            faults.add({flag, "the run has no [time]", "", "leave it out"});
+            faults.add({flag, "the run has no [time]", "", "remove it"});
         }
     }
     faults.throw_if_any();
@@ -132,7 +132,7 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
     }
     throw quasimc::InputError(
         {{path, fmt::format("holds no {}", values.name),
-          "the run did not write it, or there is none", "look at [output] in the run file"}});
+          "the run did not write it, or there is none", "check [output] in the run file"}});
 }
 
 /// The numbers of those choices that the result has, read in one pass.

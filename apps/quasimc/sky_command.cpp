@@ -185,7 +185,7 @@ std::shared_ptr<const quasimc::Source> sky_of(
     if (entry.needs != quasimc::SkyNeeds::nothing && state.to_sun.z <= 0) {
         faults.add(
             {"--sky", "the sun is below the horizon",
-             fmt::format("{} is a model of skies by day", entry.name),
+             fmt::format("{} describes daytime skies", entry.name),
              "use --sky cie_overcast or uniform"});
         return nullptr;
     }

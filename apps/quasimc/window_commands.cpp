@@ -32,7 +32,7 @@ WindowRun read_window_run(const WindowArguments& arguments) {
     ShownRun shown = read_shown_run(arguments.file, arguments.point);
     if (shown.result_text.empty()) {
         throw quasimc::InputError(
-            {{arguments.file, "is no result", "",
+            {{arguments.file, "is not a result", "",
               "write one with quasimc run --json; quasimc show draws a scene without light"}});
     }
     quasimc::WindowData data =

@@ -1,5 +1,6 @@
-// What ray bundles leave of errors, and in what time: the table of docs/theory/ray-bundles.md.
-// Errors are those of one replicate: root of the mean variance over leaves, over the mean.
+// What ray bundles leave of errors, and in what time: the table of
+// docs/develop/notebook/ray-bundles.md. Errors are those of one replicate: root of the mean
+// variance over leaves, over the mean.
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-/* QuasiMC in plain C, for programs in C and in all languages that call C: docs/guide/c.md shows
- * how.
+/* QuasiMC in plain C, for programs in C and in all languages that call C:
+ * docs/guide/libraries.md shows how.
  *
  * Everything is made of numbers, texts, arrays and three kinds of handles. Nothing is thrown across
  * this interface. Functions that can fail return a quasimc_status, and quasimc_last_error() then
@@ -73,7 +73,7 @@ const char* quasimc_version(void);
 /** What was wrong with the last call in this thread that failed; "" if none did. Until the next. */
 const char* quasimc_last_error(void);
 
-/* ---- Scenes: everything has the names of the run file, docs/formats/run-file.md ----
+/* ---- Scenes: everything has the names of the run file, docs/reference/run-file.md ----
  *
  * What is stated is checked together, when the scene is run or a growth is made of it; by
  * themselves calls refuse pointers, counts, texts that are no TOML, options that there are not, and
@@ -154,7 +154,7 @@ int quasimc_scene_add_sky(
 int quasimc_scene_add_point_lamp(
     quasimc_scene* scene, double x, double y, double z, const double* power);
 
-/** Sets an option of the run, docs/guide/options.md: "paths" "4096", "method" "auto". */
+/** Sets an option of the run, docs/reference/options.md: "paths" "4096", "method" "auto". */
 int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value);
 
 /** Computes the light on every organ. What did not change since the last run is not built again.

@@ -1,6 +1,6 @@
 #pragma once
 
-// The public interface of QuasiMC in one include; docs/guide/library.md shows how to use it. The
+// The public interface of QuasiMC in one include; docs/guide/libraries.md shows how to use it. The
 // shortest program is
 //
 //   const quasimc::RunFile file = quasimc::read_run_file("leaves.toml");

@@ -97,7 +97,7 @@ struct BandAudit {
     double difference_p_value = 1;  ///< probability of a larger one, of either sign
 };
 
-/// A result compared with that of an independent run: docs/theory/audit.md.
+/// A result compared with that of an independent run: docs/theory/statistics.md.
 struct Audit {
     std::uint64_t paths = 0;  ///< of the independent run, per replicate
     std::uint32_t replicates = 0;
@@ -142,7 +142,7 @@ struct BandBudget {
 };
 
 /// The light of groups of organs. Errors are those of the sums, replicate by replicate: organs that
-/// shade one another have errors in common (docs/theory/groups.md).
+/// shade one another have errors in common (docs/theory/statistics.md).
 struct GroupResults {
     std::vector<OrganGroup> groups;
     std::size_t bands = 0, ratios = 0;
@@ -163,7 +163,7 @@ struct GroupResults {
 };
 
 /// Where the light of one band went over a ground or in a canopy without end, as fractions of what
-/// falls on the horizontal (docs/theory/canopy-fractions.md). NaN what can't be told.
+/// falls on the horizontal (docs/theory/statistics.md). NaN what can't be told.
 struct CanopyFractions {
     /// Flux that falls on the horizontal area of the cell or the ground. It follows from the
     /// sources and has no error; fractions over a cell are of what each replicate has emitted.

@@ -50,7 +50,7 @@ enum class CsvRows { organs, groups };
 enum class CsvTimes { moments, days };
 
 /// Writes a table of organs or groups, and of times or, of a run with [time], of sums over days
-/// (docs/formats/csv.md, groups.md): comment lines that begin with '#', one header line, one row
+/// (docs/reference/csv.md, groups.md): comment lines that begin with '#', one header line, one row
 /// per organ or group and time or day.
 class CsvWriter : public OutputWriter {
   public:
@@ -84,7 +84,7 @@ class CsvWriter : public OutputWriter {
     bool has_head_ = false;
 };
 
-/// Writes everything that is known of a run and its results (docs/formats/json.md). Days are kept
+/// Writes everything that is known of a run and its results (docs/reference/json.md). Days are kept
 /// in a temporary file until all times are written.
 class JsonWriter : public OutputWriter {
   public:

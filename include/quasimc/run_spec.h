@@ -62,7 +62,8 @@ struct SamplerModel {
 /// All samplers, in the order of the manual.
 [[nodiscard]] std::vector<SamplerModel> sampler_models();
 
-/// How a run is done: everything but scene and sources. Ranges and units: docs/guide/options.md.
+/// How a run is done: everything but scene and sources. Ranges and units:
+/// docs/reference/options.md.
 struct RunSpec {
     std::string sampler = "sobol";  ///< a name of sampler_models()
     Method method = Method::automatic;
@@ -107,9 +108,10 @@ struct RunSpec {
 };
 
 /// How to trace: as the specification says or, if that is `automatic`, by the rules of
-/// docs/theory/choosing.md, which ask for the smallest errors of the measured organs in a given
-/// time. A method that can't be run is never chosen, but for ray_bundles where very many surfaces
-/// cross each other: a run finds that out, and takes another. A pure function of its arguments.
+/// docs/develop/notebook/choosing.md, which ask for the smallest errors of the measured organs in a
+/// given time. A method that can't be run is never chosen, but for ray_bundles where very many
+/// surfaces cross each other: a run finds that out, and takes another. A pure function of its
+/// arguments.
 [[nodiscard]] ChosenMethod plan_method(
     const Scene& scene,
     const std::vector<std::shared_ptr<const Source>>& sources,

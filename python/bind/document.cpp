@@ -55,7 +55,7 @@ Node node_by_attributes(py::handle object, int depth) {
 
 Node to_node_at(py::handle object, int depth) {
     if (depth > kDeepestNesting) {
-        throw InputError({{"", "nested too deeply", "", ""}});
+        throw InputError({{"", "is nested too deeply", "", ""}});
     }
     if (py::isinstance<py::bool_>(object)) {
         return {object.cast<bool>()};

@@ -38,7 +38,7 @@ class OutOfMemory : public std::bad_alloc {
         constexpr double kBytesOfMegabyte = 1e6, kBytesOfStack = 8e6;
         return bytes < kBytesOfStack
                    ? fmt::format(
-                         "less than {:.0f} MB, but little is left beside the threads; {}",
+                         "less than {:.0f} MB, but little memory is left beside the threads; {}",
                          kBytesOfStack / kBytesOfMegabyte, kFewerThreads)
                    : fmt::format("about {:.0f} MB", bytes / kBytesOfMegabyte);
     }

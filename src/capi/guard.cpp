@@ -40,7 +40,7 @@ int guarded(const std::function<void()>& work) noexcept {
     } catch (const Stopped& error) {
         return failed(QUASIMC_STOPPED, error.what());
     } catch (const std::bad_alloc&) {
-        return failed(QUASIMC_INTERNAL_ERROR, "memory ran out");
+        return failed(QUASIMC_INTERNAL_ERROR, "not enough memory");
     } catch (const std::exception& error) {
         return failed(QUASIMC_INTERNAL_ERROR, error.what());
     } catch (...) {
@@ -63,7 +63,7 @@ std::span<const double> of_bands(const double* numbers, std::size_t bands, const
 std::string text_of(const char* text, const char* name) {
     std::string copy = &deref(text, name);
     if (!is_utf8(copy)) {
-        throw InputError({{name, shown(copy) + " is not UTF-8", "texts are in UTF-8", ""}});
+        throw InputError({{name, shown(copy) + " is not UTF-8", "texts must be UTF-8", ""}});
     }
     return copy;
 }

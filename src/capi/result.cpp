@@ -42,8 +42,8 @@ double Estimate::*statistic_of(std::string_view name) {
             return member;
         }
     }
-    throw Misuse(
-        fmt::format("no statistic '{}': mean, standard_error, ci95_low or ci95_high", name));
+    throw Misuse(fmt::format(
+        "unknown statistic '{}': use mean, standard_error, ci95_low or ci95_high", name));
 }
 
 std::size_t band_of(const quasimc_result& result, const char* name) try {
@@ -296,7 +296,7 @@ int quasimc_result_get_organ(
         const quasimc_result& all = deref(result, "result");
         const auto organ = all.scene->names()->find_organ(id);
         if (!organ) {
-            throw Misuse(fmt::format("there is no organ of id {}", id));
+            throw Misuse(fmt::format("no organ has the id {}", id));
         }
         const Column column = column_of(all, rows_of_organs(all.result), quantity, band);
         copy_estimate(column.first[*organ * column.stride], values);

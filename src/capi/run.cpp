@@ -19,8 +19,8 @@ LightOfRun read_light(const SceneDescription& description, const Scene& scene) {
         read_light_document(description.document(), description.name(), files, scene);
     if (light.series) {
         throw InputError(
-            {{description.name() + ": [time]", "there are several times in this scene",
-              "a run is of one moment", "state the light of a moment by its sources"}});
+            {{description.name() + ": [time]", "the scene has several time steps",
+              "a run computes one moment", "give the light by sources alone"}});
     }
     return light;
 }

@@ -60,7 +60,7 @@ void join_values(const std::string& key, Node& into, Node&& from) {
     } else if (is_table_or_tables(into) || is_table_or_tables(from)) {
         throw InputError(
             {{kPiece, fmt::format("{} is {}", key, from.type_name()),
-              fmt::format("it was stated as {} before", into.type_name()), ""}});
+              fmt::format("it was given as {} before", into.type_name()), ""}});
     } else {
         into = std::move(from);
     }
@@ -180,7 +180,8 @@ void SceneDescription::set_option(const std::string& key, const std::string& tex
     const Option* option = find_option(key);
     if (option == nullptr) {
         throw InputError(
-            {{"option '" + key + "'", "no such option", "", "docs/guide/options.md lists them"}});
+            {{"option '" + key + "'", "no such option", "",
+              "docs/reference/options.md lists them"}});
     }
     add(fmt::format("[run]\n{} = {}\n", key, option_toml(parse_option(*option, text))));
 }
@@ -189,8 +190,8 @@ void SceneDescription::add_organs(std::vector<OrganSpec> organs) {
     for (const OrganSpec& organ : organs) {
         if (organ.id && indices_.contains(*organ.id)) {
             throw InputError(
-                {{fmt::format("organ {}", *organ.id), "there is an organ of this id",
-                  "ids are unique", "give all faces of an organ in one call"}});
+                {{fmt::format("organ {}", *organ.id), "the scene has an organ with this id",
+                  "ids must be unique", "give all faces of an organ in one call"}});
         }
     }
     for (OrganSpec& organ : organs) {
@@ -205,7 +206,7 @@ OrganSpec& SceneDescription::organ(std::int64_t id) {
     const auto found = indices_.find(id);
     if (found == indices_.end()) {
         throw InputError(
-            {{fmt::format("organ {}", id), "no mesh has an organ of this id", "",
+            {{fmt::format("organ {}", id), "no mesh has an organ with this id", "",
               "add its mesh first"}});
     }
     return organs_[found->second];

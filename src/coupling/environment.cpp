@@ -26,14 +26,14 @@ namespace {
 [[noreturn]] void disagree(const Arguments& arguments, std::string problem, std::string why) {
     throw InputError(
         {{arguments.comm_file.value_or("command line"), std::move(problem), std::move(why),
-          "the simulator adds the switches: it and we must read the same environment file (-e)"}});
+          "the plant simulator and this program must read the same environment file (-e)"}});
 }
 
 CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
     if (!arguments.comm_file) {
         throw InputError(
-            {{"command line", "the environment file is missing", "it says what the simulator sends",
-              "add '-e FILE.e' to the line executable:"}});
+            {{"command line", "the environment file is missing",
+              "it describes what the simulator sends", "add '-e FILE.e' to the line executable:"}});
     }
     CommFile format =
         read_comm_text(read_file(*arguments.comm_file), *arguments.comm_file, notices);
@@ -43,7 +43,7 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
         if (!format.line(field).is_sent && !format.interprets_modules) {
             faults.add(
                 {*arguments.comm_file, fmt::format("'{}' is missing", name),
-                 "organs stand in the frame of the turtle",
+                 "organs are placed in the frame of the turtle",
                  fmt::format(
                      "add '{}: %f %f %f', or 'interpreted modules: all' if all organs are polygons",
                      name)});
@@ -52,7 +52,7 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
     if (!format.following_module && !format.interprets_modules) {
         notices.once(
             *arguments.comm_file +
-            ": without 'following module' only organs drawn as polygons are seen");
+            ": without 'following module' only organs drawn as polygons are read");
     }
     faults.throw_if_any();
     return format;
@@ -113,8 +113,8 @@ void check_apart_from_pipe(const Specification& spec, const std::string& file, i
     const auto check = [&](std::string_view directive, const std::string& name) {
         if (!name.empty() && !pipe.is_discard && identity_of(name, out) == pipe) {
             faults.add(
-                {file, fmt::format("{}: '{}' is where the answers go", directive, name),
-                 "the simulator would take it for an answer", "name another file"});
+                {file, fmt::format("{}: '{}' is the file of the answers", directive, name),
+                 "the simulator would read it as an answer", "name another file"});
         }
     };
     if (spec.variance_file) {
@@ -232,8 +232,8 @@ class Environment {
             if (result.stop == StopReason::no_light) {
                 notices_.once(
                     "unlit",
-                    "no light reaches the plant: all of it is edge-on to the light or has no area; "
-                    "its organs get 0");
+                    "no light reaches the plant: all surfaces are parallel to the light or have no "
+                    "area; its organs receive 0");
             }
         }
     }

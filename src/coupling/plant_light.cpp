@@ -55,7 +55,7 @@ void PlantLight::answer(const Pass& pass, const std::function<void()>& check, An
     apply_settings(pass);
     const std::vector<PlacedShape> shapes = position_shapes(pass);
     if (is_dark()) {
-        notices_.once("dark", "no light: the sun is down, or every irradiance is 0");
+        notices_.once("dark", "no light: the sun is below the horizon, or every irradiance is 0");
     } else if (anything_is_measured(pass, shapes)) {
         unshaded_ = trace_unshaded(pass, shapes, check);
         light_ = std::make_shared<StepLight>(trace(pass, shapes, simulator_, check));
@@ -121,10 +121,10 @@ void PlantLight::set_day(std::span<const double> parameters) {
         notices_.once(
             sky_ ? "J range" : "J without a sky",
             sky_ ? fmt::format(
-                       "J(day, clear, turbidity) is left out: the day is 1 to {}, the turbidity {} "
-                       "to {}",
+                       "J(day, clear, turbidity) is ignored: the day must be 1 to {}, the "
+                       "turbidity {} to {}",
                        kLastDay, kTurbidities.low, kTurbidities.high)
-                 : "J(day) changes nothing: the specification file has no sky of a place and day");
+                 : "J(day) has no effect: the specification file has no sky for a site and day");
         return;
     }
     SkyOfDay sky = *sky_;
@@ -142,7 +142,7 @@ void PlantLight::set_day(std::span<const double> parameters) {
 void PlantLight::set_rays(std::span<const double> parameters) {
     const double rays = parameters.empty() ? 0 : parameters[0];
     if (!(rays >= 1 && rays <= static_cast<double>(kMaxPaths))) {
-        notices_.once("Q range", "Q(rays) is left out: it takes a number of rays from 1 to 2^30");
+        notices_.once("Q range", "Q(rays) is ignored: it needs a number of rays from 1 to 2^30");
         return;
     }
     const auto count = static_cast<std::uint64_t>(rays);
@@ -253,10 +253,10 @@ void PlantLight::fill(const Query& query, std::uint32_t index, std::vector<doubl
     const std::size_t count = values.size() - before;
     if (count > query.slots) {
         notices_.once(
-            "slots", fmt::format(
-                         "a query has {} parameters, but {} values to take: those that are left "
-                         "are not sent",
-                         query.slots, count));
+            "slots",
+            fmt::format(
+                "a query has {} parameters for {} values; the remaining values are not sent",
+                query.slots, count));
     }
 }
 

@@ -58,8 +58,8 @@ std::optional<SkyTable> read_distribution(
         return std::nullopt;
     }
     numbers.notice(
-        "this is a distribution function, as MonteCarlo has it: what it grows by over a cell is "
-        "taken for the radiance of the cell, and the first angle for that from the zenith");
+        "this is a distribution function as in MonteCarlo: its increase over a cell is used as the "
+        "radiance of the cell, and the first angle as the zenith angle");
     const auto value = [&](std::size_t z, std::size_t a) { return (*samples)[a * zeniths + z]; };
     // Plant axes z and x are x and y here.
     SkyTable table{azimuths - 1, zeniths - 1, {}, 0, 1};
@@ -75,7 +75,7 @@ std::optional<SkyTable> read_distribution(
                     fmt::format(
                         "the distribution function falls by {:.3g} between samples {} and {}",
                         -growth, a * zeniths + z + 1, (a + 1) * zeniths + z + 2),
-                    "there would be less than no light");
+                    "radiances must not be negative");
                 return std::nullopt;
             }
             table.radiance.push_back(std::max(0.0, growth));
@@ -131,7 +131,7 @@ std::optional<SkyTable> read_sky_table(Values& numbers) {
         read_counted(numbers, static_cast<std::size_t>(*first), static_cast<std::size_t>(*second));
     const auto is_lit = [](double radiance) { return radiance > 0; };
     if (table && std::none_of(table->radiance.begin(), table->radiance.end(), is_lit)) {
-        numbers.fault("all radiances are 0", "such a sky is black");
+        numbers.fault("all radiances are 0", "the sky is black");
         return std::nullopt;
     }
     return table;

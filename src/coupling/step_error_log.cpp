@@ -16,15 +16,15 @@ void StepErrorLog::report_step(std::uint64_t step, const std::exception_ptr& fau
     }
     send_(
         fault ? fmt::format(
-                    "step {}: {}\nThe simulator goes on; modules without an answer keep the "
-                    "values they have.",
+                    "step {}: {}\nThe simulator continues; modules without an answer keep their "
+                    "values.",
                     step, text)
-              : fmt::format("step {}: it is answered again", step));
+              : fmt::format("step {}: answers continue", step));
     last_ = text;
 }
 
 void StepErrorLog::report_rejection(const std::exception_ptr& fault) {
-    send_(words_of(fault) + "\nThere will be no light.");
+    send_(words_of(fault) + "\nNo light is computed any more.");
 }
 
 std::string StepErrorLog::words_of(const std::exception_ptr& fault) {
@@ -39,7 +39,7 @@ std::string StepErrorLog::words_of(const std::exception_ptr& fault) {
     } catch (const std::exception& error) {
         worst_ = SessionOutcome::failed;
         return fmt::format(
-            "internal error: {}\nThis is a fault of the program; please report it.", error.what());
+            "internal error: {}\nThis is an error in the program; please report it.", error.what());
     }
 }
 

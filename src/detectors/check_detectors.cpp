@@ -63,7 +63,7 @@ std::vector<DetectorSpec> check_detectors(std::vector<DetectorSpec> specs, Fault
         spec.where = spec.where.empty() ? fmt::format("detector '{}'", spec.name) : spec.where;
         if (!names.insert(spec.name).second) {
             faults.add(
-                {spec.where, fmt::format("detector '{}' is there already", spec.name),
+                {spec.where, fmt::format("detector '{}' exists already", spec.name),
                  "names must be unique", "give it a name"});
         }
         if (const DetectorEntry* type = find_detector(spec.type)) {

@@ -166,7 +166,7 @@ void AtomicFile::open_straight() {
     }
     const int descriptor = open_pipe(path_);
     if (descriptor < 0 && errno == ENXIO) {
-        throw InputError({{path_.string(), "can't be written", "nothing reads this pipe", ""}});
+        throw InputError({{path_.string(), "can't be written", "no program reads this pipe", ""}});
     }
     file_ = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }

@@ -45,7 +45,7 @@ bool is_still(int file, const std::string& name) {
 [[noreturn]] void refuse_lock(const std::string& path, const std::string& owner) {
     throw InputError(
         {{path, "is in use by another run", owner.empty() ? "it holds the lock" : owner,
-          "wait for its end, or name another file"}});
+          "wait until that run ends, or name another file"}});
 }
 
 }  // namespace
@@ -73,8 +73,8 @@ FileLock::FileLock(const std::string& path) : name_(path + ".lock") {
     const std::string before = read_owner(file_->number());
     if (!before.empty() && !before.starts_with(kOwnerBegin)) {
         throw InputError(
-            {{name_, "is there already, and is no lock", "it would be overwritten, and removed",
-              "remove it, or name another file than " + path}});
+            {{name_, "exists and is not a lock file", "it would be overwritten and deleted",
+              "delete it, or name another file than " + path}});
     }
     const std::string owner = own_name();
     const bool is_named = ::ftruncate(file_->number(), 0) == 0 &&

@@ -54,7 +54,7 @@ std::string read_all(int descriptor, const fs::path& path) {
                 return text;
             }
             if (!wait_for_bytes(descriptor, kPatience)) {
-                cannot_read(path, "nothing writes into this pipe");
+                cannot_read(path, "no program writes into this pipe");
             }
             may_be_unwritten = false;
         } else if (errno == EAGAIN) {
@@ -70,8 +70,8 @@ std::string read_all(int descriptor, const fs::path& path) {
     struct stat status {};
     const bool is_known = ::fstat(descriptor, &status) == 0 && status.st_size > 0;
     cannot_read(
-        path, is_known ? fmt::format("there is no memory for its {} bytes", status.st_size)
-                       : "there is no memory for it");
+        path, is_known ? fmt::format("not enough memory for its {} bytes", status.st_size)
+                       : "not enough memory for it");
 }
 
 /// A device would never end.
@@ -96,7 +96,7 @@ void refuse_utf16(std::string_view bytes, const fs::path& path) {
          (bytes[0] == 0 && is_letter(bytes[1]) && bytes[2] == 0 && is_letter(bytes[3])));
     if (has_mark || alternates) {
         throw InputError(
-            {{path.string() + ":1", "is text in UTF-16", "text is read as UTF-8",
+            {{path.string() + ":1", "is text in UTF-16", "text must be UTF-8",
               "save it as UTF-8"}});
     }
 }
@@ -139,7 +139,7 @@ std::string InputFiles::read(const std::string& path) {
     if (path.empty() || path.find('\0') != std::string::npos) {
         throw InputError(
             {{"", "a file name is " + std::string(path.empty() ? "empty" : "broken"),
-              "it must name a file", ""}});
+              "give the name of a file", ""}});
     }
     const fs::path full = resolved(path);
     std::string bytes = reader_(full);

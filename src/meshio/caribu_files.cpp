@@ -22,7 +22,7 @@ std::optional<std::vector<double>> fractions_of_line(
         }
         const std::optional<double> fraction = parse_real(word);
         if (!fraction || !(*fraction >= 0 && *fraction <= 1)) {
-            reporter.fault(number, shown(word) + " is no number from 0 to 1", "");
+            reporter.fault(number, shown(word) + " is not a number from 0 to 1", "");
             return std::nullopt;
         }
         fractions.push_back(*fraction);
@@ -35,10 +35,10 @@ void read_species(
     constexpr std::size_t kNumbers = 5;
     if (f.size() != kNumbers) {
         reporter.fault(
-            line, fmt::format("a species of {} numbers", f.size()),
-            "it is: e d STEM d UPPER_R UPPER_T d LOWER_R LOWER_T");
+            line, fmt::format("a species has {} numbers", f.size()),
+            "write e d STEM d UPPER_R UPPER_T d LOWER_R LOWER_T");
     } else if (f[1] + f[2] > 1 || f[3] + f[4] > 1) {
-        reporter.fault(line, "a leaf whose reflectance + transmittance is more than 1", "");
+        reporter.fault(line, "reflectance + transmittance of a leaf exceeds 1", "");
     } else {
         optics.species.push_back({{f[0], 0}, {f[1], f[2]}, {f[3], f[4]}});
     }
@@ -60,44 +60,44 @@ CaribuOptics read_caribu_optics(std::string_view bytes, Reporter& reporter) {
             if (fractions && word == "e") {
                 read_species(*fractions, scanner.number(), optics, reporter);
             } else if (fractions && fractions->size() != 1) {
-                reporter.fault(scanner.number(), "a soil without one number", "it is: s d SOIL");
+                reporter.fault(scanner.number(), "a soil needs one number", "write s d SOIL");
             } else if (fractions) {
                 optics.soil = fractions->front();
             }
         } else if (!word.empty()) {
             reporter.fault(
-                scanner.number(), shown(word) + " begins no line of optics",
-                "lines begin with n (number of species), s (soil) or e (a species)");
+                scanner.number(), shown(word) + " is not the beginning of a line of optics",
+                "lines must begin with n (number of species), s (soil) or e (a species)");
         }
     }
     const auto count = static_cast<std::int64_t>(optics.species.size());
     if (reporter.faults.empty() && given.value_or(count) != count) {
         reporter.faults.add(
-            {reporter.file, fmt::format("states {} species and has {}", *given, count), "", ""});
+            {reporter.file, fmt::format("says {} species and has {}", *given, count), "", ""});
     }
     return optics;
 }
 
 std::vector<CaribuLight> read_caribu_light(std::string_view bytes, Reporter& reporter) {
-    const std::string rule = "a line holds the irradiance on the horizontal and a direction";
+    const std::string rule = "a line contains the irradiance on the horizontal and a direction";
     std::vector<CaribuLight> lights;
     const auto add = [&](const std::vector<double>& numbers, std::uint32_t line) {
         if (numbers[0] < 0) {
-            reporter.fault(line, "the irradiance is less than 0", rule);
+            reporter.fault(line, "the irradiance is negative", rule);
         } else {
             lights.push_back({numbers[0], point_at(numbers, 1)});
         }
     };
     take_number_lines(bytes, 4, rule, reporter, add);
     if (lights.empty() && reporter.faults.empty()) {
-        reporter.faults.add({reporter.file, "holds no light", rule, ""});
+        reporter.faults.add({reporter.file, "contains no light", rule, ""});
     }
     return lights;
 }
 
 std::optional<std::array<double, 4>> read_caribu_pattern(
     std::string_view bytes, Reporter& reporter) {
-    const std::string rule = "it holds x y of two corners";
+    const std::string rule = "it must contain x y of two corners";
     std::vector<double> all;
     LineScanner scanner(bytes);
     while (scanner.next() && !reporter.is_full()) {
@@ -111,7 +111,7 @@ std::optional<std::array<double, 4>> read_caribu_pattern(
         return std::nullopt;
     }
     if (all.size() != 4 || all[0] == all[2] || all[1] == all[3]) {
-        reporter.faults.add({reporter.file, "is no rectangle", rule, ""});
+        reporter.faults.add({reporter.file, "is not a rectangle", rule, ""});
         return std::nullopt;
     }
     return std::array{

@@ -99,10 +99,10 @@ std::string describe_float_steps(
         return "";
     }
     return fmt::format(
-        "its coordinates are in single precision, which has steps of {:.2g} near {} = {:.7g}, and "
-        "its median triangle is {:.2g} high: shapes and areas are wrong by that rounding; subtract "
-        "an origin before the file is written, or write it in double precision (PLY with property "
-        "double, OBJ with all digits)",
+        "its coordinates are in single precision, with steps of {:.2g} near {} = {:.7g}, and its "
+        "median triangle is {:.2g} high: rounding changes shapes and areas; subtract an origin "
+        "before writing the file, or write it in double precision (PLY with property double, OBJ "
+        "with all digits)",
         worst.step, kAxes[worst_axis], worst.at, height);
 }
 

@@ -14,7 +14,7 @@
 namespace quasimc {
 
 // To add a format of geometry, tools/new.py format NAME makes read_name.cpp, its test and
-// docs/formats/name.md, and enters the format in this table, the only list of formats: the
+// docs/reference/name.md, and enters the format in this table, the only list of formats: the
 // `format` key of the run file, the choice by extension, `quasimc list formats`, `quasimc convert`
 // (of a format that has a writer), the messages and the fuzz target all follow from the row
 // (tests/fuzz/CMakeLists.txt reads the names). Files that once broke a reader go to
@@ -29,7 +29,7 @@ std::span<const FormatEntry> format_table() {
         FormatEntry{
             .name = "tri",
             .extensions = ".tri .txt",
-            .summary = "nine numbers a line: the corners of a triangle",
+            .summary = "nine numbers in a line: the corners of a triangle",
             .organs = "each",
             .read = read_tri,
             .write = write_tri},
@@ -57,8 +57,8 @@ std::span<const FormatEntry> format_table() {
         FormatEntry{
             .name = "can",
             .extensions = ".can",
-            .summary = "Caribu; what has one label is an organ",
-            .keeps = "ids of Caribu's kind, optical species",
+            .summary = "Caribu; polygons with one label are an organ",
+            .keeps = "Caribu ids, optical species",
             .read = read_can,
             .write = write_can},
         FormatEntry{
@@ -78,14 +78,14 @@ std::span<const FormatEntry> format_table() {
         FormatEntry{
             .name = "ops",
             .extensions = ".ops",
-            .summary = "AMAP's open plant scene: plants and where they stand",
+            .summary = "AMAP's open plant scene: plants and their positions",
             .keeps = "names, materials, labels",
             .read = read_ops,
             .has_units = true},
         FormatEntry{
             .name = "fasttracer",
             .extensions = ".fasttracer",
-            .summary = "fastTracer's 17 columns; what has the same five numbers is an organ",
+            .summary = "fastTracer's 17 columns; triangles with the same five ids are an organ",
             .keeps = "names, materials, labels",
             .read = read_fasttracer},
         FormatEntry{
@@ -133,8 +133,8 @@ double FormatContext::units_per_metre() {
     const std::optional<double> metres = metres_per(length_unit);
     if (!metres) {
         reporter.warn(fmt::format(
-            "its lengths are in metres, and how long the scene's unit '{}' is is not known: "
-            "they are taken as they are",
+            "its lengths are in metres, and the length of the scene's unit '{}' is unknown: they "
+            "are not converted",
             one_line(length_unit)));
     }
     return 1 / metres.value_or(1);
@@ -153,8 +153,8 @@ void CrossedFaces::add(std::string_view word, std::uint64_t number) {
 void CrossedFaces::warn(Reporter& reporter) const {
     if (count > 0) {
         reporter.warn(fmt::format(
-            "{} faces have sides that cross each other, the first is {}: each is cut into "
-            "triangles from its first corner",
+            "{} faces have sides that intersect, the first is {}; each is divided into triangles "
+            "from its first corner",
             count, first));
     }
 }

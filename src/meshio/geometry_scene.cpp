@@ -79,7 +79,7 @@ std::vector<Warning> lost_when_written(const FormatEntry& format, const Scene& s
             lost.push_back(
                 {std::string(format.name),
                  fmt::format(
-                     "{} not written: this format has no place for them; {} keep them", things,
+                     "{} not written: this format does not support them; {} do", things,
                      keepers(word))});
         }
     };
@@ -110,7 +110,7 @@ GeometryScene read_geometry_scene(const std::string& path, const FormatEntry& fo
     reporter.faults.throw_if_any();
     if (file.groups.empty() || file.groups.front().parts.empty() ||
         file.groups.front().parts.front().faces.empty()) {
-        throw InputError({{path, "holds no triangle", "", ""}});
+        throw InputError({{path, "contains no triangle", "", ""}});
     }
     SceneBuilder builder({{"none"}});
     add_materials(file, builder);

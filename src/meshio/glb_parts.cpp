@@ -95,7 +95,7 @@ void GlbParts::write(
     json += ",\"accessors\":[" + accessors_ + "]}";
     json.resize(padded(json.size()), ' ');
     if (kGlbHeaders + json.size() + bytes > kMost) {
-        throw InputError({{"GLB", "the file would have 4 GiB or more", "no GLB file can", ""}});
+        throw InputError({{"GLB", "the file would have 4 GiB or more", "GLB files have less", ""}});
     }
     std::string head = "glTF";
     append_little_endian(head, std::uint32_t{2});

@@ -55,7 +55,7 @@ constexpr std::uint32_t kGlbVersion = 2, kJsonChunk = 0x4E4F534A, kBinaryChunk =
 
 std::optional<GltfContainer> open_glb(std::string_view bytes, Reporter& reporter) {
     if (bytes.size() < kGlbHeader + kGlbChunkHeader) {
-        reporter.fault(0, "the file is cut short", "a GLB file has a header and a part of JSON");
+        reporter.fault(0, "the file is incomplete", "a GLB file needs a header and a JSON chunk");
         return std::nullopt;
     }
     const auto version = little_endian_at<std::uint32_t>(bytes, 4);
@@ -68,13 +68,13 @@ std::optional<GltfContainer> open_glb(std::string_view bytes, Reporter& reporter
     const auto given = little_endian_at<std::uint32_t>(bytes, 8);
     if (given > bytes.size()) {
         reporter.fault(
-            0, "the file is cut short",
-            fmt::format("its header states {} bytes, it has {}", given, bytes.size()));
+            0, "the file is incomplete",
+            fmt::format("its header says {} bytes, it has {}", given, bytes.size()));
         return std::nullopt;
     }
     if (given < bytes.size()) {
         reporter.warn(fmt::format(
-            "its header states {} bytes, it has {}: the rest is not read", given, bytes.size()));
+            "its header says {} bytes, it has {}; the rest is not read", given, bytes.size()));
     }
     GltfContainer parts;
     bytes = bytes.substr(0, given).substr(std::min<std::size_t>(kGlbHeader, given));
@@ -83,7 +83,7 @@ std::optional<GltfContainer> open_glb(std::string_view bytes, Reporter& reporter
         const auto type = little_endian_at<std::uint32_t>(bytes, 4);
         bytes.remove_prefix(kGlbChunkHeader);
         if (size > bytes.size()) {
-            reporter.fault(0, "a part of the file reaches beyond its end", "its length is wrong");
+            reporter.fault(0, "a chunk extends beyond the end of the file", "its length is wrong");
             return std::nullopt;
         }
         if (type == kJsonChunk && parts.json.empty()) {
@@ -131,14 +131,14 @@ std::string read_gltf_uri(std::string_view uri, FormatContext& context) {
             return refuse("its data are not in base64");
         }
         const auto bytes = decode_base64(uri.substr(at + kBase64.size()));
-        return bytes ? *bytes : refuse("its data are no base64 text");
+        return bytes ? *bytes : refuse("its data are not base64");
     }
     const std::string path = without_escapes(uri);
     if (path.find("://") != std::string::npos) {
-        return refuse("files on the network are not read");
+        return refuse("network files are not supported");
     }
     if (path.empty() || path.find('\0') != std::string::npos) {
-        return refuse("its name is no name of a file");
+        return refuse("its URI is not a file name");
     }
     return context.files.read(path.front() == '/' ? path : context.folder + path);
 }
@@ -193,7 +193,7 @@ void GltfBuffers::read_buffer(const Node& json, std::size_t number, FormatContex
     const std::uint64_t size = bytes_[number]->size();
     if (*length > size || size - *length > kPadding) {
         context.reporter.warn(fmt::format(
-            "{} has {} bytes, its byteLength is {}: the file may be cut short or damaged", where,
+            "{} has {} bytes, its byteLength is {}: the file may be incomplete or damaged", where,
             size, *length));
     }
 }
@@ -226,13 +226,13 @@ std::optional<std::pair<std::string_view, std::uint64_t>> GltfBuffers::view_byte
     if (!bytes_[*buffer]) {
         values_.fault(
             fmt::format("{}: buffer {} has no bytes", where, *buffer),
-            "they are neither beside the file nor in it");
+            "they are neither in the file nor beside it");
         return std::nullopt;
     }
     const std::uint64_t size = bytes_[*buffer]->size();
     if (first > size || length > size - first || offset > length) {
         values_.fault(
-            fmt::format("{}: its bytes are not there", where),
+            fmt::format("{}: its bytes are missing", where),
             fmt::format("buffer {} has {}", *buffer, size));
         return std::nullopt;
     }
@@ -257,8 +257,8 @@ bool GltfBuffers::find_bytes(const Node& json, GltfAccessor& accessor, const std
                                      count - 1 <= (bytes.size() - element) / accessor.stride);
     if (!fits) {
         values_.fault(
-            fmt::format("{}: there is no room for {} elements in its bufferView", where, count),
-            fmt::format("from where it begins, that has {} bytes", bytes.size()));
+            fmt::format("{}: {} elements do not fit in its bufferView", where, count),
+            fmt::format("it has {} bytes after the offset", bytes.size()));
     }
     return fits;
 }
@@ -277,16 +277,17 @@ std::optional<GltfAccessor> GltfBuffers::accessor(std::size_t number) {
     accessor.high = gltf_numbers(json, "max");
     accessor.is_normalized = flag != nullptr && *flag;
     if (accessor.components == 0 || component_bytes(accessor.component_type) == 0) {
-        values_.fault(where + " has no type that is known", "");
+        values_.fault(where + " has an unknown type", "");
         return std::nullopt;
     }
     if (json.find("sparse") != nullptr) {
         values_.fault(
-            where + " is sparse", "sparse accessors are not read", "export it with all numbers");
+            where + " is sparse", "sparse accessors are not supported",
+            "export without sparse accessors");
         return std::nullopt;
     }
     if (json.find("bufferView") == nullptr) {
-        values_.fault(where + " names no bufferView", "its numbers would all be 0");
+        values_.fault(where + " has no bufferView", "all its numbers would be 0");
         return std::nullopt;
     }
     return find_bytes(json, accessor, where) ? std::optional(accessor) : std::nullopt;

@@ -89,15 +89,15 @@ class GltfDocumentReader {
         const std::string version = asset != nullptr ? gltf_text(*asset, "version") : "";
         if (!version.starts_with("2.")) {
             values_.fault(
-                "it is no glTF 2.0",
-                version.empty() ? "it has no asset with a version" : "its version is " + version,
+                "it is not glTF 2.0",
+                version.empty() ? "its asset.version is missing" : "its version is " + version,
                 "export it as glTF 2.0");
             return;
         }
         const std::string least = gltf_text(*asset, "minVersion");
         if (!least.empty() && least != "2.0") {
             values_.fault(
-                "it needs a reader of glTF " + least, "its minVersion says so; 2.0 is read",
+                "it needs a reader of glTF " + least, "minVersion; version 2.0 is supported",
                 "export it as glTF 2.0");
         }
     }
@@ -107,8 +107,8 @@ class GltfDocumentReader {
             const auto* name = extension.as<std::string>();
             if (name != nullptr && !is_harmless(*name)) {
                 values_.fault(
-                    fmt::format("it requires the extension {}", shown(*name)), "that is not read",
-                    "export it without that, or without compression");
+                    fmt::format("it requires the extension {}", shown(*name)),
+                    "it is not supported", "export without it, or without compression");
             }
         }
     }
@@ -172,8 +172,8 @@ class GltfDocumentReader {
         });
         if (is_blended) {
             values_.fault(
-                where + " blends several shapes (weights)", "such meshes are not read",
-                "apply the shape keys and export it anew");
+                where + " has morph targets (weights)", "they are not supported",
+                "apply the shape keys and export again");
         }
     }
 
@@ -196,13 +196,13 @@ class GltfDocumentReader {
     void refuse_deformed(const Node& json, const std::string& where) {
         if (json.find("skin") != nullptr && json.find("mesh") != nullptr) {
             values_.fault(
-                where + " has a skin", "meshes that bones deform are not read",
-                "apply the armature and export it anew");
+                where + " has a skin", "skinned meshes are not supported",
+                "apply the armature and export again");
         }
         const Node* extensions = json.find("extensions");
         if (extensions != nullptr && extensions->find("EXT_mesh_gpu_instancing") != nullptr) {
             values_.fault(
-                where + " has the extension 'EXT_mesh_gpu_instancing'", "that is not read",
+                where + " has the extension 'EXT_mesh_gpu_instancing'", "it is not supported",
                 "export each copy as a node");
         }
     }
@@ -236,8 +236,9 @@ class GltfDocumentReader {
             for (const std::size_t number : numbers) {
                 if (++parents[number] == 2) {
                     values_.fault(
-                        fmt::format("node {} is below two nodes, or twice in the scene", number),
-                        "nodes are trees");
+                        fmt::format(
+                            "node {} has two parents, or appears twice in the scene", number),
+                        "nodes must form trees");
                 }
             }
         };

@@ -100,7 +100,7 @@ void warn_of_unknown_keys(const Node& root, Reporter& reporter) {
     }
     if (unknown.count > 0) {
         reporter.warn(fmt::format(
-            "keys that glTF 2.0 does not have are left out: {} in all, the first is {}",
+            "keys that glTF 2.0 does not have are ignored: {} in total, the first is {}",
             unknown.count, unknown.first));
     }
 }

@@ -53,7 +53,8 @@ std::optional<Mesh> GltfShapes::triangles(const GltfPrimitive& primitive) {
     }
     if (primitive.mode == CornerOrder::triangles && corners->size() % 3 != 0) {
         values_.fault(
-            fmt::format("a part with {} corners", corners->size()), "triangles have three each");
+            fmt::format("a primitive with {} vertices", corners->size()),
+            "it must be a multiple of 3");
         return std::nullopt;
     }
     Mesh triangles{std::move(*points), faces_of(primitive.mode, *corners)};
@@ -68,8 +69,8 @@ std::optional<Mesh> GltfShapes::triangles(const GltfPrimitive& primitive) {
 void GltfShapes::finish() {
     if (other_bounds_.count > 0) {
         reporter_.warn(fmt::format(
-            "points are not within the min and max that the file gives for them ({} accessors, the "
-            "first is {}): a type or an offset may be wrong, or the file is damaged",
+            "points are outside the min and max of their accessor ({} accessors, the first is {}): "
+            "a type or an offset may be wrong, or the file is damaged",
             other_bounds_.count, other_bounds_.first));
     }
     if (coarse_.count > 0) {
@@ -89,8 +90,8 @@ std::optional<std::vector<Vec3>> GltfShapes::read_points(std::size_t number) {
     constexpr std::uint32_t kUint32 = 5125;
     if (accessor->components != kAxes || accessor->component_type == kUint32) {
         values_.fault(
-            fmt::format("accessor {} is no list of points", number),
-            "it needs VEC3 of float, or of quantized 8 or 16 bits");
+            fmt::format("accessor {} is not a list of points", number),
+            "it must be VEC3 of float, or of quantized 8 or 16 bits");
         return std::nullopt;
     }
     std::vector<Vec3> points;
@@ -138,8 +139,8 @@ std::optional<std::vector<std::uint32_t>> GltfShapes::read_indices(
     }
     if (accessor->components != 1 || !accessor->is_whole()) {
         values_.fault(
-            fmt::format("accessor {} is no list of indices", number),
-            "it needs SCALAR of integers");
+            fmt::format("accessor {} is not a list of indices", number),
+            "it must be SCALAR of integers");
         return std::nullopt;
     }
     std::vector<std::uint32_t> indices;
@@ -148,7 +149,7 @@ std::optional<std::vector<std::uint32_t>> GltfShapes::read_indices(
         const double index = accessor->at(i, 0);
         if (!(index >= 0 && index < static_cast<double>(count))) {
             values_.fault(
-                fmt::format("accessor {}: index {} names vertex {}", number, i, index),
+                fmt::format("accessor {}: index {} refers to vertex {}", number, i, index),
                 fmt::format("there are {}, counted from 0", count));
             return std::nullopt;
         }

@@ -46,7 +46,7 @@ std::optional<std::uint64_t> GltfValues::whole(
     const Node* value = object.find(key);
     const auto number = value != nullptr ? whole_of(*value) : std::nullopt;
     if (value != nullptr && !number) {
-        fault(fmt::format("{}: {} is no whole number", where, key), "it must be 0 or more");
+        fault(fmt::format("{}: {} is not a whole number", where, key), "it must be 0 or more");
     }
     return number;
 }
@@ -56,7 +56,7 @@ std::optional<std::size_t> GltfValues::index_of(
     const auto number = whole_of(value);
     if (!number || *number >= count) {
         fault(
-            fmt::format("{}: {} names nothing that is there", where, key),
+            fmt::format("{}: {} refers to a missing item", where, key),
             fmt::format("there are {}, counted from 0", count));
         return std::nullopt;
     }
@@ -87,7 +87,7 @@ std::optional<std::vector<double>> GltfValues::numbers(
     }
     std::vector<double> all = gltf_numbers(object, key);
     if (all.size() != count || gltf_list(object, key).size() != count) {
-        fault(fmt::format("{}: {} is no list of {} finite numbers", where, key, count), "");
+        fault(fmt::format("{}: {} is not a list of {} finite numbers", where, key, count), "");
         return std::nullopt;
     }
     return all;
@@ -95,7 +95,9 @@ std::optional<std::vector<double>> GltfValues::numbers(
 
 Affine GltfValues::matrix(const std::vector<double>& m, const std::string& where) {
     if (m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1) {
-        fault(where + ": its matrix is none of scale, rotation and shift", "", "apply it");
+        fault(
+            where + ": its matrix is not composed of scale, rotation and translation", "",
+            "apply it");
     }
     return {
         {Vec3{m[0], m[4], m[8]}, Vec3{m[1], m[5], m[9]}, Vec3{m[2], m[6], m[10]}},
@@ -117,7 +119,7 @@ Affine GltfValues::transform(const Node& node, const std::string& where) {
     const double size =
         turn[0] * turn[0] + turn[1] * turn[1] + turn[2] * turn[2] + turn[3] * turn[3];
     if (!(size > 0) || !std::isfinite(2 / size)) {
-        fault(where + ": its rotation is no unit quaternion", "");
+        fault(where + ": its rotation is not a unit quaternion", "");
         return result;
     }
     result.rows = rotation_rows(turn, {scale[0], scale[1], scale[2]});

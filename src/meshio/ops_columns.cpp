@@ -60,7 +60,7 @@ std::optional<OpsNumbers> OpsColumns::numbers_of(
         reporter.fault(
             line, fmt::format("{} fields", fields.size()),
             "a plant has ten: scene, plant, file, x, y, z, scale, azimuth and angle of "
-            "inclination, twist; in the old layout nine, without the scale");
+            "inclination, twist; nine (without scale) in the old layout");
         return std::nullopt;
     }
     std::vector<double> numbers;
@@ -111,10 +111,10 @@ void OpsColumns::Notes::warn(std::string_view text, Reporter& reporter) const {
 
 void OpsColumns::warn(Reporter& reporter) const {
     old_.warn(
-        "no scale: their lines are read in the old layout, in which the azimuth of the "
-        "inclination follows z",
+        "no scale: their lines are read in the old layout, where the azimuth of the inclination "
+        "follows z",
         reporter);
-    unscaled_.warn("the scale 0, which is taken as 1", reporter);
+    unscaled_.warn("the scale 0, and 1 is used", reporter);
     turned_.warn(
         "an angle beyond a full turn (2 pi): angles in an OPS file are radians, not degrees",
         reporter);

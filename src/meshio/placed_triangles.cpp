@@ -52,7 +52,7 @@ void drop_repeated_ids(MeshFile& file, std::string_view word, Reporter& reporter
         return;
     }
     reporter.warn(fmt::format(
-        "{} with the id of another: organs are counted instead",
+        "{} with the id of another: organs are numbered instead",
         counted(repeated, word, word == "mesh" ? "meshes" : "")));
     for (MeshGroup& group : file.groups) {
         group.id.reset();

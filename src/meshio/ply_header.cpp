@@ -85,7 +85,7 @@ class HeaderReader {
             return "";
         }
         const bool is_harmless = word.empty() || word == "obj_info";
-        return is_harmless ? "" : shown(word) + " is no line of a PLY header";
+        return is_harmless ? "" : shown(word) + " is not a line of a PLY header";
     }
 
     /// What the whole header lacks, or "".
@@ -96,7 +96,7 @@ class HeaderReader {
         for (const auto& [element, role] : kNeeded) {
             if (!has(element, role)) {
                 return fmt::format(
-                    "its header names no {} with {}", element,
+                    "its header has no {} with {}", element,
                     role == PlyRole::corners ? "vertex_indices" : "x, y and z");
             }
         }
@@ -105,10 +105,10 @@ class HeaderReader {
                 break;
             }
             if (element.name == "face") {
-                return "the faces come before the vertices";
+                return "faces come before vertices";
             }
         }
-        return has_format ? "" : "its header names no format";
+        return has_format ? "" : "its header has no format";
     }
 
     PlyHeader header;
@@ -131,8 +131,7 @@ class HeaderReader {
         const auto encoding = look_up(kEncodings, name);
         if (!encoding || take_word(line) != "1.0") {
             return shown(name) +
-                   " is no format that is known: ascii, binary_little_endian or "
-                   "binary_big_endian, 1.0";
+                   " is not a known format: ascii, binary_little_endian or binary_big_endian, 1.0";
         }
         header.encoding = *encoding;
         has_format = true;
@@ -145,11 +144,11 @@ class HeaderReader {
         const std::string_view word = take_word(line);
         const std::optional<std::int64_t> count = parse_integer(word);
         if (!count || *count < 0) {
-            return shown(word) + " is no number of elements";
+            return shown(word) + " is not a number of elements";
         }
         element.count = static_cast<std::uint64_t>(*count);
         if (element.name == "vertex" && has("vertex", PlyRole::x)) {
-            return "element 'vertex' is there twice";
+            return "element 'vertex' is given twice";
         }
         header.elements.push_back(std::move(element));
         return "";
@@ -167,14 +166,14 @@ class HeaderReader {
             const std::string_view count_type = take_word(line);
             const auto found = look_up(kTypes, count_type);
             if (!found) {
-                return shown(count_type) + " is no type of PLY";
+                return shown(count_type) + " is not a PLY type";
             }
             property.count_type = *found;
             type = take_word(line);
         }
         const auto found = look_up(kTypes, type);
         if (!found) {
-            return shown(type) + " is no type of PLY";
+            return shown(type) + " is not a PLY type";
         }
         property.type = *found;
         property.name = take_word(line);
@@ -185,7 +184,7 @@ class HeaderReader {
             });
         if (is_known) {
             return fmt::format(
-                "{} has two properties like {}", shown(element.name), shown(property.name));
+                "{} has property {} twice", shown(element.name), shown(property.name));
         }
         element.properties.push_back(std::move(property));
         return "";
@@ -228,7 +227,7 @@ std::optional<PlyHeader> read_ply_header(std::string_view bytes, Reporter& repor
             return std::nullopt;
         }
     }
-    reporter.fault(scanner.number(), "the header does not end", "there is no line end_header");
+    reporter.fault(scanner.number(), "the header has no end", "the line end_header is missing");
     return std::nullopt;
 }
 

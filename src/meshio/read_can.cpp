@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-const std::string kCanLine = "a line holds: p 1 LABEL 3 and x y z of three corners";
+const std::string kCanLine = "a line contains p 1 LABEL 3 and x y z of three corners";
 
 /// What the lines of a file have built so far: a group for each label.
 class CanReader {
@@ -37,15 +37,14 @@ class CanReader {
         const auto attributes = parse_integer(take_word(line));
         const std::string_view label = take_word(line);
         if (type != "p" || !attributes || *attributes < 1 || *attributes > kMaxAttributes) {
-            fault(shown(type) + " is no polygon with a label");
+            fault(shown(type) + " is not a polygon with a label");
             return;
         }
         const std::optional<std::int64_t> number = can_label_number(label);
         if (!number) {
             reporter_.fault(
-                line_, shown(label) + " is no label",
-                "a label has up to 15 digits: species, 5 of the plant, 3 of the leaf, 3 of the "
-                "element");
+                line_, shown(label) + " is not a label",
+                "a label has up to 15 digits: species, plant (5), leaf (3), element (3)");
             return;
         }
         for (std::int64_t i = 1; i < *attributes; ++i) {

@@ -7,13 +7,14 @@ namespace quasimc {
 MeshFile read_def(std::string_view bytes, FormatContext& context) {
     constexpr std::size_t kNumbers = 7;
     constexpr int kSides = 12;
-    const std::string rule = "a line holds the radius of a leaf, its centre and its normal";
+    const std::string rule = "a line contains the radius of a leaf, its centre and its normal";
     MeshFile mesh{{}, {}, "line", {}};
     const auto add_leaf = [&](const std::vector<double>& numbers, std::uint32_t number) {
         const Vec3 normal = point_at(numbers, 4);
         const double across = length(normal);
         if (!(numbers[0] > 0) || !(across > 0) || !std::isfinite(across)) {
-            context.reporter.fault(number, "the radius or the normal is not more than 0", rule);
+            context.reporter.fault(
+                number, "the radius or the length of the normal is not positive", rule);
             return;
         }
         const Mesh disk =

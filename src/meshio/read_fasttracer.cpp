@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kColumns = 17, kIds = 5;
 const std::string kFastTracerLine =
-    "a line holds 17 numbers: five ids, x y z of three corners, nitrogen, transmittance, "
+    "a line contains 17 numbers: five ids, x y z of three corners, nitrogen, transmittance, "
     "reflectance";
 
 /// What the lines of a file have built so far: a group for each five ids, a material for each pair
@@ -36,7 +36,7 @@ class FastTracerReader {
             reporter_.fault(
                 line,
                 fmt::format("transmittance {} and reflectance {}", transmittance, reflectance),
-                "both are 0 or more, and at most 1 together");
+                "both must be at least 0, and their sum at most 1");
             return;
         }
         const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());

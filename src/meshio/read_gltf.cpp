@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "meshio/file_axes.h"
 #include "meshio/formats.h"
 #include "meshio/gltf_buffers.h"
@@ -63,8 +64,7 @@ class GltfSceneReader {
         const GltfNode& node = document_.nodes[open.node];
         const GltfMesh& mesh = document_.meshes[*node.mesh];
         const std::string& name = node.name.empty() ? mesh.name : node.name;
-        MeshGroup group{
-            name.empty() ? fmt::format("node {}", open.node) : name, node.organ_id, {}};
+        MeshGroup group{name.empty() ? fmt::format("node {}", open.node) : name, node.organ_id, {}};
         const auto line = static_cast<std::uint32_t>(open.node);
         const std::vector<Mesh>& shapes = shapes_of(*node.mesh);
         for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -137,8 +137,8 @@ class GltfSceneReader {
             }
         }
         if (without_triangles_ > 0) {
-            context_.reporter.warn(
-                fmt::format("{} parts are lines or points: left out", without_triangles_));
+            context_.reporter.warn(fmt::format(
+                "{} of lines or points left out", counted(without_triangles_, "primitive")));
         }
         shapes_.finish();
         drop_repeated_ids(file_, "node", context_.reporter);

@@ -85,7 +85,7 @@ class GwaReader {
 MeshFile read_gwa(std::string_view bytes, FormatContext& context) {
     const XmlFile xml(bytes, context.reporter);
     if (!xml.root().empty() && xml.root().name() != std::string_view("gwa")) {
-        context.reporter.fault(0, "it is no GWA file", "its outermost element is not <gwa>");
+        context.reporter.fault(0, "it is not a GWA file", "its outermost element is not <gwa>");
         return {{}, {}, "line", {}};
     }
     return GwaReader(xml, context.reporter).read();

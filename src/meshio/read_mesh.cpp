@@ -110,11 +110,11 @@ void warn_of_opacity(
 /// Warns of masks and of transparency, which are not read, with the area concerned.
 void warn_of_unread_opacity(const MeshFile& file, Reporter& reporter) {
     warn_of_opacity(
-        file, file.masks, "textures that can cut out parts of a face",
-        "masks are not read, and each face counts whole", reporter);
+        file, file.masks, "textures that may mask parts of a face",
+        "masks are not read; faces are opaque", reporter);
     warn_of_opacity(
-        file, file.transparent, "an opacity below 1",
-        "opacity is not read, and each face counts as a surface", reporter);
+        file, file.transparent, "an opacity below 1", "opacity is not read; faces are opaque",
+        reporter);
 }
 
 }  // namespace

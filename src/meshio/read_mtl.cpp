@@ -88,7 +88,7 @@ class MtlReader {
     void finish() {
         if (material_ && !own_.insert(material_->name).second) {
             context_.reporter.warn(fmt::format(
-                "material {} is there twice: the first counts", shown(material_->name)));
+                "material {} is given twice; the first is used", shown(material_->name)));
         }
         if (material_ && known_.insert(material_->name).second) {
             if (!mask_.empty()) {

@@ -88,7 +88,7 @@ class ObjReader {
             const std::optional<double> number = parse_real(word);
             if (!number || !std::isfinite(*number)) {
                 fault(
-                    word.empty() ? "a vertex of less than three numbers"
+                    word.empty() ? "a vertex with less than three numbers"
                                  : shown(word) + " is not a finite number");
                 break;
             }
@@ -104,9 +104,9 @@ class ObjReader {
             const auto number = read_corner(word.substr(0, word.find('/')));
             if (!number) {
                 fault(
-                    shown(word) + " names no vertex",
+                    shown(word) + " is not a vertex",
                     fmt::format(
-                        "{} vertices come before it, counted from 1, or from the last as -1",
+                        "there are {} vertices above it, counted from 1, or from the last as -1",
                         vertices_.size()));
                 return;
             }
@@ -115,7 +115,7 @@ class ObjReader {
         }
         if (corners_.size() < 3 || corners_.size() > kMaxCorners) {
             fault(
-                fmt::format("a face of {} corners", corners_.size()),
+                fmt::format("a face with {} corners", corners_.size()),
                 fmt::format("a face has 3 to {}", kMaxCorners));
             return;
         }
@@ -193,7 +193,7 @@ class ObjReader {
         constexpr std::array<std::string_view, 9> kSurfaces{
             "curv", "curv2", "surf", "cstype", "deg", "bmat", "step", "parm", "end"};
         if (std::find(kSurfaces.begin(), kSurfaces.end(), word) == kSurfaces.end()) {
-            fault(shown(word) + " is no statement of OBJ");
+            fault(shown(word) + " is not an OBJ statement");
         } else if (warned_.insert(std::string(word)).second) {
             warn(shown(word) + " is ignored: free-form curves and surfaces are not read");
         }

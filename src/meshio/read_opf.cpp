@@ -62,7 +62,8 @@ class OpfReader : pugi::xml_tree_walker {
     MeshFile read() {
         xml_.root().parent().traverse(*this);
         if (!xml_.root().empty() && !has_topology_ && !reporter_.is_full()) {
-            reporter_.faults.add({reporter_.file, "has no <topology>", "it is no OPF file", ""});
+            reporter_.faults.add(
+                {reporter_.file, "has no <topology>", "it is not an OPF file", ""});
         }
         crossed_.warn(reporter_);
         if (without_girth_ > 0) {
@@ -113,7 +114,7 @@ class OpfReader : pugi::xml_tree_walker {
         const std::string text = xml_text(element);
         const auto number = parse_integer(text);
         if (element && !number) {
-            xml_.fault(element, shown(text) + " is no whole number");
+            xml_.fault(element, shown(text) + " is not a whole number");
         }
         return number;
     }
@@ -122,7 +123,7 @@ class OpfReader : pugi::xml_tree_walker {
     void read_mesh(pugi::xml_node element) {
         const std::int64_t id = id_of(element, "Id");
         if (meshes_.contains(id)) {
-            xml_.fault(element, fmt::format("its Id {} is that of another mesh", id));
+            xml_.fault(element, fmt::format("its Id {} is used by another mesh", id));
             return;
         }
         const pugi::xml_attribute scaled = element.attribute("enableScale");
@@ -146,8 +147,8 @@ class OpfReader : pugi::xml_tree_walker {
         }
         if (m->size() != 12) {
             xml_.fault(
-                element, fmt::format("<mat> holds {} numbers", m->size()),
-                "it has three rows of four");
+                element, fmt::format("<mat> has {} numbers", m->size()),
+                "it must have three rows of four");
             return std::nullopt;
         }
         const auto row = [&m](std::size_t i) { return Vec3{(*m)[i], (*m)[i + 1], (*m)[i + 2]}; };
@@ -190,7 +191,7 @@ class OpfReader : pugi::xml_tree_walker {
         if (mesh == meshes_.end()) {
             xml_.fault(
                 geometry, fmt::format("there is no shape {} with a mesh", *number),
-                "<shapeBDD> and <meshBDD> come before <topology>");
+                "<shapeBDD> and <meshBDD> must come before <topology>");
             return;
         }
         double down = diameter(geometry, "dDwn"), up = diameter(geometry, "dUp");

@@ -140,7 +140,7 @@ class OpsReader {
             reporter_.fault(
                 row.line, fmt::format("the format of {} can't be read", shown(row.file)), "",
                 foreign != nullptr ? std::string(foreign->advice)
-                                   : "plants are OPF, or of another format of geometry");
+                                   : "plants must be OPF or another geometry format");
             return std::nullopt;
         }
         const std::string path = context_.folder + row.file;
@@ -206,9 +206,9 @@ class OpsReader {
         columns_.warn(reporter_);
         if (largest_ > 0) {
             reporter_.warn(fmt::format(
-                "plants are taken to be in centimetres and their places in metres, as in "
-                "AMAP's programs: the largest plant measures {:.3g} m; give plant_unit in "
-                "[[geometry]] (\"cm\", \"m\", ...) if that is not so, or to say that it is",
+                "plants are read in centimetres and their positions in metres, as in AMAP's "
+                "programs; the largest plant is {:.3g} m large; set plant_unit in [[geometry]] "
+                "(\"cm\", \"m\", ...) to confirm or change it",
                 largest_ / unit_));
         }
     }

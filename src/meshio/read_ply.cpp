@@ -48,10 +48,9 @@ class PlyReader {
         if (const std::string rest = values_.rest();
             !rest.empty() && !context_.reporter.is_full()) {
             context_.reporter.warn(fmt::format(
-                "after the last element that its header names there is more ({}), which is not "
-                "read: "
-                "the header's counts or the lengths of lists are wrong, and faces may be missing; "
-                "write the file anew",
+                "there is more data after the last element of the header ({}), which is not read: "
+                "counts in the header or lengths of lists are wrong, and faces may be missing; "
+                "write the file again",
                 rest));
         }
     }
@@ -80,7 +79,7 @@ class PlyReader {
             [](const PlyProperty& property) { return property.role == PlyRole::corners; });
         if (element.name != "face" && has_corners && element.count > 0) {
             context_.reporter.warn(fmt::format(
-                "elements {} have corners and are left out ({} in all): only 'face' is read",
+                "elements {} have corners and are left out ({} in total): only 'face' is read",
                 shown(element.name), element.count));
         }
     }
@@ -89,8 +88,8 @@ class PlyReader {
         const std::optional<double> number = values_.next(type);
         if (!number) {
             throw Broken{
-                fmt::format("{} {} is cut short or no number", element.name, number_),
-                fmt::format("the header says that there are {}", element.count)};
+                fmt::format("{} {} is incomplete or not a number", element.name, number_),
+                fmt::format("the header says {}", element.count)};
         }
         return *number;
     }
@@ -166,7 +165,7 @@ class PlyReader {
             if (!(item >= 0 && item < static_cast<double>(vertices_.size())) ||
                 item != std::floor(item)) {
                 throw Broken{
-                    fmt::format("face {} names vertex {}", number_, item),
+                    fmt::format("face {} refers to vertex {}", number_, item),
                     fmt::format("there are {}, counted from 0", vertices_.size())};
             }
             numbers_.push_back(static_cast<std::uint32_t>(item));

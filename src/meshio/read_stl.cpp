@@ -63,7 +63,7 @@ class StlReader {
             fault("the file ends within a loop");
         } else if (is_in_solid_) {
             reporter_.warn(
-                "the file ends without endsolid: it may be cut short; write it anew", line_);
+                "the file ends without endsolid: it may be incomplete; write it again", line_);
         }
         finish_group();
         file_.vertices = std::move(mesh_.vertices);
@@ -82,11 +82,11 @@ class StlReader {
             if (numbers && numbers->size() == 3) {
                 corners_.push_back(point_at(*numbers, 0));
             } else if (numbers) {
-                fault(fmt::format("a vertex of {} numbers", numbers->size()));
+                fault(fmt::format("a vertex with {} numbers", numbers->size()));
             }
         } else if (word == "outer") {
             if (!corners_.empty()) {
-                fault("a loop begins before the last one ends (endloop)");
+                fault("a loop begins before the previous one ends (endloop)");
             }
             corners_.clear();
             is_open_ = true;
@@ -95,7 +95,7 @@ class StlReader {
         } else if (word == "endsolid") {
             is_in_solid_ = false;
         } else if (!word.empty() && word != "facet" && word != "endfacet") {
-            fault(shown(word) + " is no statement of STL");
+            fault(shown(word) + " is not an STL statement");
         }
     }
 
@@ -109,7 +109,7 @@ class StlReader {
 
     void finish_loop() {
         if (corners_.size() != 3) {
-            fault(fmt::format("a loop of {} vertices", corners_.size()));
+            fault(fmt::format("a loop with {} vertices", corners_.size()));
         } else {
             mesh_.push_back({corners_[0], corners_[1], corners_[2]});
             lines_.push_back(line_);
@@ -127,7 +127,7 @@ class StlReader {
     }
 
     void fault(std::string problem) {
-        reporter_.fault(line_, std::move(problem), "a facet has one loop of three vertices");
+        reporter_.fault(line_, std::move(problem), "a facet must have one loop of three vertices");
     }
 
     Reporter& reporter_;
@@ -149,8 +149,8 @@ MeshFile read_stl(std::string_view bytes, FormatContext& context) {
     }
     if (bytes.find('\0') != std::string_view::npos) {
         reporter.faults.add(
-            {reporter.file, "is no STL file",
-             "a binary one has 50 bytes for each triangle that it states at byte 81", ""});
+            {reporter.file, "is not an STL file",
+             "a binary one has 50 bytes for each triangle counted at byte 81", ""});
         return {{}, {}, "line", {}};
     }
     return StlReader(reporter).read(bytes);

@@ -97,13 +97,13 @@ class VgxReader {
         }
         warn_of(
             leaves_,
-            "leaves (Obj 11, 12, 13), whose outline is not in the file: they are hexagons as "
-            "PlantGL draws them, of two thirds of length x width");
+            "leaves (Obj 11, 12, 13), whose outline is not in the file; hexagons as in PlantGL are "
+            "used, with 2/3 of length x width");
         warn_of(
             colors_,
-            "colours (R, G, B) are not from 0 to 255: their mean over 255, but no more than 1 and "
-            "no less than 0, counts");
-        warn_of(points_, "points (Obj 40), which have no area: they are left out");
+            "colours (R, G, B) are not from 0 to 255; their mean / 255 is used, limited to 0 ... "
+            "1");
+        warn_of(points_, "points (Obj 40), which have no area and are left out");
         return std::move(file_);
     }
 
@@ -117,7 +117,7 @@ class VgxReader {
             const auto column = static_cast<std::size_t>(known - kVgxColumns.begin());
             found.insert(column);
             if (!names.insert(word).second) {
-                reporter_.fault(1, fmt::format("column {} stands there twice", shown(word)), "");
+                reporter_.fault(1, fmt::format("column {} is given twice", shown(word)), "");
                 return false;
             }
             columns_.emplace_back(column, one_line(std::string(word)));
@@ -128,7 +128,7 @@ class VgxReader {
         has_shapes_ = is_complete(found, kScale, kCorners);
         if (!found.contains(kObj) || !(has_triangles_ || has_shapes_)) {
             reporter_.fault(
-                1, "the first line does not name the columns of a .vgx file",
+                1, "the first line does not contain the columns of a .vgx file",
                 "Obj, and EchX EchY EchZ TransX TransY TransZ RotX RotY RotZ or X1 ... Z3");
             return false;
         }
@@ -158,7 +158,8 @@ class VgxReader {
             const auto number = parse_real(word);
             if (!number || !std::isfinite(*number)) {
                 reporter_.fault(
-                    line_, fmt::format("{} is {}", name, shown(word)), "it is a finite number");
+                    line_, fmt::format("{} is {}", name, shown(word)),
+                    "it must be a finite number");
                 return std::nullopt;
             }
             if (column < kVgxColumns.size()) {
@@ -171,7 +172,7 @@ class VgxReader {
         if (count != 0 && count != columns_.size()) {
             reporter_.fault(
                 line_, fmt::format("{} numbers", count),
-                fmt::format("the first line names {} columns", columns_.size()));
+                fmt::format("the first line has {} columns", columns_.size()));
         }
         return count == columns_.size() ? std::optional(std::move(row)) : std::nullopt;
     }
@@ -188,7 +189,7 @@ class VgxReader {
         if (!shape || !(is_triangle ? has_triangles_ : has_shapes_)) {
             reporter_.fault(
                 line_, fmt::format("Obj {} is not read", kind),
-                shape ? "the columns that say where it is are not there"
+                shape ? "the columns of its position are missing"
                       : "only 0, 11 to 13, 21, 31, 32 and 33 are",
                 shape ? "" : "let PlantGL make triangles of it: Scene('in.vgx').save('out.obj')");
             return;
@@ -236,7 +237,7 @@ class VgxReader {
         if (!(scale.x > 0 && scale.y > 0 && (may_be_thin ? scale.z >= 0 : scale.z > 0))) {
             reporter_.fault(
                 line_, fmt::format("EchX {}, EchY {}, EchZ {}", scale.x, scale.y, scale.z),
-                "lengths are more than 0");
+                "lengths must be positive");
             return;
         }
         if (shape == VgxShape::leaf) {

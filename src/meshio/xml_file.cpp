@@ -70,12 +70,12 @@ XmlFile::XmlFile(std::string_view bytes, Reporter& reporter) : reporter_(reporte
     }
     if (zero != std::string_view::npos) {
         reporter_.fault(
-            line_at(static_cast<std::ptrdiff_t>(zero)), "a byte is 0", "it is no XML",
+            line_at(static_cast<std::ptrdiff_t>(zero)), "a byte is 0", "it is not XML",
             "save the file as UTF-8");
     } else if (!parsed) {
-        reporter_.fault(line_at(parsed.offset), parsed.description(), "it is no XML");
+        reporter_.fault(line_at(parsed.offset), parsed.description(), "it is not XML");
     } else if (const pugi::xml_node second = root().next_sibling()) {
-        fault(second, "a second element outside the first one", "it is no XML");
+        fault(second, "a second root element", "it is not XML");
     }
     if (!reporter_.faults.empty()) {
         document_.reset();
@@ -122,7 +122,7 @@ XmlMesh XmlFile::mesh(pugi::xml_node element) const {
     }
     if (coordinates->size() % 3 != 0) {
         fault(
-            points, fmt::format("<points> holds {} numbers", coordinates->size()),
+            points, fmt::format("<points> has {} numbers", coordinates->size()),
             "a point is x y z");
         return mesh;
     }
@@ -148,14 +148,14 @@ std::optional<std::vector<std::uint32_t>> XmlFile::face(
         if (!(number >= 0 && number < static_cast<double>(points)) ||
             number != std::floor(number)) {
             fault(
-                element, fmt::format("a face names point {}", number),
+                element, fmt::format("a face refers to point {}", number),
                 fmt::format("its mesh has {}, counted from 0", points));
             return std::nullopt;
         }
         corners.push_back(static_cast<std::uint32_t>(number));
     }
     if (corners.size() < 3 || corners.size() > kMaxCorners) {
-        fault(element, fmt::format("a face of {} corners", corners.size()));
+        fault(element, fmt::format("a face with {} corners", corners.size()));
         return std::nullopt;
     }
     return corners;

@@ -139,7 +139,7 @@ void NetcdfLayout::define_times() {
         texts.push_back(notes.time);
     }
     NetcdfAttributes attributes = kTimeAttributes;
-    attributes.emplace_back("long_name", "where the time begins that numbers are the mean of");
+    attributes.emplace_back("long_name", "beginning of the averaging interval");
     attributes.emplace_back("bounds", "time_bounds");
     file_.put(file_.add_variable("time", NetcdfType::real, {*time_}, attributes), begin);
     file_.put(
@@ -148,7 +148,7 @@ void NetcdfLayout::define_times() {
     file_.put(
         file_.add_variable(
             "time_text", NetcdfType::text, {*time_},
-            {{"long_name", "the same by the clock, with its difference from UTC"}}),
+            {{"long_name", "local time with its offset from UTC"}}),
         texts);
 }
 
@@ -159,7 +159,7 @@ void NetcdfLayout::define_days() {
     file_.put(
         file_.add_variable(
             "day", NetcdfType::text, {*day_},
-            {{"long_name", "day, or first and last of a period"}}),
+            {{"long_name", "day, or first and last day of a period"}}),
         run_.series->days);
 }
 
@@ -195,7 +195,7 @@ void NetcdfLayout::define_areas() {
     sizes.push_back(run_.scene.organs().size());
     area_ = file_.add_variable(
         "area", NetcdfType::real, dimensions,
-        {{"long_name", "area of one side"}, {"units", run_.scene.length_unit() + "2"}},
+        {{"long_name", "one-sided area"}, {"units", run_.scene.length_unit() + "2"}},
         chunk_of(sizes));
     put_areas(run_);
 }
@@ -300,12 +300,12 @@ void NetcdfLayout::define_light() {
     }
     if (columns.has_sunlit) {
         sunlit = define(
-            "sunlit_fraction", "1", "part of the area lit straight by directional sources",
+            "sunlit_fraction", "1", "fraction of the area lit directly by directional sources",
             {time, organ});
     }
     if (ratio_) {
         ratios = define(
-            "light_ratio", "1", "of the light that falls on the organ, both sides",
+            "light_ratio", "1", "ratio of incident light, both sides of the organ",
             {time, ratio, organ});
     }
 }

@@ -70,13 +70,13 @@ class NetcdfLight final : public NetcdfWriter {
     void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
         if (times_of(run) != times_) {
             throw InputError(
-                {{"NetCDF", "the points of the sweep have times of their own",
-                  "a file has one axis of time", "sweep something else, or write CSV"}});
+                {{"NetCDF", "the points of the sweep have different time steps",
+                  "a file has one time axis", "sweep something else, or write CSV"}});
         }
         if (!has_same_organs(run)) {
             throw InputError(
-                {{"NetCDF", "the points of the sweep have organs of their own",
-                  "a file has one axis of organs, with their ids, names and labels",
+                {{"NetCDF", "the points of the sweep have different organs",
+                  "a file has one axis of organs with ids, names and labels",
                   "sweep something else, or write CSV"}});
         }
         run_ = &run;
@@ -151,7 +151,7 @@ class NetcdfLight final : public NetcdfWriter {
             count *= size;
         }
         constexpr std::array kParts{
-            &Estimate::mean, &Estimate::standard_error, &Estimate::ci95_low, &Estimate::high};
+            &Estimate::mean, &Estimate::standard_error, &Estimate::ci95_low, &Estimate::ci95_high};
         std::vector<double> numbers(count);
         for (std::size_t part = 0; part < kParts.size(); ++part) {
             for (std::size_t i = 0; i < count; ++i) {

@@ -15,7 +15,7 @@ namespace quasimc {
 [[nodiscard]] bool has_netcdf();
 
 /// Writes the light on organs and in detectors as netCDF-4 after the CF conventions
-/// (docs/formats/netcdf.md): by organ and band, of a run with [time] by time and, summed, by day,
+/// (docs/reference/netcdf.md): by organ and band, of a run with [time] by time and, summed, by day,
 /// of a sweep by point.
 class NetcdfWriter : public OutputWriter {
   public:

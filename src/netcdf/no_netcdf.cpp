@@ -10,7 +10,7 @@ bool has_netcdf() {
 std::unique_ptr<NetcdfWriter> make_netcdf_writer(
     const RunFile& /*run*/, TextSink /*sink*/, std::string_view /*program_version*/) {
     throw InputError(
-        {{"NetCDF", "this program can't write it", "it was built without the netCDF library",
+        {{"NetCDF", "this program can't write NetCDF", "it was built without the netCDF library",
           "install libnetcdf-dev and build it again"}});
 }
 

@@ -6,7 +6,7 @@
 //          any angle of incidence. Symmetric, but the BSDF is not reciprocal.
 // Papers   Blinn (1977), SIGGRAPH '77, 192-198. Shirley and Wang (1992). Mech (1997), thesis.
 // Sampling cos(theta / 2) = (1 - u0)^(1 / (n + 2)), azimuth = 2 pi u1.
-// Theory   docs/theory/blinn-phong.md
+// Theory   docs/theory/leaf-and-soil-models.md
 #pragma once
 
 #include <memory>

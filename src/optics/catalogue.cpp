@@ -39,14 +39,14 @@ constexpr std::array kCoat{BsdfParameter{
     .low = 0,
     .high = 0.9,
     .usual = 0.04,
-    .summary = "what the coat reflects of light along the normal"}};
+    .summary = "reflectance of the coat at normal incidence"}};
 
 // (tools/new.py tells the parameters of a model above this line)
 
 constexpr std::array kModels = {
     BsdfEntry{
         "lambertian",
-        "matt: Lambert's cosine law",
+        "Lambert's cosine law",
         {},
         [](Hemisphere side, std::span<const double>) { return make_lambertian(side); }},
     BsdfEntry{
@@ -62,8 +62,9 @@ constexpr std::array kModels = {
         [](Hemisphere side, std::span<const double>) { return make_mirror(side); }},
     BsdfEntry{
         "coated_lambertian",
-        "the cosine law of a waxy leaf's interior; what its coat mirrors counts as absorbed", kCoat,
-        make_coated_lambertian},
+        "Lambert's cosine law for the interior of a waxy leaf; light reflected by its coat counts "
+        "as absorbed",
+        kCoat, make_coated_lambertian},
     BsdfEntry{
         "clipped_blinn_phong", "blinn_phong cut off at the surface, as in the original QuasiMC",
         kExponent, make_clipped_blinn_phong},

@@ -9,7 +9,7 @@
 //          density grows without bound towards the one direction where H is 0, along the surface.
 // Papers   Mech (1997), thesis. Cieslak et al. (2008), Functional Plant Biology 35, 837-849.
 // Sampling cos(theta / 2) = (1 - u0 K)^(1 / (n + 2)), azimuth = (2 u1 - 1) H.
-// Theory   docs/theory/clipped-blinn-phong.md
+// Theory   docs/theory/leaf-and-soil-models.md
 
 #include <algorithm>
 #include <cmath>

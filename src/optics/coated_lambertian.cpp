@@ -7,7 +7,7 @@
 //          coat itself reflects is another lobe, or lost.
 // Paper    Schlick (1994), Computer Graphics Forum 13(3), equation 15, for F.
 // Sampling that of the cosine law.
-// Theory   docs/theory/coated-lambertian.md
+// Theory   docs/theory/leaf-and-soil-models.md
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@ struct OpticsByRegion {
     double visible = 0, near_infrared = 0;  ///< 0 to 1
 };
 
-/// Optics to start from where nothing was measured. See docs/theory/usual-optics.md.
+/// Optics to start from where nothing was measured. See docs/theory/leaf-and-soil-models.md.
 struct DefaultOptics {
     std::string_view name, summary;
     OpticsByRegion reflectance, transmittance;

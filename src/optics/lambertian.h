@@ -3,7 +3,7 @@
 // What     Light leaves with density |cos(wo, n)| / pi wherever it came from: a constant BSDF.
 // Paper    Lambert (1760), Photometria.
 // Sampling Malley's method: cos^2 = 1 - u0, azimuth = 2 pi u1.
-// Theory   docs/theory/lambertian.md
+// Theory   docs/theory/leaf-and-soil-models.md
 #pragma once
 
 #include <memory>

@@ -29,7 +29,7 @@ struct Draw {
 
 /// The lobes among which the light of a hit is divided, laid out for speed: the arithmetic of
 /// weights that Side (light followed forwards) and Material (backwards) have in common. See
-/// docs/theory/many-bands.md. Immutable.
+/// docs/theory/what-is-computed.md. Immutable.
 class LobeTable {
   public:
     /// @param lobes  each with an albedo above 0 in some band

@@ -53,7 +53,7 @@ void check_parameter(
         faults.add(
             {.where = where,
              .problem = fmt::format("{} {} is given", what, name),
-             .why = "no model takes it",
+             .why = "no model has this parameter",
              .suggestion = ""});
         return;
     }
@@ -95,7 +95,7 @@ void check_model(
             faults.add(
                 {.where = where,
                  .problem = fmt::format("{} {} is missing", what, p.name),
-                 .why = fmt::format("model '{}' takes one", model),
+                 .why = fmt::format("model '{}' has it", model),
                  .suggestion = ""});
         }
     }
@@ -125,7 +125,7 @@ void check_side(
                  .problem = fmt::format(
                      "reflectance {} + transmittance {} = {}", shortest(optics.reflectance),
                      shortest(optics.transmittance), shortest(sum)),
-                 .why = "more than 1 makes light",
+                 .why = "the surface would create light",
                  .suggestion = ""});
         }
         check_model(
@@ -193,7 +193,7 @@ MaterialSpec lambertian(
         throw InputError(
             {{fmt::format("material '{}'", name),
               fmt::format("has {} reflectances and {} transmittances", bands, transmittance.size()),
-              "each band has one of both", ""}});
+              "give one of each for every band", ""}});
     }
     std::vector<SideOptics> side;
     for (std::size_t b = 0; b < bands; ++b) {

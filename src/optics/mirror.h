@@ -3,7 +3,7 @@
 // What     Reflected light leaves along the mirror image of wi, transmitted light straight on (no
 //          refraction: leaves are thin). A lobe of one direction has no density; it is followed,
 //          never evaluated.
-// Theory   docs/theory/mirror.md
+// Theory   docs/theory/leaf-and-soil-models.md
 #pragma once
 
 #include <memory>

@@ -7,7 +7,7 @@
 // Papers   Phong (1975), CACM 18(6), 311-317. Lafortune and Willems (1994), report CW 197: density,
 //          sampling.
 // Sampling cos = (1 - u0)^(1 / (n + 1)), azimuth = 2 pi u1.
-// Theory   docs/theory/phong.md
+// Theory   docs/theory/leaf-and-soil-models.md
 #pragma once
 
 #include <memory>

@@ -4,7 +4,7 @@
 
 namespace quasimc {
 
-/// What a leaf is made of, for PROSPECT-D. See docs/theory/prospect.md.
+/// What a leaf is made of, for PROSPECT-D. See docs/theory/leaf-and-soil-models.md.
 struct LeafConstituents {
     double structure = 1;     ///< N: how many plates the leaf is a pile of, 1 or more, any fraction
     double chlorophyll = 0;   ///< a and b [ug cm-2]

@@ -16,7 +16,7 @@ namespace quasimc {
 /// followed with probability q_k = sum_b w_b a_kb / sum_b w_b (so the path survives with the mean
 /// albedo, and the mean of the weights never changes), and the weights become
 /// w_b sum_k a_kb p_k(wo) / sum_k q_k p_k(wo), the sums over the lobes that can give `wo` (balance
-/// heuristic, Veach and Guibas 1995): unbiased in every band. See docs/theory/many-bands.md.
+/// heuristic, Veach and Guibas 1995): unbiased in every band. See docs/theory/what-is-computed.md.
 class Side {
   public:
     /// @param lobes  of which the sum of albedos is at most 1 in each band, at every angle. Those

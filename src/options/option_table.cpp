@@ -85,7 +85,7 @@ Named<Method> names_of_methods() {
 //
 // To add an option of a run: add a field with its default to RunSpec (quasimc/run_spec.h) and a row
 // here. The key in [run], the flag of the program, the range check with its message,
-// --dump-default, the table in docs/guide/options.md (copy it from `quasimc list options
+// --dump-default, the table in docs/reference/options.md (copy it from `quasimc list options
 // -markdown`; a test compares), the keyword in Python and the echo in the JSON result follow from
 // the row. python/quasimc/__init__.pyi lists it too, for who types (a test compares).
 std::vector<Option> rows_of_sampling() {

@@ -105,11 +105,11 @@ void CheckpointFile::refuse(const std::string& problem, const std::string& why) 
 void CheckpointFile::read() {
     const std::string bytes = read_file(path_);
     if (!bytes.starts_with(kFirstCheckpointLine)) {
-        refuse("is no checkpoint", "a file that `quasimc run --checkpoint` wrote is needed");
+        refuse("is not a checkpoint", "it must be a file written by `quasimc run --checkpoint`");
     }
     const std::size_t size = bytes.size() - std::min(bytes.size(), kSha256Digits);
     if (sha256_hex(std::string_view(bytes).substr(0, size)) != bytes.substr(size)) {
-        refuse("is damaged", "its checksum is not that of its bytes");
+        refuse("is damaged", "its checksum is wrong");
     }
     ByteReader reader(std::string_view(bytes).substr(0, size));
     static_cast<void>(reader.take(kFirstCheckpointLine.size()));
@@ -124,7 +124,7 @@ void CheckpointFile::read() {
         states_[time_step] = {std::string(reader.block()), is_done};
     }
     if (!reader.is_at_end()) {
-        refuse("is damaged", "it has more or fewer bytes than it names");
+        refuse("is damaged", "its length is wrong");
     }
 }
 
@@ -169,8 +169,7 @@ std::string CheckpointFile::read_done(const Location& location) const {
     bytes.resize(count);
     if (sha256_hex(bytes) != location.sha256) {
         throw InputError(
-            {{done_path(path_), "is damaged", "a checksum is not that of its bytes",
-              "it belongs to " + path_}});
+            {{done_path(path_), "is damaged", "a checksum is wrong", "it belongs to " + path_}});
     }
     return bytes;
 }
@@ -185,7 +184,7 @@ std::optional<RunState> CheckpointFile::state_of(std::size_t time_step) {
         return load_state(
             state != states_.end() ? state->second.bytes : read_done(location->second));
     } catch (const std::invalid_argument& error) {
-        refuse("is damaged, or of another version", error.what());
+        refuse("is damaged or has another version", error.what());
     }
 }
 

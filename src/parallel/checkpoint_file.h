@@ -1,6 +1,6 @@
 #pragma once
 
-// The states of the runs of a file while it is computed: docs/guide/many-machines.md. Binary, of
+// The states of the runs of a file while it is computed: docs/guide/long-runs.md. Binary, of
 // one byte order.
 //
 // The file itself has what the runs are made from, the state of the run at hand, and which part of

@@ -69,7 +69,7 @@ std::string difference_of_runs(
             where.replace(i, 2, character);
         }
     }
-    constexpr std::string_view kOptions = ".run.run.";
+    constexpr std::string_view kOptions = ".run_file.run.";
     return fmt::format(
         "{} {}, here {}", where.substr(where.starts_with(kOptions) ? kOptions.size() : 1),
         in_short(before.contains(at) ? before.at(at) : Json()),

@@ -24,8 +24,7 @@ constexpr std::uint64_t kMaxParts = 1'000'000;
 constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::max();
 
 Fault missing_part(std::uint64_t part, std::uint64_t parts) {
-    return {
-        "PART", fmt::format("part {} of {} is missing", part, parts), "", "name its file as well"};
+    return {"PART", fmt::format("part {} of {} is missing", part, parts), "", "add its file"};
 }
 
 }  // namespace
@@ -41,9 +40,9 @@ PartNumber read_part_number(const std::string& text, const std::string& where) {
     }
     if (!is_read || number.part < 1 || number.part > number.parts || number.parts > kMaxParts) {
         throw InputError(
-            {{where, fmt::format("'{}' is no part of a run", text),
-              fmt::format("it is K/N, the K-th of N parts, K from 1 to N, N at most {}", kMaxParts),
-              "state 3/16 for the third of sixteen"}});
+            {{where, fmt::format("'{}' is not a part of a run", text),
+              fmt::format("write K/N for part K of N, 1 <= K <= N <= {}", kMaxParts),
+              "3/16 is the third of sixteen"}});
     }
     return number;
 }
@@ -83,14 +82,14 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
     std::string line(kFirstLine.size(), '\0');
     file_.read(line.data(), static_cast<std::streamsize>(line.size()));
     if (!file_ || line != kFirstLine) {
-        refuse("is no part of a run", "a file that `quasimc run --part` wrote is needed");
+        refuse("is not a part of a run", "it must be a file written by `quasimc run --part`");
     }
     digest_.add(line);
     const std::string numbers = read_bytes(2 * sizeof(std::uint64_t));
     std::memcpy(&number_.part, numbers.data(), sizeof number_.part);
     std::memcpy(&number_.parts, numbers.data() + sizeof number_.part, sizeof number_.parts);
     if (number_.part < 1 || number_.part > number_.parts || number_.parts > kMaxParts) {
-        refuse("is damaged", "its number among the parts can't be");
+        refuse("is damaged", "its part number is impossible");
     }
     head_ = read_block();
     check_digest();
@@ -99,7 +98,7 @@ PartReader::PartReader(std::string path) : path_(std::move(path)), file_(path_, 
 void PartReader::check_digest() {
     const std::string expected = digest_.hex();
     if (read_bytes(expected.size()) != expected) {
-        refuse("is damaged", "its checksum is another one");
+        refuse("is damaged", "its checksum is wrong");
     }
 }
 
@@ -109,7 +108,7 @@ void PartReader::refuse(const std::string& problem, const std::string& why) cons
 
 std::string PartReader::read_bytes(std::uint64_t count) {
     if (count > bytes_) {
-        refuse("is cut off or damaged", "it names more bytes than it has");
+        refuse("is cut off or damaged", "its length is wrong");
     }
     std::string bytes(count, '\0');
     file_.read(bytes.data(), static_cast<std::streamsize>(count));
@@ -133,7 +132,7 @@ std::string PartReader::read_block() {
 
 Sums PartReader::next(std::size_t time_step) {
     if (read_number() != time_step) {
-        refuse("is damaged, or of another run", "it has the sums of other times");
+        refuse("is damaged or belongs to another run", "it has the sums of other time steps");
     }
     const std::string block = read_block();
     check_digest();
@@ -146,11 +145,11 @@ Sums PartReader::next(std::size_t time_step) {
 
 void PartReader::expect_end() {
     if (read_number() != kEnd) {
-        refuse("is damaged, or of another run", "it has more times than the run");
+        refuse("is damaged or belongs to another run", "it has more time steps than the run");
     }
     check_digest();
     if (file_.peek() != std::ifstream::traits_type::eof()) {
-        refuse("is damaged", "there is more behind its end");
+        refuse("is damaged", "it has extra bytes at its end");
     }
 }
 
@@ -182,8 +181,8 @@ void PartFiles::check_complete() const {
                  ""});
         } else if (number.part < expected) {
             faults.add(
-                {part.path(), fmt::format("part {} of {} is there twice", number.part, count),
-                 "its light would count twice", "leave one of them out"});
+                {part.path(), fmt::format("part {} of {} is given twice", number.part, count),
+                 "its paths would count twice", "remove one of them"});
         }
         for (; expected < number.part; ++expected) {
             faults.add(missing_part(expected, count));

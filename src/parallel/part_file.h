@@ -1,7 +1,7 @@
 #pragma once
 
 // A part of a run's sums as a file, which other parts are put together with. Binary, of one byte
-// order: docs/guide/many-machines.md.
+// order: docs/guide/long-runs.md.
 
 #include <cstddef>
 #include <cstdint>

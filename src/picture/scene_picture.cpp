@@ -155,7 +155,7 @@ std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
     const Bounds shown = shown_bounds(scene, picture.render.cuts);
     if (shown.empty()) {
         throw InputError(
-            {{"--clip", "nothing of the scene is left", "it lies on the other side", ""}});
+            {{"--clip", "nothing of the scene is left", "the scene is on the other side", ""}});
     }
     const Layout layout(picture);
     const Camera camera(

@@ -13,13 +13,12 @@ namespace quasimc {
 namespace {
 
 std::vector<Warning> lint_long(const Scene& scene, const PatchSize& size) {
-    WarningKind found("organs are of long thin triangles");
+    WarningKind found("organ has long thin triangles", "organs have long thin triangles");
     for (const Organ* organ : find_long_patches(scene, size).organs) {
         found.add(
             words_for(*organ),
-            "is of long thin triangles: ray_bundles takes light as even along patches that are "
-            "longer than it is wide, and its errors don't tell what is wrong with that; cut them "
-            "into shorter ones, or use method = \"first_hits\"");
+            "has long thin triangles; ray_bundles can be wrong there by more than its errors say; "
+            "subdivide them or use method = \"first_hits\"");
     }
     return std::move(found).finish();
 }
@@ -29,29 +28,27 @@ std::vector<Warning> lint_large(const PatchSize& size) {
     if (!size.holds_shadows) {
         found.push_back(
             {"scene",
-             "surfaces are so large beside a typical organ that its shadow is lost in the patches "
-             "that ray_bundles cuts them into, and its errors don't tell what is wrong with that; "
-             "ask for more paths, or use method = \"first_hits\""});
+             "surfaces have patches larger than the shadow of a typical organ; ray_bundles can be "
+             "wrong there by more than its errors say; use more paths or method = \"first_hits\""});
     }
     if (!size.are_alike) {
         found.push_back(
             {"scene",
-             "organs are far smaller than the patches that ray_bundles cuts others into: what they "
-             "get from these next to them is lost, and its errors don't tell; ask for more paths, "
-             "or use method = \"first_hits\""});
+             "organs are much smaller than the patches of their neighbours; ray_bundles can be "
+             "wrong there by more than its errors say; use more paths or method = \"first_hits\""});
     }
     return found;
 }
 
 std::vector<Warning> lint_lamps(const Scene& scene, const Sources& sources) {
-    WarningKind found("lamps are next to surfaces");
+    WarningKind found("lamp is close to surfaces", "lamps are close to surfaces");
     for (const auto& source : sources) {
         if (is_near_lamp(*source, scene.bounds())) {
             found.add(
                 "source '" + source->name() + "'",
-                "is a lamp next to surfaces, where its light may lie in spots smaller than the "
-                "patches of ray_bundles, whose errors don't tell what is wrong with that; use "
-                "method = \"light_tracing\"");
+                "is a lamp close to surfaces; its light can fall in spots smaller than the patches "
+                "of ray_bundles, which can be wrong there by more than its errors say; use method "
+                "= \"light_tracing\"");
         }
     }
     return std::move(found).finish();

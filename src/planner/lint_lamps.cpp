@@ -28,8 +28,8 @@ std::string strange_size(const Scene& scene) {
     }
     const double organ = median_size(survey) * *metres;
     const double plant = 2 * survey.canopy.radius() * *metres;
-    return organ > kLargeOrgan   ? fmt::format("the median organ measures {:.3g} m", organ)
-           : plant < kSmallPlant ? fmt::format("all organs together measure {:.3g} m", plant)
+    return organ > kLargeOrgan   ? fmt::format("the median organ is {:.3g} m large", organ)
+           : plant < kSmallPlant ? fmt::format("all organs together are {:.3g} m large", plant)
                                  : "";
 }
 
@@ -58,21 +58,20 @@ std::vector<Warning> lint_lamp_unit(const Scene& scene, const Sources& sources, 
     const std::string size = strange_size(scene);
     if (origin == UnitOrigin::assumed) {
         return {
-            {"length_unit", fmt::format(
-                                "is not given, so that coordinates are taken as metres{}; the "
-                                "irradiance that lamps give depends on it: set length_unit to "
-                                "\"m\", \"cm\" or what the coordinates are in",
-                                size.empty() ? "" : " (" + size + ")")}};
+            {"length_unit",
+             fmt::format(
+                 "is missing, and metres are assumed{}; the irradiance from lamps depends on it; "
+                 "set length_unit to the unit of the coordinates, \"m\" or \"cm\"",
+                 size.empty() ? "" : " (" + size + ")")}};
     }
     if (size.empty()) {
         return {};
     }
     return {
-        {"length_unit",
-         fmt::format(
-             "{} if coordinates are in {}; the irradiance that lamps give depends on it: is "
-             "length_unit right?",
-             size, scene.length_unit())}};
+        {"length_unit", fmt::format(
+                            "{} if coordinates are in {}, and the irradiance from lamps depends on "
+                            "it: is length_unit right?",
+                            size, scene.length_unit())}};
 }
 
 std::vector<Warning> lint_lamp_positions(const Scene& scene, const Sources& sources) {
@@ -80,15 +79,14 @@ std::vector<Warning> lint_lamp_positions(const Scene& scene, const Sources& sour
         return {};
     }
     const Bounds ground = survey_of(scene).organ_bounds.back();
-    WarningKind below("lamps are below the ground");
+    WarningKind below("lamp is below the ground", "lamps are below the ground");
     for (const auto& source : sources) {
         const std::optional<Vec3> position = find_lamp(*source, scene.bounds());
         if (position && ground.size().z == 0 && position->z < ground.low.z) {
             below.add(
                 "source '" + source->name() + "'",
                 fmt::format(
-                    "is a lamp {:.3g} below the ground, which keeps its light from all that is "
-                    "above: check its position",
+                    "is a lamp {:.3g} below the ground, which blocks its light; check its position",
                     ground.low.z - position->z));
         }
     }

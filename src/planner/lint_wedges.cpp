@@ -81,15 +81,16 @@ bool has_wedge(const Scene& scene, const Vec3& point, double size) {
 }  // namespace
 
 std::vector<Warning> lint_wedges(const Scene& scene, const Sources& sources) {
-    WarningKind found("lamps are next to where surfaces touch");
+    WarningKind found(
+        "lamp is close to a narrow wedge between surfaces",
+        "lamps are close to narrow wedges between surfaces");
     for (const auto& source : sources) {
         const std::optional<Vec3> point = position_of_lamp(*source, scene.bounds());
         if (point && has_wedge(scene, *point, size_of(scene.bounds()))) {
             found.add(
                 "source '" + source->name() + "'",
-                "is a lamp within 1e-4 of the scene of a place where surfaces touch at a small "
-                "angle: where it is brightest they are nearer to each other than rays reach, and "
-                "errors don't tell what is wrong with that; move it away");
+                "is a lamp within 1e-4 of the scene's size of a narrow wedge between surfaces; "
+                "results can be wrong there by more than their errors say; move it away");
         }
     }
     return std::move(found).finish();

@@ -1,5 +1,5 @@
 // Which way of tracing has the smallest errors for its time: rules of thumb, each from a
-// measurement (docs/theory/choosing.md; `./dev bench planner` repeats them).
+// measurement (docs/develop/notebook/choosing.md; `./dev bench planner` repeats them).
 
 #include "planner/planner.h"
 
@@ -118,13 +118,6 @@ double brightest_peak(const Side& side, double narrow_from) {
     return brightest;
 }
 
-std::string_view name_of(const Lighting& lighting) {
-    if (lighting.sun && lighting.sky) {
-        return "sun and sky";
-    }
-    return lighting.sun ? "the sun" : "the sky";
-}
-
 bool has_paths_to_spare(const Scene& scene, const RunSpec& spec, double for_each) {
     const auto measured = std::count_if(
         scene.organs().begin(), scene.organs().end(),
@@ -230,7 +223,7 @@ ChosenMethod plan_method(
     const RunSpec& spec,
     const std::function<bool()>& refuse_bundles) {
     if (spec.method != Method::automatic) {
-        return {spec.method, "asked for"};
+        return {spec.method, "requested"};
     }
     const Lighting lighting = lighting_of(scene, sources);
     const bool is_far = lighting.sun || lighting.sky;
@@ -246,14 +239,12 @@ ChosenMethod plan_method(
         if (gain < kLamps.dark) {
             return {
                 Method::from_organs,
-                "each organ has paths to spare to look for the lamps, which stand apart from all"};
+                "every organ can have many paths, and the lamps are far from all organs"};
         }
         return {
             Method::from_organs,
             fmt::format(
-                "the organs measured are a small part of the scene, equal shares of paths for each "
-                "gain a factor of {:.2g}",
-                gain)};
+                "few measured organs: starting paths on them is {:.2g} times as efficient", gain)};
     }
     if (!lighting.sun && !lighting.sky) {
         return {Method::light_tracing, "all light comes from lamps"};
@@ -261,19 +252,15 @@ ChosenMethod plan_method(
     if (scene.triangle_count() > kMaxForRasters) {
         return {
             Method::light_tracing,
-            fmt::format("pictures of {} triangles would take too long", scene.triangle_count())};
+            fmt::format("projecting {} triangles would take too long", scene.triangle_count())};
     }
     if (takes_bundles) {
-        return {
-            Method::ray_bundles,
-            "surfaces are matt: what they scatter goes along bundles of lines, all at once"};
+        return {Method::ray_bundles, "all surfaces are Lambertian"};
     }
     return {
-        Method::first_hits,
-        fmt::format(
-            "what {} {} is found without random paths, where that pays{}", name_of(lighting),
-            lighting.sun && lighting.sky ? "light" : "lights",
-            lighting.lamp ? "; lamps are traced from themselves" : "")};
+        Method::first_hits, fmt::format(
+                                "direct light by projection{}",
+                                lighting.lamp ? "; paths from lamps start at the lamps" : "")};
 }
 
 }  // namespace quasimc

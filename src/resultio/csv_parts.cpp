@@ -229,25 +229,19 @@ std::string csv_organ_columns(const RunFile& run) {
 
 std::string csv_group_columns(const RunFile& run) {
     return fmt::format(
-        "# column by: what the organs of a row have in common: all, a key of labels, layer\n"
-        "# column value: of the label; of a layer its number from below\n"
-        "# column organs: how many; those that are measured, without the ground\n"
-        "# column area [{0}2]: of one side of all of them\n"
-        "# column height_min, height_max [{0}]: of a layer, whose organs have the centroids of "
-        "their areas in "
-        "it\n"
-        "# column plant_area_index, cumulative_plant_area_index [1]: of a layer, of this one and "
-        "those above: area / horizontal area of cell or ground\n",
+        "# column by: all, the key of a label, or layer\n# column value: value of the label, or "
+        "number of the layer from below\n# column organs: number of measured organs, without the "
+        "ground\n# column area [{0}2]: their one-sided area\n# column height_min, height_max "
+        "[{0}]: ends of the layer; it contains organs by the centroid of their area\n# column "
+        "plant_area_index, cumulative_plant_area_index [1]: area / horizontal area of cell or "
+        "ground, for this layer, and for it and those above\n",
         one_line(run.scene.length_unit()));
 }
 
 std::string csv_error_columns() {
-    return "# column ..._se: standard error of the number before it; empty where it can't be told "
-           "(nothing was hit)\n"
-           "# column ..._ci95_high: upper end of the 95 % confidence interval; a bound where "
-           "nothing "
-           "was "
-           "hit\n";
+    return "# column ..._se: standard error of the number before it; empty where it is unknown (no "
+           "light sampled)\n# column ..._ci95_high: upper end of the 95 % confidence interval; an "
+           "upper limit where no light was sampled\n";
 }
 
 }  // namespace quasimc

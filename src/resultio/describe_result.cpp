@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "results/units.h"
 
@@ -13,10 +14,8 @@ namespace {
 
 std::string verdict(double p_value) {
     return p_value >= kAuditLevel
-               ? fmt::format("agrees (a difference like this or larger has chance {:.2g})", p_value)
-               : fmt::format(
-                     "DISAGREES: the difference has chance {:.2g}, below {:g}", p_value,
-                     kAuditLevel);
+               ? fmt::format("agrees (p = {:.2g})", p_value)
+               : fmt::format("DISAGREES (p = {:.2g}, below {:g})", p_value, kAuditLevel);
 }
 
 std::string band_line(const BandAudit& audit, const Band& band, const std::string& length_unit) {
@@ -25,8 +24,9 @@ std::string band_line(const BandAudit& audit, const Band& band, const std::strin
     if (std::isfinite(audit.difference)) {
         const FluxUnit unit = named_flux_unit(band.unit, length_unit);
         text += fmt::format(
-            "; organs absorb {:.3g} +- {:.2g} {} more than in the audit",
-            unit.factor * audit.difference, unit.factor * audit.standard_error, unit.name);
+            "; organs absorb {:.3g} +- {:.2g} {} {} than in the audit",
+            unit.factor * std::abs(audit.difference), unit.factor * audit.standard_error, unit.name,
+            audit.difference < 0 ? "less" : "more");
     }
     return text;
 }
@@ -35,9 +35,9 @@ std::string band_line(const BandAudit& audit, const Band& band, const std::strin
 std::string reason(const RunSpec& spec, StopReason stop) {
     switch (stop) {
         case StopReason::interrupted:
-            return "on request";
+            return "interrupted";
         case StopReason::time_limit:
-            return fmt::format("by max_seconds = {}", shortest(spec.max_seconds));
+            return fmt::format("max_seconds = {} reached", shortest(spec.max_seconds));
         default:
             return "";
     }
@@ -61,19 +61,19 @@ std::vector<std::string> audit_lines(const RunFile& run, const Result& result) {
 }
 
 std::string audit_line(const SeriesSummary& summary) {
-    return summary.audited == 0 ? ""
-                                : fmt::format(
-                                      "{} times: the most unlikely {}", summary.audited,
-                                      verdict(summary.audit_p_value));
+    return summary.audited == 0
+               ? ""
+               : fmt::format(
+                     "{}: the least likely one {}", counted(summary.audited, "comparison"),
+                     verdict(summary.audit_p_value));
 }
 
 std::string audit_warning(double p_value) {
     return p_value >= kAuditLevel
                ? ""
                : fmt::format(
-                     "audit: the result and plain Monte Carlo tracing differ more than chance "
-                     "explains (chance {:.2g}, below {:g}); do not trust this result, and report "
-                     "it",
+                     "audit: the result differs from plain Monte Carlo by more than random error "
+                     "(p = {:.2g}, below {:g}); do not trust this result, and report it",
                      p_value, kAuditLevel);
 }
 
@@ -86,8 +86,8 @@ std::string describe_stop(const RunSpec& spec, const Result& result) {
         result.paths < spec.paths ? fmt::format(" of {}", spec.paths) : std::string();
     const bool lacks_audit = spec.audit > 0 && !result.audit;
     return fmt::format(
-        "{}: {}{} paths are done{}", why, result.paths, asked,
-        lacks_audit ? ", the audit is not" : "");
+        "{}: {}{} paths completed{}", why, result.paths, asked,
+        lacks_audit ? ", without the audit" : "");
 }
 
 std::string describe_stop(const RunFile& run, const SeriesSummary& summary) {
@@ -97,12 +97,12 @@ std::string describe_stop(const RunFile& run, const SeriesSummary& summary) {
     }
     const std::string short_of = summary.with_fewer_paths > 0
                                      ? fmt::format(
-                                           ", {} of {} traces with fewer paths than asked for",
+                                           "; {} of {} computed with fewer paths than requested",
                                            summary.with_fewer_paths, summary.computed)
                                      : std::string();
     return fmt::format(
-        "{}: {} of {} times are done{}", why, summary.completed, run.series->time_steps.size(),
-        short_of);
+        "{}: {} of {} time steps completed{}", why, summary.completed,
+        run.series->time_steps.size(), short_of);
 }
 
 }  // namespace quasimc

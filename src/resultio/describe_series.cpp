@@ -40,7 +40,7 @@ std::string describe_time_step(const TimeStepNotes& notes) {
 std::string series_comments(const RunFile& run) {
     std::string out;
     for (const std::string& words : run.series->words) {
-        out += "# time: " + one_line(words) + "\n";
+        out += "# " + one_line(words) + "\n";
     }
     for (const TimeStepNotes& notes : run.series->notes) {
         out += "# time_step: " + describe_time_step(notes) + "\n";

@@ -19,7 +19,7 @@ struct FractionEntry {
     return {{
         {"reflectance", "light that leaves upwards / light on the horizontal",
          &CanopyFractions::reflectance},
-        {"transmittance", "light that falls on the ground / light on the horizontal",
+        {"transmittance", "light on the ground / light on the horizontal",
          &CanopyFractions::transmittance},
         {"absorptance", "light that organs absorb / light on the horizontal",
          &CanopyFractions::absorptance},

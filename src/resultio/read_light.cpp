@@ -140,8 +140,9 @@ std::size_t find_label(
         std::find(labels.begin() + static_cast<std::ptrdiff_t>(from), labels.end(), position.label);
     if (found == labels.end()) {
         throw InputError(
-            {{path, shown(position.label) + " in " + position.part + " is not next in the run",
-              "its times are in the order of the run", ""}});
+            {{path,
+              shown(position.label) + " in " + position.part + " is not the next one in the run",
+              "time steps must be in the order of the run", ""}});
     }
     return static_cast<std::size_t>(found - labels.begin());
 }
@@ -193,7 +194,8 @@ void read_light(
     };
     read_rows(text, path, {.columns = columns.names()}, take);
     if (!point) {
-        throw InputError({{path, "holds no light of organs", "the run did not get so far", ""}});
+        throw InputError(
+            {{path, "contains no light of organs", "the run ended before the first result", ""}});
     }
 }
 

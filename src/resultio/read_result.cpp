@@ -21,14 +21,16 @@ namespace fs = std::filesystem;
 
 void check_format(const Node& head, const std::string& path) {
     if (text_in(head, "format") != "quasimc-result") {
-        refuse(path, "is no result of QuasiMC", "a file that `quasimc run --json` wrote is needed");
+        refuse(
+            path, "is not a result of QuasiMC",
+            "it must be a file written by `quasimc run --json`");
     }
     const Node* version = head.find("format_version");
     const auto* number = version == nullptr ? nullptr : version->as<std::int64_t>();
     if (number == nullptr || *number != kResultVersion) {
         refuse(
-            path, "its format_version is not known",
-            fmt::format("this program knows version {}", kResultVersion));
+            path, "its format_version is unknown",
+            fmt::format("this program reads version {}", kResultVersion));
     }
 }
 
@@ -79,8 +81,8 @@ InputFiles::Reader checking_reader(
             if (!input.is_run_file && names.resolved(input.path) == file &&
                 input.sha256 != sha256_hex(bytes)) {
                 throw InputError(
-                    {{file.string(), "has changed",
-                      "it has changed since the result was made (another SHA-256)", ""}});
+                    {{file.string(), "has changed", "its SHA-256 differs from that in the result",
+                      ""}});
             }
         }
         return bytes;
@@ -116,7 +118,7 @@ StoredSweep read_result_text(
     check_format(head, name);
     const Node* run = head.find("run_file");
     if (run == nullptr || run->as<Node::Table>() == nullptr) {
-        refuse(name, "holds no run");
+        refuse(name, "contains no run file");
     }
     Node document = *run;
     forget_outputs(std::get<Node::Table>(document.value));

@@ -224,7 +224,7 @@ std::string text_in(const Node& table, std::string_view key) {
 Node only_point(Node document, std::optional<std::size_t> point, const std::string& path) {
     auto* members = std::get_if<Node::Table>(&document.value);
     if (members == nullptr) {
-        refuse_json(path, "is no result");
+        refuse_json(path, "is not a result");
     }
     if (!point) {
         return document;
@@ -232,7 +232,7 @@ Node only_point(Node document, std::optional<std::size_t> point, const std::stri
     const Node* found = document.find("points");
     const auto* points = found == nullptr ? nullptr : found->as<Node::List>();
     if (points == nullptr || *point >= points->size()) {
-        refuse_json(path, "the point of the sweep is not there");
+        refuse_json(path, "it does not contain this point of the sweep");
     }
     const Node one = (*points)[*point];
     const auto erase = [&](std::string_view key) {

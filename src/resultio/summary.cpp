@@ -29,14 +29,17 @@ std::string scene_line(const Scene& scene) {
         bands += fmt::format("{}{} [{}]", bands.empty() ? "" : ", ", band.name, band.unit);
     }
     const Cell& cell = scene.cell();
-    const std::string_view repeated = !cell.periodic() ? ""
-                                      : cell.along_x && cell.along_y
-                                          ? ", repeated along both horizontal axes"
-                                          : ", repeated along one horizontal axis";
+    const std::string_view second = scene.orientation().up() == UpAxis::z ? "y" : "z";
+    const std::string periodic =
+        !cell.periodic()
+            ? ""
+            : fmt::format(
+                  "; periodic in {}{}{}", cell.along_x ? "x" : "",
+                  cell.along_x && cell.along_y ? " and " : "", cell.along_y ? second : "");
     return line(
         "scene", fmt::format(
                      "{}, {}{}; {} {}", counted(scene.organs().size(), "organ"),
-                     counted(scene.triangle_count(), "triangle"), repeated,
+                     counted(scene.triangle_count(), "triangle"), periodic,
                      scene.bands().size() == 1 ? "band" : "bands", bands));
 }
 
@@ -52,56 +55,60 @@ std::string title_lines(const RunFile& run) {
 std::string subject_lines(const RunFile& run) {
     std::string text = title_lines(run);
     for (const std::string& note : run.source_notes) {
-        text += line("light", one_line(note));
+        text += line("source", one_line(note));
     }
     return text;
 }
 
-std::string run_line(const RunSpec& spec, const Result& result) {
+std::string sampling_line(const RunSpec& spec, const std::string& effort) {
     return line(
-        "run",
+        "sampling", fmt::format(
+                        "{}, {}, seed {}, {}", spec.sampler, effort, spec.seed,
+                        counted(thread_count(spec.threads), "thread")));
+}
+
+std::string sampling_line(const RunSpec& spec, const Result& result) {
+    return sampling_line(
+        spec,
         fmt::format(
-            "{} points, {}, {} x {}, seed {}, {}", spec.sampler, method_name(result.chosen.method),
-            counted(result.paths, "path"), counted(result.replicates, "replicate"), spec.seed,
-            counted(thread_count(spec.threads), "thread")));
+            "{} x {}", counted(result.paths, "path"), counted(result.replicates, "replicate")));
 }
 
-/// Why the run was traced so, if that was not what the run file said.
+/// How light was followed, and why.
 std::string method_line(const RunSpec& spec, const Result& result) {
-    if (spec.method != Method::automatic && result.stop != StopReason::no_light) {
-        return "";
-    }
+    const bool is_automatic = spec.method == Method::automatic;
+    const bool has_reason = is_automatic || result.stop == StopReason::no_light;
     return line(
-        "method", fmt::format("{}: {}", method_name(result.chosen.method), result.chosen.reason));
+        "method", fmt::format(
+                      "{} ({}){}", method_name(result.chosen.method),
+                      is_automatic ? "automatic" : "requested",
+                      has_reason ? ": " + result.chosen.reason : ""));
 }
 
-/// Whether light was traced elsewhere: the sums come from parts of a run.
+/// Whether light was computed elsewhere: the sums come from parts of a run.
 bool is_merged(std::uint64_t rays, double solve_seconds) {
     return rays > 0 && solve_seconds == 0;
 }
 
 std::string time_line(const Result& result) {
     if (is_merged(result.rays, result.solve_seconds)) {
-        return line("time", fmt::format("traced in parts, {}", counted(result.rays, "ray")));
+        return line("time", "computed in parts");
     }
     const auto paths = static_cast<double>(result.paths);
     const double own = paths - result.paths_before;
-    const double all = paths * result.replicates;
-    const double rays_per_path = static_cast<double>(result.rays) / std::max(all, 1.0);
     if (result.paths > 0 && own <= 0) {
-        return line("time", fmt::format("traced before, {:.3g} rays per path", rays_per_path));
+        return line("time", "all paths are from the checkpoint");
     }
     const std::string before =
         result.paths_before > 0
-            ? fmt::format("; {:.3g} % of the paths were traced before", 100 * (1 - own / paths))
+            ? fmt::format(
+                  "; {:.3g} % of the paths are from the checkpoint", 100 * (1 - own / paths))
             : "";
     return line(
         "time", fmt::format(
-                    "{:.3g} s ({:.3g} s of CPU) after {:.3g} s of preparation, {:.3g} million "
-                    "paths/s, {:.3g} rays per path{}",
+                    "{:.3g} s ({:.3g} s CPU), preparation {:.3g} s; {:.3g} million paths/s{}",
                     result.solve_seconds, result.solve_cpu_seconds, result.preparation_seconds,
-                    own * result.replicates / std::max(result.solve_seconds, 1e-9) / 1e6,
-                    rays_per_path, before));
+                    own * result.replicates / std::max(result.solve_seconds, 1e-9) / 1e6, before));
 }
 
 std::string error_line(const RunFile& run, const ErrorStatistics& errors) {
@@ -178,9 +185,10 @@ std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
     for (const auto& [from, times] : summary.methods) {
         text += fmt::format(
             "{}{}{}", text.empty() ? "" : ", ", method_name(from),
-            summary.methods.size() > 1 ? fmt::format(" ({})", counted(times, "time")) : "");
+            summary.methods.size() > 1 ? fmt::format(" at {}", counted(times, "time step")) : "");
     }
-    return text.empty() ? method_name(spec.method) : text;
+    return (text.empty() ? method_name(spec.method) : text) +
+           (spec.method == Method::automatic ? " (automatic)" : " (requested)");
 }
 
 std::string target_line(const RunSpec& spec, const Result& result) {
@@ -191,10 +199,9 @@ std::string target_line(const RunSpec& spec, const Result& result) {
         result.stop == StopReason::target_reached || result.stop == StopReason::no_light;
     return line(
         "target", fmt::format(
-                      "{:.6g} % error or less: {} ({:.3g} % of the organs have it, {:.3g} % were "
-                      "asked for)",
-                      100 * spec.target_error, is_reached ? "reached" : "NOT reached",
-                      100 * result.fraction_at_target, 100 * spec.target_fraction));
+                      "{}: {:.3g} % of the organs are within {:.6g} % ({:.3g} % required)",
+                      is_reached ? "reached" : "not reached", 100 * result.fraction_at_target,
+                      100 * spec.target_error, 100 * spec.target_fraction));
 }
 
 std::string written_line(const std::vector<std::string>& written) {
@@ -204,15 +211,16 @@ std::string written_line(const std::vector<std::string>& written) {
     return line("written", fmt::format("{}", fmt::join(written, ", ")));
 }
 
-/// How many times there are, and in how many traces.
+/// How many time steps there are, and how many were computed.
 std::string describe_times(const TimeSeries& series, const SeriesSummary& summary) {
     const TimeStepNotes& first = series.notes.front();
     const TimeStepNotes& last = series.notes.back();
     if (series.cumulative_sky == CumulativeSky::none) {
         return fmt::format(
-            "{} from {} to {}, {}; {} traced, the others dark or like one of them",
-            series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
-            summary.computed);
+            "{} from {} to {}, {}: {} computed, {} at night or scaled from another",
+            counted(series.time_steps.size(), "time step"), first.time, last.time,
+            counted(series.days.size(), "day"), summary.computed,
+            summary.completed - std::min(summary.computed, summary.completed));
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -221,8 +229,9 @@ std::string describe_times(const TimeSeries& series, const SeriesSummary& summar
         suns += notes.suns;
     }
     return fmt::format(
-        "{} from {} to {}, collapsed into {} of {} in all", times, first.time,
-        last.cumulated->until, counted(summary.computed, "trace"), counted(suns, "sun"));
+        "{} from {} to {}, in {} with {}: {} computed", counted(times, "time step"), first.time,
+        last.cumulated->until, counted(series.notes.size(), "cumulative sky", "cumulative skies"),
+        counted(suns, "sun position"), summary.computed);
 }
 
 std::string stopped_line(const std::string& words) {
@@ -231,15 +240,13 @@ std::string stopped_line(const std::string& words) {
 
 std::string series_time_line(const SeriesSummary& summary) {
     if (is_merged(summary.rays, summary.solve_seconds)) {
-        return line("time", fmt::format("{:.3g} s to put the parts together", summary.seconds));
+        return line("time", fmt::format("{:.3g} s to merge the parts", summary.seconds));
     }
     return line(
         "time",
         fmt::format(
-            "{:.3g} s: preparation {:.3g}, tracing {:.3g} ({:.3g} of CPU), results and "
-            "files {:.3g}",
-            summary.seconds, summary.preparation_seconds, summary.solve_seconds,
-            summary.solve_cpu_seconds,
+            "{:.3g} s ({:.3g} s CPU), preparation {:.3g} s, results and files {:.3g} s",
+            summary.solve_seconds, summary.solve_cpu_seconds, summary.preparation_seconds,
             std::max(0.0, summary.seconds - summary.preparation_seconds - summary.solve_seconds)));
 }
 
@@ -248,24 +255,24 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     const TimeSeries& series = *run.series;
     std::string text;
     for (const std::string& words : series.words) {
-        text += line("time", one_line(words));
+        const std::size_t end = words.find(": ");
+        text += line(words.substr(0, end), one_line(words.substr(end + 2)));
     }
-    text += line("times", describe_times(series, summary));
-    text += line(
-        "run", fmt::format(
-                   "{} points, {}, {} x {} at a time{}; {}", run.spec.sampler,
-                   series_method(run.spec, summary), counted(run.spec.paths, "path"),
-                   counted(run.spec.replicates, "replicate"),
-                   run.spec.path_allocation == PathAllocation::proportional ? " on average" : "",
-                   counted(summary.rays, "ray")));
+    text += line("steps", describe_times(series, summary));
+    text += sampling_line(
+        run.spec,
+        fmt::format(
+            "{} x {} per time step{}", counted(run.spec.paths, "path"),
+            counted(run.spec.replicates, "replicate"),
+            run.spec.path_allocation == PathAllocation::proportional ? " on average" : ""));
+    text += line("method", series_method(run.spec, summary));
     text += stopped_line(describe_stop(run, summary));
     text += series_time_line(summary);
     if (run.spec.target_error > 0) {
         text += line(
-            "target",
-            fmt::format(
-                "{:.6g} % error or less: reached at {} of {}", 100 * run.spec.target_error,
-                summary.at_target, counted(summary.computed, "time")));
+            "target", fmt::format(
+                          "{:.6g} %: reached at {} of {}", 100 * run.spec.target_error,
+                          summary.at_target, counted(summary.computed, "time step")));
     }
     if (summary.audited > 0) {
         text += line("audit", audit_line(summary));
@@ -276,7 +283,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
     std::string text =
-        run_line(run.spec, result) + stopped_line(describe_stop(run.spec, result)) +
+        sampling_line(run.spec, result) + stopped_line(describe_stop(run.spec, result)) +
         method_line(run.spec, result) + time_line(result) + target_line(run.spec, result) +
         energy_lines(
             run.scene, result.budget, result.escaped_by_difference,
@@ -294,18 +301,16 @@ std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::si
     text += line(
         "sweep",
         fmt::format(
-            "{} of {} {} done{}; {} by {}, {}", points, counted(run.sweep->size(), "point"),
-            run.sweep->size() == 1 ? "is" : "are",
+            "{} of {} completed; {} by {}{}", points, counted(run.sweep->size(), "point"),
+            counted(summary.computed, "computation"), series_method(run.spec, summary),
             summary.with_fewer_paths > 0
-                ? fmt::format(", {} with fewer paths", counted(summary.with_fewer_paths, "trace"))
-                : "",
-            counted(summary.computed, "trace"), series_method(run.spec, summary),
-            counted(summary.rays, "ray")));
+                ? fmt::format("; {} with fewer paths than requested", summary.with_fewer_paths)
+                : ""));
     if (run.spec.target_error > 0) {
         text += line(
-            "target",
-            fmt::format(
-                "reached by {} of {}", summary.at_target, counted(summary.computed, "trace")));
+            "target", fmt::format(
+                          "reached by {} of {}", summary.at_target,
+                          counted(summary.computed, "computation")));
     }
     return text + series_time_line(summary);
 }
@@ -359,7 +364,7 @@ std::string Summary::series_quality() const {
         });
     }
     if (medians_.empty()) {
-        return text + line("errors", "at no time has an organ a standard error of what it absorbs");
+        return text + line("errors", "absorbed flux: no standard error could be estimated");
     }
     auto medians = medians_;
     std::sort(medians.begin(), medians.end());
@@ -368,16 +373,15 @@ std::string Summary::series_quality() const {
     text += line(
         "errors",
         fmt::format(
-            "relative standard error of the absorbed flux, median of the organs: {} at "
-            "the middle time, {} at the worst ({})",
+            "absorbed flux, relative standard error, median of the organs: {} at the median time "
+            "step, {} at the worst ({})",
             format_percent(middle), format_percent(worst), run_->series->notes[time_step].time));
     if (badly_known_ > 0) {
         text += line(
             "errors",
             fmt::format(
-                "up to {} of {} are known to no better than {:.0f} % at a time; sums over days are "
-                "better known",
-                badly_known_, counted(run_->scene.organs().size(), "organ"), 100 * kBadlyKnown));
+                "above {:.0f} % for up to {} at a time step; sums over days have smaller errors",
+                100 * kBadlyKnown, counted(badly_known_, "organ")));
     }
     const std::string advice = advice_on_error(*run_, middle);
     return text + (advice.empty() ? "" : line("advice", advice));
@@ -391,7 +395,7 @@ std::string Summary::point_line() const {
     auto medians = medians_;
     std::sort(medians.begin(), medians.end());
     const std::string errors =
-        medians.empty() ? "none known" : format_percent(medians[medians.size() / 2].first);
+        medians.empty() ? "unknown" : format_percent(medians[medians.size() / 2].first);
     return line("point", fmt::format("{}; median error {}", words, errors));
 }
 

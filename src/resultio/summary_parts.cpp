@@ -51,9 +51,12 @@ class PartFormat {
 
 ErrorStatistics error_statistics(const Scene& scene, const Result& result) {
     ErrorStatistics errors;
-    errors.organs = result.organs();
     std::vector<double> relative;
     for (std::size_t i = 0; i < result.organs(); ++i) {
+        if (!scene.organs()[i].measured || scene.organs()[i].is_ground) {
+            continue;
+        }
+        ++errors.organs;
         bool is_known = true;
         double worst = 0;
         for (std::size_t b = 0; b < scene.bands().size(); ++b) {
@@ -95,25 +98,24 @@ std::string advice_on_error(const RunFile& run, double median) {
     return run.spec.time_method == TimeMethod::daylight_coefficients
                ? "more paths make errors smaller"
                : fmt::format(
-                     "target_error = {} traces more paths until errors are that small", kLarge / 2);
+                     "to reach {}: --target-error {}", format_percent(kLarge / 2), kLarge / 2);
 }
 
 std::string describe_errors(const ErrorStatistics& errors) {
     if (!errors.has_median()) {
-        return "no organ has a standard error of the light it absorbs";
+        return "absorbed flux: no standard error could be estimated";
     }
     std::string text = fmt::format(
-        "relative standard error of the absorbed flux: median {}", format_percent(errors.median));
+        "absorbed flux, relative standard error: median {}", format_percent(errors.median));
     text +=
         errors.badly_known > 0
             ? fmt::format(
-                  "; {} of {} {} known to no better than {:.0f} % (worst: organ {})",
-                  errors.badly_known, counted(errors.organs, "organ"),
-                  errors.badly_known == 1 ? "is" : "are", 100 * kBadlyKnown, errors.worst_id)
-            : fmt::format(", worst {} (organ {})", format_percent(errors.worst), errors.worst_id);
+                  ", above {:.0f} % for {} of {} (largest: organ {})", 100 * kBadlyKnown,
+                  errors.badly_known, counted(errors.organs, "organ"), errors.worst_id)
+            : fmt::format(", largest {} (organ {})", format_percent(errors.worst), errors.worst_id);
     if (errors.unknown > 0) {
         text += fmt::format(
-            "; {} without one (black sides, or nothing hit)", counted(errors.unknown, "organ"));
+            "; none for {} (no absorbed light found)", counted(errors.unknown, "organ"));
     }
     return text;
 }
@@ -121,23 +123,18 @@ std::string describe_errors(const ErrorStatistics& errors) {
 std::string describe_energy(
     const BandBudget& budget, const std::string& unit, bool escaped_by_difference) {
     const PartFormat number(budget.emitted.mean);
-    std::string text = fmt::format("[{}]: {} emitted", unit, number(budget.emitted));
+    std::string text = fmt::format("[{}]: emitted {}", unit, number(budget.emitted));
     if (std::isnan(budget.escaped.mean)) {
-        return text + "; not all organs are measured";
+        return text + "; the rest is unknown: not all organs are measured";
     }
-    const double whole = budget.emitted.mean + budget.imbalance.mean;
     if (budget.imbalance.mean != 0) {
-        text += fmt::format(
-            " {} {} by roulette = {}", budget.imbalance.mean < 0 ? "-" : "+",
-            number(std::abs(budget.imbalance.mean)), number(whole));
+        text += ", imbalance " + number(budget.imbalance.mean);
     }
-    const double together = budget.absorbed_by_organs.mean + budget.absorbed_by_ground.mean +
-                            budget.escaped.mean + budget.cut_off.mean;
     return text + fmt::format(
-                      "; organs {}, ground {}, escaped {}{}, cut off {}: together {}",
+                      "; organs {}, ground {}, escaped {}{}, cut off {}",
                       number(budget.absorbed_by_organs), number(budget.absorbed_by_ground),
-                      number(budget.escaped.mean), escaped_by_difference ? " (the rest)" : "",
-                      number(budget.cut_off.mean), number(together));
+                      number(budget.escaped.mean), escaped_by_difference ? " (by difference)" : "",
+                      number(budget.cut_off.mean));
 }
 
 }  // namespace quasimc

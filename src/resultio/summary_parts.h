@@ -14,7 +14,7 @@ namespace quasimc {
 
 /// How well the light that organs absorb is known.
 struct ErrorStatistics {
-    std::size_t organs = 0;
+    std::size_t organs = 0;   ///< that are measured, without the ground
     std::size_t unknown = 0;  ///< organs of which some band has no standard error
     std::size_t badly_known =
         0;              ///< of the others: with a relative standard error above kBadlyKnown

@@ -51,19 +51,20 @@ std::string time_step_columns(const RunFile& run, CsvRows rows) {
     std::string out;
     if (written_columns(run).has_sunlit) {
         out += fmt::format(
-            "# column sunlit_fraction [1]{}: part of the area lit straight by directional sources; "
-            "empty without any\n",
+            "# column sunlit_fraction [1]{}: fraction of the area lit directly by directional "
+            "sources; empty without them\n",
             is_of_groups ? fmt::format(", sunlit_area [{}2]", one_line(run.scene.length_unit()))
                          : "");
     }
     for (const std::string& ratio : run.spec.ratios) {
         out += fmt::format(
-            "# column ratio_{} [1]: of the light that falls on the {}, both sides\n",
+            "# column ratio_{} [1]: ratio of incident light, both sides of the {}\n",
             one_line(ratio), is_of_groups ? "organs" : "organ");
     }
     for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
         out += fmt::format(
-            "# column {}_BAND [1]: {}; in the row of all organs, over a ground or in a cell\n",
+            "# column {}_BAND [1]: {}; only in the row of all organs, above a ground or in a "
+            "cell\n",
             fraction_table()[i].name, fraction_table()[i].summary);
     }
     return out;
@@ -122,12 +123,12 @@ void CsvWriter::write_head(const Result* result) {
     if (result == nullptr) {
         what += " and days";
         times =
-            "# column date: of the day that the row is the sum over, or first and last day\n"
-            "# column seconds: of the times that were summed; of a whole day 86400\n";
+            "# column date: day of the sum, or first and last day\n# column seconds: duration of "
+            "the time steps that were summed; 86400 for a whole day\n";
         first.insert(first.end(), {"date", "seconds"});
     } else if (run.series) {
         what += " and times";
-        times = "# column time: where the time that the row is the mean of begins\n";
+        times = "# column time: beginning of the time step; values are means over it\n";
         first.emplace_back("time");
     } else {
         origin = csv_result_comments(run, *result);

@@ -1,4 +1,4 @@
-// The table of detectors: docs/formats/detectors.md.
+// The table of detectors: docs/reference/detectors.md.
 
 #include <string>
 #include <utility>
@@ -54,12 +54,12 @@ class DetectorTable final : public OutputWriter {
         }
         if (run.series) {
             names.emplace_back("time");
-            out += "# column time: where the time that the row is the mean of begins\n";
+            out += "# column time: beginning of the time step; values are means over it\n";
         }
         out +=
-            "# column mean: flux in the bin\n"
-            "# column standard_error: of the mean; empty where it is unknown (nothing was seen)\n"
-            "# column ci95_low, ci95_high: ends of the 95 % confidence interval\n";
+            "# column mean: flux in the bin\n# column standard_error: of the mean; empty where it "
+            "is unknown (no light sampled)\n# column ci95_low, ci95_high: ends of the 95 % "
+            "confidence interval\n";
         for (std::string& name : names) {
             name = csv_field(name);
         }

@@ -152,7 +152,7 @@ OpfMatches write_opf(std::string_view bytes, const FieldScene& shown, const Text
     const pugi::xml_parse_result parsed =
         document.load_buffer(bytes.data(), bytes.size(), kAll, pugi::encoding_utf8);
     if (!parsed) {
-        throw InputError({{"OPF", parsed.description(), "it is no XML", ""}});
+        throw InputError({{"OPF", parsed.description(), "it is not XML", ""}});
     }
     DepthWalker walker;
     if (!document.traverse(walker)) {

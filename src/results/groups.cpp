@@ -18,7 +18,7 @@
 namespace quasimc {
 namespace {
 
-/// Whether light passes an organ undisturbed.
+/// Whether light passes an organ as if it were not there.
 bool is_sensor(const Scene& scene, const Organ& organ) {
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
         if (!data_of(scene).material(scene.regions()[organ.first_region + i]).is_transparent()) {
@@ -33,7 +33,7 @@ bool is_counted(const Organ& organ) {
     return organ.measured && !organ.is_ground;
 }
 
-/// Whether an organ is part of the canopy, and so of layers.
+/// Whether an organ is part of the canopy: of all organs, and of layers.
 bool is_plant(const Scene& scene, const Organ& organ) {
     return is_counted(organ) && !is_sensor(scene, organ);
 }
@@ -44,7 +44,7 @@ const std::string* label_of(const Organ& organ, std::string_view key) {
     return found == organ.labels.end() ? nullptr : &found->second;
 }
 
-/// The keys that "plant+kind" joins. A key that itself contains '+' is a single key.
+/// The keys that "plant+kind" joins; a key that has a '+' itself stands alone.
 std::vector<std::string_view> joined_keys(
     std::string_view text, const std::vector<std::string_view>& known) {
     std::vector<std::string_view> keys;
@@ -111,7 +111,7 @@ void add_groups_of_labels(
     }
 }
 
-/// Height of an organ.
+/// How high an organ stands.
 struct OrganHeight {
     double centroid = 0;  ///< of its area
     double low = std::numeric_limits<double>::infinity();
@@ -138,7 +138,7 @@ OrganHeight height_of(const Scene& scene, const Organ& organ) {
     return height;
 }
 
-/// The boundaries of layers of equal height; they do not ascend where the organs have no height.
+/// The heights between layers of equal height; they do not ascend where the organs have none.
 std::vector<double> equal_layers(const Scene& scene, std::uint32_t layers) {
     OrganHeight all;
     for (const Organ& organ : scene.organs()) {
@@ -204,7 +204,7 @@ void check_labels(const Scene& scene, const GroupSpec& spec, Faults& faults) {
                 faults.add(
                     {"groups", fmt::format("no organ has a label '{}'", key),
                      known.empty() ? "no organ has any label"
-                                   : "groups are made of the values of a label",
+                                   : "groups are formed by the values of a label",
                      known.empty() ? "give organs labels = { plant = 1 }"
                                    : did_you_mean(key, known)});
             }
@@ -216,15 +216,14 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     const std::vector<double>& heights = spec.layer_heights;
     if (spec.layers > 0 && !heights.empty()) {
         faults.add(
-            {"layers", "layers and layer_heights are both given",
-             "the one is a number of equal layers, the other the heights between them",
-             "leave one of them out"});
+            {"layers", "both layers and layer_heights are given",
+             "one is a number of equal layers, the other their boundaries", "remove one of them"});
         return;
     }
     if (heights.size() == 1) {
         faults.add(
             {"layer_heights", fmt::format("[{}]", shortest(heights.front())),
-             "a layer has a lower and an upper height", "give two heights or more"});
+             "a layer needs a lower and an upper boundary", "give at least two heights"});
     }
     for (std::size_t i = 0; i < heights.size(); ++i) {
         const bool ascends = i == 0 || heights[i - 1] < heights[i];
@@ -232,9 +231,9 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
             faults.add(
                 {"layer_heights",
                  i == 0
-                     ? fmt::format("{} is no height", shortest(heights[i]))
+                     ? fmt::format("{} is not a height", shortest(heights[i]))
                      : fmt::format("{} follows {}", shortest(heights[i]), shortest(heights[i - 1])),
-                 "heights are finite numbers that ascend", "list them from below to above"});
+                 "heights must be finite and ascending", "give them in ascending order"});
             return;
         }
     }
@@ -242,8 +241,9 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
         const std::vector<double> equal = equal_layers(scene, spec.layers);
         if (!(equal.front() < equal.back())) {
             faults.add(
-                {"layers", fmt::format("{} layers of organs without height", spec.layers),
-                 "they lie in one horizontal plane, or there are none",
+                {"layers",
+                 fmt::format("{} layers, but organs have no vertical extent", spec.layers),
+                 "they are in one horizontal plane, or there are none",
                  "set layer_heights = [...]"});
         }
     }

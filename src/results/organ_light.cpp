@@ -11,7 +11,7 @@ namespace {
 
 const SceneNames& names_of(const Result& result) {
     if (!result.names) {
-        throw InputError({{"result", "it has no names", "it was made without a scene", ""}});
+        throw InputError({{"result", "it has no names", "it was created without a scene", ""}});
     }
     return *result.names;
 }
@@ -26,7 +26,7 @@ OrganLight Result::operator[](std::size_t index) const& {
     const std::size_t count = names_of(*this).organs().size();
     if (index >= count) {
         throw InputError(
-            {{fmt::format("organ {}", index), "the scene has no organ of this index", "",
+            {{fmt::format("organ {}", index), "no organ of the scene has this index", "",
               fmt::format("it has {}, counted from 0", count)}});
     }
     return {*this, index};
@@ -43,7 +43,7 @@ std::size_t BandKey::index(const SceneNames& names) const {
     const std::size_t index = std::get<std::size_t>(key_);
     if (index >= names.bands().size()) {
         throw InputError(
-            {{fmt::format("band {}", index), "the scene has no band of this index", "",
+            {{fmt::format("band {}", index), "no band of the scene has this index", "",
               fmt::format("it has {}, counted from 0", names.bands().size())}});
     }
     return index;

@@ -71,11 +71,11 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
         shortest(spec.roulette_threshold), "above 0, at most 1");
     require(
         spec.target_error == 0 || spec.replicates >= 2, "target_error",
-        "needs at least 2 replicates", "one replicate has no standard error");
+        "at least 2 replicates are needed", "one replicate has no standard error");
     require(
         spec.audit >= 0 && spec.audit <= 1, "audit", shortest(spec.audit), "0 to 1, 0 for none");
     require(
-        !(spec.audit > 0) || spec.replicates >= 2, "audit", "needs at least 2 replicates",
+        !(spec.audit > 0) || spec.replicates >= 2, "audit", "at least 2 replicates are needed",
         "one replicate has no standard error");
     require(
         spec.max_paths == 0 || (spec.max_paths >= spec.paths && spec.max_paths <= kMaxPaths),
@@ -119,8 +119,8 @@ void check_group_names(const Scene& scene, const RunSpec& spec, Faults& faults) 
         };
         if (is_taken && std::any_of(scene.organs().begin(), scene.organs().end(), has_label)) {
             faults.add(
-                {"groups", fmt::format("'{}' is a label that has the name of other groups", key),
-                 "its rows would look like theirs", "rename the label"});
+                {"groups", fmt::format("'{}' is a label with the name of other groups", key),
+                 "their rows could not be distinguished", "rename the label"});
         }
     }
 }
@@ -130,8 +130,8 @@ void check_organs(const Scene& scene, const RunSpec& spec, Faults& faults) {
     if (spec.method == Method::from_organs &&
         std::none_of(scene.organs().begin(), scene.organs().end(), is_measured)) {
         faults.add(
-            {"method", "no organ is measured", "paths would start on measured organs",
-             "leave measured = false out for the organs whose light you want"});
+            {"method", "no organ is measured", "paths have no organs to start from",
+             "remove measured = false from the organs whose light you need"});
     }
 }
 
@@ -174,8 +174,8 @@ void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
     if (has_lamp && scene.cell().periodic() && spec.method == Method::from_organs) {
         faults.add(
-            {"method", "from_organs, with a lamp in a periodic scene",
-             "the lamp repeats with the cell; its light is traced from the sources only",
+            {"method", "from_organs does not support lamps in a periodic scene",
+             "paths would have to choose one of infinitely many copies of the lamp",
              "use method = \"light_tracing\""});
     }
 }
@@ -186,8 +186,8 @@ void check_detected_light(const Scene& scene, const RunSpec& spec, Faults& fault
     if (solver != nullptr && solver->escaped == EscapedLight::remainder &&
         need_escaped_light(scene.detectors())) {
         faults.add(
-            {"method", fmt::format("{} does not follow light that escapes", solver->name),
-             "a detector waits for that light", "use method = \"light_tracing\""});
+            {"method", fmt::format("{} does not follow escaping light", solver->name),
+             "a detector needs it", "use method = \"light_tracing\""});
     }
 }
 
@@ -204,7 +204,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {
-        check_matt(scene, faults);
+        check_diffuse(scene, faults);
         check_bundle_memory(scene, spec, faults);
     }
 }

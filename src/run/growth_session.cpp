@@ -24,11 +24,11 @@ Fault fault_of(std::int64_t id, std::string problem, std::string why, std::strin
 
 Fault no_such_organ(std::int64_t id) {
     return fault_of(
-        id, "the session has no such organ", "", "add it before you change, remove or request it");
+        id, "the session has no such organ", "", "add it before you change, remove or read it");
 }
 
 Fault twice(std::int64_t id) {
-    return fault_of(id, "appears twice", "ids are unique", "");
+    return fault_of(id, "is given twice", "ids must be unique", "");
 }
 
 /// Reports unknown ids and ids that appear twice.
@@ -45,8 +45,9 @@ void check_known(
             faults.add(twice(id));
         } else if (of_frame.contains(id)) {
             faults.add(fault_of(
-                id, "is an organ of the scene of the session",
-                "only organs added to the session can be changed and removed", "change the scene"));
+                id, "belongs to the scene of the session",
+                "only organs that were added to the session can be changed or removed",
+                "change the scene"));
         } else if (!has(id)) {
             faults.add(no_such_organ(id));
         }
@@ -116,8 +117,8 @@ void GrowthSession::set_frame(SceneBuilder frame) {
     for (const std::int64_t id : ids) {
         if (has(id)) {
             faults.add(fault_of(
-                id, "the session has an organ of this id", "ids are unique",
-                "give that of the scene another id"));
+                id, "the session has an organ with this id", "ids must be unique",
+                "give the organ of the scene another id"));
         }
     }
     faults.throw_if_any();
@@ -143,14 +144,14 @@ std::vector<std::int64_t> GrowthSession::add(std::vector<OrganSpec> organs) {
         const std::int64_t id = ids.back();
         if (id >= kLastId) {
             faults.add(fault_of(
-                id, "the id is too large", "ids end at " + std::to_string(kLastId - 1), ""));
+                id, "the id is too large", "the largest id is " + std::to_string(kLastId - 1), ""));
         } else if (has(id)) {
             faults.add(fault_of(
-                id, "the session has an organ of this id", "ids are unique",
+                id, "the session has an organ with this id", "ids must be unique",
                 "change it, or remove it first"));
         } else if (state_->frame_ids.contains(id)) {
             faults.add(fault_of(
-                id, "the scene of the session has an organ of this id", "ids are unique",
+                id, "the scene of the session has an organ with this id", "ids must be unique",
                 "take another"));
         } else if (!seen.insert(id).second) {
             faults.add(twice(id));
@@ -181,7 +182,7 @@ void GrowthSession::change(std::vector<OrganSpec> organs) {
     for (const OrganSpec& organ : organs) {
         if (!organ.id) {
             throw InputError(
-                {{"change", "an organ has no id", "the id selects the organ to change", ""}});
+                {{"change", "an organ has no id", "the id selects the organ that is changed", ""}});
         }
         ids.push_back(*organ.id);
     }

@@ -84,16 +84,15 @@ void report_given(const Sums& sums, const RunFacts& facts, const RunControl& con
 
 Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
     if (why == StopReason::interrupted) {
-        return {why, "stopped before the first round of paths was complete: there is no result"};
+        return {why, "stopped before the first round of paths was complete; there is no result"};
     }
     const std::string limit =
         spec.max_seconds > 0 ? fmt::format("max_seconds: {} s were", shortest(spec.max_seconds))
                              : "the time was";
     return {
-        why,
-        limit +
-            " over before a few paths were traced: there is no result; allow more time, or, where "
-            "light is caught in a closed space that absorbs little, set max_depth"};
+        why, limit +
+                 " over before a few paths were complete; there is no result; allow more time or, "
+                 "for a closed space that absorbs little, set max_depth"};
 }
 
 }  // namespace
@@ -132,7 +131,7 @@ Result Simulator::State::run(
         Result result =
             trace({scene, sources, planned, control, work, deadline, role, start}, early);
         if (result.stop == StopReason::no_light) {
-            chosen.reason = "no light reaches the scene, nothing was traced";
+            chosen.reason = "no light reaches the scene; nothing was computed";
         }
         result.chosen = std::move(chosen);
         add_sunlit_of_hidden_suns(scene, sources, result);

@@ -19,7 +19,7 @@ namespace {
 std::string refusal_of_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
     const std::uint64_t first = position.first_paths;
     if (spec.paths < position.rounds.done) {
-        return fmt::format("{} paths are traced already", position.rounds.done);
+        return fmt::format("{} paths are computed already", position.rounds.done);
     }
     if (spec.paths % first != 0 || !std::has_single_bit(spec.paths / first)) {
         return fmt::format("they must be {}, doubled any number of times", first);
@@ -32,8 +32,8 @@ std::string refusal_of_paths(const RunPosition& position, const Scene& scene, co
         samplers.begin(), samplers.end(), [&](const auto& e) { return e.name == spec.sampler; });
     if (!adds_up || !sampler->is_sequence) {
         return fmt::format(
-            "of {} with {} points, {} paths and more are not the beginning of {}", solver->name,
-            spec.sampler, first, spec.paths);
+            "{0}: the first {2} paths of {1} differ from those of a run with {3} paths",
+            solver->name, spec.sampler, first, spec.paths);
     }
     return "";
 }
@@ -43,8 +43,8 @@ void check_other_paths(const RunPosition& position, const Scene& scene, const Ru
     const std::string why = refusal_of_paths(position, scene, spec);
     if (!why.empty()) {
         throw InputError(
-            {{"paths", fmt::format("the checkpoint can't go on to {} of them", spec.paths), why,
-              "keep paths and set max_paths, or start again"}});
+            {{"paths", fmt::format("the checkpoint can't be continued to {} paths", spec.paths),
+              why, "keep paths and set max_paths, or start again"}});
     }
 }
 
@@ -59,12 +59,12 @@ std::string refusal_of_ends(const RunPosition& position, const RunSpec& spec) {
     const bool has_target = spec.target_error > 0;
     if (!has_target && spec.max_paths == 0) {
         return fmt::format(
-            "paths is {}, and neither max_paths nor a target asks for more", spec.paths);
+            "paths is {}, and neither max_paths nor target_error requires more", spec.paths);
     }
     const bool is_no_weaker = position.target_error > 0 &&
                               spec.target_error <= position.target_error &&
                               spec.target_fraction >= position.target_fraction;
-    return !has_target || is_no_weaker ? "" : "the target may have been reached with fewer";
+    return !has_target || is_no_weaker ? "" : "the target may need fewer";
 }
 
 /// @throws InputError  if the requested run might have ended earlier
@@ -74,8 +74,8 @@ void check_ends(const RunPosition& position, const RunSpec& spec) {
         throw InputError(
             {{"checkpoint",
               fmt::format(
-                  "has {} paths already, more than the run asked for has", position.rounds.done),
-              why, "request as much as before, or more, or start again"}});
+                  "has {} paths already, more than this run requests", position.rounds.done),
+              why, "request at least as many paths as before, or start again"}});
     }
 }
 

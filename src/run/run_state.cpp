@@ -69,7 +69,7 @@ RunState load_state(std::string_view bytes) {
     state.done = read_block(bytes);
     state.partial = read_block(bytes);
     if (!bytes.empty()) {
-        throw std::invalid_argument("the state of a run has trailing bytes");
+        throw std::invalid_argument("the state of a run has extra bytes at its end");
     }
     return state;
 }

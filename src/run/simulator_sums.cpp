@@ -69,7 +69,7 @@ Sums Simulator::State::sums(
     return sums;
 } catch (const StopRequested&) {
     throw Stopped(
-        StopReason::interrupted, "stopped before all paths were traced: there are no sums");
+        StopReason::interrupted, "stopped before all paths were computed; there are no sums");
 }
 
 }  // namespace quasimc

@@ -35,7 +35,7 @@ Result zero_result(const Scene& scene, const RunSpec& spec) {
     dark.canopy = zero_canopy(scene);
     dark.detectors = zero_detectors(scene);
     dark.replicates = spec.replicates;
-    dark.chosen.reason = "no light, nothing was traced";
+    dark.chosen.reason = "no source gives light; nothing was computed";
     return dark;
 }
 

@@ -68,7 +68,7 @@ type = "sky"
 model = "cie_clear"         # quasimc list skies
 irradiance_horizontal = [0.2]
 
-# [[source]]                # example of a lamp; see docs/formats/run-file.md for the others
+# [[source]]                # example of a lamp; see docs/reference/run-file.md for the others
 # type = "point"
 # position = [0, 0, 3]
 # power = 60                # W, or photon_flux in umol s-1 for bands in umol m-2 s-1

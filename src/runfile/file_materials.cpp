@@ -40,7 +40,7 @@ const MeshMaterial* definition_of(const std::string& name, const Definitions& de
 /// What a file gives for a material that the run file does not.
 std::string describe_optics(const MeshMaterial& material) {
     if (!material.is_stated) {
-        return "its library gives no colour, so that it is black";
+        return "its library has no colour, and black is used";
     }
     return fmt::format(
         "{} gives reflectance {:.4g}, transmittance {:.4g} in every band",
@@ -126,7 +126,7 @@ void FileMaterials::Search::warn_of_unmatched_keys() {
     };
     for (const auto& [name, run_name] : file.keys.by_file_name) {
         if (!is_used(name)) {
-            warn(fmt::format("materials names '{}', which {} does not use", name, file.name));
+            warn(fmt::format("materials contains '{}', which {} does not use", name, file.name));
         }
     }
 }
@@ -224,8 +224,7 @@ std::string FileMaterials::missing(Search& search, const std::string& name) cons
     const std::string& file = search.file.name;
     if (name.empty()) {
         search.table.fault(
-            fmt::format("{} names no material for its triangles", file), "",
-            "add material = \"...\"");
+            fmt::format("{} has triangles without a material", file), "", "add material = \"...\"");
     } else {
         search.table.fault(
             fmt::format("material '{}' of {} is not in the run file", name, file), "",

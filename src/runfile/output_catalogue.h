@@ -21,7 +21,7 @@ struct OutputNeed {
     std::string_view shown = {};   ///< the same for messages: "[time]"
     std::string_view reason = {};  ///< why it must be there
 };
-inline constexpr OutputNeed kNeedsTimes{"time", "[time]", "sums over days need times"};
+inline constexpr OutputNeed kNeedsTimes{"time", "[time]", "daily sums need [time]"};
 inline constexpr OutputNeed kNeedsDetectors{
     "detector", "[[detector]]", "there is nothing to be written without"};
 

@@ -32,8 +32,8 @@ Orientation read_orientation(TableReader& top) {
     const bool is_horizontal = inward.z == 0 && std::isfinite(length(inward)) && length(inward) > 0;
     if (!is_horizontal) {
         top.fault_at(
-            "north", "north is no horizontal direction",
-            "it must have a length and no part along the up axis");
+            "north", "north is not a horizontal direction",
+            "it must have a length and be perpendicular to the up axis");
     }
     return {up, is_horizontal ? north : usual};
 }
@@ -43,7 +43,7 @@ void read_format_version(TableReader& top) {
     if (version && *version > kRunFileVersion) {
         top.fault_at(
             "format", fmt::format("format is {}", *version),
-            fmt::format("this program knows formats up to {}", kRunFileVersion),
+            fmt::format("this program reads formats up to {}", kRunFileVersion),
             "use a newer program");
     }
 }
@@ -169,14 +169,13 @@ void check_path_allocation(const Sections& sections, Faults& faults) {
     }
     if (!sections.series) {
         faults.add(
-            {"path_allocation", "it is \"proportional\"", "the run has no [time]", "leave it out"});
+            {"path_allocation", "it is \"proportional\"", "the run has no [time]", "remove it"});
         return;
     }
     const auto& steps = sections.series->time_steps;
     if (std::any_of(steps.begin(), steps.end(), [](const auto& s) { return s.seconds == 0; })) {
         faults.add(
-            {"path_allocation", "it is \"proportional\"",
-             "instants have no part in the sum of a day",
+            {"path_allocation", "it is \"proportional\"", "instants do not count in daily sums",
              "give duration_minutes, or leave path_allocation out"});
     }
 }
@@ -188,7 +187,7 @@ void check_hours(const Sections& sections, Faults& faults) {
     } else if (spec.time_method == TimeMethod::daylight_coefficients) {
         faults.add(
             {"time_method", "it is \"daylight_coefficients\"", "the run has no [time]",
-             "leave it out"});
+             "remove it"});
     }
 }
 
@@ -299,7 +298,7 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
     } catch (const InputError& error) {
         if (const ForeignFormat* foreign = foreign_format_of_path(name)) {
             throw InputError(
-                {{name, fmt::format("is {}, not a run file", foreign->name), "it is not read",
+                {{name, fmt::format("is {}, not a run file", foreign->name), "it is not supported",
                   std::string(foreign->advice)}});
         }
         if (extension == ".json") {
@@ -323,8 +322,7 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
         }
         throw InputError(
             {{name, "is not a run file", error.faults().front().text(),
-              "give a run file, which is TOML and names files of geometry and weather; "
-              "`quasimc --dump-default` prints one"}});
+              "give a run file in TOML; `quasimc --dump-default` prints one"}});
     }
 }
 

@@ -54,9 +54,9 @@ Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
     const auto from = table.real("from_nm", kWavelengths);
     const auto to = table.real("to_nm", kWavelengths);
     if (from && to && *from >= *to) {
-        table.fault_at("to_nm", "to_nm is not above from_nm");
+        table.fault_at("to_nm", "to_nm must be above from_nm");
     } else if (from.has_value() != to.has_value() && !table.failed()) {
-        table.fault("from_nm and to_nm go together");
+        table.fault("give both from_nm and to_nm");
     }
     band.from_nm = from.value_or(0);
     band.to_nm = to.value_or(0);
@@ -69,8 +69,8 @@ void check_band_names(TableReader& top, const std::vector<Band>& bands, const No
     for (const Band& band : bands) {
         if (band.name.find_first_of(":,\"\n\r#") != std::string::npos) {
             top.fault_at(
-                node, fmt::format("a band is named {}", shown(band.name)),
-                "a name holds no ':', ',', '#', quote or line break");
+                node, fmt::format("the name of a band is {}", shown(band.name)),
+                "a name must not contain ':', ',', '#', quotes or line breaks");
         }
     }
 }
@@ -132,8 +132,8 @@ std::optional<std::vector<double>> read_irradiances(
             table.warn_at(
                 *table.any(key),
                 fmt::format(
-                    "{} of band {} is {} {}: the sun brings 1361 W m-2 outside the atmosphere, "
-                    "some 6200 umol m-2 s-1; is the unit right?",
+                    "{} of band {} is {} {}, but the sun gives 1361 W m-2 (about 6200 umol m-2 "
+                    "s-1) outside the atmosphere: is the unit right?",
                     key, bands[b].name, shortest((*values)[b]), bands[b].unit));
             break;
         }

@@ -120,8 +120,8 @@ void add_lights(
         irradiance *= sum;
     }
     list.notes.push_back(fmt::format(
-        "{}: {} directions, together {}", file, lights.size(),
-        format_irradiance("horizontal", whole, context.bands)));
+        "{}: {} directions; {} in all", file, lights.size(),
+        format_irradiance("the horizontal", whole, context.bands)));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::optional<std::array<double, kMost>> read_numbers(TableReader& table, const 
     const auto* list = node.as<Node::List>();
     if (list == nullptr || list->size() < kFewest || list->size() > kMost) {
         table.fault_at(
-            node, "a copy in at is no list of 3 to 5 numbers",
+            node, "a copy in at is not a list of 3 to 5 numbers",
             "it must be [x, y, z], [x, y, z, heading_deg] or [x, y, z, heading_deg, scale]");
         return std::nullopt;
     }
@@ -65,7 +65,7 @@ std::optional<std::vector<Affine>> read_copies(TableReader& table, const Orienta
     const auto* list = node->as<Node::List>();
     const auto is_list = [](const Node& item) { return item.as<Node::List>() != nullptr; };
     if (list == nullptr || std::none_of(list->begin(), list->end(), is_list)) {
-        table.fault_at(*node, "at is no list of copies", "it must be [[x, y, z], ...]");
+        table.fault_at(*node, "at is not a list of copies", "it must be [[x, y, z], ...]");
         return std::nullopt;
     }
     std::vector<Affine> copies;

@@ -26,7 +26,7 @@ std::optional<SpectralSpan::Count> count_of(std::string_view unit) {
 
 constexpr SpectrumForm kDaylightForm{
     "wavelength_nm,direct,diffuse",
-    "a row holds wavelength [nm], direct and diffuse irradiance per nm, 0 or more",
+    "a row contains wavelength [nm], direct and diffuse irradiance per nm, 0 or more",
     [](const std::vector<double>& values) {
         return values.size() == 3 && std::all_of(values.begin(), values.end(), [](double x) {
                    return std::isfinite(x) && x >= 0;
@@ -63,10 +63,9 @@ void warn_of_short_rows(
     });
     if (is_short) {
         reporter.warn(fmt::format(
-            "the rows cover {} to {} nm, and daylight is of {} to {} nm: outside them its "
-            "spectrum is taken to be the standard's (ASTM G173-03), scaled to the rows, and "
-            "dark beyond a row of 0; {:.2g} % of the direct and {:.2g} % of the diffuse light "
-            "lie there; add rows if that is not so",
+            "the rows cover {} to {} nm, daylight {} to {} nm; outside the rows the standard "
+            "spectrum (ASTM G173-03) is used, scaled to the rows, and 0 beyond a row of 0: {:.2g} "
+            "% of the direct and {:.2g} % of the diffuse light; add rows to replace it",
             shortest(nm.front()), shortest(nm.back()), all.from_nm, all.to_nm,
             100 * share_outside(continued.direct, all, nm),
             100 * share_outside(continued.diffuse, all, nm)));
@@ -95,7 +94,9 @@ std::optional<DaylightSpectra> read_spectra(
             warn_of_short_rows(nm, whole, bands, own);
             spectra = DaylightSpectra(whole.direct, whole.diffuse);
         } else {
-            own.fault(0, "has no light", "direct and diffuse must have some from 280 to 4000 nm");
+            own.fault(
+                0, "contains no light",
+                "direct and diffuse must be above 0 somewhere from 280 to 4000 nm");
         }
     }
     context.table->reporter().add(own);
@@ -132,12 +133,13 @@ std::vector<SpectralSpan> band_spans(TableReader& table, const std::vector<Band>
         const auto count = count_of(band.unit);
         if (!span) {
             table.fault(
-                fmt::format("the wavelengths of band '{}' are not known", band.name),
-                "daylight is split by them", "give from_nm and to_nm in its [[band]]");
+                fmt::format("the wavelengths of band '{}' are unknown", band.name),
+                "they are needed to divide daylight among bands",
+                "give from_nm and to_nm in its [[band]]");
         } else if (!count) {
             table.fault(
                 fmt::format("band '{}' is in {}", band.name, band.unit),
-                "daylight is known in W m-2, umol m-2 s-1 and lx");
+                "daylight is available in W m-2, umol m-2 s-1 and lx");
         } else {
             span->count = *count;
             spans.push_back(*span);

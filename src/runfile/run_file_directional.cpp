@@ -14,10 +14,9 @@ std::optional<Vec3> read_travel(TableReader& table, const RunFileContext& contex
     const bool has_angles = has_azimuth || has_elevation;
     if (has_direction == has_angles) {
         table.fault(
-            has_direction ? "direction and angles are given" : "where it shines from is missing",
-            "",
-            "give either direction = [x, y, z], in which the light travels, or azimuth_deg and "
-            "elevation_deg of where it comes from");
+            has_direction ? "both direction and angles are given" : "its direction is missing", "",
+            "give direction = [x, y, z] in which the light travels, or azimuth_deg and "
+            "elevation_deg towards the source");
         return std::nullopt;
     }
     if (has_angles) {
@@ -44,10 +43,8 @@ std::optional<NotedSource> read_directional(
         table.warn(table.what() + ": it is below the horizon");
     }
     const std::string note = fmt::format(
-        "{}: directional, light travels along {} (from {}), {}", name,
-        format_vector(context.orientation.outward(*travel)),
-        format_angles(*travel, context.orientation),
-        format_irradiance("plane facing it", *values, context.bands));
+        "{}: {}; {}", name, format_angles(*travel, context.orientation),
+        format_irradiance("a plane facing it", *values, context.bands));
     return NotedSource{make_directional_source(name, *travel, *values), note};
 }
 

@@ -219,8 +219,8 @@ void warn_of_second_scale(const Affine& transform, const NamedMesh& named, Table
     const bool is_scaled = std::abs(std::abs(determinant(transform)) - 1) > kRounding;
     if (is_scaled && named.format->read == read_ops && table.any("plant_unit") == nullptr) {
         table.warn(fmt::format(
-            "transform scales the plants and places of {} once more: its plants have been "
-            "converted from centimetres; leave the scale out, or give plant_unit",
+            "transform scales the plants and positions of {} again: its plants have been converted "
+            "from centimetres; remove the scale or give plant_unit",
             named.file));
     }
 }

@@ -59,7 +59,7 @@ std::optional<std::vector<Reading>> read_amounts(TableReader& table, std::size_t
         if (list != nullptr && list->size() != count) {
             table.fault_at(
                 name, fmt::format("{} has {} values", name, list->size()),
-                fmt::format("there are {} times", count));
+                fmt::format("there are {} time steps", count));
             continue;
         }
         for (std::size_t i = 0; i < count; ++i) {
@@ -90,8 +90,8 @@ void warn_of_overlaps(const std::vector<Interval>& intervals, TableReader& table
         table.warn_at(
             *table.any("times"),
             fmt::format(
-                "{} of the times overlap, and sums over days count their light twice: {}", overlaps,
-                first));
+                "{} of the time steps overlap, and daily sums count their light twice: {}",
+                overlaps, first));
     }
 }
 
@@ -207,7 +207,7 @@ std::vector<Interval> read_intervals(TimeContext& context) {
         table.any("day") != nullptr || table.any("from") != nullptr || table.any("to") != nullptr;
     if (has_times == has_span) {
         table.fault(
-            has_times ? "times and a day or period are given" : "the times are missing", "",
+            has_times ? "both times and a day or period are given" : "the times are missing", "",
             "give times, or day, or from and to, or a weather file");
         return {};
     }

@@ -12,12 +12,12 @@ namespace quasimc {
 
 std::string format_irradiance(
     std::string_view plane, const std::vector<double>& values, const std::vector<Band>& bands) {
-    std::string text = fmt::format("irradiance on the {}", plane);
+    std::string text;
     for (std::size_t b = 0; b < bands.size(); ++b) {
         text += fmt::format(
-            "{} {} {} {}", b == 0 ? ":" : ",", bands[b].name, shortest(values[b]), bands[b].unit);
+            "{}{} {} {}", b == 0 ? "" : ", ", bands[b].name, shortest(values[b]), bands[b].unit);
     }
-    return text;
+    return fmt::format("{} on {}", text, plane);
 }
 
 std::string format_vector(const Vec3& v) {
@@ -61,10 +61,8 @@ std::optional<std::vector<double>> facing_irradiance(
     constexpr double kHorizon = 1e-6;
     if (sine < kHorizon) {
         table.fault_at(
-            "irradiance_horizontal",
-            "irradiance_horizontal of a source that is not above the horizon",
-            "light from there does not fall on the upper side of the horizontal",
-            "give irradiance_facing");
+            "irradiance_horizontal", "irradiance_horizontal of a source below the horizon",
+            "its light does not reach the horizontal from above", "give irradiance_facing");
         return std::nullopt;
     }
     for (double& value : irradiance.values) {

@@ -33,7 +33,7 @@ std::optional<double> square_metres(TableReader& table, const RunFileContext& co
     }
     table.fault(
         fmt::format("length_unit is '{}'", context.length_unit),
-        "what a lamp emits is turned into irradiance by the size of the scene",
+        "the irradiance from a lamp depends on the size of the scene",
         "use m, cm, mm, dm, km, um, ft, in or yd");
     return std::nullopt;
 }
@@ -71,16 +71,15 @@ bool read_spot(TableReader& table, const RunFileContext& context, LampSpec& lamp
     const auto soft = table.real("soft_from_deg", {0, 180});
     if ((table.any("exponent") != nullptr) == (table.any("cone_deg") != nullptr)) {
         table.fault(
-            "its beam is not stated in one way", "",
-            "give cone_deg (angle from the axis at which the light ends; soft_from_deg: at which "
-            "it "
-            "begins to fall) or exponent (intensity goes as cos^exponent)");
+            "its beam needs either cone_deg or exponent", "",
+            "give cone_deg (angle from the axis at which the light ends; soft_from_deg: where it "
+            "begins to decrease) or exponent (intensity is proportional to cos^exponent)");
         return false;
     }
     if (soft && (!cone || *soft > *cone)) {
         table.fault_at(
             "soft_from_deg", fmt::format("soft_from_deg is {}", shortest(*soft)),
-            "it goes with cone_deg and is at most that");
+            "it needs cone_deg and must not exceed it");
         return false;
     }
     const bool is_placed = read_pose(table, context, lamp);
@@ -124,7 +123,7 @@ bool read_line(TableReader& table, const RunFileContext& context, LampSpec& lamp
     }
     const Vec3 along = context.orientation.inward(*to - *from);
     if (length(along) == 0) {
-        table.fault("from and to are the same place", "a line has a length");
+        table.fault("from and to are the same point", "a line needs a length");
         return false;
     }
     lamp.position = context.orientation.inward(0.5 * (*from + *to));
@@ -194,9 +193,8 @@ bool add_flux(
         if (band.unit != key.of_band && (*given)[b] != 0) {
             table.fault_at(
                 key.key, fmt::format("{} for band '{}' in {}", key.key, band.name, band.unit),
-                fmt::format("it is in {}, of irradiance in {}", key.unit, key.of_band),
-                "state the flux of each band in its unit: one number for each band, 0 where it has "
-                "another unit");
+                fmt::format("the unit of the band is {}, irradiance {}", key.unit, key.of_band),
+                "give the flux of each band in its unit, and 0 for bands with another unit");
             return false;
         }
         flux[b] += (*given)[b];
@@ -217,7 +215,7 @@ std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileCo
     }
     if (!is_stated) {
         table.fault(
-            "what it emits is missing", "",
+            "its flux is missing", "",
             "give power [W], photon_flux [umol s-1] or luminous_flux [lm], per band");
         return std::nullopt;
     }
@@ -260,7 +258,7 @@ std::optional<Vec3> read_direction(
     }
     const double size = std::max({std::abs(given->x), std::abs(given->y), std::abs(given->z)});
     if (size == 0) {
-        table.fault_at(key, fmt::format("{} is [0, 0, 0]", key), "it points nowhere");
+        table.fault_at(key, fmt::format("{} is [0, 0, 0]", key), "it has no direction");
         return std::nullopt;
     }
     return normalized(context.orientation.inward(*given / size));
@@ -283,7 +281,7 @@ std::optional<NotedSource> read_lamp(
     lamp.flux = *flux;
     const Orientation& axes = context.orientation;
     const std::string note = fmt::format(
-        "{}: {} at {}, aims along {}, {}", name, find_source(type)->words,
+        "{}: {} at {}, aimed along {}; {}", name, find_source(type)->words,
         format_point(axes.outward(lamp.position)), format_vector(axes.outward(lamp.axes.n)),
         format_flux(*flux, context));
     return NotedSource{make_lamp(std::move(lamp)), note};

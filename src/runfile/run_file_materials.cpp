@@ -22,7 +22,7 @@ std::optional<std::string> read_model(TableReader& table, std::string_view key, 
     }
     if (find_bsdf(*text) == nullptr) {
         table.fault_at(
-            node, fmt::format("{} is '{}'", key, *text), "no such model",
+            node, fmt::format("{} is '{}'", key, *text), "unknown model",
             did_you_mean(*text, names_in(bsdf_catalogue())));
         return std::nullopt;
     }
@@ -92,7 +92,7 @@ SideKeys read_side(TableReader& table, const RunFileContext& context) {
         if (auto optics = read(table, context)) {
             if (keys.reflection.amount || keys.transmission.amount) {
                 table.fault(
-                    "its optics are stated twice", "",
+                    "its optics are given twice", "",
                     "use one of spectrum, optics, and reflectance with transmittance");
             }
             keys.reflection.amount = std::move(optics->reflectance);
@@ -155,7 +155,7 @@ void check_parameters(TableReader& table, const LobeKeys& keys, std::string_view
         if (!is_taken && is_given) {
             table.fault(
                 fmt::format("{}_{} is given", word, p.name),
-                fmt::format("the model {} takes none", models.front()),
+                fmt::format("the model {} has no {}", models.front(), p.name),
                 fmt::format("set {}_model, or leave the {} out", word, p.name));
         }
     }
@@ -163,8 +163,7 @@ void check_parameters(TableReader& table, const LobeKeys& keys, std::string_view
 
 void check_stated(TableReader& table, const SideKeys& keys) {
     if (!keys.reflection.amount && !keys.transmission.amount) {
-        table.fault(
-            "reflectance is missing", "", "write reflectance = 0 for a black surface");
+        table.fault("reflectance is missing", "", "write reflectance = 0 for a black surface");
     }
 }
 
@@ -180,10 +179,9 @@ std::vector<SideOptics> make_side(
         const BandLobe t = lobe_of(keys.transmission, b);
         side.push_back({r.amount, t.amount, r.model, r.parameters, t.model, t.parameters});
         if (r.amount + t.amount > 1) {
-            table.fault(
-                fmt::format(
-                    "{}band {}: reflectance {} + transmittance {} exceeds 1", words,
-                    bands[b].name, r.amount, t.amount));
+            table.fault(fmt::format(
+                "{}band {}: reflectance {} + transmittance {} exceeds 1", words, bands[b].name,
+                r.amount, t.amount));
         }
     }
     return side;
@@ -218,9 +216,7 @@ void warn_of_black(
     }
     if (is_black) {
         table.warn(fmt::format(
-            "{} is black in every band: its reflectance is not given, and "
-            "counts as 0",
-            table.what()));
+            "{} is black in every band: its reflectance is missing and 0 is used", table.what()));
     }
 }
 

@@ -19,12 +19,12 @@ const FormatEntry* read_format(TableReader& table, const std::string& file) {
     const FormatEntry* entry = format_of_path(file);
     if (const ForeignFormat* foreign = foreign_format_of_path(file); foreign != nullptr) {
         table.fault_at(
-            "file", fmt::format("'{}' is {}, which is not read", file, foreign->name), "",
+            "file", fmt::format("'{}' is {}, which is not supported", file, foreign->name), "",
             std::string(foreign->advice));
     } else if (entry == nullptr && !file.empty()) {
         table.fault_at(
-            "file", fmt::format("the format of '{}' can't be told from its name", file),
-            fmt::format("the formats that are read are {}", joined(names, ", ")),
+            "file", fmt::format("the format of '{}' is unclear from its name", file),
+            fmt::format("supported formats are {}", joined(names, ", ")),
             "add format if it is one of them, or convert the file");
     }
     return entry;
@@ -74,7 +74,7 @@ std::optional<MeshFile> read_bytes(
         return std::nullopt;
     }
     if (triangle_count(mesh) == 0 && reporter.faults.empty()) {
-        table.fault_at("file", fmt::format("file '{}' holds no triangle", file));
+        table.fault_at("file", fmt::format("file '{}' contains no triangle", file));
     }
     table.reporter().add(reporter);
     if (table.failed()) {
@@ -120,7 +120,7 @@ std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& con
     const FormatEntry* format = read_format(table, file.value_or(""));
     const std::optional<double> plant_metres = read_plant_unit(table, format);
     if (file && file->empty()) {
-        table.fault_at("file", "file is empty", "it must name a file");
+        table.fault_at("file", "file is empty", "give the name of a file");
     }
     if (!file || format == nullptr) {
         return std::nullopt;

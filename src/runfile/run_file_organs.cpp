@@ -46,7 +46,7 @@ std::array<Vec3, 3> read_rotation(const Node& node, TableReader& parent) {
     }
     const double size = std::max({std::abs(axis->x), std::abs(axis->y), std::abs(axis->z)});
     if (size == 0) {
-        table.fault_at("axis", "axis is [0, 0, 0]", "it points nowhere");
+        table.fault_at("axis", "axis is [0, 0, 0]", "it has no direction");
         return Affine{}.rows;
     }
     return rotation(normalized(*axis / size), *degrees * std::numbers::pi / 180);
@@ -226,7 +226,7 @@ void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& bu
     }
     if (!along_x && !along_y && !table.failed()) {
         table.fault(
-            "it repeats along no axis", "",
+            "it is not periodic along any axis", "",
             fmt::format("give {0} = [low, high], {1} = [low, high] or both", x, y));
     }
     table.finish();

@@ -20,7 +20,7 @@ std::optional<std::string> read_path(
     TableReader& table, std::string_view key, const InputFiles& files) {
     const std::optional<std::string> path = table.text(key);
     if (path && (path->empty() || path->find('\0') != std::string::npos)) {
-        table.fault_at(key, fmt::format("{} is empty", key), "it must name a file");
+        table.fault_at(key, fmt::format("{} is empty", key), "give the name of a file");
         return std::nullopt;
     }
     if (!path) {
@@ -104,7 +104,7 @@ void check_cumulative_sky(TableReader& table, TableReader& top, const OutputSpec
     const auto* name = cumulative != nullptr ? cumulative->as<std::string>() : nullptr;
     if (output.time_of_day && name != nullptr && *name != "none") {
         table.fault_at(
-            "time_of_day", "hours of a cumulative sky", "a day or a period has one result",
+            "time_of_day", "hours of a cumulative sky", "a day or period has one result",
             "leave time_of_day out");
     }
 }
@@ -128,10 +128,14 @@ OutputSpec read_output(TableReader& top, const InputFiles& files, const std::vec
     read_choice(table, bands, output);
     refuse_groups(table);
     if (output.include_night) {
-        check_need(table, top, "include_night", {"time", "[time]", "nights need times"});
+        check_need(
+            table, top, "include_night",
+            {"time", "[time]", "without [time] there are no time steps"});
     }
     if (output.time_of_day) {
-        check_need(table, top, "time_of_day", {"time", "[time]", "hours need times"});
+        check_need(
+            table, top, "time_of_day",
+            {"time", "[time]", "without [time] there are no time steps"});
     }
     check_cumulative_sky(table, top, output);
     table.finish();

@@ -37,8 +37,7 @@ std::optional<Vec3> read_axis(TableReader& table, std::string_view key) {
 Triangles read_triangle(TableReader& table) {
     const auto corners = table.required("corners", table.vectors("corners"));
     if (corners && corners->size() != 3) {
-        table.fault_at(
-            "corners", fmt::format("{} corners", corners->size()), "a triangle has three");
+        table.fault_at("corners", fmt::format("{} corners", corners->size()), "a triangle has 3");
     }
     return table.failed() ? Triangles()
                           : make_triangle((*corners)[0], (*corners)[1], (*corners)[2]);
@@ -57,7 +56,8 @@ Triangles read_rhombus(TableReader& table) {
     const auto up = read_axis(table, "up");
     const auto width = table.required("width", read_length(table, "width"));
     if (along && up && cross(*along, *up) == Vec3{}) {
-        table.fault_at("up", "up points along length", "then the leaf has no upper side");
+        table.fault_at(
+            "up", "up points along length", "the upper side of the leaf would be undefined");
     }
     return table.failed() ? Triangles() : make_rhombus(*base, *along, *up, *width);
 }
@@ -95,7 +95,7 @@ Triangles read_bezier(TableReader& table) {
     const auto* list = node ? node->as<Node::List>() : nullptr;
     if (list == nullptr || list->empty()) {
         table.fault_at(
-            "patches", "patches is missing or no list",
+            "patches", "patches is missing or not a list",
             "it must be a list of patches, each a list of 16 points");
         return {};
     }
@@ -142,7 +142,8 @@ std::optional<std::vector<Vec3>> read_face(
     if (list == nullptr || list->size() < 3 || list->size() > kMaxCorners) {
         table.fault_at(
             node,
-            fmt::format("faces[{}] is no list of 3 to {} numbers of vertices", index, kMaxCorners));
+            fmt::format(
+                "faces[{}] is not a list of 3 to {} indices of vertices", index, kMaxCorners));
         return std::nullopt;
     }
     std::vector<Vec3> corners;
@@ -151,7 +152,7 @@ std::optional<std::vector<Vec3>> read_face(
         if (number == nullptr || *number < 0 ||
             static_cast<std::uint64_t>(*number) >= vertices.size()) {
             table.fault_at(
-                item, fmt::format("faces[{}] names a vertex that does not exist", index),
+                item, fmt::format("faces[{}] refers to a vertex that does not exist", index),
                 fmt::format(
                     "vertices are counted from 0 to {}",
                     static_cast<std::int64_t>(vertices.size()) - 1));
@@ -168,8 +169,8 @@ Triangles read_inline_mesh(TableReader& table) {
     const auto* list = faces ? faces->as<Node::List>() : nullptr;
     if (list == nullptr || list->empty()) {
         table.fault_at(
-            "faces", "faces is missing or no list",
-            "it must be a list of faces, each a list of numbers of vertices");
+            "faces", "faces is missing or not a list",
+            "it must be a list of faces, each a list of indices of vertices");
     }
     Triangles triangles;
     for (std::size_t i = 0; vertices && list && i < list->size() && !table.reporter().is_full();
@@ -189,7 +190,7 @@ struct ShapeEntry {
 };
 
 // To add a shape to the run file: a function as above that reads its keys, a row here, a row in
-// docs/formats/run-file.md.
+// docs/reference/run-file.md.
 constexpr std::array kShapes{
     ShapeEntry{"triangle", read_triangle}, ShapeEntry{"parallelogram", read_parallelogram},
     ShapeEntry{"rhombus", read_rhombus},   ShapeEntry{"polygon", read_polygon},

@@ -58,7 +58,7 @@ std::optional<SunSpec> read_sun_of_sky(TableReader& table, const RunFileContext&
     }
     if (!context.sun) {
         table.fault(
-            "where the sun stands is missing", "the sky of this model is brighter around it",
+            "the position of the sun is missing", "this sky model is brighter around the sun",
             "add a [[source]] of type = \"sun\", or give time (with [site]) or azimuth_deg and "
             "elevation_deg");
     }
@@ -116,14 +116,14 @@ std::optional<SkyShapeSpec> read_model(
                 fmt::format(
                     "the sun is below the horizon ({})",
                     format_angles(-sun->to_sun, context.orientation)),
-                fmt::format("{} is a model of skies by day", entry.name),
+                fmt::format("{} describes daytime skies", entry.name),
                 "use model = \"cie_overcast\" or \"uniform\"");
         }
         good = good && sun && sun->to_sun.z > 0;
         if (good) {
             state.to_sun = sun->to_sun;
             state.distance_au = sun->distance_au;
-            sun_text = ", " + describe_sun(*sun, context.orientation);
+            sun_text = ", sun at " + describe_sun(*sun, context.orientation);
         }
     }
     if (!good) {
@@ -167,7 +167,8 @@ std::optional<NotedSource> read_sky(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, {}", name, sky->words, format_irradiance("horizontal", *values, context.bands));
+        "{}: {}; {}", name, sky->words,
+        format_irradiance("the horizontal", *values, context.bands));
     // Every path of the uniform sky's own source weighs the same.
     const bool is_uniform = *model == "uniform";
     return NotedSource{
@@ -186,7 +187,8 @@ std::optional<NotedSource> read_uniform_sky(
     return NotedSource{
         make_uniform_sky(name, *values),
         fmt::format(
-            "{}: uniform sky, {}", name, format_irradiance("horizontal", *values, context.bands))};
+            "{}: uniform sky; {}", name,
+            format_irradiance("the horizontal", *values, context.bands))};
 }
 
 }  // namespace quasimc

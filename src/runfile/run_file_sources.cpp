@@ -34,7 +34,7 @@ std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Nod
     const auto* pair = node.as<Node::List>();
     if (pair == nullptr || pair->size() != 2) {
         table.fault_at(
-            "on_hours", "on_hours has no pair of numbers", "",
+            "on_hours", "on_hours is not a pair of numbers", "",
             "write on_hours = [6, 22] or [[5, 9], [16, 22]]");
         return std::nullopt;
     }
@@ -45,7 +45,7 @@ std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Nod
     }
     if (*from == *to) {
         table.fault_at(
-            "on_hours", "on_hours ends where it begins", "", "leave it out if all day is meant");
+            "on_hours", "on_hours ends where it begins", "", "remove it if the lamp is on all day");
         return std::nullopt;
     }
     return DailyHours::Span{*from, *to};
@@ -59,8 +59,8 @@ std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext
     }
     if (!context.has_time) {
         table.fault_at(
-            "on_hours", "on_hours without [time]", "a run without times has no clock",
-            "add [time], or leave it out");
+            "on_hours", "on_hours needs [time]", "a run without [time] has no clock",
+            "add [time] or remove on_hours");
         return std::nullopt;
     }
     const auto* list = node->as<Node::List>();
@@ -73,7 +73,7 @@ std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext
         }
     }
     if (hours.overlap()) {
-        table.fault_at("on_hours", "parts of on_hours overlap");
+        table.fault_at("on_hours", "intervals of on_hours overlap");
     }
     return hours;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "light/daylight/band_mean.h"
 #include "light/daylight/solar_reference.h"
@@ -37,7 +38,7 @@ class RowFaults {
         for (const Kind& kind : kinds_) {
             reporter_.fault(
                 kind.first, std::string(kind.problem), std::string(kind.why),
-                kind.more > 0 ? fmt::format("{} more rows have this fault", kind.more) : "");
+                kind.more > 0 ? counted(kind.more, "more row") + " with this error" : "");
         }
     }
 
@@ -53,7 +54,7 @@ class RowFaults {
 
 constexpr SpectrumForm kOpticsForm{
     "wavelength_nm,reflectance",
-    "a row holds wavelength [nm], reflectance and, if there is any, transmittance, together at "
+    "a row contains wavelength [nm], reflectance and optionally transmittance; their sum is at "
     "most 1",
     [](const std::vector<double>& v) {
         const double transmittance = v.size() == 3 ? v[2] : 0;
@@ -97,10 +98,11 @@ SpectrumColumns read_spectrum_columns(
             values.push_back(parse_real(trimmed(field)).value_or(NAN));
         }
         if (!form.is_row(values)) {
-            faults.add(scanner.number(), "is no row of a spectrum", form.row);
+            faults.add(scanner.number(), "is not a row of a spectrum", form.row);
         } else if (!columns[0].empty() && values[0] <= columns[0].back()) {
             faults.add(
-                scanner.number(), "the wavelength does not grow", "rows are in ascending order");
+                scanner.number(), "the wavelength does not increase",
+                "rows must be in ascending order");
         } else {
             values.resize(columns.size());
             for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -110,7 +112,7 @@ SpectrumColumns read_spectrum_columns(
     }
     faults.report();
     if (reporter.faults.empty() && columns[0].size() < 2) {
-        reporter.fault(0, "holds no spectrum", "at least two rows are needed");
+        reporter.fault(0, "contains no spectrum", "at least two rows are needed");
     }
     return columns;
 }
@@ -134,9 +136,10 @@ std::optional<SpectralOptics> optics_of_bands(
             table.fault_at(
                 use.key,
                 fmt::format(
-                    "'{}' has {} to {} nm, band '{}' {} to {} nm", use.source, columns.nm.front(),
-                    columns.nm.back(), context.bands[b].name, spans[b].from_nm, spans[b].to_nm),
-                "what is not measured is not made up");
+                    "'{}' covers {} to {} nm, band '{}' {} to {} nm", use.source,
+                    columns.nm.front(), columns.nm.back(), context.bands[b].name, spans[b].from_nm,
+                    spans[b].to_nm),
+                "spectra are not extrapolated");
             return std::nullopt;
         }
         optics.reflectance.push_back(band_mean(reflectance, light, spans[b]));

@@ -52,7 +52,8 @@ std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext&
         table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
     if (has_time && has_angles) {
         table.fault(
-            "time and angles are given", "both tell where the sun stands", "leave one of them out");
+            "both time and angles are given", "each of them gives the position of the sun",
+            "remove one of them");
         return std::nullopt;
     }
     if (has_time) {
@@ -60,7 +61,7 @@ std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext&
     }
     if (!has_angles) {
         table.fault(
-            "where the sun stands is missing", "",
+            "the position of the sun is missing", "",
             "give time (with [site]), or azimuth_deg and elevation_deg");
         return std::nullopt;
     }
@@ -69,9 +70,8 @@ std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext&
 }
 
 std::string describe_sun(const SunSpec& sun, const Orientation& orientation) {
-    return fmt::format(
-        "{}sun towards {} ({})", sun.words.empty() ? "" : sun.words + ", ",
-        format_vector(orientation.outward(sun.to_sun)), format_angles(-sun.to_sun, orientation));
+    return format_angles(-sun.to_sun, orientation) +
+           (sun.words.empty() ? "" : fmt::format(" ({})", sun.words));
 }
 
 std::optional<NotedSource> read_sun(
@@ -94,11 +94,10 @@ std::optional<NotedSource> read_sun(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}, light travels along {}, {}{}", name, describe_sun(*sun, context.orientation),
-        format_vector(context.orientation.outward(-sun->to_sun)),
-        is_disk ? fmt::format("disk of radius {:.4g} deg, ", solar_radius_deg(sun->distance_au))
+        "{}: {}{}; {}", name, describe_sun(*sun, context.orientation),
+        is_disk ? fmt::format("; disk of radius {:.4g} deg", solar_radius_deg(sun->distance_au))
                 : "",
-        format_irradiance("plane facing it", *values, context.bands));
+        format_irradiance("a plane facing it", *values, context.bands));
     NotedSource noted{nullptr, note, sun};
     noted.source =
         is_disk ? make_sun_disk(name, sun->to_sun, solar_radius_deg(sun->distance_au), *values)

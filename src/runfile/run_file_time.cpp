@@ -35,7 +35,7 @@ SeriesRules read_rules(TimeContext& context) {
     if (rules.sun_step > 0 && rules.sun_step < kShortestStep) {
         table.fault_at(
             "sun_step_minutes", "sun_step_minutes is less than a second",
-            "each step is a sun to trace", "give 0 for a single sun");
+            "each step is one sun position", "give 0 for a single sun position");
     }
     return rules;
 }
@@ -84,7 +84,7 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
         context.table->warn(fmt::format(
             "the clock is {} hours ahead of UTC, the sun at longitude {} {:.1f} hours: {}",
             shortest(*offset), shortest(longitude), longitude / 15,
-            is_exchanged ? "are latitude and longitude exchanged?"
+            is_exchanged ? "are latitude and longitude swapped?"
                          : "is the sign of the longitude right (east is positive)?"));
     }
 }
@@ -92,22 +92,22 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
 std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
     const Site& site = rules.site;
     std::vector<std::string> words{fmt::format(
-        "latitude {} deg, longitude {} deg (east positive), elevation {} m",
+        "site: latitude {} deg, longitude {} deg (east positive), elevation {} m",
         shortest(site.latitude_deg), shortest(site.longitude_deg), shortest(site.elevation_m))};
     words.push_back(
-        is_measured ? "light: as measured; direct and diffuse told apart by the readings or the "
+        is_measured ? "daylight: measured; split into direct and diffuse by the readings or the "
                       "model of diffuse_fraction"
                     : fmt::format(
-                          "light: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
+                          "daylight: clear sky (Ineichen and Perez 2002), Linke turbidity {}",
                           shortest(rules.air.linke_turbidity)));
     if (rules.cumulative_sky != CumulativeSky::none) {
         words.push_back(fmt::format(
-            "cumulative sky: {} one sky, of cells, and all of its suns; one trace gives the mean",
-            rules.cumulative_sky == CumulativeSky::day ? "each day is" : "the whole period is"));
+            "sky: one cumulative sky of cells and all sun positions for {}; its light is the mean",
+            rules.cumulative_sky == CumulativeSky::day ? "each day" : "the whole period"));
     }
     words.push_back(fmt::format(
-        "sky: {}; without direct light {}; sun every {} min", rules.how.sky, rules.how.overcast_sky,
-        shortest(rules.sun_step / 60)));
+        "sky: {}; without direct light {}; a sun position every {} min", rules.how.sky,
+        rules.how.overcast_sky, shortest(rules.sun_step / 60)));
     return words;
 }
 
@@ -118,7 +118,7 @@ void check_light(const TimeSeries& series, TableReader& table) {
         std::all_of(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor == 0; });
     if (is_dark && !series.time_steps.empty()) {
         table.warn(
-            "it is dark at all these times: the sun stays below the horizon, and no lamp shines");
+            "it is night at all time steps: the sun is below the horizon, and no lamp is on");
     }
 }
 

@@ -27,10 +27,10 @@ std::optional<std::vector<double>> by_band(
             table.fault_at(
                 "optics",
                 fmt::format(
-                    "band '{}' has {} to {} nm", context.bands[b].name, spans[b].from_nm,
+                    "band '{}' covers {} to {} nm", context.bands[b].name, spans[b].from_nm,
                     spans[b].to_nm),
-                "these optics are known below and above 700 nm",
-                "split the band, or state reflectance and transmittance");
+                "these optics are defined below and above 700 nm",
+                "split the band, or give reflectance and transmittance");
             return std::nullopt;
         }
         values.push_back(spans[b].to_nm <= kBorder ? optics.visible : optics.near_infrared);
@@ -70,7 +70,7 @@ std::optional<SpectralOptics> read_usual_optics(TableReader& table, const RunFil
         std::vector<std::string_view> names = names_in(usual_optics());
         names.insert(names.begin(), kSoil);
         table.fault_at(
-            "optics", fmt::format("optics is '{}'", *name), "no such optics",
+            "optics", fmt::format("optics is '{}'", *name), "unknown optics",
             did_you_mean(*name, names));
         return std::nullopt;
     }

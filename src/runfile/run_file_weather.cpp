@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "runfile/run_file_time.h"
 #include "weather/check_clock.h"
@@ -60,7 +61,7 @@ void settle_site(const WeatherFile& file, TimeContext& context) {
             fmt::format(
                 "the weather file's clock is {} hours ahead of UTC",
                 shortest(*file.utc_offset_hours)),
-            "leave it out");
+            "remove it");
     }
     if (file.utc_offset_hours) {
         context.utc_offset_hours = file.utc_offset_hours;
@@ -76,7 +77,7 @@ void settle_site(const WeatherFile& file, TimeContext& context) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
-                    "the weather is of latitude {}, longitude {}, which is not [site]",
+                    "the weather file is for latitude {}, longitude {}, which differs from [site]",
                     shortest(file.site->latitude_deg), shortest(file.site->longitude_deg)));
         }
     } else if (file.site) {
@@ -118,7 +119,7 @@ bool fits_a_year(TableReader& table, const TimeSpan& span) {
     if (julian_day(span.last) - julian_day(span.first) <= 366) {
         return true;
     }
-    table.fault("more than a year is asked for", "the weather file holds a typical year");
+    table.fault("more than a year is requested", "the weather file contains a typical year");
     return false;
 }
 
@@ -165,13 +166,11 @@ class Selection {
         if (cut_ > 0) {
             context_.table->warn_at(
                 *context_.table->any("hours"),
-                fmt::format(
-                    "{} records reach beyond these hours: each counts for its part within them",
-                    cut_));
+                fmt::format("{} beyond these hours, used in proportion", counted(cut_, "record")));
         }
         if (gaps_ > 0) {
             context_.table->reporter().warnings.push_back(
-                {first_gap_, fmt::format("{} gaps are left out, this is the first", gaps_)});
+                {first_gap_, fmt::format("{} left out; this is the first", counted(gaps_, "gap"))});
         }
     }
     [[nodiscard]] bool found() const { return found_; }
@@ -209,8 +208,7 @@ class Selection {
         const std::string where = fmt::format("{}:{}", file_, line);
         if (!skips_) {
             context_.table->reporter().faults.add(
-                {where, text, "a sum over a day needs all of it",
-                 "gaps = \"skip\" leaves such times out"});
+                {where, text, "daily sums need every hour", "gaps = \"skip\" leaves them out"});
         } else if (gaps_++ == 0) {
             first_gap_ = where + ": " + text;
         }
@@ -238,8 +236,8 @@ std::optional<WeatherFile> read_file_of_weather(TimeContext& context, const std:
     const auto* unit_name = unit != nullptr ? unit->as<std::string>() : nullptr;
     if (is_epw && unit_name != nullptr && *unit_name != "full_spectrum") {
         table.fault_at(
-            "unit", "unit is stated for an EPW file", "its light is always in W m-2",
-            "leave it out");
+            "unit", "unit is given for an EPW file", "its irradiance is always in W m-2",
+            "remove it");
     }
     const WeatherColumns columns = is_epw ? WeatherColumns() : read_columns(context);
     Reporter own{path, {}, {}};
@@ -286,8 +284,8 @@ std::vector<Interval> read_weather(TimeContext& context) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
-                    "{} records of a 29 February are left out: the year asked for has none",
-                    skipped));
+                    "{} of 29 February left out: the requested year has none",
+                    counted(skipped, "record")));
         }
     }
     warn_of_clock(*file, context);
@@ -300,16 +298,14 @@ std::vector<Interval> read_weather(TimeContext& context) {
     }
     if (!selection.found()) {
         table.fault_at(
-            "weather", "the weather file has no light of the times asked for",
+            "weather", "the weather file has no light at the requested times",
             fmt::format(
-                "it goes from {} to {}", civil_time_text(file->records.front().start),
+                "it covers {} to {}", civil_time_text(file->records.front().start),
                 civil_time_text(file->records.back().start)));
     }
     selection.finish(file->records.back());
     if (selection.found() && selection.intervals().empty() && !table.failed()) {
-        table.fault_at(
-            "weather", "no time of those asked for has light",
-            "all of them are gaps: what they lack stands for missing values");
+        table.fault_at("weather", "no requested time has light", "all are gaps (missing values)");
     }
     return std::move(selection.intervals());
 }

@@ -111,7 +111,7 @@ class RunSweep::State {
                     reporter_.faults.add(
                         {given.where, "is swept by the run file",
                          fmt::format("{} has {} values there", key.path, key.values.size()),
-                         "leave it out here, or there"});
+                         "remove it here or there"});
                 }
             }
         }
@@ -189,8 +189,8 @@ class RunSweep::State {
     void warn_of_darkness() {
         if (dark_points_ > 0) {
             reporter_.warn(fmt::format(
-                "[sweep]: at {} of {} points no source has any light, and all numbers are 0: "
-                "first at {}",
+                "[sweep]: no source gives light at {} of {} points, and all results are 0; the "
+                "first is {}",
                 dark_points_, size(), words_of(first_dark_)));
         }
     }
@@ -219,7 +219,8 @@ class RunSweep::State {
         } else if (!plan_.keeps_geometry() && label_keys_of(run.scene) != labels_) {
             reporter_.faults.add(
                 {reporter_.file, fmt::format("point {}: its organs have other labels", point + 1),
-                 "labels are columns, the same for all points", "give all organs the same keys"});
+                 "labels are columns and must be the same for all points",
+                 "give all organs the same keys"});
         }
     }
 
@@ -279,7 +280,7 @@ RunFile RunSweep::only_run() && {
     if (state_->is_swept()) {
         throw InputError(
             {{state_->name(), fmt::format("it has a [sweep] of {} points", state_->size()),
-              "a single run is asked for", "leave [sweep] out"}});
+              "a single run is needed", "leave [sweep] out"}});
     }
     return state_->take(0);
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "quasimc/source.h"
 #include "weather/civil_time_text.h"
@@ -35,26 +36,26 @@ std::string_view unit_probably_meant(LightUnit unit, double ratio) {
 /// What is said of times with a note, after how many they are.
 constexpr std::array<std::pair<ReadingNote, std::string_view>, 7> kNotes{{
     {ReadingNote::more_direct_than_global,
-     "times have more direct light than light in all, by a tenth or 5 W m-2 at most: all of it "
-     "counts as direct"},
+     "times have direct light above the total by up to 10 % or 5 W m-2; the total is used as "
+     "direct"},
     {ReadingNote::more_diffuse_than_global,
-     "times have more diffuse light than light in all, by a tenth or 5 W m-2 at most: all of it "
-     "counts as diffuse"},
+     "times have diffuse light above the total by up to 10 % or 5 W m-2; the total is used as "
+     "diffuse"},
     {ReadingNote::beam_too_strong,
-     "times have direct light of a beam more than twice as strong as under a clear sky "
-     "(linke_turbidity): what exceeds that counts as diffuse"},
+     "times have a direct beam more than twice as strong as under a clear sky (linke_turbidity); "
+     "the excess is used as diffuse"},
     {ReadingNote::more_direct_than_outside,
-     "times have more direct light than the sun brings outside the atmosphere: all of it counts "
-     "as diffuse; check the unit, the clock and the place"},
+     "times have more direct light than the sun gives outside the atmosphere; all of it is used as "
+     "diffuse; check the unit, the clock and the site"},
     {ReadingNote::negative_by_day,
-     "times have light below zero with the sun up, which counts as 0: if the number stands for "
-     "missing values, state it in missing_values"},
+     "times have negative light with the sun up, and 0 is used; if the number marks missing "
+     "values, list it in missing_values"},
     {ReadingNote::light_at_night,
-     "times have light with the sun more than 6 degrees below the horizon, which counts as 0: "
-     "sensors are a little off"},
+     "times have light with the sun more than 6 degrees below the horizon, and 0 is used (sensor "
+     "offset)"},
     {ReadingNote::parts_disagree,
-     "times have columns that disagree, by more than a tenth and 20 W m-2: of direct light "
-     "direct_horizontal counts, and global is taken to be the sum of direct and diffuse"},
+     "times have columns that disagree by more than 10 % and 20 W m-2; direct_horizontal is used "
+     "for direct light, and the sum of direct and diffuse for global"},
 }};
 
 /// The lowest number of a reading.
@@ -182,7 +183,11 @@ void SeriesBuilder::close_gathered() {
 
 void SeriesBuilder::warn(const Noted& noted, std::string_view text) {
     if (noted.count > 0) {
-        reporter_.warnings.push_back({noted.first, fmt::format("{} {}", noted.count, text)});
+        constexpr std::string_view kMany = "times have";
+        const bool is_one = noted.count == 1 && text.starts_with(kMany);
+        reporter_.warnings.push_back(
+            {noted.first, is_one ? fmt::format("1 time has{}", text.substr(kMany.size()))
+                                 : fmt::format("{} {}", noted.count, text)});
     }
 }
 
@@ -205,11 +210,10 @@ void SeriesBuilder::note_brightness(
 
 void SeriesBuilder::warn_of_brightness() {
     warn(
-        too_bright_,
-        fmt::format(
-            "times have more light than the sun brings outside the atmosphere, up to {:.3g} times "
-            "as much: {}",
-            brightest_ratio_, unit_probably_meant(rules_.unit, brightest_ratio_)));
+        too_bright_, fmt::format(
+                         "times have more light than the sun gives outside the atmosphere, up to "
+                         "{:.3g} times as much: {}",
+                         brightest_ratio_, unit_probably_meant(rules_.unit, brightest_ratio_)));
 }
 
 void SeriesBuilder::note_darkness(
@@ -234,9 +238,8 @@ void SeriesBuilder::note_darkness(
 void SeriesBuilder::warn_of_darkness() {
     warn(
         dark_by_day_,
-        "times have no light at all with the sun more than 10 degrees up: is the clock wrong, or "
-        "does "
-        "0 stand for missing values (missing_values)?");
+        "times have no light with the sun more than 10 degrees up: is the clock wrong, or does 0 "
+        "mark missing values (missing_values)?");
     constexpr double kLeast = 0.03, kMinOfDays = 0.07, kLong = 12 * 3600;
     if (clearest_ <= 0 || clearest_ >= (longest_ < kLong ? kLeast : kMinOfDays)) {
         return;
@@ -246,7 +249,7 @@ void SeriesBuilder::warn_of_darkness() {
     warn(
         by_day_,
         fmt::format(
-            "times by day have at most {:.2g} % of the light outside the atmosphere, less than "
+            "daytime values are at most {:.2g} % of the light outside the atmosphere, less than "
             "under the darkest clouds: {}",
             100 * clearest_,
             is_watts ? fmt::format(
@@ -266,22 +269,22 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
     switch (fault) {
         case ReadingFault::incomplete:
             first = {
-                interval.where, fmt::format("the light at {} is not known", time), "",
+                interval.where, fmt::format("the light at {} is unknown", time), "",
                 "give global, or diffuse with direct_horizontal or beam_normal"};
             break;
         case ReadingFault::negative:
             first = {
-                interval.where, fmt::format("the light at {} is below zero", time),
-                "by more than the 20 W m-2 that instruments may be off at night, which count as 0",
+                interval.where, fmt::format("the light at {} is negative", time),
+                "beyond the 20 W m-2 of sensor offsets at night, for which 0 is used",
                 fmt::format(
-                    "if it stands for missing values, state it: missing_values = [\"{}\"]",
+                    "if it marks missing values, write missing_values = [\"{}\"]",
                     shortest(lowest(interval.reading)))};
             break;
         case ReadingFault::part_exceeds_global:
             first = {
                 interval.where,
                 fmt::format("at {} there is more direct or diffuse light than global", time),
-                "direct and diffuse light on the horizontal are parts of the global", ""};
+                "direct and diffuse light on the horizontal can't exceed the global", ""};
             break;
         default:
             first = {
@@ -289,7 +292,7 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
                 fmt::format(
                     "light at {} with the sun {:.1f} degrees below the horizon", time,
                     -path.highest_deg()),
-                "time zone, place or stamp are wrong",
+                "the time zone, the site or stamp is wrong",
                 "check utc_offset_hours, [site] (are latitude and longitude exchanged?) and "
                 "stamp"};
     }
@@ -300,7 +303,8 @@ void SeriesBuilder::add_faults() {
         auto& [first, count] = fault;
         if (count > 1) {
             first.suggestion += fmt::format(
-                "{}{} more times have this fault", first.suggestion.empty() ? "" : "; ", count - 1);
+                "{}{} with this error", first.suggestion.empty() ? "" : "; ",
+                counted(count - 1, "more time"));
         }
         reporter_.faults.add(first);
     }

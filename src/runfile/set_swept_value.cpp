@@ -89,8 +89,8 @@ class Setter {
         }
         if (named.size() > 1) {
             fault(
-                fmt::format("{} tables are named '{}'", named.size(), path.substr(0, length)),
-                "a swept value is of one", "give them names of their own");
+                fmt::format("{} tables have the name '{}'", named.size(), path.substr(0, length)),
+                "a swept value must belong to one", "give them names of their own");
         } else if (named.size() == 1) {
             set(*named.front(), path.substr(length + 1));
         } else {
@@ -109,7 +109,7 @@ class Setter {
         const std::vector<std::string> names = names_of_items(list);
         fault(
             fmt::format("there is no '{}{}'", prefix(path), first),
-            "tables are found by their names, or counted from 1",
+            "tables are selected by name, or by number from 1",
             names.empty() ? "" : suggest(first, names));
     }
 

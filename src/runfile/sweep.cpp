@@ -86,7 +86,7 @@ void SweepPlan::read_keys(const Node& table, const std::string& prefix, Reporter
                 fmt::format(
                     "[sweep]: {} is {}", path,
                     list ? "an empty list" : std::string(member.node.type_name())),
-                "it must be a list of the values that it takes");
+                "it must be a list of values");
         } else {
             keys_.push_back({path, member.line, *list});
         }
@@ -114,8 +114,9 @@ void SweepPlan::check_keys(Reporter& reporter) const {
             if (a == b || rest_after(a, b) || rest_after(b, a)) {
                 reporter.fault(
                     keys_[i].line,
-                    fmt::format("[sweep]: {} and {} set the same", keys_[j].path, keys_[i].path),
-                    "one of them would win", "leave one out");
+                    fmt::format(
+                        "[sweep]: {} and {} set the same value", keys_[j].path, keys_[i].path),
+                    "one of them would be ignored", "remove one");
             }
         }
     }
@@ -123,7 +124,7 @@ void SweepPlan::check_keys(Reporter& reporter) const {
 
 void SweepPlan::count_points(const Node& table, std::size_t given, Reporter& reporter) {
     if (given == 0) {
-        reporter.fault(table.line, "[sweep]: it has no keys", "nothing varies", "leave it out");
+        reporter.fault(table.line, "[sweep]: it has no keys", "nothing varies", "remove it");
     }
     if (keys_.empty()) {
         return;
@@ -138,7 +139,7 @@ void SweepPlan::count_points(const Node& table, std::size_t given, Reporter& rep
                     "[sweep]: {} has {} values, {} has {}", keys_[i].path, count,
                     keys_.front().path, keys_.front().values.size()),
                 "with combine = \"zip\" the first of each are one point, and so on",
-                "give as many");
+                "give equally many");
         }
         points_ =
             is_zip_ ? std::min(points_, count) : std::min(points_ * count, kMaxSweepPoints + 1);
@@ -146,7 +147,7 @@ void SweepPlan::count_points(const Node& table, std::size_t given, Reporter& rep
     if (points_ > kMaxSweepPoints) {
         reporter.fault(
             table.line, fmt::format("[sweep]: there are more than {} points", kMaxSweepPoints),
-            "every value is combined with every other one",
+            "every value is combined with every other value",
             "give fewer values, or combine = \"zip\"");
         points_ = 1;
     }

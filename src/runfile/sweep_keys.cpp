@@ -72,11 +72,11 @@ bool refuse_single(const Node& document, const SweptKey& key, Reporter& reporter
     if (is_section) {
         reporter.fault(
             key.line, problem, "it is a section",
-            fmt::format("name a key of it, as {}", example_of(key.path)));
+            fmt::format("name one of its keys, as {}", example_of(key.path)));
     } else {
         const std::string_view near = nearest_word(key.path, option_keys());
         reporter.fault(
-            key.line, problem, "it is no option of the run",
+            key.line, problem, "it is not a run option",
             near.empty() ? how_to_state(document, key.path)
                          : fmt::format("did you mean '{}'?", near));
     }
@@ -103,13 +103,13 @@ bool is_refused(const Node& document, const SweptKey& key, Reporter& reporter) {
     const bool is_fixed = is_among(option, kFixedOptions);
     if (has_empty_part(path)) {
         reporter.fault(
-            key.line, fmt::format("[sweep]: '{}' is no key", key.path), "a part of it is empty");
+            key.line, fmt::format("[sweep]: '{}' is not a key", key.path), "part of it is empty");
         return true;
     }
     if (is_among(first_part(key.path), kOfAllPoints)) {
         reporter.fault(
             key.line, fmt::format("[sweep]: '{}' can't be swept", key.path),
-            "it is one for all points", "write a run file for each of its values");
+            "it must be the same for all points", "write a run file for each of its values");
         return true;
     }
     if (key.path.find('.') == std::string::npos && refuse_single(document, key, reporter)) {
@@ -118,12 +118,13 @@ bool is_refused(const Node& document, const SweptKey& key, Reporter& reporter) {
     if (!is_known) {
         reporter.fault(
             key.line, fmt::format("[sweep]: '{}' can't be swept", key.path),
-            "it is no value of run, source, material, place, time, organ, geometry, ground or cell",
+            "it is not a value of run, source, material, site, time, organ, geometry, ground or "
+            "cell",
             how_to_state(document, key.path));
     } else if (is_fixed) {
         reporter.fault(
             key.line, fmt::format("[sweep]: '{}' can't be swept", key.path),
-            "it is one for all points", "state it in [run]");
+            "it must be the same for all points", "set it in [run]");
     }
     return !is_known || is_fixed;
 }

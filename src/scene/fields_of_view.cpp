@@ -48,7 +48,7 @@ void check_fields_of_view(
             faults.add(
                 draft, i,
                 {"", "its field of view is " + shortest(angle) + " degrees",
-                 "the half angle about the normal is above 0, at most 90", ""});
+                 "the half angle about the normal must be above 0 and at most 90", ""});
         }
         const std::span<const DraftPart> parts = draft.parts_of(i);
         const bool all_sensors =
@@ -59,10 +59,10 @@ void check_fields_of_view(
         if (!all_sensors) {
             faults.add(
                 draft, i,
-                {"", "it has a field of view but is no sensor",
-                 "what absorbs or scatters does so with light from all directions",
-                 "give it a material with transmittance 1 and transmission_model "
-                 "\"mirror\", or leave the field of view out"});
+                {"", "it has a field of view but is not a sensor",
+                 "absorbing and scattering surfaces receive light from all directions",
+                 "give it a material with transmittance 1 and transmission_model \"mirror\", or "
+                 "remove the field of view"});
         }
     }
 }

@@ -40,15 +40,15 @@ Interval extent_along(const AxisRules& rules, const std::string& where, Faults& 
     const std::optional<Interval>& given = rules.given;
     if (given && !(is_usable(given->low) && is_usable(given->high) && given->size() > 0)) {
         faults.add(
-            {where, fmt::format("the extent along {} runs {}", rules.axis, text_of(*given)),
-             "an extent is low x, low y, high x, high y, low less than high", ""});
+            {where, fmt::format("the extent along {} is {}", rules.axis, text_of(*given)),
+             "an extent is low x, low y, high x, high y, with low < high", ""});
         return {};
     }
     if (rules.cell && given && !is_same(*given, *rules.cell)) {
         faults.add(
-            {where, fmt::format("the extent along {} runs {}", rules.axis, text_of(*given)),
+            {where, fmt::format("the extent along {} is {}", rules.axis, text_of(*given)),
              "the scene is periodic along it " + text_of(*rules.cell),
-             "leave the extent out, or give the ground as triangles"});
+             "remove the extent, or give the ground as triangles"});
         return {};
     }
     if (rules.cell || given) {
@@ -56,14 +56,14 @@ Interval extent_along(const AxisRules& rules, const std::string& where, Faults& 
     }
     if (!rules.organs) {
         faults.add(
-            {where, fmt::format("its size along {} is not known", rules.axis),
-             "there are no organs above it", "state its extent"});
+            {where, fmt::format("its size along {} is unknown", rules.axis),
+             "there are no organs above it", "give its extent"});
         return {};
     }
     if (rules.organs->size() == 0) {
         faults.add(
             {where, fmt::format("its size along {} would be 0", rules.axis),
-             "it reaches as far as the organs", "state its extent"});
+             "it extends as far as the organs", "give its extent"});
     }
     return *rules.organs;
 }
@@ -104,10 +104,10 @@ std::vector<Triangle> horizontal_ground(
 void check_given_surface(const GroundSpec& ground, Faults& faults) {
     const std::string why = "it is given as triangles";
     if (ground.extent) {
-        faults.add({ground.where, "it has an extent too", why, "leave one of them out"});
+        faults.add({ground.where, "it has an extent too", why, "remove one of them"});
     }
     if (ground.height != 0) {
-        faults.add({ground.where, "it has a height too", why, "leave one of them out"});
+        faults.add({ground.where, "it has a height too", why, "remove one of them"});
     }
 }
 
@@ -120,7 +120,7 @@ OrganSpec make_ground_organ(
     } else if (!is_usable(ground.height)) {
         faults.add(
             {ground.where, fmt::format("its height is {}", shortest(ground.height)),
-             "heights are finite numbers", ""});
+             "heights must be finite", ""});
     }
     OrganSpec organ;
     organ.name = ground.name.empty() ? "ground" : ground.name;

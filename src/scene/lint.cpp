@@ -86,9 +86,9 @@ std::vector<Warning> lint_unit(const Survey& survey) {
     }
     const double median = size * *metres;
     return {
-        {"unit of length",
+        {"length_unit",
          fmt::format(
-             "the median organ measures {:.3g} {}{}: are the coordinates in {}?", size, unit,
+             "the median organ is {:.3g} {}{} large: is length_unit = \"{}\" right?", size, unit,
              unit == "m" ? "" : fmt::format(", {:.3g} m", median), unit)}};
 }
 
@@ -117,7 +117,8 @@ void WarningKind::add(std::string where, std::string text) {
 
 std::vector<Warning> WarningKind::finish() && {
     if (count_ > kMaxNamed) {
-        named_.push_back({"scene", fmt::format("{} more {}", count_ - kMaxNamed, rest_)});
+        const std::size_t more = count_ - kMaxNamed;
+        named_.push_back({"scene", fmt::format("{} more {}", more, more == 1 ? one_ : many_)});
     }
     return std::move(named_);
 }
@@ -131,15 +132,17 @@ bool is_degenerate(const Triangle& t) {
 
 std::vector<Warning> lint_sizes(const Survey& survey) {
     const Scene& scene = survey.scene;
-    WarningKind blurred("organs are too small beside the scene");
+    WarningKind blurred(
+        "organ is too small compared with the scene",
+        "organs are too small compared with the scene");
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         const double part = part_of_scene(survey, i);
         if (part > 0 && part < kSmallestPart) {
             blurred.add(
                 words_for(scene.organs()[i]),
                 fmt::format(
-                    "measures {:.1g} of the whole scene, so that rounding changes its shape: are "
-                    "all coordinates in one unit?",
+                    "is {:.1g} times as large as the scene, and rounding changes its shape: do all "
+                    "coordinates have the same unit?",
                     part));
         }
     }
@@ -149,13 +152,13 @@ std::vector<Warning> lint_sizes(const Survey& survey) {
 std::vector<Warning> lint_materials(const Survey& survey) {
     const Scene& scene = survey.scene;
     const std::vector<bool> is_used = used_materials(scene);
-    WarningKind black("materials are black in every band");
+    WarningKind black("material is black in every band", "materials are black in every band");
     for (std::size_t i = 0; i < is_used.size(); ++i) {
         const Material& material = data_of(scene).materials[i];
         if (is_used[i] && is_black(material)) {
             black.add(
                 fmt::format("material '{}'", material.name()),
-                "is black in every band: reflectance and transmittance are 0 unless stated");
+                "is black in every band (silent if 0 is written)");
         }
     }
     return std::move(black).finish();
@@ -202,18 +205,18 @@ class DegenerateCount {
 std::vector<Warning> lint_areas(const Survey& survey) {
     const Scene& scene = survey.scene;
     DegenerateCount degenerate(scene);
-    WarningKind empty("organs or parts of them have no area");
+    WarningKind empty("organ has triangles without area", "organs have triangles without area");
     for (const Organ& organ : scene.organs()) {
         if (organ.covered_area > 0) {
             continue;  // what is left of it is said by lint_overlap
         }
         const std::size_t flat = degenerate.count(organ);
         if (flat == organ.triangle_count) {
-            empty.add(words_for(organ), "has no area: nothing falls on it");
+            empty.add(words_for(organ), "has no area and receives no light");
         } else if (flat > 0) {
             empty.add(
                 words_for(organ), fmt::format(
-                                      "{} of its {} triangles have no area: nothing falls on them",
+                                      "{} of its {} triangles have no area and receive no light",
                                       flat, organ.triangle_count));
         }
     }

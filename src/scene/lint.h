@@ -49,15 +49,15 @@ inline constexpr double kSmallestPart = 5e-6;
 /// Of many things that deserve the same warning only the first few are named, the rest is counted.
 class WarningKind {
   public:
-    /// @param rest  what is said of those not named: "organs are below the ground"
-    explicit WarningKind(std::string_view rest) : rest_(rest) {}
+    /// @param one, many  what is said of one or several not named: "organs are below the ground"
+    WarningKind(std::string_view one, std::string_view many) : one_(one), many_(many) {}
     void add(std::string where, std::string text);
     [[nodiscard]] std::vector<Warning> finish() &&;
 
   private:
     static constexpr std::size_t kMaxNamed = 3;
 
-    std::string_view rest_;
+    std::string_view one_, many_;
     std::vector<Warning> named_;
     std::size_t count_ = 0;
 };

@@ -37,10 +37,10 @@ std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground
         if (cell_size > 0) {
             if (size < (1 - kOverhang) * cell_size) {
                 warnings.push_back(
-                    {where, fmt::format(
-                                "covers {:.3g} of the cell's {:.3g} along {}: light escapes beside "
-                                "it",
-                                size, cell_size, axis.name)});
+                    {where,
+                     fmt::format(
+                         "covers {:.3g} of the cell's {:.3g} along {}; light escapes beside it",
+                         size, cell_size, axis.name)});
             }
             continue;
         }
@@ -54,7 +54,7 @@ std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground
         if (beyond > kOverhang * canopy) {
             warnings.push_back(
                 {where, fmt::format(
-                            "is smaller than the canopy, which reaches {:.3g} beyond it along {}: "
+                            "is smaller than the canopy, which extends {:.3g} beyond it along {}; "
                             "light escapes beside it",
                             beyond, axis.name)});
         }
@@ -64,7 +64,7 @@ std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground
 
 std::vector<Warning> lint_below(const Survey& survey, double height) {
     const Scene& scene = survey.scene;
-    WarningKind below("organs reach below the ground");
+    WarningKind below("organ extends below the ground", "organs extend below the ground");
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         const Organ& organ = scene.organs()[i];
         const Bounds& bounds = survey.organ_bounds[i];
@@ -75,8 +75,8 @@ std::vector<Warning> lint_below(const Survey& survey, double height) {
         }
         below.add(
             words_for(organ), bounds.high.z <= height
-                                  ? fmt::format("lies below the ground at height {:.6g}", height)
-                                  : fmt::format("reaches {:.3g} below the ground", depth));
+                                  ? fmt::format("is below the ground (height {:.6g})", height)
+                                  : fmt::format("extends {:.3g} below the ground", depth));
     }
     return std::move(below).finish();
 }
@@ -85,7 +85,7 @@ std::vector<Warning> lint_below(const Survey& survey, double height) {
 
 std::vector<Warning> lint_cell(const Survey& survey) {
     const Scene& scene = survey.scene;
-    WarningKind wide("organs are wider than three cells");
+    WarningKind wide("organ is wider than three cells", "organs are wider than three cells");
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         if (scene.organs()[i].is_ground) {
             continue;
@@ -98,8 +98,7 @@ std::vector<Warning> lint_cell(const Survey& survey) {
                 wide.add(
                     words_for(scene.organs()[i]),
                     fmt::format(
-                        "measures {:.3g} along {}, the periodic cell {:.3g}: it crosses its own "
-                        "images",
+                        "is {:.3g} long along {}, the cell {:.3g}: it overlaps its periodic copies",
                         size, axis.name, cell_size));
                 break;
             }

@@ -61,19 +61,19 @@ std::vector<Warning> lint_thin(const Survey& survey) {
     const Scene& scene = survey.scene;
     const Bounds bounds = traced_bounds(survey);
     const double scale = local_scale(bounds);
-    WarningKind thin("organs are too thin beside the scene");
+    WarningKind thin(
+        "organ is too thin compared with the scene", "organs are too thin compared with the scene");
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         const Organ& organ = scene.organs()[i];
         constexpr double kMaxBlur = 0.05;
         const double part = blur_of(scene, organ, bounds, scale).part();
         if (part > kMaxBlur && part_of_scene(survey, i) >= kSmallestPart) {
             thin.add(
-                words_for(organ),
-                fmt::format(
-                    "is so thin beside the scene that rounding to single precision changes its "
-                    "area by {:.0f} %: its light is corrected for that, but not for how it is "
-                    "turned and what it shades",
-                    std::ceil(100 * part)));
+                words_for(organ), fmt::format(
+                                      "is so thin compared with the scene that rounding to single "
+                                      "precision changes its area by {:.0f} %; its light is "
+                                      "corrected for that, but its direction and shadow are not",
+                                      std::ceil(100 * part)));
         }
     }
     return std::move(thin).finish();

@@ -41,8 +41,8 @@ void add_repeated_ids(const SceneDraft& draft, OrganFaults& faults) {
         }
         faults.add(
             draft, i,
-            {"", fmt::format("id {} is taken", organs[i].id), "by " + location_of(draft, first),
-             "ids are unique in a scene"});
+            {"", fmt::format("id {} is used already", organs[i].id),
+             "by " + location_of(draft, first), "ids must be unique in a scene"});
     }
 }
 
@@ -68,12 +68,12 @@ std::int64_t number_organs(SceneDraft& draft, OrganFaults& faults) {
             faults.add(
                 draft, i,
                 {"", fmt::format("id {} is too large", organ.id),
-                 fmt::format("ids end at {}", kLastId - 1), ""});
+                 fmt::format("the largest id is {}", kLastId - 1), ""});
         }
         if (!has_utf8_names(organ)) {
             faults.add(
                 draft, i,
-                {"", "its name or a label is not UTF-8", "results are written in UTF-8", ""});
+                {"", "its name or a label is not UTF-8", "results are written as UTF-8", ""});
         }
         ascending = ascending && (i == 0 || organ.id > draft.organs[i - 1].id);
     }

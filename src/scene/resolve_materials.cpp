@@ -23,12 +23,13 @@ MaterialNumbers number_materials(GivenMaterials materials, std::size_t bands, Fa
         check_material(spec, bands, where, faults);
         const auto [other, is_new] = numbers.try_emplace(spec.name, i);
         if (spec.name.empty()) {
-            faults.add({where, "it has no name", "organs name their materials", ""});
+            faults.add({where, "it has no name", "organs refer to materials by name", ""});
         } else if (!is_utf8(spec.name)) {
             faults.add({where, "its name is not UTF-8", "", ""});
         } else if (!is_new) {
             const std::string& first = materials[other->second].second;
-            const std::string why = first.empty() ? "names are unique" : "the first is at " + first;
+            const std::string why =
+                first.empty() ? "names must be unique" : "the first is at " + first;
             faults.add({where, "it is defined twice", why, ""});
         }
     }
@@ -51,11 +52,11 @@ class Missing {
         for (const Row& row : rows_) {
             faults.add(
                 {location_of(draft, row.first),
-                 row.material.empty() ? "no material is named"
+                 row.material.empty() ? "the material is missing"
                                       : fmt::format("material '{}' is not defined", row.material),
-                 row.parts == 1 ? "organs name their materials"
-                                : fmt::format("{} parts of organs name it", row.parts),
-                 known.empty() ? "define a material of that name"
+                 row.parts == 1 ? "organs refer to materials by name"
+                                : fmt::format("{} parts of organs use it", row.parts),
+                 known.empty() ? "define a material with that name"
                                : did_you_mean(row.material, known)});
         }
     }

@@ -21,7 +21,7 @@ namespace {
 /// Checks that concern all organs together.
 void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) {
     if (draft.organs.empty()) {
-        faults.add({"scene", "there are no organs", "light falls on organs", "add one"});
+        faults.add({"scene", "there are no organs", "results are computed for organs", "add one"});
     }
     constexpr std::size_t kMaxTriangles = std::numeric_limits<std::uint32_t>::max() - 1;
     if (draft.triangle_count() > kMaxTriangles) {
@@ -30,7 +30,7 @@ void check_whole(const SceneDraft& draft, const Bounds& bounds, Faults& faults) 
     constexpr double kSmallestSize = 1 / kLargestCoordinate;
     if (!bounds.empty() && !(bounds.radius() > kSmallestSize)) {
         faults.add(
-            {"scene", "all corners lie in one point", "such a scene has no size",
+            {"scene", "all corners are one point", "the scene has no size",
              "check the coordinates"});
     }
 }

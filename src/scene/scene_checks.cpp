@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "scene/overlap/coplanar.h"
 #include "scene/overlap/overlap_search.h"
@@ -55,10 +56,10 @@ std::optional<Fault> corner_fault(
         "corner {} of triangle {} is {}", corner - worst.begin() + 1, first_bad,
         text_of(orientation.outward(*corner)));
     if (bad > 1) {
-        problem += fmt::format(", and {} more triangles are like it", bad - 1);
+        problem += fmt::format(", and {} with this error", counted(bad - 1, "more triangle"));
     }
     return Fault{
-        "", problem, fmt::format("coordinates are finite numbers up to {}", kLargestCoordinate),
+        "", problem, fmt::format("coordinates must be finite and at most {}", kLargestCoordinate),
         ""};
 }
 
@@ -66,13 +67,13 @@ void check_axis_of_cell(char axis, double low, double size, double extent, Fault
     const std::string where = fmt::format("cell along {}", axis);
     if (!std::isfinite(low) || std::abs(low) > kLargestCoordinate) {
         faults.add(
-            {where, fmt::format("the low border is {}", shortest(low)),
-             "borders are finite numbers", ""});
+            {where, fmt::format("the low border is {}", shortest(low)), "borders must be finite",
+             ""});
     }
     if (!(size > 0) || !(size <= kLargestCoordinate)) {
         faults.add(
-            {where, fmt::format("the size is {}", shortest(size)), "periods are positive numbers",
-             "leave the axis open if nothing is repeated along it"});
+            {where, fmt::format("the size is {}", shortest(size)), "periods must be positive",
+             "remove the axis if the scene is not periodic along it"});
         return;
     }
     constexpr double kSmallestPart = 1e-6;
@@ -82,7 +83,7 @@ void check_axis_of_cell(char axis, double low, double size, double extent, Fault
              fmt::format(
                  "the size {} is less than a millionth of the scene, {}", shortest(size),
                  shortest(extent)),
-             "", "state cell and organs in the same unit of length"});
+             "", "give cell and organs in the same unit of length"});
     }
 }
 
@@ -212,13 +213,13 @@ void OrganFaults::add(const SceneDraft& draft, std::size_t organ, Fault fault) {
 
 void OrganFaults::finish() {
     if (count_ > kMaxOrganFaults) {
-        faults_.add({"organs", fmt::format("{} more faults", count_ - kMaxOrganFaults), "", ""});
+        faults_.add({"organs", counted(count_ - kMaxOrganFaults, "more error"), "", ""});
     }
 }
 
 void check_bands(const std::vector<Band>& bands, Faults& faults) {
     if (bands.empty()) {
-        faults.add({"bands", "there is none", "light is computed per waveband", "name one"});
+        faults.add({"bands", "there is none", "light is computed by band", "name one"});
     }
     for (std::size_t i = 0; i < bands.size(); ++i) {
         const std::string& name = bands[i].name;
@@ -232,7 +233,8 @@ void check_bands(const std::vector<Band>& bands, Faults& faults) {
         const auto same = [&](const Band& band) { return band.name == name; };
         if (std::any_of(bands.begin(), bands.begin() + static_cast<std::ptrdiff_t>(i), same)) {
             faults.add(
-                {"bands", fmt::format("band '{}' is named twice", name), "names are unique", ""});
+                {"bands", fmt::format("band '{}' is named twice", name), "names must be unique",
+                 ""});
         }
     }
 }
@@ -242,7 +244,7 @@ void check_north(const Orientation& orientation, Faults& faults) {
     const double size = length(north);
     if (!is_finite(north) || !(size > 0) || !std::isfinite(size)) {
         faults.add(
-            {"north", fmt::format("{} is no direction", text_of(orientation.north())), "", ""});
+            {"north", fmt::format("{} is not a direction", text_of(orientation.north())), "", ""});
     } else if (north.z != 0) {
         faults.add(
             {"north", fmt::format("{} is not horizontal", text_of(orientation.north())),
@@ -262,15 +264,15 @@ void check_cell(const Cell& cell, const Bounds& organs, Faults& faults) {
 
 void check_images(const Cell& cell, const SceneDraft& draft, const Bounds& organs, Faults& faults) {
     constexpr double kMaxImages = 1e8, kMaxLayers = 1000;
-    constexpr const char* kSameUnit = "state cell and organs in the same unit of length";
+    constexpr const char* kSameUnit = "give cell and organs in the same unit of length";
     if (!cell.periodic()) {
         return;
     }
     const double images = images_in(cell, draft);
     if (images > kMaxImages) {
         faults.add(
-            {"cell", fmt::format("the triangles reach over {:.0f} cells in all", images),
-             "their images in each are traced", kSameUnit});
+            {"cell", fmt::format("the triangles extend over {:.0f} cells in total", images),
+             "their copies in each are intersected", kSameUnit});
         return;
     }
     const double layers = flat_layers_in(cell, draft, size_of(organs));
@@ -278,10 +280,10 @@ void check_images(const Cell& cell, const SceneDraft& draft, const Bounds& organ
         faults.add(
             {"cell",
              fmt::format(
-                 "horizontal surfaces are {:.0f} times as large as the cell: so many of their "
-                 "images lie on each other",
+                 "horizontal surfaces are {:.0f} times as large as the cell, and as many periodic "
+                 "copies overlap",
                  layers),
-             "organs are as large as the cell, or some times larger", kSameUnit});
+             "organs may be a few times as large as the cell at most", kSameUnit});
     }
 }
 
@@ -312,7 +314,7 @@ Bounds check_triangles(
             return draft.size_of(part) == 0;
         });
         if (is_empty) {
-            faults.add(draft, i, {"", "it has no triangles", "light falls on triangles", ""});
+            faults.add(draft, i, {"", "it has no triangles", "light is computed on triangles", ""});
         }
         if (!all_usable) {
             if (const auto fault = corner_fault(draft, i, orientation)) {

@@ -69,7 +69,7 @@ std::size_t SceneNames::organ_index(std::int64_t id) const {
         return *found;
     }
     throw InputError(
-        {{fmt::format("organ {}", id), "the scene has no organ of this id", "",
+        {{fmt::format("organ {}", id), "no organ of the scene has this id", "",
           fmt::format("it has {} organs; Scene::organs() lists them", organs_.size())}});
 }
 
@@ -81,14 +81,14 @@ std::size_t SceneNames::organ_index(std::string_view name) const {
     }
     const std::string where = fmt::format("organ '{}'", name);
     if (found != names.end()) {
-        throw InputError({{where, "several organs have this name", "", "ask by the organ's id"}});
+        throw InputError({{where, "several organs have this name", "", "use the organ's id"}});
     }
     std::vector<std::string_view> known;
     for (const Organ& organ : organs_) {
         known.push_back(organ.name);
     }
     throw InputError(
-        {{where, "the scene has no organ of this name", "", suggestion("organs", name, known)}});
+        {{where, "no organ of the scene has this name", "", suggestion("organs", name, known)}});
 }
 
 std::size_t SceneNames::band_index(std::string_view name) const {
@@ -100,7 +100,7 @@ std::size_t SceneNames::band_index(std::string_view name) const {
         known.push_back(band.name);
     }
     throw InputError(
-        {{fmt::format("band '{}'", name), "the scene has no band of this name", "",
+        {{fmt::format("band '{}'", name), "no band of the scene has this name", "",
           suggestion("bands", name, known)}});
 }
 

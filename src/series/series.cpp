@@ -36,9 +36,8 @@ void check_order(const std::vector<TimeStep>& time_steps) {
         if (own.day < before.day) {
             faults.add(
                 {own.name.empty() ? fmt::format("time {}", i + 1) : own.name,
-                 fmt::format("it is of day {}, after one of day {}", own.day, before.day),
-                 "the sum of a day is made when its last time is done",
-                 "sort the times by their days"});
+                 fmt::format("it belongs to day {}, but follows day {}", own.day, before.day),
+                 "a daily sum is formed after its last time step", "sort the time steps by day"});
         }
     }
     faults.throw_if_any();

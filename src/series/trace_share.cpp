@@ -12,17 +12,17 @@ void check_share(const RunSpec& spec, Faults& faults) {
     const auto refuse = [&](bool is_stated, std::string_view key, std::string_view why) {
         if (is_stated) {
             faults.add(
-                {std::string(key), "a part of a run can't keep to it", std::string(why),
-                 "leave it out, and set paths"});
+                {std::string(key), "a part of a run can't apply it", std::string(why),
+                 "remove it and set paths"});
         }
     };
-    refuse(spec.target_error > 0, "target_error", "errors are those of all parts together");
-    refuse(spec.max_seconds > 0, "max_seconds", "all parts must trace the same paths");
-    refuse(spec.max_paths > 0, "max_paths", "a part is of one round of paths");
+    refuse(spec.target_error > 0, "target_error", "errors are known only after merging");
+    refuse(spec.max_seconds > 0, "max_seconds", "all parts must use the same paths");
+    refuse(spec.max_paths > 0, "max_paths", "a part computes one round of paths");
     refuse(
         spec.time_method == TimeMethod::daylight_coefficients, "time_method",
-        "what all times have in common is computed in one go");
-    refuse(spec.audit > 0, "audit", "it compares the results of all parts together");
+        "daylight coefficients are computed by one process");
+    refuse(spec.audit > 0, "audit", "it compares results after merging");
 }
 
 }  // namespace

@@ -27,15 +27,15 @@ std::span<const SolverEntry> solver_catalogue() {
             do_light_tracing_rounds_add_up},
         SolverEntry{
             Method::first_hits, "first_hits",
-            "what the sources light first is found by geometry, paths start there", make_first_hits,
-            first_hits_meaning},
+            "direct light by projection; scattered paths start on the lit surfaces",
+            make_first_hits, first_hits_meaning},
         SolverEntry{
-            Method::from_organs, "from_organs", "points on every organ look for light",
-            make_from_organs, from_organs_meaning, EscapedLight::remainder,
-            do_from_organs_rounds_add_up},
+            Method::from_organs, "from_organs",
+            "paths start on the measured organs and sample the sources", make_from_organs,
+            from_organs_meaning, EscapedLight::remainder, do_from_organs_rounds_add_up},
         SolverEntry{
             Method::ray_bundles, "ray_bundles",
-            "scattered light of matt surfaces all at once, along bundles of lines",
+            "scattered light of Lambertian surfaces along bundles of parallel lines",
             make_ray_bundles, ray_bundles_meaning},
         // (tools/new.py enters a solver above this line)
     };

@@ -201,7 +201,7 @@ Sums load_sums(std::string_view bytes) {
     SumData sums;
     visit_fields(reader, sums);
     if (!reader.is_at_end()) {
-        throw std::invalid_argument("sums have something behind them");
+        throw std::invalid_argument("sums have extra bytes at their end");
     }
     check_sizes(sums);
     return Sums(std::move(sums));

@@ -60,7 +60,7 @@ Sums& Sums::operator+=(const Sums& other) {
 
 Sums& Sums::add_share(const Sums& other) {
     if (data_->paths != other->paths || data_->samples != other->samples) {
-        throw std::invalid_argument("shares of different numbers of paths can't be added");
+        throw std::invalid_argument("shares with different numbers of paths can't be added");
     }
     add_replicates(*data_, *other);
     return *this;

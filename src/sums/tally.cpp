@@ -11,9 +11,10 @@ namespace quasimc {
 
 void refuse_amount(double amount) {
     throw InputError(
-        {{"sources", "light too strong to be summed: " + shortest(amount) + " times a path's share",
-          "a source is too close to a surface, or far stronger than all others",
-          "move it away, or trace from the sources"}});
+        {{"sources",
+          "light too strong to be summed: " + shortest(amount) + " times the share of one path",
+          "a source is too close to a surface, or much stronger than all others",
+          "move it away, or use method = \"light_tracing\""}});
 }
 
 Tally::Tally(const SumLayout& layout, std::size_t shared_regions, std::span<std::int64_t> shared)
@@ -41,7 +42,8 @@ void Tally::move_into(ExactBins& total) {
     if (written_ < 0) {
         throw InputError(
             {{"sources", "light too strong to be summed",
-              "single paths bring thousands of times their share, as of a sun that grazes a cell",
+              "single paths carry thousands of times their share, as with a sun at grazing "
+              "incidence on a cell",
               "use light_tracing or first_hits"}});
     }
     for (std::size_t i = 0; i < own_.size(); ++i) {

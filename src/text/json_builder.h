@@ -26,7 +26,8 @@ namespace quasimc {
 
 inline void check_depth(std::size_t depth, const std::string& file) {
     if (depth >= static_cast<std::size_t>(kDeepestNesting)) {
-        refuse_json(file, "nested too deeply", fmt::format("{} levels at most", kDeepestNesting));
+        refuse_json(
+            file, "is nested too deeply", fmt::format("{} levels at most", kDeepestNesting));
     }
 }
 
@@ -60,7 +61,7 @@ class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
         const nlohmann::detail::exception& error) override {
         constexpr int kOutOfRange = 406;
         refuse_json(
-            file_, error.id == kOutOfRange ? "it has a number too large to hold"
+            file_, error.id == kOutOfRange ? "a number is too large"
                                            : fmt::format("byte {} is not JSON", position));
     }
 

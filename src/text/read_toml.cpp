@@ -50,7 +50,7 @@ Node converted(const toml::node& node, const std::string& file, int depth) {
     result.line = line_of(node.source());
     if (depth > kDeepestNesting) {
         throw InputError(
-            {{fmt::format("{}:{}", file, result.line), "nested too deeply",
+            {{fmt::format("{}:{}", file, result.line), "is nested too deeply",
               fmt::format("{} levels at most", kDeepestNesting), ""}});
     }
     if (const toml::table* table = node.as_table()) {
@@ -117,7 +117,7 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
         line += c == '\n' ? 1 : 0;
         if (dots > kDeepestNesting) {
             throw InputError(
-                {{fmt::format("{}:{}", file, line), "a key of very many parts",
+                {{fmt::format("{}:{}", file, line), "a key has too many parts",
                   fmt::format("{} levels at most", kDeepestNesting), ""}});
         }
         ++i;

@@ -21,7 +21,7 @@ std::string range_text(Range range) {
         return "it must be more than 0";
     }
     if (range.high == TableReader::kFinite.high) {
-        return fmt::format("it must be a finite number, {} or more", range.low);
+        return fmt::format("it must be a finite number of at least {}", range.low);
     }
     return fmt::format("it must be {} to {}", range.low, range.high);
 }
@@ -286,7 +286,7 @@ std::optional<double> TableReader::real_at(std::string_view key, const Node& nod
 std::optional<Range> TableReader::interval_at(std::string_view key, const Node& node, Range range) {
     const auto* list = node.as<Node::List>();
     if (list == nullptr || list->size() != 2) {
-        fault_at(node, fmt::format("{} is no pair of numbers", key), "it must be [low, high]");
+        fault_at(node, fmt::format("{} is not a pair of numbers", key), "it must be [low, high]");
         return std::nullopt;
     }
     const auto low = real_at(key, (*list)[0], range);
@@ -296,7 +296,8 @@ std::optional<Range> TableReader::interval_at(std::string_view key, const Node& 
     }
     if (!(*low < *high)) {
         fault_at(
-            node, fmt::format("{} is [{}, {}]", key, *low, *high), "low must be less than high");
+            node, fmt::format("{} is [{}, {}]", key, *low, *high),
+            "the first must be less than the second");
         return std::nullopt;
     }
     return Range{*low, *high};

@@ -155,12 +155,11 @@ std::optional<std::string> warning_of_clock(
         std::abs(site.longitude_deg) <= 90 &&
         sum_of(at(site.longitude_deg, site.latitude_deg, 0)) < sum_of(given) - 0.5 * gain;
     return fmt::format(
-        "the days' light comes about {:.1f} hours {} the sun of latitude {}, longitude {} on a "
-        "clock {} hours ahead of UTC: {}is the time zone, the longitude (east is positive) or the "
-        "stamp of the rows wrong?",
+        "daylight is about {:.1f} hours {} the sun at latitude {}, longitude {} with a clock {} "
+        "hours ahead of UTC: {}is the time zone, the longitude (east is positive) or stamp wrong?",
         std::abs(shift), shift > 0 ? "before" : "after", shortest(site.latitude_deg),
         shortest(site.longitude_deg), shortest(records.front().start.utc_offset_hours),
-        is_exchanged ? "are latitude and longitude exchanged, or " : "");
+        is_exchanged ? "are latitude and longitude swapped, or " : "");
 }
 
 }  // namespace quasimc

@@ -127,8 +127,7 @@ std::optional<CivilTime> parse_civil_time(
     }
     if (!offset) {
         faults.add(
-            {std::string(where), shown(text) + " has no time zone",
-             "clocks differ from place to place",
+            {std::string(where), shown(text) + " has no time zone", "clocks differ between sites",
              key == OffsetKey::none
                  ? "add the offset to UTC, +02:00 or Z"
                  : "add the offset to UTC, +02:00 or Z, or give utc_offset_hours"});

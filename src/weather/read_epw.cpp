@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "text/line_scanner.h"
 #include "text/numbers.h"
@@ -35,7 +36,7 @@ class EpwReader {
             const std::vector<std::string> fields = split_fields(scanner_.line(), ',');
             const std::string key(trimmed(fields[0]));
             if (scanner_.number() == 1 && key != "LOCATION") {
-                reporter_.fault(1, "does not begin with LOCATION", "it is no EPW file");
+                reporter_.fault(1, "does not begin with LOCATION", "it is not an EPW file");
                 return std::move(file_);
             }
             if (key == "LOCATION") {
@@ -47,15 +48,14 @@ class EpwReader {
             }
         }
         if (file_.records.empty() && reporter_.faults.empty()) {
-            reporter_.fault(scanner_.number(), "holds no records", "an EPW file has 8760 or so");
+            reporter_.fault(scanner_.number(), "contains no records", "an EPW file has 8760 or so");
         }
         note_typical_year();
         check_order();
         if (short_years_ > 0) {
             reporter_.warn(
                 fmt::format(
-                    "{} times have years of two digits, which are taken to be of 1969 to 2068",
-                    short_years_),
+                    "{} times have years of two digits, read as 1969 to 2068", short_years_),
                 first_short_year_);
         }
         return std::move(file_);
@@ -201,10 +201,10 @@ class EpwReader {
             reporter_.fault(
                 first_bad->line,
                 fmt::format(
-                    "the record of {} is there twice or out of order",
+                    "the record of {} is repeated or out of order",
                     civil_time_text(first_bad->start)),
-                "a record begins where the one above it ends, or later",
-                count > 1 ? fmt::format("{} more records have this fault", count - 1) : "");
+                "a record must not begin before the one above it ends",
+                count > 1 ? counted(count - 1, "more record") + " with this error" : "");
         }
     }
 

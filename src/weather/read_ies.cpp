@@ -36,7 +36,7 @@ class Numbers {
             fail(
                 word.empty() ? fmt::format("the file ends before {}", what)
                              : fmt::format("{} is not a number", shown(word)),
-                word.empty() ? "" : fmt::format("it stands for {}", what));
+                word.empty() ? "" : fmt::format("it is {}", what));
             return 0;
         }
         return *value;
@@ -175,7 +175,7 @@ bool pass_head(LineScanner& scanner, Numbers& numbers) {
         skip_tilt(numbers);
     } else if (*tilt != "NONE") {
         numbers.warn(fmt::format(
-            "TILT names {}, which is not read: its factors for tilted lamps do not count",
+            "TILT refers to {}, which is not read; its factors for tilted lamps are ignored",
             shown(*tilt)));
     }
     return true;
@@ -184,7 +184,7 @@ bool pass_head(LineScanner& scanner, Numbers& numbers) {
 void warn_of_rest(Numbers& numbers) {
     if (const std::string_view word = numbers.rest(); !word.empty()) {
         numbers.warn(fmt::format(
-            "{} follows the last intensity, and is not read: are the numbers of angles right?",
+            "{} follows the last intensity and is not read: are the numbers of angles right?",
             shown(word)));
     }
 }

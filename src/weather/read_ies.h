@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// A photometric file (docs/formats/ies.md): how a luminaire shines, and the size of its opening.
+/// A photometric file (docs/reference/ies.md): how a luminaire shines, and the size of its opening.
 struct IesFile {
     PhotometricWeb web;                ///< ballast factor and multiplier included
     double length_m = 0, width_m = 0;  ///< of the opening, along and across the 0 degree plane

@@ -56,7 +56,7 @@ class SkyFile {
 
     bool read_size(SkyTable& table) {
         if (!next_line()) {
-            fault("is empty", "it begins with the numbers of azimuths and of elevations");
+            fault("is empty", "it must begin with the numbers of azimuths and elevations");
             return false;
         }
         const auto azimuths = parse_integer(take_word(line_));
@@ -66,9 +66,10 @@ class SkyFile {
                              *azimuths * *elevations <= kMaxCells;
         if (!is_good || !take_word(line_).empty()) {
             fault(
-                "does not tell the size of the table",
+                "does not give the size of the table",
                 fmt::format(
-                    "the first line is the numbers of azimuths and of elevations, at most {} cells",
+                    "the first line must contain the numbers of azimuths and elevations, at most "
+                    "{} cells",
                     kMaxCells));
             return false;
         }
@@ -82,7 +83,7 @@ class SkyFile {
         const auto number = parse_real(word);
         if (!number || !std::isfinite(*number) || *number < 0) {
             fault(
-                word.empty() ? "a value is missing" : shown(word) + " is no value of a sky",
+                word.empty() ? "a value is missing" : shown(word) + " is not a value of a sky",
                 "it must be a finite number, 0 or more");
             return 0;
         }
@@ -97,7 +98,7 @@ class SkyFile {
         if (!next_line()) {
             fault(
                 fmt::format("ends after {} of {} {}", index, count, what),
-                "the first line tells how many there are");
+                "the first line gives their number");
             return false;
         }
         return true;
@@ -127,7 +128,7 @@ class SkyFile {
                                     parse_real(take_word(line_)).has_value();
             const double radiance = value(take_word(line_));
             if (!has_angles || !take_word(line_).empty()) {
-                fault("is no cell", "a cell is three numbers: azimuth elevation value");
+                fault("is not a cell", "a cell is three numbers: azimuth elevation value");
             }
             table.radiance[i % table.elevations * table.azimuths + i / table.elevations] = radiance;
         }
@@ -141,7 +142,7 @@ class SkyFile {
         if (faults_.empty() && !(sum > 0 && std::isfinite(sum))) {
             faults_.add(
                 {name_, "its values add up to " + fmt::format("{}", sum),
-                 "a sky must have some light somewhere", ""});
+                 "a sky must have light somewhere", ""});
         }
     }
 

@@ -39,7 +39,7 @@ class TableOfWeather {
             read_row(split_fields(scanner_.line(), separator_));
         }
         if (file_.records.empty()) {
-            reporter_.fault(scanner_.number(), "holds no rows that can be read", "");
+            reporter_.fault(scanner_.number(), "contains no readable rows", "");
         }
         if (reporter_.faults.empty()) {
             set_times();
@@ -93,7 +93,8 @@ class TableOfWeather {
         if (!day || !hour || !year || !whole_number(*day) || !whole_number(*year)) {
             if (day && hour && year) {
                 reporter_.fault(
-                    scanner_.number(), "a part of a day or a year", "these are whole numbers");
+                    scanner_.number(), "a fraction of a day or a year",
+                    "these must be whole numbers");
             }
             return std::nullopt;
         }
@@ -106,7 +107,7 @@ class TableOfWeather {
         if (later(first, (*day - 1) * kSecondsADay).year != first.year) {
             reporter_.fault(
                 scanner_.number(), fmt::format("{} has no day {}", first.year, *day),
-                "it is no leap year", "check year in [time]");
+                "it is not a leap year", "check year in [time]");
             return std::nullopt;
         }
         return time;
@@ -180,10 +181,9 @@ class TableOfWeather {
                 reporter_.fault(
                     file_.records[i].line,
                     apart < -0.5 ? "goes back in time" : "the same time again",
-                    "rows are in the order of time",
-                    apart < -kNearlyAYear
-                        ? "days of several years need a column of years"
-                        : "clocks that change in autumn need an offset to UTC in each time");
+                    "rows must be in the order of time",
+                    apart < -kNearlyAYear ? "several years need a column year"
+                                          : "with summer time, each time needs an offset from UTC");
             }
             step = std::min(step, apart);
         }
@@ -199,7 +199,7 @@ class TableOfWeather {
                                                  : apart;
         if (!std::isfinite(step)) {
             reporter_.fault(
-                file_.records[0].line, "a single row", "it can't be told how long it stands for",
+                file_.records[0].line, "a single row", "its duration is unknown",
                 "give step_minutes");
             return;
         }
@@ -224,8 +224,8 @@ class TableOfWeather {
         if (apart < step - kSlack) {
             reporter_.warn(
                 fmt::format(
-                    "rows are {} minutes apart and stand for {} minutes each: light of times in "
-                    "common counts twice",
+                    "rows are {} minutes apart and last {} minutes each: light of overlapping "
+                    "times counts twice",
                     shortest(std::round(apart) / 60), shortest(step / 60)),
                 file_.records[0].line);
         }
@@ -250,9 +250,9 @@ class TableOfWeather {
             if (fitting(part) > 0 && fitting(part) >= end) {
                 reporter_.warn(
                     fmt::format(
-                        "the rows go from {:02d}:{:02d} to {:02d}:{:02d}, as if each stood for "
-                        "the {} minutes {} its time, but it counts for those before: write stamp "
-                        "= \"{}\", or stamp = \"end\" if that is right",
+                        "the rows go from {:02d}:{:02d} to {:02d}:{:02d}, as if each were for the "
+                        "{} minutes {} its time, but it is used for those before; write stamp = "
+                        "\"{}\", or stamp = \"end\" if that is right",
                         first.hour, first.minute, last.hour, last.minute,
                         shortest(std::round(step / 60)), side, name),
                     file_.records[0].line);

@@ -61,7 +61,7 @@ class ColumnFinder {
         if (!header_.day_of_year || !header_.hour) {
             reporter_.fault(
                 line_, "no column 'time', nor day_of_year and hour",
-                "one is named time, or two are named day_of_year (or DOY) and hour",
+                "a column time, or day_of_year (or DOY) and hour, is needed",
                 "name the columns: columns = { time = \"...\" }");
         } else if (!header_.year && !columns_.year) {
             reporter_.fault(
@@ -69,7 +69,7 @@ class ColumnFinder {
                 "give year = 2006 in [time]");
         } else if (!columns_.utc_offset_hours) {
             reporter_.fault(
-                line_, "the clock is not known", "the file has hours without an offset",
+                line_, "the clock is unknown", "the file has hours without an offset from UTC",
                 "give utc_offset_hours in [time]");
         }
     }
@@ -90,14 +90,13 @@ class ColumnFinder {
         if (header_.light.empty() && reporter_.faults.empty()) {
             reporter_.fault(
                 line_, "no column of light",
-                "one is named global, direct_horizontal, beam_normal or diffuse",
+                "a column global, direct_horizontal, beam_normal or diffuse is needed",
                 "name the columns: columns = { global = \"...\" }");
         }
         const bool has_fraction = header_.light.contains(kDiffuseFraction);
         if (has_fraction && (!header_.light.contains("global") || header_.light.size() > 2)) {
             reporter_.fault(
-                line_, "a diffuse fraction goes with global alone",
-                "it is a part of the global light");
+                line_, "a diffuse fraction needs global alone", "it is a part of the global light");
         }
     }
 
@@ -114,8 +113,8 @@ class ColumnFinder {
                 reporter_.warn(
                     fmt::format(
                         "the column {} is not read: {}", shown(header_.names[i]),
-                        columns_.light.empty() ? "other columns tell the parts of the light"
-                                               : "columns names others, and not this one"),
+                        columns_.light.empty() ? "other columns give direct and diffuse light"
+                                               : "columns lists others and not this one"),
                     line_);
             }
         }
@@ -130,8 +129,8 @@ class ColumnFinder {
                 reporter_.fault(
                     line_,
                     fmt::format(
-                        "{} and {} are the same column '{}'", other, part, header_.names[*i]),
-                    "each has its own");
+                        "{} and {} use the same column '{}'", other, part, header_.names[*i]),
+                    "each needs its own");
             }
         }
         header_.light[std::string(part)] = *i;
@@ -143,8 +142,7 @@ class ColumnFinder {
             const auto is_wanted = [&](const std::string& name) {
                 return lower_case(name) == wanted;
             };
-            if (const auto found = only(
-                    wanted, is_wanted, "it can't be told which is meant, whatever their case")) {
+            if (const auto found = only(wanted, is_wanted, "they differ only in case")) {
                 return found;
             }
         }
@@ -172,7 +170,7 @@ class ColumnFinder {
     std::optional<std::size_t> column(const std::string& name) {
         const auto found = only(
             name, [&](const std::string& other) { return other == name; },
-            "it can't be told which is meant");
+            "it is unclear which one is meant");
         if (!found) {
             const std::vector<std::string_view> names(header_.names.begin(), header_.names.end());
             reporter_.fault(

@@ -89,8 +89,8 @@ Page embedded_page() {
 void require_page(std::string_view command) {
     if (embedded_page().script.empty()) {
         throw InputError(
-            {{std::string(command), "this program was built without its page",
-              "Node.js, or the packages of web/, were not there",
+            {{std::string(command), "this program was built without the viewer",
+              "Node.js or the packages of web/ were missing",
               "install Node.js 18 or later and build again, or draw a picture: quasimc show"}});
     }
 }

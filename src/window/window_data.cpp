@@ -30,7 +30,9 @@ const Sources& lights_at(const RunFile& run, const RowsPosition& position) {
 /// A time, with the number of the values of every column, -1 where there are none.
 Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
     Json time = {
-        {"part", rows.position.part}, {"index", rows.position.index}, {"label", rows.position.label}};
+        {"part", rows.position.part},
+        {"index", rows.position.index},
+        {"label", rows.position.label}};
     time.update(json_lights(lights_at(run, rows.position), window_middle(run.scene)));
     Json& values = time["values"] = Json::array();
     for (std::vector<Estimate>& column : rows.columns) {
@@ -76,8 +78,8 @@ WindowData make_window_data(
     head = only_point(std::move(head), query.point, path);
     if (data.values.empty()) {
         throw InputError(
-            {{path, "holds no light of organs", "the run did not write it, or was never finished",
-              "look at [output] in the run file"}});
+            {{path, "contains no light of organs", "the run did not write it, or was not completed",
+              "check [output] in the run file"}});
     }
     Json all = json_window_scene(scene, columns);
     all["title"] = run.title.empty() ? run.path : run.title;

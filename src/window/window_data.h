@@ -9,7 +9,7 @@
 namespace quasimc {
 
 /// A run and its result in the form that the page in the browser takes
-/// (docs/develop/decisions/window-server.md).
+/// (docs/develop/decisions/viewer-server.md).
 struct WindowData {
     std::string json;   ///< names, units, times, and what the result says beside its organs
     std::string shape;  ///< window_shape()

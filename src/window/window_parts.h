@@ -1,6 +1,6 @@
 #pragma once
 
-// What the page in the browser takes (docs/develop/decisions/window-server.md).
+// What the page in the browser takes (docs/develop/decisions/viewer-server.md).
 
 #include <span>
 #include <string>

@@ -131,8 +131,8 @@ class Connection {
 
 [[noreturn]] void refuse_port(int port) {
     throw InputError(
-        {{"--port", fmt::format("{} can't be had", port), std::generic_category().message(errno),
-          "leave it out: any that is free will do"}});
+        {{"--port", fmt::format("{} is not available", port),
+          std::generic_category().message(errno), "remove it to use any free port"}});
 }
 
 Descriptor listen_at(int port) {

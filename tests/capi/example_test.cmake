@@ -1,5 +1,5 @@
 # Builds the example of a LANGUAGE (c, fortran or r) by its TOOL, against the shared library in the folder LIBRARY, runs
-# it, and compares what it prints with the first block of text in docs/guide/c.md.
+# it, and compares what it prints with docs/guide/libraries.md.
 
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
@@ -30,8 +30,8 @@ else()
     run(Rscript --vanilla "${examples}/leaves.R" .)
 endif()
 
-file(READ "${SOURCE}/docs/guide/c.md" page)
-string(REGEX MATCH "```text\n([^`]*)```" block "${page}")
+file(READ "${SOURCE}/docs/guide/libraries.md" page)
+string(REGEX MATCH "```text\n(lower leaf:[^`]*)```" block "${page}")
 if(NOT output STREQUAL CMAKE_MATCH_1)
     message(FATAL_ERROR "the example printed\n${output}, not\n${CMAKE_MATCH_1}")
 endif()

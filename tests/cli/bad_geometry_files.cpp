@@ -20,8 +20,8 @@ const std::string kLyingPly =
     "vertex_indices\nend_header\n";
 
 const std::vector<BadInput> kBadGeometryFiles{
-    bad_file("TriEmpty", "a.tri", "", "file 'a.tri' holds no triangle"),
-    bad_file("TriOnlyComments", "a.tri", "# nothing\n", "file 'a.tri' holds no triangle"),
+    bad_file("TriEmpty", "a.tri", "", "file 'a.tri' contains no triangle"),
+    bad_file("TriOnlyComments", "a.tri", "# nothing\n", "file 'a.tri' contains no triangle"),
     bad_file("TriTruncated", "a.tri", "0 0 1 1 0 1 0 1 1\n0 0 1 1 0 1 0", "a.tri:2: 7 numbers"),
     bad_file("TriTooMany", "a.tri", "0 0 1 1 0 1 0 1 1 1\n", "a.tri:1: 10 numbers"),
     bad_file("TriText", "a.tri", "0 0 1 1 0 1 0 1 one\n", "a.tri:1: 'one' is not a finite number"),
@@ -41,19 +41,19 @@ const std::vector<BadInput> kBadGeometryFiles{
         std::string("\x7F\x45LF\x02\0\0\0\xff\xfe\n\n\n\x01", 14),
         "a.tri:1: "),
     bad_file("TriLongLine", "a.tri", std::string(1 << 20, '1'), "a.tri:1: "),
-    bad_file("ObjEmpty", "a.obj", "", "file 'a.obj' holds no triangle"),
+    bad_file("ObjEmpty", "a.obj", "", "file 'a.obj' contains no triangle"),
     bad_file(
-        "ObjVertexMissing", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "a.obj:3: '3' names no vertex"),
+        "ObjVertexMissing", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 3\n", "a.obj:3: '3' is not a vertex"),
     bad_file(
         "ObjVertexZero",
         "a.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n",
-        "a.obj:4: '0' names no vertex"),
+        "a.obj:4: '0' is not a vertex"),
     bad_file(
         "ObjVertexBefore",
         "a.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -4 1 2\n",
-        "a.obj:4: '-4' names no vertex"),
+        "a.obj:4: '-4' is not a vertex"),
     bad_file("ObjVertexHuge", "a.obj", "v 0 0 0\nf 1 1 9223372036854775807\n", "a.obj:2: "),
     bad_file(
         "ObjVertexNan",
@@ -64,23 +64,24 @@ const std::vector<BadInput> kBadGeometryFiles{
         "ObjVertexShort",
         "a.obj",
         "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
-        "a.obj:1: a vertex of less than three numbers"),
-    bad_file("ObjFaceOfTwo", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "a.obj:3: a face of 2 corners"),
+        "a.obj:1: a vertex with less than three numbers"),
+    bad_file(
+        "ObjFaceOfTwo", "a.obj", "v 0 0 0\nv 1 0 0\nf 1 2\n", "a.obj:3: a face with 2 corners"),
     bad_file(
         "ObjUnknownStatement",
         "a.obj",
         "vertex 0 0 0\n",
-        "a.obj:1: 'vertex' is no statement of OBJ"),
+        "a.obj:1: 'vertex' is not an OBJ statement"),
     bad_file(
         "ObjNameNotUtf8", "a.obj", "g Bl\xE4tter\n", "a.obj:1: the name 'Bl?tter' is not UTF-8"),
     bad_file("PlyEmpty", "a.ply", "", "a.ply:1: the first line is not 'ply'"),
-    bad_file("PlyHeaderOnly", "a.ply", "ply\nformat ascii 1.0\n", "the header does not end"),
+    bad_file("PlyHeaderOnly", "a.ply", "ply\nformat ascii 1.0\n", "the header has no end"),
     bad_file("PlyTruncated", "a.ply", kPly + "0 0 0\n1 0 0\n", "a.ply: vertex 3 is cut short"),
     bad_file(
         "PlyVertexMissing",
         "a.ply",
         kPly + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n",
-        "a.ply: face 1 names vertex 3"),
+        "a.ply: face 1 refers to vertex 3"),
     bad_file(
         "PlyVertexNan",
         "a.ply",

@@ -106,8 +106,7 @@ TEST_F(ProgramTest, AFileLargerThanTheMemoryIsAnInputError) {
         shell("truncate -s 60G leaves.tri; ulimit -v 8000000; \"$quasimc\" run run.toml");
     EXPECT_EQ(outcome.status, 1);
     EXPECT_NE(
-        outcome.err.find(
-            "leaves.tri' can't be read (there is no memory for its 64424509440 bytes)"),
+        outcome.err.find("leaves.tri' can't be read (not enough memory for its 64424509440 bytes)"),
         std::string::npos)
         << outcome.err;
 }

@@ -84,13 +84,14 @@ TEST_F(CheckpointTest, OfARunThatIsDoneGivesItAgainOrMoreExactly) {
     const Outcome there =
         run({"run", "run.toml", "--checkpoint", "c", "--resume", "--csv", "b.csv"});
     ASSERT_EQ(there.status, 0);
-    EXPECT_NE(there.out.find("time      traced before"), std::string::npos) << there.out;
+    EXPECT_NE(there.out.find("time      all paths are from the checkpoint"), std::string::npos)
+        << there.out;
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("a.csv")));
     const Outcome more = run(
         {"run", "run.toml", "--checkpoint", "c", "--resume", "--max-paths", "1024", "--csv",
          "b.csv"});
     ASSERT_EQ(more.status, 0);
-    EXPECT_NE(more.out.find("; 25 % of the paths were traced before\n"), std::string::npos)
+    EXPECT_NE(more.out.find("; 25 % of the paths are from the checkpoint\n"), std::string::npos)
         << more.out;
     ASSERT_EQ(run({"run", "run.toml", "--max-paths", "1024", "--csv", "w.csv"}).status, 0);
     EXPECT_EQ(table_rows(folder_.read("b.csv")), table_rows(folder_.read("w.csv")));
@@ -108,9 +109,8 @@ TEST_F(CheckpointTest, GoesOnToMorePathsOrSaysWhyNot) {
     EXPECT_EQ(fewer.status, 2);
     EXPECT_EQ(
         fewer.err,
-        "error: --paths: the checkpoint can't go on to 16384 of them (65536 paths are traced "
-        "already); "
-        "leave paths as they were and state max_paths, or begin anew\n");
+        "error: --paths: the checkpoint can't be continued to 16384 paths (65536 paths are "
+        "computed already); keep paths and set max_paths, or start again\n");
     // What was refused stays what it was.
     EXPECT_EQ(shell(command + "--paths 16384 --checkpoint c --resume").err, fewer.err);
 }
@@ -130,10 +130,10 @@ TEST_F(CheckpointTest, OfAnotherRunOrDamagedIsRefused) {
         std::string changed = whole;
         changed[at] = static_cast<char>(changed[at] ^ 1);
         folder_.write("c", changed);
-        EXPECT_EQ(refusal({}), "c: is damaged (its checksum is not that of its bytes)\n");
+        EXPECT_EQ(refusal({}), "c: is damaged (its checksum is wrong)\n");
     }
     folder_.write("c", whole.substr(0, 9));
-    EXPECT_TRUE(refusal({}).starts_with("c: is no checkpoint"));
+    EXPECT_TRUE(refusal({}).starts_with("c: is not a checkpoint"));
     folder_.write("c", whole);
     std::string done = folder_.read("c.done");
     done[done.size() / 2] = static_cast<char>(done[done.size() / 2] ^ 1);
@@ -250,18 +250,17 @@ TEST_F(CheckpointTest, IsNotTheEndOfARunThatAsksForLess) {
     ASSERT_EQ(shell(command + "--max-paths 1024").status, 0);
     EXPECT_EQ(
         refusal("--max-paths 512"),
-        "run.toml: checkpoint: has 1024 paths already, more than the run asked for has (max_paths "
-        "is 512); "
-        "ask for as much as before, or more, or begin anew\n");
-    EXPECT_NE(refusal("").find("neither max_paths nor a target asks for more"), std::string::npos);
+        "run.toml: checkpoint: has 1024 paths already, more than this run requests (max_paths is "
+        "512); request at least as many paths as before, or start again\n");
     EXPECT_NE(
-        refusal("--max-paths 4096 --target-error 0.5").find("may have been reached with fewer"),
+        refusal("").find("neither max_paths nor target_error requires more"), std::string::npos);
+    EXPECT_NE(
+        refusal("--max-paths 4096 --target-error 0.5").find("the target may need fewer"),
         std::string::npos);
     std::filesystem::remove(folder_.path() / "c");
     ASSERT_EQ(shell(command + "--target-error 0.001 --max-paths 1024").status % 4, 0);
     EXPECT_NE(
-        refusal("--target-error 0.002 --max-paths 1024").find("may have been reached"),
-        std::string::npos);
+        refusal("--target-error 0.002 --max-paths 1024").find("may need fewer"), std::string::npos);
     const Outcome more = shell(command + "--target-error 0.0005 --max-paths 4096 --csv b.csv");
     EXPECT_EQ(more.status % 4, 0) << more.err;
     ASSERT_EQ(

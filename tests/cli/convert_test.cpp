@@ -80,7 +80,7 @@ TEST_F(ConvertCommand, WritesNetcdfOrNamesTheLibraryThatItLacks) {
         EXPECT_EQ(outcome.status, 1);
         expect_in(
             outcome.err,
-            "NetCDF: this program can't write it (it was built without the netCDF library)");
+            "NetCDF: this program can't write NetCDF (it was built without the netCDF library)");
         return;
     }
     EXPECT_EQ(outcome.status, 0) << outcome.err;
@@ -146,18 +146,18 @@ TEST_F(ConvertCommand, NamesFilesThatAreNoRunFiles) {
         EXPECT_EQ(outcome.status, 1);
         expect_in(
             outcome.err,
-            "plant.obj: is a file of geometry, not a run file (its name ends as those of the "
-            "format obj do); name it in a run file, by [[geometry]] file = \"plant.obj\"; "
-            "`quasimc info` and `quasimc convert` take it as it is");
+            "plant.obj: is geometry, not a run file (its name has the extension of obj); name it "
+            "under [[geometry]]: file = \"plant.obj\"; `quasimc info`, `show` and `convert` read "
+            "it directly");
     }
     expect_in(
         run({"info", "plant.bgeom"}).err,
-        "plant.bgeom: is a binary scene of PlantGL, not a run file (it is not read); load it in "
-        "Python with PlantGL");
+        "plant.bgeom: is a binary scene of PlantGL, not a run file (it is not supported); load it "
+        "in Python with PlantGL");
     folder_.write("plant.dae", "<COLLADA/>");
     const Outcome dae = run({"convert", "plant.dae", "plant.obj"});
     EXPECT_EQ(dae.status, 1);
-    expect_in(dae.err, "plant.dae: is a COLLADA file, which is not read; make glTF of it");
+    expect_in(dae.err, "plant.dae: is a COLLADA file, which is not supported; make glTF of it");
 }
 
 }  // namespace

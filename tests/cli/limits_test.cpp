@@ -59,7 +59,7 @@ TEST_F(LimitsTest, AHugeRunEndsInTimeWithItsFiles) {
     const Outcome outcome =
         run_within(0.5, {"run", "run.toml", "--paths", kHuge}, "\nstopped   by max_seconds = ");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
-    EXPECT_TRUE(contains(outcome.out, " of 1073741824 paths are done")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, " of 1073741824 paths completed")) << outcome.out;
     EXPECT_TRUE(contains(folder_.read("out.csv"), "\n# stopped: by max_seconds = "));
     EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"time_limit\""));
 }
@@ -92,7 +92,7 @@ TEST_F(LimitsTest, ASeriesSharesItsTime) {
             "hours = [11, 13]\nsky = \"uniform\"\nsun_step_minutes = 20\n");
     const Outcome outcome = run_within(
         3, {"run", "days.toml", "--paths", kHuge, "--daily-csv", "d.csv", "--progress"},
-        ": 4 of 4 times are done, 4 of 4 traces with fewer paths");
+        ": 4 of 4 time steps completed; 4 of 4 computed with fewer paths");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     EXPECT_TRUE(contains(outcome.out, "\nstopped   by max_seconds = ")) << outcome.out;
     EXPECT_TRUE(contains(outcome.err, " s of about ")) << "progress in a log: " << outcome.err;
@@ -113,7 +113,7 @@ TEST_F(LimitsTest, CtrlCWritesTheRoundsThatAreComplete) {
 
 TEST_F(LimitsTest, CtrlCInAHugeFirstRoundWritesWhatWasTracedBefore) {
     EXPECT_EQ(interrupted("run run.toml --paths 1073741824", kStopped), 130) << folder_.read("err");
-    EXPECT_TRUE(contains(folder_.read("out"), " of 1073741824 paths are done"))
+    EXPECT_TRUE(contains(folder_.read("out"), " of 1073741824 paths completed"))
         << folder_.read("out");
     EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"interrupted\""));
     EXPECT_TRUE(contains(folder_.read("out.csv"), "\n1,third,")) << folder_.read("out.csv");

@@ -98,12 +98,13 @@ TEST_F(PartsTest, ThatMissOverlapOrAreOfAnotherRunAreRefused) {
         EXPECT_EQ(outcome.status, 1);
         return outcome.err;
     };
-    EXPECT_EQ(refusal({"p1", "p3"}), "PART: part 2 of 3 is missing; name its file as well\n");
+    EXPECT_EQ(refusal({"p1", "p3"}), "PART: part 2 of 3 is missing; add its file\n");
     EXPECT_NE(
-        refusal({"p1", "p2", "p2", "p3"}).find("p2: part 2 of 3 is there twice"),
+        refusal({"p1", "p2", "p2", "p3"}).find("p2: part 2 of 3 is given twice"),
         std::string::npos);
     EXPECT_NE(refusal({"p1", "p2", "p3", "p3x"}).find("p3x: can't be read"), std::string::npos);
-    EXPECT_NE(refusal({"p1", "run.toml"}).find("run.toml: is no part of a run"), std::string::npos);
+    EXPECT_NE(
+        refusal({"p1", "run.toml"}).find("run.toml: is not a part of a run"), std::string::npos);
 
     ASSERT_EQ(
         run({"run", "run.toml", "--part", "2/3", "--part-file", "q2", "--seed", "9"}).status, 0);
@@ -136,7 +137,7 @@ TEST_F(PartsTest, ThatAreDamagedAreRefused) {
     for (const std::size_t size : {0UL, 10UL, 30UL, 60UL, whole.size() / 2, whole.size() - 1}) {
         EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("p2: is ")) << size;
     }
-    EXPECT_NE(refusal(whole + "x").find("more behind its end"), std::string::npos);
+    EXPECT_NE(refusal(whole + "x").find("extra bytes at its end"), std::string::npos);
     std::string changed = whole;
     changed[whole.size() - 100] = static_cast<char>(changed[whole.size() - 100] ^ 4);
     EXPECT_NE(refusal(changed).find("p2: is damaged"), std::string::npos);
@@ -153,27 +154,26 @@ TEST_F(PartsTest, TellNoTimesOfTheirMerger) {
     compute_parts(1);
     const Outcome merged = run({"merge", "p1"});
     EXPECT_EQ(merged.out.find("million paths/s"), std::string::npos) << merged.out;
-    EXPECT_NE(merged.out.find("traced in parts"), std::string::npos) << merged.out;
+    EXPECT_NE(merged.out.find("computed in parts"), std::string::npos) << merged.out;
 }
 
 TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {
     const Outcome outcome =
         run({"run", "run.toml", "--part", "1/2", "--target-error", "0.1", "--audit", "0.5"});
     EXPECT_EQ(outcome.status, 2);
-    EXPECT_NE(
-        outcome.err.find("--target-error: a part of a run can't keep to it"), std::string::npos)
+    EXPECT_NE(outcome.err.find("--target-error: a part of a run can't apply it"), std::string::npos)
         << outcome.err;
     folder_.write("run.toml", replaced(good_run_file(), "[run]\n", "[run]\naudit = 0.5\n"));
     EXPECT_NE(
         run({"run", "run.toml", "--part", "1/2"})
-            .err.find("run.toml: audit: a part of a run can't keep to it"),
+            .err.find("run.toml: audit: a part of a run can't apply it"),
         std::string::npos);
     folder_.write("run.toml", good_run_file());
     EXPECT_NE(outcome.err.find("audit"), std::string::npos);
     for (const char* wrong : {"0/2", "3/2", "1/", "/2", "1", "1/2x", "-1/2", "1/99999999"}) {
         const Outcome refused = run({"run", "run.toml", "--part", wrong});
         EXPECT_EQ(refused.status, 2) << wrong;
-        EXPECT_NE(refused.err.find("is no part of a run"), std::string::npos) << refused.err;
+        EXPECT_NE(refused.err.find("is not a part of a run"), std::string::npos) << refused.err;
     }
     EXPECT_EQ(run({"run", "run.toml", "--part", "1/2", "--csv", "a.csv"}).status, 2);
     EXPECT_EQ(run({"run", "run.toml", "--part-file", "a"}).status, 2);

@@ -83,7 +83,7 @@ TEST_F(ShowCommand, DrawsLabels) {
 TEST_F(ShowCommand, DrawsWhatAnEyeWouldSee) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     EXPECT_TRUE(drawn({"out.json", "--realistic"}) != drawn({"out.json"}));
-    expect_fault({"show", "run.toml", "-o", "p.png", "--realistic"}, "run.toml: is no result");
+    expect_fault({"show", "run.toml", "-o", "p.png", "--realistic"}, "run.toml: is not a result");
     folder_.write("run.toml", replaced(good_run_file(), "\"PAR\"", "\"NIR\""));
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     expect_fault({"show", "out.json", "-o", "p.png", "--realistic"}, "no band that an eye sees");

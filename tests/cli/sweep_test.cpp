@@ -53,9 +53,8 @@ TEST_F(SweepCommand, HasZerosWhereNoSourceShines) {
     const Outcome outcome = run({"run", "sweep.toml"});
     ASSERT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_NE(
-        outcome.err.find(
-            "[sweep]: at 1 of 2 points no source has any light, and all numbers are 0: "
-            "first at point 2 (source.1.irradiance_facing = 0)"),
+        outcome.err.find("[sweep]: no source gives light at 1 of 2 points, and all results are 0; "
+                         "the first is point 2 (source.1.irradiance_facing = 0)"),
         std::string::npos)
         << outcome.err;
     EXPECT_EQ(count(folder_.read("out.csv"), "\n0,1,third,"), 1U) << folder_.read("out.csv");
@@ -76,7 +75,7 @@ TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
     EXPECT_EQ(
         count(folder_.read("out.json"), "\n\"point\": {\n  \"paths\": 128,\n  \"seed\": 2\n},"),
         1U);
-    EXPECT_NE(outcome.out.find("4 of 4 points are done"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("4 of 4 points completed"), std::string::npos) << outcome.out;
 }
 
 TEST_F(SweepCommand, IsRepeatedFromItsResult) {
@@ -108,7 +107,7 @@ TEST_F(SweepCommand, OfTimesHasTheTimesOfEachPoint) {
 TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
     write_sweep("seed = [1, 2, 3]\n");
     const Outcome outcome =
-        run_within(1.5, {"run", "sweep.toml", "--paths", "1073741824"}, "3 of 3 points are done");
+        run_within(1.5, {"run", "sweep.toml", "--paths", "1073741824"}, "3 of 3 points completed");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     const std::string csv = folder_.read("out.csv");
     EXPECT_EQ(count(csv, "\n1,1,third,"), 1U) << outcome.err;

@@ -59,7 +59,9 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     const Outcome outcome =
         run({"run", "period.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("collapsed into 1 trace of 12 suns"), std::string::npos)
+    EXPECT_NE(
+        outcome.out.find("in 1 cumulative sky with 12 sun positions: 1 computed"),
+        std::string::npos)
         << outcome.out;
     EXPECT_EQ(rows(folder_.read("t.csv")), 3);
     const std::string sums = folder_.read("d.csv");
@@ -180,7 +182,8 @@ TEST_F(TimesTest, ChoicesThatAreNoneAreRefused) {
 TEST_F(TimesTest, NameTheirMethod) {
     const Outcome outcome = run({"run", "days.toml", "--csv", "t.csv", "--method", "first_hits"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("sobol points, first_hits, "), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("method    first_hits (requested)"), std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(TimesTest, AreRepeatedFromTheirResult) {
@@ -223,7 +226,7 @@ TEST_F(TimesTest, OfNightsAloneAreZeros) {
         {"run", "night.toml", "--include-night", "--csv", "t.csv", "--daily-csv", "d.csv", "--json",
          "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("dark at all these times"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("it is night at all time steps"), std::string::npos) << outcome.err;
     EXPECT_EQ(rows(folder_.read("t.csv")), 4 * 3);
     EXPECT_EQ(rows(folder_.read("d.csv")), 2 * 3);
     EXPECT_EQ(run({"run", "--repeat", "r.json"}).status, 0);
@@ -242,7 +245,7 @@ TEST_F(TimesTest, AndScenesWithoutLightHaveNoFault) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         EXPECT_NE(outcome.err.find("warning: no light reaches the scene"), std::string::npos);
         EXPECT_NE(
-            outcome.out.find("no light reaches the scene, nothing was traced"), std::string::npos)
+            outcome.out.find("no light reaches the scene; nothing was computed"), std::string::npos)
             << outcome.out;
         EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
         EXPECT_NE(folder_.read("out.json").find("\"no_light\""), std::string::npos);

@@ -32,13 +32,13 @@ TEST_F(WindowCommand, SaysThatThereIsNoPage) {
     if (has_page()) {
         GTEST_SKIP() << "built with its page";
     }
-    expect_fault({"report", "out.json", "-o", "p.html"}, "built without its page");
-    expect_fault({"view", "out.json"}, "built without its page");
+    expect_fault({"report", "out.json", "-o", "p.html"}, "built without the viewer");
+    expect_fault({"view", "out.json"}, "built without the viewer");
 }
 
 TEST_F(WindowCommand, WritesReports) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     EXPECT_EQ(run({"report", "out.json", "-o", "p.html"}).status, 0);
     const std::string html = folder_.read("p.html");
@@ -49,7 +49,7 @@ TEST_F(WindowCommand, WritesReports) {
     const std::string result = folder_.read("out.json");
     expect_fault({"report", "out.json", "-o", "./out.json"}, "is an input of this run");
     EXPECT_EQ(folder_.read("out.json"), result);
-    expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is no result");
+    expect_fault({"report", "run.toml", "-o", "q.html"}, "run.toml: is not a result");
     expect_fault(
         {"report", "out.json", "-o", "q.html", "--sweep-point", "2"},
         "--sweep-point: 2 is out of range (1 to 1)");
@@ -62,7 +62,7 @@ TEST_F(WindowCommand, WritesReports) {
 
 TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     // A job of an interactive shell: others ignore SIGINT.
     const Outcome outcome = shell(
@@ -74,12 +74,12 @@ TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
     EXPECT_TRUE(address.starts_with("http://127.0.0.1:")) << address;
     EXPECT_EQ(address.find('\n'), address.size() - 1) << "printed once";
     EXPECT_EQ(run({"view", "out.json", "--port", "65536"}).status, 2);
-    expect_fault({"view", "run.toml"}, "run.toml: is no result");
+    expect_fault({"view", "run.toml"}, "run.toml: is not a result");
 }
 
 TEST_F(WindowCommand, FollowsARunAndStaysUntilItIsInterrupted) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     EXPECT_EQ(run({"run", "run.toml", "--csv", "alone.csv"}).status, 0);
     const Outcome outcome = shell(
@@ -95,7 +95,7 @@ TEST_F(WindowCommand, FollowsARunAndStaysUntilItIsInterrupted) {
 
 TEST_F(WindowCommand, OfARunThatIsInterruptedEndsInOrder) {
     if (!has_page()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     const Outcome outcome = shell(
         "set -m; \"$quasimc\" run run.toml --csv seen.csv --view --checkpoint c "

@@ -150,7 +150,7 @@ TEST_F(Matrix, FaultOfAMessage) {
         c.expect_told("step 2: ");
         c.expect_told("step 3: ", 0);
         c.expect_told("step 4: ");
-        c.expect_told("step 5: it is answered again");
+        c.expect_told("step 5: answers continue");
         c.expect_told("step 6: ");
     }));
 }

@@ -22,7 +22,7 @@ class View : public ConversationTest {
     void SetUp() override {
         ConversationTest::SetUp();
         if (embedded_page().script.empty()) {
-            GTEST_SKIP() << "built without its page";
+            GTEST_SKIP() << "built without the viewer";
         }
     }
 
@@ -105,7 +105,7 @@ TEST_F(View, RefusesAPortThatIsTaken) {
                                 " && printf 'Control: 8 0\\n' | " QUASIMC_ENVIRONMENT
                                 " -e comm.e other.qmc > other.out 2> other.err";
     EXPECT_NE(std::system(command.c_str()), 0);
-    EXPECT_NE(folder_.read("other.err").find(port + " can't be had"), std::string::npos)
+    EXPECT_NE(folder_.read("other.err").find(port + " is not available"), std::string::npos)
         << folder_.read("other.err");
     EXPECT_EQ(end(), (Ending{false, 0}));
 }

@@ -1,4 +1,4 @@
-"""Every block of docs/guide/python.md and every example is run."""
+"""Every block of Python in the guide and every example is run."""
 
 import os
 import re
@@ -12,6 +12,8 @@ import quasimc
 
 SOURCE = Path(os.environ["QUASIMC_SOURCE_DIR"])
 EXAMPLES = sorted((SOURCE / "examples" / "05-python").glob("*.py"))
+# Pages and how many blocks each has.
+PAGES = {"python.md": 7, "growing-plants.md": 1, "coming-from-other-programs.md": 1}
 
 
 def blocks_of(page):
@@ -19,16 +21,19 @@ def blocks_of(page):
 
 
 @pytest.mark.filterwarnings("ignore::quasimc.QuasimcWarning")
-def test_the_blocks_of_the_guide_run_one_after_the_other(tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize("page", PAGES)
+def test_the_blocks_of_a_page_run_one_after_the_other(page, tmp_path, monkeypatch, capsys):
     pytest.importorskip("xarray")
     monkeypatch.chdir(tmp_path)
-    blocks = blocks_of(SOURCE / "docs" / "guide" / "python.md")
-    assert len(blocks) == 8
+    blocks = blocks_of(SOURCE / "docs" / "guide" / page)
+    assert len(blocks) == PAGES[page]
     known = {}
     for number, block in enumerate(blocks):
-        exec(compile(block, f"python.md, block {number + 1}", "exec"), known)
-    said = capsys.readouterr().out
-    assert "paths is 0" in said and "SunPosition" in said
+        exec(compile(block, f"{page}, block {number + 1}", "exec"), known)
+    printed = capsys.readouterr().out
+    assert printed
+    if page == "python.md":
+        assert "paths" in printed.splitlines()[-1] and "SunPosition" in printed
 
 
 @pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
@@ -47,6 +52,12 @@ def test_the_example_of_the_package_gives_what_it_says():
     import doctest
 
     assert doctest.testmod(quasimc).failed == 0
+
+
+def test_the_block_of_the_reference_runs(capsys):
+    (block,) = blocks_of(SOURCE / "docs" / "reference" / "python-api.md")
+    exec(compile(block, "python-api.md", "exec"), {})
+    assert round(float(capsys.readouterr().out), 1) == 43.0
 
 
 def test_everything_public_is_documented():

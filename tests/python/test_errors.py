@@ -75,8 +75,8 @@ def test_options_are_checked_as_those_of_a_run_file(keys, words):
         (lambda v, f, o: (v[:, :2], f, o), "must be .n, 3."),
         (lambda v, f, o: (v, f.astype(float), o), "must be integers"),
         (lambda v, f, o: (v, f, o[:-1]), "one for each of the 8 faces"),
-        (lambda v, f, o: (v, f + 10, o), "names vertex"),
-        (lambda v, f, o: (v, f - 1, o), "names vertex -1"),
+        (lambda v, f, o: (v, f + 10, o), "refers to vertex"),
+        (lambda v, f, o: (v, f - 1, o), "refers to vertex -1"),
         (lambda v, f, o: (v * np.nan, f, o), "finite"),
         (lambda v, f, o: (v, f[:0], o[:0]), "no triangles"),
         (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "integers end at 2.63"),
@@ -131,7 +131,7 @@ def test_what_is_probably_not_meant_is_a_warning():
 
 @pytest.mark.parametrize("sources", ["sky", ["sky"], [3], ("sun", 4)])
 def test_what_is_no_source_is_refused(sources):
-    with pytest.raises(quasimc.InputError, match="is no source"):
+    with pytest.raises(quasimc.InputError, match="is not a source"):
         canopy().run(sources)
 
 
@@ -145,6 +145,6 @@ def test_a_source_may_be_a_dict():
 def test_a_label_named_as_other_groups_is_refused(key, options):
     scene = canopy()
     scene.add_mesh(*leaves(1)[:2], material="leaf", organ=99, labels={key: "x"})
-    with pytest.raises(quasimc.InputError, match="has the name of other groups"):
+    with pytest.raises(quasimc.InputError, match="a label with the name of other groups"):
         scene.run(groups=[key], **options, **FEW)
     assert [g["by"] for g in scene.run(groups=["plant"], **FEW).groups.groups] == ["all", "plant"]

@@ -158,12 +158,12 @@ def test_ids_differ_from_those_of_the_scene():
     for taken in (3, 4):
         with pytest.raises(quasimc.InputError, match="scene of the session has an organ"):
             session.add(*leaf(2, 0), material="leaf", organ=taken)
-        with pytest.raises(quasimc.InputError, match="is an organ of the scene of the session"):
+        with pytest.raises(quasimc.InputError, match="belongs to the scene of the session"):
             session.change(*leaf(2, 0), material="leaf", organ=taken)
     assert len(session) == 1 and 3 not in session and 5 in session
     assert sorted(session.run(SKY, **FEW).organs.ids.tolist()) == [3, 4, 5, 6]
     scene.add_mesh(*leaf(8, 0), material="leaf", organ=5)
-    with pytest.raises(quasimc.InputError, match="session has an organ of this id"):
+    with pytest.raises(quasimc.InputError, match="session has an organ with this id"):
         session.update_scene()
 
 

@@ -272,11 +272,11 @@ def check_refused(program, folder):
     told = run_in(
         folder, program, "run", "run.toml", "--quiet", "--netcdf", "no.nc", "--json", "out.json", status=1
     )
-    assert "NetCDF: the points of the sweep have times of their own" in told, told
+    assert "NetCDF: the points of the sweep have different time steps" in told, told
     assert not (folder / "no.nc").exists()
     assert len(json.loads((folder / "out.json").read_text())["points"]) == 2
     told = run_in(folder, program, "convert", "out.json", "no.nc", status=1)
-    assert "NetCDF: the points of the sweep have times of their own" in told, told
+    assert "NetCDF: the points of the sweep have different time steps" in told, told
     assert not (folder / "no.nc").exists()
     told = run_in(
         folder, program, "convert", "out.json", "no.nc", "--sweep-point", "2", "--time", "x", status=2

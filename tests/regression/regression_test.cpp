@@ -55,7 +55,7 @@ TEST_P(WholeRun, GivesWhatTheTableSays) {
         kIsSanitized ? threads : row_of(entry.name, way, run_case(c, way, {.threads = 1}));
     EXPECT_TRUE(have_the_same_digest(threads, alone)) << "three threads and one";
     EXPECT_TRUE(are_nearly_the_same(alone, expected));
-    const std::string why = expected.digest == 0 ? "it is not known" : why_digests_may_differ(c);
+    const std::string why = expected.digest == 0 ? "it is unknown" : why_digests_may_differ(c);
     if (!why.empty()) {
         RecordProperty("digest", "not compared: " + why);
         return;

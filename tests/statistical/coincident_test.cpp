@@ -2,7 +2,7 @@
 // flat on the ground. Every way of tracing must then say the same, and no light may be counted
 // twice.
 // Expected behaviour: where surfaces coincide the one that comes first has all the light, on both
-// sides (docs/develop/decisions/overlapping-triangles.md). So what is computed is the scene in
+// sides (docs/develop/decisions/coplanar-overlaps.md). So what is computed is the scene in
 // which the others are cut away.
 
 #include <cmath>

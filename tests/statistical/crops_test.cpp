@@ -55,7 +55,7 @@ bool grazes(const CropLight& light) {
 }
 
 /// From organs the light of a sun this low above an endless stand is found so seldom that errors
-/// are several times the light (docs/theory/light-tracing.md).
+/// are several times the light (docs/develop/notebook/light-tracing.md).
 bool is_wide(Method method, const Scene& scene, const CropLight& light) {
     return method == Method::from_organs && scene.cell().periodic() && grazes(light);
 }

@@ -66,13 +66,13 @@ void add_leaves(SceneBuilder& builder, const std::vector<Triangle>& leaves);
 
 /// A claim of a test about one number.
 struct Claim {
-    std::string what;  ///< names the line in docs/validation
+    std::string what;  ///< names the line in docs/theory/validation.md
     double expected = 0;
     double resolution = 0;  ///< the largest half-width of the interval at the test's level
     unsigned family = 1;    ///< claims that share the level of one test (Sidak)
 };
 
-/// Whether a measurement bears the claim out, as `agrees` has it; notes both for docs/validation.
+/// Whether a measurement agrees with the claim (`agrees`); records both for the validation pages.
 ///
 /// The standard error counts as at least 1e-6 of the expected value: triangles are traced in single
 /// precision, and the window of a beam is larger than the scene by 2^-20, so that a few paths in a

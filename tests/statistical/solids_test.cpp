@@ -23,7 +23,7 @@ TEST_P(Solids, ASphereInABeamReceivesAQuarterOfItOnAverage) {
         {"sphere in a beam, mean over its surface", .25, 1e-3},
         result.at(0, Quantity::incident_upper, 0)));
     // Nothing gets inside, but for rays within a rounding error of an edge
-    // (docs/theory/ray-casting.md).
+    // (docs/theory/geometry.md).
     EXPECT_LT(result.at(0, Quantity::incident_lower, 0).mean, 1e-6);
 }
 

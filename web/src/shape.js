@@ -9,7 +9,7 @@ const kNumber = 0xffffff;
 
 /**
  * The shape of a scene, of the bytes that the program writes
- * (docs/develop/decisions/window-server.md): areas, heights and numbers of triangles of `count`
+ * (docs/develop/decisions/viewer-server.md): areas, heights and numbers of triangles of `count`
  * organs; places; corners, each the number of a place; and the first place of each organ.
  */
 export function readShape(bytes, count) {

@@ -22,7 +22,7 @@ constexpr char kSign = '\x01';
 constexpr char kNoSign = '\0';
 
 [[noreturn]] void gone(const char* what) {
-    throw PeerDisconnected(std::string("the plant simulator is gone: ") + what);
+    throw PeerDisconnected(std::string("the plant simulator has ended: ") + what);
 }
 
 }  // namespace
@@ -71,9 +71,7 @@ void DescriptorStream::end_input() {
         return;
     }
     const bool is_blank = buffer_.find_first_not_of(" \t\r\n") == std::string::npos;
-    gone(
-        is_blank ? "its end of input came without an order to exit"
-                 : "its last message breaks off");
+    gone(is_blank ? "its input ended without a command to exit" : "its last message is incomplete");
 }
 
 bool DescriptorStream::read_some() {
@@ -139,7 +137,7 @@ void DescriptorStream::check() {
     const bool has_more =
         buffer_.size() > taken_ || (::ioctl(in_, FIONREAD, &unread) == 0 && unread > 0);
     if ((ends[0].revents & (POLLHUP | POLLRDHUP | POLLERR)) != 0 && !has_more) {
-        gone("it has closed the line during a computation");
+        gone("it closed the connection during a computation");
     }
 }
 

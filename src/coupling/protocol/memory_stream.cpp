@@ -34,9 +34,10 @@ class SharedMemory {
         if (errno != 0) {  // both set it when they fail, and only then
             throw InputError(
                 {{fmt::format("-k {}", key + 1),
-                  fmt::format("there is no shared memory of key {}", key),
+                  fmt::format("there is no shared memory with key {}", key),
                   std::generic_category().message(errno),
-                  "do both programs read the same communication type in the environment file?"}});
+                  "check that both programs read the same communication type in the environment "
+                  "file"}});
         }
         bytes_ = static_cast<char*>(memory);
     }

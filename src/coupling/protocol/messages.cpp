@@ -122,7 +122,8 @@ class MessageParser::Reader {
             }
             read_query();
         }
-        fail(lines_.number(), "the message breaks off", "it ends with a line 'Control: ...'");
+        fail(
+            lines_.number(), "the message is incomplete", "it must end with a line 'Control: ...'");
     }
 
   private:
@@ -233,7 +234,7 @@ class MessageParser::Reader {
         double value = kUnset;
         std::string_view rest = word;
         if (!word.empty() && (!take_number(rest, value) || !rest.empty())) {
-            fail(lines_.number(), shown(word), "a parameter is a number");
+            fail(lines_.number(), shown(word), "a parameter must be a number");
         }
         return value;
     }
@@ -275,7 +276,8 @@ class MessageParser::Reader {
 
     Vec3 turtle_line(const TurtleLine& format) {
         if (!next()) {
-            fail(lines_.number(), "the message breaks off", "lines about the turtle are missing");
+            fail(
+                lines_.number(), "the message is incomplete", "lines about the turtle are missing");
         }
         std::string_view rest = trimmed(line());
         rest.remove_prefix(std::min(format.skip, rest.size()));
@@ -309,7 +311,9 @@ class MessageParser::Reader {
             in_polygon = read_graphics_line(in_polygon);
         }
         if (!more) {
-            fail(lines_.number(), "the message breaks off", "graphics end with a line 'Dend'");
+            fail(
+                lines_.number(), "the message is incomplete",
+                "graphics must end with a line 'Dend'");
         }
         query.polygons.count =
             static_cast<std::uint32_t>(pass_.polygons.size()) - query.polygons.first;

@@ -49,7 +49,8 @@ class SemaphoreStream final : public ByteStream {
         const std::size_t end = message_end(message_);
         if (end == std::string::npos) {
             throw InputError(
-                {{mailbox_.name(), "the message breaks off", "it has no line 'Control'", ""}});
+                {{mailbox_.name(), "the message is incomplete", "the line 'Control' is missing",
+                  ""}});
         }
         message_.resize(end);
         return message_;

@@ -34,7 +34,7 @@ union SemaphoreArgument {
 };
 
 [[noreturn]] void semaphores_gone(const char* how) {
-    throw PeerDisconnected(std::string("the plant simulator is gone: ") + how);
+    throw PeerDisconnected(std::string("the plant simulator has ended: ") + how);
 }
 
 [[noreturn]] void gone_by_error(int error) {
@@ -61,9 +61,9 @@ SemaphorePair::SemaphorePair(long key) {
     set_ = ::semget(static_cast<key_t>(key), kCount, kMode);
     if (set_ < 0) {
         throw InputError(
-            {{fmt::format("-k {}", key), "there is no pair of semaphores of that key",
+            {{fmt::format("-k {}", key), "there is no pair of semaphores with that key",
               std::generic_category().message(errno),
-              "the plant simulator makes it and passes the key; without -k, pipes are used"}});
+              "the plant simulator creates it and passes the key; without -k, pipes are used"}});
     }
     maker_ = ::semctl(set_, kFromMaster, GETPID);  // the last to have touched them so far
     master_ = watch(maker_);
@@ -146,7 +146,7 @@ void SemaphorePair::check() const {
         gone_by_error(errno);
     }
     if (master_died()) {
-        semaphores_gone("its process has ended without an order to exit");
+        semaphores_gone("its process ended without a command to exit");
     }
 }
 

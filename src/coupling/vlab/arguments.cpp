@@ -28,7 +28,7 @@ class Words {
     /// The word that belongs to a switch.
     std::string_view value_of(std::string_view name) {
         if (words_.empty()) {
-            throw UsageError(fmt::format("{} must be followed by a word", name));
+            throw UsageError(fmt::format("{} needs a value", name));
         }
         return take();
     }
@@ -45,7 +45,7 @@ void read_key(Words& words, Arguments& arguments) {
     }
     if (*key == 0) {
         // Semaphores of key 0 (IPC_PRIVATE) are those of one process alone; 0 is no port either.
-        throw UsageError("-k 0: the simulator can't be found by this key; start it again");
+        throw UsageError("-k 0: the simulator can't be found with this key; start it again");
     }
     arguments.key = static_cast<long>(*key);
 }
@@ -61,7 +61,7 @@ void read_kind(Words& words, Arguments& arguments) {
 }
 
 void refuse_distribution(Words& /*words*/, Arguments& /*arguments*/) {
-    throw UsageError("-C: programs distributed over several computers by it can't be served");
+    throw UsageError("-C: programs distributed over several computers are not supported");
 }
 
 /// One row of the table of switches.
@@ -98,7 +98,7 @@ const Switch* find_switch(std::string_view word) {
     for (const Switch& s : kSwitches) {
         names.push_back(s.name);
     }
-    throw UsageError(fmt::format("{} is no switch; {}", word, did_you_mean(word, names)));
+    throw UsageError(fmt::format("{} is not a switch; {}", word, did_you_mean(word, names)));
 }
 
 }  // namespace
@@ -122,7 +122,7 @@ Arguments parse_arguments(std::span<const char* const> list, SpecificationKind k
             arguments.specification = word;
         } else {
             throw UsageError(fmt::format(
-                "{}: there is a specification file already, {}", word, arguments.specification));
+                "{}: a specification file is given already, {}", word, arguments.specification));
         }
     }
     return arguments;

@@ -51,7 +51,7 @@ void read_transport(const CommLine& line, Reading& reading) {
     if (found == kNames.end()) {
         if (lower_case(name) != kNames.front()) {
             reading.notices.once(fmt::format(
-                "{}: {} is no communication type and skipped, as by the plant simulator, so that "
+                "{}: {} is not a communication type and is ignored, as in the plant simulator; "
                 "pipes are used; {}",
                 line.where, shown(name), did_you_mean(name, kNames)));
         }
@@ -65,8 +65,8 @@ void read_transport(const CommLine& line, Reading& reading) {
     const auto count = parse_integer(chunk);
     if (!count || *count < 1) {
         reading.notices.once(fmt::format(
-            "{}: {} queries in a chunk: the usual number is used, as the plant simulator does",
-            line.where, shown(chunk)));
+            "{}: {} queries in a chunk; the default is used, as in the plant simulator", line.where,
+            shown(chunk)));
         return;
     }
     reading.file.chunk = static_cast<std::size_t>(*count);
@@ -81,8 +81,7 @@ void read_following(const CommLine& line, Reading& reading) {
 void read_binary(const CommLine& line, Reading& reading) {
     if (trimmed(line.value) == "on") {
         reading.faults.add(
-            {line.where, "binary data is on", "messages are read as text",
-             "write 'binary data: off'"});
+            {line.where, "binary data is on", "messages must be text", "write 'binary data: off'"});
     }
 }
 
@@ -136,7 +135,7 @@ void read_line(const CommLine& line, Reading& reading) {
         return e.name;
     });
     reading.notices.once(fmt::format(
-        "{}: {} is not known and skipped; {}", line.where, shown(line.name),
+        "{}: {} is unknown and ignored; {}", line.where, shown(line.name),
         did_you_mean(line.name, names)));
 }
 
@@ -152,8 +151,8 @@ CommFile read_comm_text(std::string_view text, const std::string& name, Notices&
         }
         const std::string where = fmt::format("{}:{}", name, lines.number());
         if (end == std::string_view::npos) {
-            notices.once(fmt::format(
-                "{}: {} is skipped: a line reads 'name: value'", where, shown(lines.line())));
+            notices.once(
+                fmt::format("{}: {} is ignored; write 'name: value'", where, shown(lines.line())));
             continue;
         }
         read_line({where, lines.line().substr(0, end), lines.line().substr(end + 1)}, reading);

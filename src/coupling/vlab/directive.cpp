@@ -30,7 +30,7 @@ std::string range_text(Range range) {
         return "it must be a number";
     }
     return range.high >= kAnyNumber.high
-               ? fmt::format("it must be a number from {} on", shortest(range.low))
+               ? fmt::format("it must be a number, {} or more", shortest(range.low))
                : fmt::format(
                      "it must be a number from {} to {}", shortest(range.low),
                      shortest(range.high));
@@ -54,8 +54,8 @@ std::vector<DirectiveLine> split_directives(
             directives.back().block.emplace_back(lines.number(), value);
         } else if (end == 0 || end == std::string_view::npos) {
             notices.once(fmt::format(
-                "{}:{}: {} is no directive and skipped; a line reads 'name: values', and "
-                "': values' where it continues the one before",
+                "{}:{}: {} is not a directive and is ignored; write 'name: values', or ': values' "
+                "to continue the line above",
                 where, lines.number(), shown(line)));
         } else {
             directives.push_back(
@@ -126,7 +126,7 @@ std::optional<std::size_t> Values::choice(std::span<const std::string_view> name
     if (found == names.end()) {
         fault(
             given.empty() ? std::string("the value is missing")
-                          : fmt::format("{} is not known", shown(given)),
+                          : fmt::format("{} is unknown", shown(given)),
             "", did_you_mean(given, names));
         return std::nullopt;
     }

@@ -33,7 +33,7 @@ struct DirectiveEntry {
 };
 
 // To add a directive: a function in the file of its kind, a row there, a row in
-// docs/formats/specification.md.
+// docs/reference/specification.md.
 [[nodiscard]] std::span<const DirectiveEntry> light_directives();
 [[nodiscard]] std::span<const DirectiveEntry> material_directives();
 [[nodiscard]] std::span<const DirectiveEntry> run_directives();

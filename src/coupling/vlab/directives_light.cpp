@@ -25,13 +25,13 @@ void read_model(Values& values, DirectiveContext& context) {
     }
     context.spec.light_model = kModels[*chosen];
     if (kNames[*chosen] == "parcinopy") {
-        values.notice("the lobe of PARCINOPY is not known here: Phong's is used");
+        values.notice("the PARCINOPY lobe is unknown; Phong's is used");
     }
 }
 
 void add_light(const Vec3& travel, double weight, Values& values, DirectiveContext& context) {
     if (travel == Vec3{}) {
-        values.fault("the direction is 0 0 0", "it points nowhere");
+        values.fault("the direction is 0 0 0", "it has no direction");
         return;
     }
     const bool is_towards = context.spec.kind == SpecificationKind::montecarlo;
@@ -44,8 +44,8 @@ void read_light(Values& values, DirectiveContext& context) {
     const auto z = values.number("z of the direction");
     if (x && y && z && values.at_end()) {
         values.notice(
-            "no weight: 1 is taken; the original program leaves such a light out, which without "
-            "another one makes it light from above");
+            "no weight: 1 is used; the original program ignores such a light and uses light from "
+            "above if there is no other");
     }
     const auto weight = values.number_or(1, "the weight", kNotNegativeNumber);
     if (x && y && z && weight) {
@@ -74,7 +74,7 @@ void read_light_line(Values& line, DirectiveContext& context) {
     if (count < 3) {
         line.fault(
             fmt::format("{} numbers", count),
-            "a line has zenith angle, azimuth and weight, or x, y, z and weight");
+            "a line needs zenith angle, azimuth and weight, or x, y, z and weight");
         return;
     }
     const double weight = n[count - 1];
@@ -131,7 +131,7 @@ void read_weather(Values& values, DirectiveContext& context) {
         sky_of(context).turbidity = std::max(*turbidity, kClearestSky);
         if (*clear > 0 && *turbidity < kClearestSky) {
             values.notice(fmt::format(
-                "turbidity {}: the clear sky is that of {}, the clearest there is a formula for",
+                "turbidity {}: the clear sky for {} is used, the lower limit of the formula",
                 shortest(*turbidity), shortest(kClearestSky)));
         }
     }

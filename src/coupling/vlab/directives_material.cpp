@@ -61,7 +61,7 @@ std::optional<SideOptics> read_band(Values& values) {
     if (*rho + *tau > 1) {
         values.fault(
             fmt::format("reflectance {} and transmittance {}", shortest(*rho), shortest(*tau)),
-            "together they are more than 1: more light than falls on the leaf");
+            "their sum exceeds 1");
         return std::nullopt;
     }
     optics.reflectance = *rho;
@@ -80,8 +80,8 @@ std::optional<std::vector<SideOptics>> read_material_bands(
         static_cast<void>(values.rest());
         values.fault(
             fmt::format("{} lines", line.block.size() + 1),
-            fmt::format("'spectrum samples' is {}, and each band has a line", bands),
-            "lines after the first begin with ':'");
+            fmt::format("'spectrum samples' is {}, and each band needs a line", bands),
+            "lines after the first must begin with ':'");
         return std::nullopt;
     }
     std::vector<SideOptics> material;

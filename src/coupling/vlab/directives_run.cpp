@@ -36,7 +36,7 @@ void read_sensors(Values& values, DirectiveContext& context) {
     const std::optional<bool> on = values.yes_no();
     const std::optional<double> angle = values.number_or(90, "the field of view", {0, 90});
     if (angle && *angle == 0) {
-        values.fault("the field of view is 0", "nothing would be seen");
+        values.fault("the field of view is 0", "no light would be received");
         return;
     }
     if (on && angle && *on) {
@@ -48,7 +48,7 @@ void read_depth(Values& values, DirectiveContext& context) {
     constexpr std::int64_t kWithoutLimit = 1000;
     const auto depth = values.integer("the number of hits", {-1, 1e9});
     if (depth && *depth == 0) {
-        values.fault("the number of hits is 0", "no ray would count", "write -1 for no limit");
+        values.fault("the number of hits is 0", "no ray would be counted", "write -1 for no limit");
     } else if (depth) {
         context.spec.run.max_depth =
             *depth < 0 || *depth > kWithoutLimit ? 0 : static_cast<std::uint32_t>(*depth);
@@ -103,9 +103,9 @@ void read_sampler(Values& values, DirectiveContext& context) {
     context.spec.run.sampler = is_known ? kSamplers[found - kNames.begin()] : kSamplers.front();
     if (!is_known && !given.starts_with("monte")) {
         values.notice(fmt::format(
-            "{} is not known: Monte Carlo is used; {}", shown(given), did_you_mean(given, kNames)));
+            "{} is unknown: Monte Carlo is used; {}", shown(given), did_you_mean(given, kNames)));
     } else if (given == "poly-korobov") {
-        values.notice("there are no polynomial lattices: Sobol' points are used");
+        values.notice("polynomial lattices are not supported: Sobol' points are used");
     }
 }
 
@@ -162,7 +162,7 @@ void read_return_type(Values& values, DirectiveContext& context) {
         values.fault("the letters are missing", "", "give one for each band: F, D, U, L or H");
     } else if (types.size() > bands) {
         values.notice(fmt::format(
-            "{} letters for the {} of 'spectrum samples': the first count", types.size(),
+            "{} letters for the {} of 'spectrum samples'; the first ones are used", types.size(),
             counted(bands, "band")));
         types.resize(bands);
     }
@@ -199,7 +199,7 @@ void read_quantities(Values& values, DirectiveContext& context) {
         const auto quantity = quantity_named(word);
         if (!quantity) {
             values.fault(
-                fmt::format("{} is no quantity", shown(word)), "", did_you_mean(word, names));
+                fmt::format("{} is not a quantity", shown(word)), "", did_you_mean(word, names));
             return;
         }
         context.spec.quantities.push_back(*quantity);
@@ -243,7 +243,7 @@ void read_view(Values& values, DirectiveContext& context) {
 void read_density(Values& values, DirectiveContext& context) {
     const auto density = values.number("the number of rays per unit of area", kNotNegativeNumber);
     if (density && *density == 0) {
-        values.fault("the density is 0", "no ray would be traced");
+        values.fault("the density is 0", "no ray would be started");
     } else if (density) {
         context.spec.ray_density = *density;
     }

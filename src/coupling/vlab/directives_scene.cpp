@@ -109,7 +109,7 @@ void read_periodic(Values& values, DirectiveContext& context) {
 
 void read_obstacles(Values& values, DirectiveContext& /*context*/) {
     static_cast<void>(values.rest());
-    values.notice("obstacles are not read from files: send them as organs with E < 0");
+    values.notice("obstacles can't be read from files: send them as organs with E < 0");
 }
 
 constexpr std::array kSceneDirectives{

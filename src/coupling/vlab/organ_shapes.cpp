@@ -121,7 +121,7 @@ class OrganShapes::Maker {
         }
         const auto frame = frame_of(query_.turtle);
         if (!frame) {
-            report("frame", "stands nowhere: position, heading or up are no usable vectors");
+            report("frame", "has no position: position, heading or up are not valid vectors");
             return {};
         }
         frame_ = *frame;
@@ -135,19 +135,19 @@ class OrganShapes::Maker {
         if (query_.organ.empty()) {
             notices_.once(
                 "no module follows",
-                "a query that no module follows asks for no organ; it is answered 0");
+                "a query without a following module has no organ and is answered 0");
             return;
         }
         const std::string graphics =
             pass_.other_graphics.empty()
                 ? ""
                 : fmt::format(
-                      " (of graphics polygons are read; there were others, such as '{}')",
+                      " (only polygons of the graphics are read; there were others, such as '{}')",
                       pass_.other_graphics.front());
         notices_.once(
             "module " + query_.organ, fmt::format(
-                                          "module {} is not understood{}: its queries are answered "
-                                          "0; P, T, U, S, I, Q and J are",
+                                          "module {} is unknown{}: its queries are answered 0; "
+                                          "known are P, T, U, S, I, Q and J",
                                           shown(query_.organ), graphics));
     }
 
@@ -170,7 +170,7 @@ class OrganShapes::Maker {
             report(
                 "size",
                 fmt::format(
-                    "has {} {}, which is no size: nothing falls on it", name, shortest(value)));
+                    "has {} {}, which is not a size: it receives no light", name, shortest(value)));
         }
         return std::nullopt;
     }
@@ -208,7 +208,7 @@ class OrganShapes::Maker {
         const bool is_triangle = left >= 0 && right >= 0 && left + right > 0 &&
                                  std::isfinite(left + right) && std::abs(degrees) <= 90;
         if (!is_triangle) {
-            report("base", "has no base: two lengths and an angle of -90 to 90 degrees make one");
+            report("base", "has no base: it needs two lengths and an angle of -90 to 90 degrees");
         }
         if (!height || !is_triangle) {
             return {};
@@ -229,8 +229,8 @@ class OrganShapes::Maker {
         if (!spec_.cylinder_width_is_stated) {
             notices_.once(
                 "cylinder width",
-                "I(r, l): r is the radius, as the manual of the environments has it; write "
-                "'cylinder width: diameter' if your model means the diameter");
+                "I(r, l): r is the radius, as in the manual of the environments; write 'cylinder "
+                "width: diameter' if your model uses the diameter");
         }
         if (!width || !length) {
             return {};
@@ -255,7 +255,7 @@ class OrganShapes::Maker {
         if (!(id >= 0 && id < static_cast<double>(spec_.surfaces.size())) || id != std::floor(id)) {
             report(
                 "surface", fmt::format(
-                               "names surface {}; the specification file has {}, counted from 0",
+                               "uses surface {}; the specification file has {}, counted from 0",
                                shortest(id), spec_.surfaces.size()));
             return {};
         }
@@ -284,7 +284,7 @@ class OrganShapes::Maker {
             report(
                 "material parameter",
                 fmt::format(
-                    "takes the leaf's material: 'material parameter: {}' is its id or its scale",
+                    "uses the leaf material: 'material parameter: {}' is its id or its scale",
                     *spec_.material_parameter));
             return spec_.sides_of(0, std::nullopt);
         }
@@ -306,7 +306,7 @@ class OrganShapes::Maker {
         if (is_surely_material && parameters_[index] != std::floor(parameters_[index])) {
             report(
                 "fraction", fmt::format(
-                                "names material {}: what stands behind the point does not count",
+                                "uses material {}; text after the point is ignored",
                                 shortest(parameters_[index])));
         }
         const std::size_t first = spec_.first_material();
@@ -317,7 +317,7 @@ class OrganShapes::Maker {
         report(
             "material",
             fmt::format(
-                "names material {}, but there are {} to {}: it gets the leaf's",
+                "uses material {}, but there are {} to {}; the leaf material is used",
                 shortest(parameters_[index]), first, first + spec_.materials.size() - 1));
         return std::nullopt;
     }
@@ -352,12 +352,12 @@ class OrganShapes::Maker {
             return;
         }
         if (!std::all_of(corners.begin(), corners.end(), is_finite)) {
-            report_polygon("polygon", "with a corner that is nowhere");
+            report_polygon("polygon", "with an invalid corner");
             return;
         }
         Triangles polygon = cut(corners);
         if (std::all_of(polygon.begin(), polygon.end(), is_degenerate)) {
-            report_polygon("area", "without area: nothing falls on it");
+            report_polygon("area", "without area: it receives no light");
         }
         Vec3 normal;
         for (const Triangle& t : polygon) {
@@ -379,7 +379,7 @@ class OrganShapes::Maker {
             report_polygon(
                 "polygon",
                 fmt::format(
-                    "that is {}: {}", fan ? "cut into a fan from its first corner" : "left out",
+                    "that is {}: {}", fan ? "divided into a fan from its first corner" : "left out",
                     error.what()));
             return fan.value_or(Triangles{});
         }

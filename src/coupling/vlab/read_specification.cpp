@@ -57,8 +57,8 @@ void unknown_directive(
     }
     const std::string_view nearest = nearest_word(line.name, names);
     notices.once(fmt::format(
-        "{}: {} is no directive and skipped; {}", where, shown(line.name),
-        nearest.empty() ? "docs/formats/specification.md lists them"
+        "{}: {} is not a directive and is ignored; {}", where, shown(line.name),
+        nearest.empty() ? "docs/reference/specification.md lists them"
                         : fmt::format("did you mean '{}'?", nearest)));
 }
 
@@ -104,9 +104,9 @@ class SpecificationReader {
         if (!has_block && !line.block.empty()) {
             faults.add(
                 {fmt::format("{}:{}", context_.file, line.block.front().first),
-                 "a line of a material stands here",
+                 "a line of a material is here",
                  fmt::format("the directive before it is '{}'", line.name),
-                 "lines that begin with ':' follow a material"});
+                 "lines that begin with ':' must follow a material"});
         }
     }
 
@@ -136,7 +136,7 @@ class SpecificationReader {
                      "the ground is of material {}",
                      spec_.first_material() + spec_.ground->material),
                  fmt::format(
-                     "there are materials {} to {}", spec_.first_material(),
+                     "materials are {} to {}", spec_.first_material(),
                      spec_.first_material() + spec_.materials.size() - 1),
                  ""});
         }
@@ -163,7 +163,7 @@ class SpecificationReader {
     void finish_montecarlo(Faults& faults) {
         if (context_.is_periodic && !context_.domain) {
             faults.add(
-                {context_.file, "a periodic canopy has no domain", "its size is the period",
+                {context_.file, "a periodic canopy has no domain", "the size is the period",
                  "add 'domain size: x y z'"});
         }
         if (context_.is_periodic) {
@@ -182,8 +182,8 @@ class SpecificationReader {
         const std::uint64_t rounded = nearest_power_of_two(spec_.run.paths);
         if (rounded != spec_.run.paths) {
             context_.notices.once(fmt::format(
-                "{}: korobov takes powers of two: {} rays instead of {}", context_.file, rounded,
-                spec_.run.paths));
+                "{}: korobov needs powers of two; {} rays are used instead of {}", context_.file,
+                rounded, spec_.run.paths));
         }
         spec_.run.paths = rounded;
     }

@@ -37,7 +37,7 @@ class SurfaceReader {
             }
         }
         if (data_.patches.empty()) {
-            fail("there is no patch", "a surface has one at least");
+            fail("it has no patch", "a surface needs at least one");
         }
         return std::move(data_);
     }
@@ -59,14 +59,14 @@ class SurfaceReader {
     }
     void need_line(std::string_view what) {
         if (!next()) {
-            fail("the file breaks off", fmt::format("{} is expected", what));
+            fail("the file is incomplete", fmt::format("{} is expected", what));
         }
     }
 
     double number(std::string_view word) const {
         const auto value = parse_real(word);
         if (!value || !std::isfinite(*value)) {
-            fail(fmt::format("{} is no number", shown(word)), "");
+            fail(fmt::format("{} is not a number", shown(word)), "");
         }
         return *value;
     }

@@ -132,7 +132,7 @@ void refuse_too_many(const Triangles& triangles, const Frame2& frame) {
     if (total > std::max(1e6, 8 * static_cast<double>(triangles.size()))) {
         throw InputError(
             {{"triangle " + std::to_string(worst + 1),
-              "it reaches over too many cells of the periodic scene",
+              "it extends over too many cells of the periodic scene",
               "it would appear about " + std::to_string(std::llround(std::min(most, 1e18))) +
                   " times in the cell",
               "make the cell larger, or the triangle smaller"}});

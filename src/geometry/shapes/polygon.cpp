@@ -105,7 +105,7 @@ std::vector<Triangle> make_polygon(std::span<const Vec3> corners) {
     if (cut.sides_cross) {
         throw InputError(
             {{"polygon of " + std::to_string(corners.size()) + " corners",
-              "it can't be cut into triangles", "its sides cross each other",
+              "it can't be divided into triangles", "its sides intersect",
               "give the corners in order around it"}});
     }
     std::vector<Triangle> triangles;

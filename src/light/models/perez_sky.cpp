@@ -61,13 +61,13 @@ void check(const SkyState& state) {
     };
     if (!(state.to_sun.z >= 0)) {
         refuse(
-            "the sun is below the horizon", "the model is of skies by day",
+            "the sun is below the horizon", "the model describes daytime skies",
             "use model = \"cie_overcast\" or \"uniform\" for twilight");
     }
     if (!(state.diffuse_horizontal > 0)) {
         refuse(
             fmt::format("diffuse_horizontal is {}", shortest(state.diffuse_horizontal)),
-            "a sky without light has no shape", "");
+            "a sky without light has no distribution", "");
     }
     if (!(state.direct_normal >= 0)) {
         refuse(

@@ -163,7 +163,7 @@ double horizontal_irradiance(const SkyShape& shape) {
 std::shared_ptr<const Source> make_sky(
     std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance) {
     if (!has_light(shape)) {
-        throw InputError({{name, "the sky is dark everywhere", "it emits no light", ""}});
+        throw InputError({{name, "the sky is dark everywhere", "it can't give light", ""}});
     }
     return std::make_shared<Sky>(std::move(name), shape, std::move(horizontal_irradiance));
 }

@@ -118,7 +118,8 @@ PhysicalBounds::UnoccludedSides PhysicalBounds::unoccluded_sides(const Organ& or
             const double below = model_of(*single_sources_[s]).most_irradiance(-normal);
             sides.upper[s] += area * above;
             sides.lower[s] += area * below;
-            is_sunlit = is_sunlit || (single_sources_[s]->is_sun() && std::max(above, below) > kEdgeOn);
+            is_sunlit =
+                is_sunlit || (single_sources_[s]->is_sun() && std::max(above, below) > kEdgeOn);
         }
         sides.sunlit_area += is_sunlit ? area : 0;
     }

@@ -113,11 +113,11 @@ void refuse_pile_of_images(std::size_t images, std::size_t triangles) {
         throw InputError(
             {{"cell",
               fmt::format(
-                  "each triangle appears {} times in it on average, and too many of these images "
-                  "lie on each other in one plane",
+                  "each triangle appears {} times in it on average, and too many of these copies "
+                  "overlap in one plane",
                   images / triangles),
-              "organs are as large as the cell, or some times larger",
-              "state cell and organs in the same unit of length"}});
+              "organs may be a few times as large as the cell at most",
+              "give cell and organs in the same unit of length"}});
     }
 }
 

@@ -43,7 +43,7 @@ struct CutGeometry {
 /// Takes the triangles out of `scene`, and cuts away what coincides with a surface that comes
 /// before it: of triangles that lie on each other in one plane, also through the borders of a
 /// periodic cell, the part that they share stays with the organ that comes first, and the light on
-/// both of its sides is that organ's (docs/develop/decisions/overlapping-triangles.md). Organs keep
+/// both of its sides is that organ's (docs/develop/decisions/coplanar-overlaps.md). Organs keep
 /// their areas; Organ::covered_area tells how much was cut away. Sensors, which let light pass,
 /// neither cover nor are covered: where one lies on a surface it is lifted a little to its own
 /// upper side, so that light meets both.

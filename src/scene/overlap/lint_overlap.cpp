@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "scene/lint.h"
 #include "scene/overlap/covered.h"
 #include "scene/overlap/overlap_search.h"
@@ -14,22 +15,21 @@
 namespace quasimc {
 namespace {
 
-/// "has 12 triangles with the same corners as triangles of organ 'b' (id 2)"
+/// "12 triangles have the same corners as triangles of organ 'b' (id 2)"
 std::string words_for(const Scene& scene, const Coincidence& pair) {
     const bool is_own = pair.first == pair.second;
     const std::string other = is_own
-                                  ? "others of the same organ"
+                                  ? "others of this organ"
                                   : "triangles of " + words_for(scene.organs()[pair.first.value]);
-    const std::string number =
-        pair.triangles == 1 ? "a triangle" : fmt::format("{} triangles", pair.triangles);
+    const bool is_one = pair.triangles == 1;
+    const char* relation = pair.is_same
+                               ? (is_one ? "has the same corners as" : "have the same corners as")
+                               : (is_one ? "overlaps coplanar" : "overlap coplanar");
     const char* light = pair.light == OverlapOwner::both
-                            ? "the sensor is taken to stand just above, on its upper side"
-                        : is_own ? "light falls on one of them, where they lie on each other"
-                                 : "where they lie on each other, light falls on that organ only";
-    return fmt::format(
-        "has {} {} {}: {}", number,
-        pair.is_same ? "with the same corners as" : "in one plane with, and overlapping,", other,
-        light);
+                            ? "the sensor is treated as just above the upper side"
+                        : is_own ? "there, only one of them receives light"
+                                 : "there, only that organ receives light";
+    return fmt::format("{} {} {}; {}", counted(pair.triangles, "triangle"), relation, other, light);
 }
 
 }  // namespace
@@ -40,11 +40,13 @@ std::vector<Warning> lint_overlap(const Survey& survey) {
     if (found.is_skipped) {
         return {
             {"scene",
-             fmt::format(
-                 "has more than {} triangles: overlaps were not looked for", kMaxToCompare)}};
+             fmt::format("has more than {} triangles; overlaps were not checked", kMaxToCompare)}};
     }
-    WarningKind same("pairs of organs have triangles in common");
-    WarningKind onto("pairs of organs have triangles that overlap in one plane");
+    WarningKind same(
+        "pair of organs has triangles in common", "pairs of organs have triangles in common");
+    WarningKind onto(
+        "pair of organs has coplanar triangles that overlap",
+        "pairs of organs have coplanar triangles that overlap");
     for (const Coincidence& pair : found.pairs) {
         (pair.is_same ? same : onto)
             .add(words_for(scene.organs()[pair.second.value]), words_for(scene, pair));
@@ -54,7 +56,7 @@ std::vector<Warning> lint_overlap(const Survey& survey) {
     std::move(more.begin(), more.end(), std::back_inserter(warnings));
     if (found.gave_up) {
         warnings.push_back(
-            {"scene", "has too many triangles close together: not all were compared for overlaps"});
+            {"scene", "has too many triangles close together; not all were checked for overlaps"});
     }
     return warnings;
 }

@@ -106,8 +106,8 @@ class Season final : public SeriesSteps {
         } catch (const Stopped&) {
             throw Stopped(
                 early_.why(),
-                "stopped before what all times have in common was computed: there "
-                "is no result");
+                "stopped before the solutions for all directions were complete; there is no "
+                "result");
         }
     }
 
@@ -158,7 +158,8 @@ class Season final : public SeriesSteps {
             }
         } catch (const Stopped&) {
             throw Stopped(
-                early_.why(), "stopped before the first time was complete: there is no result");
+                early_.why(),
+                "stopped before the first time step was complete; there is no result");
         }
         const TimeStep& step = in_.time_steps[i];
         const std::size_t at = i - batch_.first;
@@ -239,7 +240,7 @@ class Season final : public SeriesSteps {
         result.chosen = {
             Method::ray_bundles,
             fmt::format(
-                "as asked for: all times together, from the light of {} directions and times",
+                "requested, with daylight coefficients of {} directions and time steps",
                 basis_->lights())};
         return result;
     }
@@ -283,7 +284,7 @@ SeriesSummary run_season(const SeriesInput& input) {
         if (is_so) {
             faults.add(
                 {"time_method", fmt::format("it is \"daylight_coefficients\", with {}", what),
-                 "what all times have in common is computed by one process, in one go",
+                 "daylight coefficients are computed by one process",
                  "use time_method = \"independent\""});
         }
     };

@@ -1,4 +1,4 @@
-// The light of a season as a sum over directions: see docs/develop/decisions/season-by-bundles.md.
+// Daylight coefficients: see docs/develop/decisions/daylight-coefficients.md.
 
 #include "series/basis/season_basis.h"
 

@@ -25,7 +25,7 @@ struct SunBeam {
 
 /// The common basis of the time steps of a series: daylight coefficients, the responses of a scene
 /// to light from a set of directions (Tregenza and Waters 1983). Skies and the scattered light of
-/// suns are combinations of them (docs/develop/decisions/season-by-bundles.md).
+/// suns are combinations of them (docs/develop/decisions/daylight-coefficients.md).
 class SeasonBasis {
   public:
     /// Solves for all directions that some time step needs, and for a few reference time steps,

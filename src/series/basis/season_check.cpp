@@ -18,7 +18,7 @@ void check_together_sources(const std::vector<TimeStep>& time_steps, Faults& fau
             if (source->is_lamp()) {
                 faults.add(
                     {where, "a lamp, where time_method = \"daylight_coefficients\"",
-                     "only light from far away is put together from directions",
+                     "daylight coefficients need distant light",
                      "use time_method = \"independent\""});
                 return;
             }
@@ -26,7 +26,7 @@ void check_together_sources(const std::vector<TimeStep>& time_steps, Faults& fau
                 faults.add(
                     {where,
                      "light from below the horizon, where time_method = \"daylight_coefficients\"",
-                     "light is put together from directions of the upper hemisphere",
+                     "daylight coefficients cover the upper hemisphere",
                      "use time_method = \"independent\""});
                 return;
             }
@@ -52,29 +52,27 @@ void check_together(
     refuse(
         spec.method != Method::ray_bundles,
         "it is \"daylight_coefficients\", and method is not ray_bundles",
-        "no other way of computing solves for many lights at once", "set method = \"ray_bundles\"");
+        "no other method solves for many sources at once", "set method = \"ray_bundles\"");
     refuse(
         spec.target_error > 0 || spec.max_paths > 0,
         "it is \"daylight_coefficients\", with target_error or max_paths",
-        "what all times have in common is computed once, with paths", "set paths alone");
+        "daylight coefficients are computed once, with a fixed number of paths", "set paths only");
     const std::uint32_t directions = season_directions();
     refuse(
         spec.paths < directions,
         fmt::format("it is \"daylight_coefficients\", with {} paths", spec.paths),
-        fmt::format(
-            "the light of {} directions is put together, and a path is needed for each",
-            directions),
+        fmt::format("each of the {} directions needs a path", directions),
         fmt::format("set paths to {} or more, or use time_method = \"independent\"", directions));
     refuse(
         spec.audit > 0, "it is \"daylight_coefficients\", with audit",
-        "no time is a run that could be audited", "use time_method = \"independent\"");
+        "no time step is a run of its own", "use time_method = \"independent\"");
     refuse(
         spec.path_allocation == PathAllocation::proportional,
         "it is \"daylight_coefficients\", with path_allocation = \"proportional\"",
-        "all times have the same paths", "leave path_allocation out");
+        "all time steps have the same paths", "leave path_allocation out");
     refuse(
         !scene.detectors().empty(), "it is \"daylight_coefficients\", and the scene has detectors",
-        "light that escapes is not kept by direction", "use time_method = \"independent\"");
+        "escaping light is not stored by direction", "use time_method = \"independent\"");
     check_together_sources(time_steps, faults);
 }
 

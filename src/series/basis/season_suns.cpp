@@ -1,5 +1,5 @@
-// Direct light of the suns of a series by item buffers, which for the requested error cost a fifth
-// of scan lines (docs/theory/time-series.md).
+// Light straight from the suns of a season: looked at pixel by pixel, which for the error that is
+// asked of it costs a fifth of what scan lines do (docs/develop/notebook/time-series.md).
 
 #include "series/basis/season_suns.h"
 
@@ -117,7 +117,8 @@ std::vector<std::optional<LightResponse>> SeasonSuns::light_of(
     });
     return found;
 } catch (const StopRequested&) {
-    throw Stopped(StopReason::interrupted, "stopped before the light of the suns was computed");
+    throw Stopped(
+        StopReason::interrupted, "stopped before the light of the sun positions was complete");
 }
 
 }  // namespace quasimc

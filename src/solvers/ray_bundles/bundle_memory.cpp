@@ -20,7 +20,7 @@ unsigned replicates_at_work(const RunSpec& spec) {
     return std::min(thread_count(spec.threads), static_cast<unsigned>(spec.replicates));
 }
 
-/// Infinite where the system does not tell.
+/// Infinite if unknown.
 double bytes_of_machine() {
 #ifdef __linux__
     struct sysinfo machine {};
@@ -50,12 +50,11 @@ std::vector<Warning> lint_bundle_memory(
         return {};
     }
     return {
-        {"scene",
-         fmt::format(
-             "ray_bundles takes about {} of memory for {:.0f} patches, in which {} replicates are "
-             "at work at a time; fewer threads take less, and method = \"first_hits\" far less",
-             gigabytes(bytes_of_bundles(scene, spec, size.count)), size.count,
-             replicates_at_work(spec))}};
+        {"scene", fmt::format(
+                      "ray_bundles needs about {} of memory for {:.0f} patches and {} simultaneous "
+                      "replicates; fewer threads need less, and method = \"first_hits\" much less",
+                      gigabytes(bytes_of_bundles(scene, spec, size.count)), size.count,
+                      replicates_at_work(spec))}};
 }
 
 void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults) {
@@ -69,8 +68,8 @@ void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults
         faults.add(
             {"method",
              fmt::format(
-                 "ray_bundles takes about {} of memory for {:.0f} patches and {} replicates at a "
-                 "time",
+                 "ray_bundles needs about {} of memory for {:.0f} patches and {} simultaneous "
+                 "replicates",
                  gigabytes(bytes), patches, replicates_at_work(spec)),
              "the machine has " + gigabytes(all), "use fewer threads, or method = \"first_hits\""});
     }

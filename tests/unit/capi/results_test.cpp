@@ -34,7 +34,7 @@ TEST(CResults, NamesLabelsAndAreasAreThoseStated) {
 TEST(CResults, TextsAreUtf8) {
     const SceneHandle scene = small_canopy(1);
     EXPECT_EQ(quasimc_scene_set_name(scene.get(), 1, "\xff"), QUASIMC_INPUT_ERROR);
-    EXPECT_STREQ(quasimc_last_error(), "name: '?' is not UTF-8 (texts are in UTF-8)");
+    EXPECT_STREQ(quasimc_last_error(), "name: '?' is not UTF-8 (texts must be UTF-8)");
     EXPECT_EQ(quasimc_scene_set_label(scene.get(), 1, "plant", "bl\xE4tt"), QUASIMC_INPUT_ERROR);
     EXPECT_EQ(quasimc_scene_add_band(scene.get(), "R", "W m\xB2"), QUASIMC_INPUT_ERROR);
     EXPECT_EQ(quasimc_scene_set_name(scene.get(), 1, "bl\xC3\xA4tt"), QUASIMC_DONE);

@@ -110,9 +110,9 @@ TEST(CStatements, FaultyArraysAreRefused) {
     SquareLeaf leaf = square_leaf(2);
     leaf.faces[4] = 4;
     EXPECT_EQ(add_leaf(*scene, leaf), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("face 1 names vertex 4")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("face 1 refers to vertex 4")) << quasimc_last_error();
     EXPECT_EQ(add_leaf(*scene, square_leaf(1)), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("there is an organ of this id")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("the scene has an organ with this id")) << quasimc_last_error();
     leaf = square_leaf(2);
     const std::int32_t materials[] = {0, 2};
     EXPECT_EQ(
@@ -156,7 +156,7 @@ TEST(CStatements, SeveralTimesAreRefused) {
         QUASIMC_DONE);
     quasimc_result* result = nullptr;
     EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("a run is of one moment")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("a run computes one moment")) << quasimc_last_error();
 }
 
 TEST(CStatements, AMaterialOfTheSameNameReplacesTheOther) {

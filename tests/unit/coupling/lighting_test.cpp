@@ -127,7 +127,7 @@ TEST(Lighting, OfADistributionFunctionMayHaveIntensitiesBeside) {
     RecordedNotices kept;
     const auto sky = specification("sky file: s\n", kept, {{"s", "2 2\n0 1\n0 1\n0 1\n1 1\n"}});
     EXPECT_EQ(sky.sky_table->radiance, (std::vector<double>{1}));
-    EXPECT_TRUE(kept.has("distribution function, as MonteCarlo has it"));
+    EXPECT_TRUE(kept.has("distribution function as in MonteCarlo"));
 }
 
 TEST(Lighting, OfAFileThatIsNoSkyIsRefusedWithTheNumbersItHas) {

@@ -96,14 +96,14 @@ TEST_F(OrganShapesTest, TakeTheirMaterials) {
     EXPECT_EQ(
         make("S(2,1)", kMaterials + "material parameter: 1\n").materials, (SideMaterials{0, 1}));
     EXPECT_EQ(make("P(1,1,9)", kMaterials).materials, (SideMaterials{0, 1}));
-    EXPECT_TRUE(cached_.has("names material 9"));
+    EXPECT_TRUE(cached_.has("uses material 9"));
 }
 
 TEST_F(OrganShapesTest, NameWhatTheyDoNotUnderstandOnce) {
     for (int i = 0; i < 3; ++i) {
         EXPECT_TRUE(make("X(1,1)").triangles.empty());
     }
-    EXPECT_TRUE(cached_.has("module 'X' is not understood"));
+    EXPECT_TRUE(cached_.has("module 'X' is unknown"));
     EXPECT_EQ(cached_.texts.size(), 1U);
     EXPECT_TRUE(make("Plant(1,1)").triangles.empty());
     EXPECT_TRUE(cached_.has("'Plant'"));
@@ -131,7 +131,7 @@ TEST_F(OrganShapesTest, TellOfMaterialsThatAreNoWholeNumbers) {
     EXPECT_FALSE(make("P(1,1,1)", two).triangles.empty());
     EXPECT_TRUE(cached_.texts.empty());
     EXPECT_EQ(make("P(1,1,0.7)", two).materials.upper, 0U) << "what stands before the point";
-    EXPECT_TRUE(cached_.has("names material 0.7: what stands behind the point does not count"));
+    EXPECT_TRUE(cached_.has("uses material 0.7; text after the point is ignored"));
 }
 
 TEST_F(OrganShapesTest, TellOfPolygonsByTheirLines) {
@@ -179,7 +179,7 @@ TEST_F(OrganShapesTest, OfPolygonsWhoseSidesCrossAreFans) {
     for (const Triangle& t : fan.triangles) {
         EXPECT_GT(area_vector(t).y, 0);
     }
-    EXPECT_TRUE(cached_.has("cut into a fan"));
+    EXPECT_TRUE(cached_.has("divided into a fan"));
     RecordedNotices of_huge;
     EXPECT_TRUE(OrganShapes(spec_, of_huge.notices).make(pass, pass.queries[1]).triangles.empty());
     EXPECT_TRUE(of_huge.has("left out"));

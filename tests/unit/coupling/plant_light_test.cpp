@@ -60,7 +60,7 @@ TEST_F(PlantLightTest, LetsOrgansWithNegativeQuestionsShadeOnly) {
 TEST_F(PlantLightTest, AnswersWhatItDoesNotUnderstandWithZeroAndANotice) {
     const auto all = answers(kBlack, flat(0, "X(1,2)", 1) + flat(1, "P(1,2)", 2));
     EXPECT_EQ(all.at(0).at(0), 0);
-    EXPECT_TRUE(cached_.has("'X' is not understood"));
+    EXPECT_TRUE(cached_.has("'X' is unknown"));
 }
 
 TEST_F(PlantLightTest, WarnsOnceOfOrgansThatLieOnEachOther) {
@@ -71,7 +71,7 @@ TEST_F(PlantLightTest, WarnsOnceOfOrgansThatLieOnEachOther) {
     EXPECT_FALSE(cached_.has("black")) << "as it is stated";
     const std::string onto = apart + flat(2, "P(1,2)", 2);
     static_cast<void>(answers_of(light, onto));
-    EXPECT_TRUE(cached_.has("with the same corners as triangles of organ 'P' (id 2)"));
+    EXPECT_TRUE(cached_.has("have the same corners as triangles of organ 'P' (id 2)"));
     EXPECT_EQ(cached_.texts.size(), before + 1);
     static_cast<void>(answers_of(light, onto + flat(3, "P(1,2)", 1)));
     EXPECT_EQ(cached_.texts.size(), before + 1);
@@ -283,7 +283,7 @@ TEST_F(PlantLightTest, IsBoundByTheNumberOfRays) {
                 EXPECT_EQ(
                     bounded.chosen.method, spread > 1 ? Method::from_organs : Method::first_hits)
                     << text;
-                EXPECT_NE(bounded.chosen.reason, "asked for");
+                EXPECT_NE(bounded.chosen.reason, "requested");
             }
         }
     }

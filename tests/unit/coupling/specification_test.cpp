@@ -135,8 +135,9 @@ TEST(Specification, NamesAllFaultsAtOnceWithTheirLines) {
         "number of rays: 0\nmaximum depth: 0\nreturn type: X\nleaf material (top): 0.6 10 0.6 10\n"
         "weather: 1 0.5\nlight source: 0 0 0 1\nsky file: none.dat\n");
     for (const char* expected :
-         {"light.qmc:1", "light.qmc:2", "light.qmc:3", "light.qmc:4", "more than 1", "light.qmc:5",
-          "1 to 64", "light.qmc:6", "points nowhere", "light.qmc:7", "can't be read"}) {
+         {"light.qmc:1", "light.qmc:2", "light.qmc:3", "light.qmc:4", "their sum exceeds 1",
+          "light.qmc:5", "1 to 64", "light.qmc:6", "it has no direction", "light.qmc:7",
+          "can't be read"}) {
         EXPECT_NE(faults.find(expected), std::string::npos) << expected << "\n" << faults;
     }
 }
@@ -218,14 +219,14 @@ INSTANTIATE_TEST_SUITE_P(
     SurplusLines,
     ::testing::Values(
         Surplus{"number of ray: 5", "did you mean 'number of rays'?"},
-        Surplus{"something else: 5\n: 6", "docs/formats/specification.md"},
-        Surplus{"not a directive", "a line reads"},
-        Surplus{": 1 2", "a line reads"},
-        Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is no directive"},
+        Surplus{"something else: 5\n: 6", "docs/reference/specification.md"},
+        Surplus{"not a directive", "is not a directive"},
+        Surplus{": 1 2", "is not a directive"},
+        Surplus{"domain size: 1 1 1\nnumber of rays: 4", "'domain size' is not a directive"},
         Surplus{"source spectrum: 660 1.0 730 0.5", "'730 0.5' is not read"},
         Surplus{"return type: D F", "2 letters for the 1 band"},
         Surplus{"sampling method: latin", "Monte Carlo is used"},
-        Surplus{"light source: 0 -1 0", "no weight: 1 is taken"},
+        Surplus{"light source: 0 -1 0", "no weight: 1 is used"},
         Surplus{"weather: 1 1", "that of 1.4"}));
 
 TEST(Specification, TakesWhatTheOriginalTakesForMonteCarlo) {
@@ -295,7 +296,7 @@ TEST(Specification, TakesTheNearestPowerOfTwoForLattices) {
     EXPECT_TRUE(kept.texts.empty());
     EXPECT_EQ(
         specification("sampling method: korobov\nnumber of rays: 1000", kept).run.paths, 1024U);
-    EXPECT_TRUE(kept.has("1024 rays instead of 1000"));
+    EXPECT_TRUE(kept.has("1024 rays are used instead of 1000"));
 }
 
 }  // namespace

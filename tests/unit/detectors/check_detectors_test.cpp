@@ -65,7 +65,7 @@ TEST(CheckDetectors, FindsEachFaultAndSaysWhere) {
     }
     EXPECT_TRUE(mentions(
         faults_of_building({rings_named(3, "a"), rings_named(4, "a")}),
-        "detector 'a' is there already"));
+        "detector 'a' exists already"));
 }
 
 }  // namespace

@@ -80,8 +80,8 @@ TEST(DetectedRuns, AreRefusedWhereEscapedLightIsNotFollowed) {
     };
     EXPECT_EQ(
         faults_of(plate({kNineRings}), Method::from_organs),
-        "method: from_organs does not follow light that escapes (a detector waits for that "
-        "light); use method = \"light_tracing\"");
+        "method: from_organs does not follow escaping light (a detector needs it); use method = "
+        "\"light_tracing\"");
     for (const Method method : {Method::light_tracing, Method::first_hits, Method::automatic}) {
         EXPECT_EQ(faults_of(plate({kNineRings}), method), "");
     }

@@ -52,11 +52,10 @@ TEST(FileLock, IsNoStrangersFile) {
     const std::string path = (folder.path() / "c").string();
     folder.write("c.lock", "notes on locks");
     EXPECT_EQ(
-        refusal_of_lock(path),
-        path +
-            ".lock: is there already, and is no lock (it would be overwritten, and removed); "
-            "remove it, or name another file than " +
-            path);
+        refusal_of_lock(path), path +
+                                   ".lock: exists and is not a lock file (it would be overwritten "
+                                   "and deleted); delete it, or name another file than " +
+                                   path);
     EXPECT_EQ(folder.read("c.lock"), "notes on locks");
 }
 

@@ -202,10 +202,10 @@ TEST(Formats, WarnOfWhatAWriterDoesNotKeep) {
     using Texts = std::vector<std::string>;
     EXPECT_EQ(
         lost("tri"), (Texts{
-                         "tri: names of 2 materials are not written: this format has no place for "
-                         "them; obj, ply, glb keep them",
-                         "tri: labels of 1 organ are not written: this format has no place for "
-                         "them; obj, glb keep them"}));
+                         "tri: names of 2 materials are not written: this format does not support "
+                         "them; obj, ply, glb do",
+                         "tri: labels of 1 organ are not written: this format does not support "
+                         "them; obj, glb do"}));
     EXPECT_EQ(lost("ply").size(), 1U);
     EXPECT_EQ(lost("obj"), Texts{});
     EXPECT_EQ(lost("glb"), Texts{});
@@ -220,8 +220,8 @@ TEST(Formats, WarnOfTexturesThatCanBeMasks) {
     EXPECT_EQ(ply.faults, std::vector<std::string>{});
     EXPECT_TRUE(mentions(
         ply.warnings,
-        "1 material has textures that can cut out parts of a face (TextureFile): masks are not "
-        "read, and each face counts whole, 0.5 of the area of 0.5"));
+        "1 material has textures that may mask parts of a face (TextureFile): masks are not read; "
+        "faces are opaque, 0.5 of the area of 0.5"));
 }
 
 TEST(Formats, AreToldByTheExtensionWhateverItsCase) {
@@ -326,14 +326,14 @@ TEST(Formats, NameTheOnesThatAreNotRead) {
         return faults_of(text.text());
     };
     const std::string way =
-        ", which is not read; load it in Python with PlantGL, and give the Scene to "
+        ", which is not supported; load it in Python with PlantGL, and give the Scene to "
         "quasimc.compat.caribu.CaribuScene or let it write triangles: "
         "Scene(\"plant.geom\").save(\"plant.obj\")";
     EXPECT_TRUE(mentions(faults("tree.geom"), "'tree.geom' is a scene of PlantGL" + way));
     EXPECT_TRUE(mentions(faults("t.bgeom"), "'t.bgeom' is a binary scene of PlantGL" + way));
     EXPECT_TRUE(mentions(
         faults("tree.dae"),
-        "'tree.dae' is a COLLADA file, which is not read; make glTF of it, with Blender or by "
+        "'tree.dae' is a COLLADA file, which is not supported; make glTF of it, with Blender or by "
         "`assimp export plant.dae plant.glb`"));
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-const std::string kCanRule = " (a line holds: p 1 LABEL 3 and x y z of three corners)";
+const std::string kCanRule = " (a line contains p 1 LABEL 3 and x y z of three corners)";
 
 TEST(CanLabel, IsSpeciesPlantLeafElement) {
     const CanLabel label = can_label(110010000001);
@@ -65,15 +65,14 @@ TEST(ReadCan, ReportsEveryBadLine) {
         "q 1 1 3 0 0 1 1 0 1 0 1 1\np 1 1 3 0 0 1 1 0 1 0 1\np 1 leaf 3 0 0 1 1 0 1 0 1 1\n"
         "p 1 1 3 0 0 1 1 0 1 0 1 x\np 0 1 3 0 0 1 1 0 1 0 1 1\np 1 1 2 0 0 1 1 0 1\n");
     EXPECT_EQ(
-        read.faults,
-        (Texts{
-            "file:1: 'q' is no polygon with a label" + kCanRule,
-            "file:2: 8 coordinates of 3 corners" + kCanRule,
-            "file:3: 'leaf' is no label (a label has up to 15 digits: species, 5 of the plant, 3 "
-            "of the leaf, 3 of the element)",
-            "file:4: 'x' is not a finite number" + kCanRule,
-            "file:5: 'p' is no polygon with a label" + kCanRule,
-            "file:6: 6 coordinates of 2 corners" + kCanRule}));
+        read.faults, (Texts{
+                         "file:1: 'q' is not a polygon with a label" + kCanRule,
+                         "file:2: 8 coordinates of 3 corners" + kCanRule,
+                         "file:3: 'leaf' is not a label (a label has up to 15 digits: species, "
+                         "plant (5), leaf (3), element (3))",
+                         "file:4: 'x' is not a finite number" + kCanRule,
+                         "file:5: 'p' is not a polygon with a label" + kCanRule,
+                         "file:6: 6 coordinates of 2 corners" + kCanRule}));
 }
 
 }  // namespace

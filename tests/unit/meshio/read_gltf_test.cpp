@@ -199,7 +199,7 @@ TEST(ReadGltf, TakesMaterialsByNameAndExtrasAsLabels) {
     ASSERT_EQ(read.mesh.materials.size(), 1U) << "white that nobody stated is no reflectance";
     EXPECT_DOUBLE_EQ(read.mesh.materials[0].reflectance, 0.2);
     EXPECT_TRUE(mentions(
-        read.warnings, "1 material has textures that can cut out parts of a face (alphaMode)"));
+        read.warnings, "1 material has textures that may mask parts of a face (alphaMode)"));
 }
 
 TEST(ReadGltf, KeepsMaterialsOfOneNameApart) {
@@ -238,7 +238,7 @@ TEST(ReadGltf, LeavesLinesAndPointsOutAndSaysSo) {
     const ReadMesh read = read_gltf_text(gltf);
     EXPECT_EQ(read.faults, Texts{});
     EXPECT_EQ(triangles_of(read.mesh).size(), 1U);
-    EXPECT_TRUE(mentions(read.warnings, "1 parts are lines or points: left out"));
+    EXPECT_TRUE(mentions(read.warnings, "1 primitive of lines or points left out"));
 }
 
 /// A file with one change, and the fault it must give.
@@ -255,63 +255,64 @@ void expect_gltf_fault(
 TEST(ReadGltf, RefusesByNameWhatItDoesNotRead) {
     expect_gltf_fault(
         "\"meshes\"", R"("extensionsRequired":["KHR_draco_mesh_compression"],"meshes")",
-        {"file: it requires the extension 'KHR_draco_mesh_compression' (that is not read); export "
-         "it without that, or without compression"});
+        {"file: it requires the extension 'KHR_draco_mesh_compression' (it is not supported); "
+         "export without it, or without compression"});
     expect_gltf_fault(
         "\"meshes\"", R"("extensionsRequired":["KHR_mesh_quantization"],"meshes")", {});
     expect_gltf_fault(
         R"("count":3)", R"("count":3,"sparse":{})",
-        {"file: accessor 0 is sparse (sparse accessors are not read); export it with all numbers"});
+        {"file: accessor 0 is sparse (sparse accessors are not supported); export without sparse "
+         "accessors"});
     expect_gltf_fault(
         R"("mesh":0,)", R"("mesh":0,"skin":0,)",
-        {"file: node 0 has a skin (meshes that bones deform are not read); apply the armature and "
-         "export it anew"});
+        {"file: node 0 has a skin (skinned meshes are not supported); apply the armature and "
+         "export again"});
     expect_gltf_fault(
         R"("mesh":0,)", R"("mesh":0,"weights":[0,0.5],)",
-        {"file: node 0 blends several shapes (weights) (such meshes are not read); apply the shape "
-         "keys and export it anew"});
+        {"file: node 0 has morph targets (weights) (they are not supported); apply the shape keys "
+         "and export again"});
     expect_gltf_fault(
         R"("mesh":0,)", R"("mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}},)",
-        {"file: node 0 has the extension 'EXT_mesh_gpu_instancing' (that is not read); export each "
-         "copy as a node"});
+        {"file: node 0 has the extension 'EXT_mesh_gpu_instancing' (it is not supported); export "
+         "each copy as a node"});
     expect_gltf_fault(
         R"("2.0")", R"("1.0")",
-        {"file: it is no glTF 2.0 (its version is 1.0); export it as glTF 2.0"});
+        {"file: it is not glTF 2.0 (its version is 1.0); export it as glTF 2.0"});
 }
 
 TEST(ReadGltf, TellsWhatIsWrong) {
     expect_gltf_fault(
         R"("mesh":0)", R"("mesh":1)",
-        {"file: node 0: mesh names nothing that is there (there are 1, counted from 0)"});
+        {"file: node 0: mesh refers to a missing item (there are 1, counted from 0)"});
     expect_gltf_fault(
         R"("count":3)", R"("count":6)",
-        {"file: accessor 0: there is no room for 6 elements in its bufferView (from where it "
-         "begins, that has 48 bytes)"});
+        {"file: accessor 0: 6 elements do not fit in its bufferView (it has 48 bytes after the "
+         "offset)"});
     expect_gltf_fault(
         R"("byteLength":48})", R"("byteLength":49})",
-        {"file: accessor 0: its bytes are not there (buffer 0 has 48)"});
+        {"file: accessor 0: its bytes are missing (buffer 0 has 48)"});
     expect_gltf_fault(
         "a.bin", "b.bin",
         {"file: buffer 0 'b.bin' can't be read (No such file or directory)",
-         "file: accessor 0: buffer 0 has no bytes (they are neither beside the file nor in it)"});
+         "file: accessor 0: buffer 0 has no bytes (they are neither in the file nor beside it)"});
     expect_gltf_fault(
         R"("a.bin")", R"("data:;base64,AA=A")",
-        {"file: buffer 0 can't be read (its data are no base64 text)",
-         "file: accessor 0: buffer 0 has no bytes (they are neither beside the file nor in it)"});
+        {"file: buffer 0 can't be read (its data are not base64)",
+         "file: accessor 0: buffer 0 has no bytes (they are neither in the file nor beside it)"});
     expect_gltf_fault(R"("mesh":0,)", R"("children":[0],"mesh":0,)", {});
     expect_gltf_fault(
         R"("nodes":[)", R"("scenes":[{"nodes":[1,1]}],"nodes":[{},)",
-        {"file: node 1 is below two nodes, or twice in the scene (nodes are trees)"});
+        {"file: node 1 has two parents, or appears twice in the scene (nodes must form trees)"});
     expect_gltf_fault(
         R"("mesh":0,)", R"("rotation":[0,0,0,0],"mesh":0,)",
-        {"file: node 0: its rotation is no unit quaternion"});
+        {"file: node 0: its rotation is not a unit quaternion"});
     expect_gltf_fault(
         R"("mesh":0,)", R"("scale":[1,1],"mesh":0,)",
-        {"file: node 0: scale is no list of 3 finite numbers"});
+        {"file: node 0: scale is not a list of 3 finite numbers"});
     expect_gltf_fault("{\"asset\"", "{asset", {"file: byte 2 is not JSON"});
     expect_gltf_fault(
         R"("count":3)", R"("count":2)",
-        {"file: a part with 2 corners (triangles have three each)"});
+        {"file: a primitive with 2 vertices (it must be a multiple of 3)"});
 }
 
 TEST(ReadGltf, TellsOfNumbersThatAreNone) {
@@ -326,7 +327,7 @@ TEST(ReadGltf, TellsOfNumbersThatAreNone) {
     gltf.views += R"(,{"buffer":0,"byteOffset":48,"byteLength":3})";
     EXPECT_EQ(
         read_gltf_text(gltf, bytes_of(kGltfSquare) + std::string("\x01\x02\x03", 3)).faults,
-        Texts{"file: accessor 1: index 2 names vertex 3 (there are 3, counted from 0)"});
+        Texts{"file: accessor 1: index 2 refers to vertex 3 (there are 3, counted from 0)"});
 }
 
 TEST(ReadGltf, TellsOfGlbThatIsCutShort) {
@@ -359,12 +360,12 @@ TEST(ReadGltf, SaysWhatDoesNotFit) {
     length.buffer = R"({"uri":"a.bin","byteLength":1000000000000000})";
     EXPECT_EQ(
         warning(length),
-        "file: buffer 0 has 48 bytes, its byteLength is 1000000000000000: the file may be cut "
-        "short or damaged");
+        "file: buffer 0 has 48 bytes, its byteLength is 1000000000000000: the file may be "
+        "incomplete or damaged");
     GltfText bounds;
     bounds.accessors = R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":3,)"
                        R"("min":[0,0,0],"max":[2,2,1]})";
-    EXPECT_NE(warning(bounds).find("not within the min and max"), std::string::npos);
+    EXPECT_NE(warning(bounds).find("outside the min and max"), std::string::npos);
     bounds.accessors = R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":3,)"
                        R"("min":[0,0,1],"max":[2,2,1]})";
     EXPECT_EQ(warning(bounds), "");
@@ -372,9 +373,8 @@ TEST(ReadGltf, SaysWhatDoesNotFit) {
     key.scene = R"("nodes":[{"mesh":0,"name":"leaf","translatoin":[0,0,5]}],)";
     EXPECT_EQ(
         warning(key),
-        "file: keys that glTF 2.0 does not have are left out: 1 in all, the first is 'translatoin' "
-        "in node 0; "
-        "did you mean 'translation'?");
+        "file: keys that glTF 2.0 does not have are ignored: 1 in total, the first is "
+        "'translatoin' in node 0; did you mean 'translation'?");
 }
 
 TEST(ReadGltf, RefusesIndicesAndPointsOfAnotherKind) {
@@ -386,16 +386,16 @@ TEST(ReadGltf, RefusesIndicesAndPointsOfAnotherKind) {
         gltf.accessors = points + R"(,{"bufferView":0,"count":3,"type":)" + std::string(kind) + "}";
         EXPECT_EQ(
             read_gltf_text(gltf).faults,
-            Texts{"file: accessor 1 is no list of indices (it needs SCALAR of integers)"})
+            Texts{"file: accessor 1 is not a list of indices (it must be SCALAR of integers)"})
             << kind;
     }
     expect_gltf_fault(
         "5126", "5125",
-        {"file: accessor 0 is no list of points (it needs VEC3 of float, or of quantized 8 or 16 "
-         "bits)"});
+        {"file: accessor 0 is not a list of points (it must be VEC3 of float, or of quantized 8 or "
+         "16 bits)"});
     expect_gltf_fault(
         R"("version":"2.0")", R"("version":"2.1","minVersion":"2.1")",
-        {"file: it needs a reader of glTF 2.1 (its minVersion says so; 2.0 is read); export it as "
+        {"file: it needs a reader of glTF 2.1 (minVersion; version 2.0 is supported); export it as "
          "glTF 2.0"});
 }
 

@@ -39,17 +39,17 @@ TEST(ReadGwa, TellsWhatIsWrong) {
     };
     EXPECT_EQ(
         faults("0	2	3<", "0	2	4<"),
-        Texts{"file:11: a face names point 4 (its mesh has 4, counted from 0)"});
-    EXPECT_EQ(faults("0	2	3<", "0	2<"), Texts{"file:11: a face of 2 corners"});
+        Texts{"file:11: a face refers to point 4 (its mesh has 4, counted from 0)"});
+    EXPECT_EQ(faults("0	2	3<", "0	2<"), Texts{"file:11: a face with 2 corners"});
     EXPECT_EQ(
         faults("100	0	0	100", "100	x	0	100"),
         Texts{"file:5: 'x' is not a finite number"});
     EXPECT_EQ(
         faults("100	0	0	100", "100	0	100"),
-        Texts{"file:5: <points> holds 11 numbers (a point is x y z)"});
+        Texts{"file:5: <points> has 11 numbers (a point is x y z)"});
     EXPECT_EQ(
         read_mesh_text("gwa", "<opf></opf>").faults,
-        Texts{"file: it is no GWA file (its outermost element is not <gwa>)"});
+        Texts{"file: it is not a GWA file (its outermost element is not <gwa>)"});
     EXPECT_EQ(read_mesh_text("gwa", "<gwa").faults.size(), 1U);
 }
 
@@ -63,7 +63,7 @@ TEST(ReadGwa, TakesLatin1ThatSaysSo) {
     ASSERT_EQ(read.mesh.groups.size(), 1U);
     EXPECT_EQ(read.mesh.groups[0].name, "pav\xC3\xA9");
     text.replace(text.find("</faces>"), 0, "<face>0 1</face>");
-    EXPECT_TRUE(mentions(read_mesh_text("gwa", text).faults, "a face of 2 corners"));
+    EXPECT_TRUE(mentions(read_mesh_text("gwa", text).faults, "a face with 2 corners"));
 }
 
 }  // namespace

@@ -69,17 +69,17 @@ TEST(ReadObj, ReportsEveryBadStatement) {
         "obj",
         "v 0 0\nv 0 0 nan\nv 1 0 zero\nv 0 1 0\nf 1 2\nf 1 2 5\nf 0 1 2\nf -5 1 2\nf 1 2 a\n"
         "f 1 2 99999999999999999999\nface 1 2 3\nf 1 2 3 /\ng \xff\n");
-    EXPECT_TRUE(mentions(read.faults, "file:1: a vertex of less than three numbers"));
+    EXPECT_TRUE(mentions(read.faults, "file:1: a vertex with less than three numbers"));
     EXPECT_TRUE(mentions(read.faults, "file:2: 'nan' is not a finite number"));
     EXPECT_TRUE(mentions(read.faults, "file:3: 'zero' is not a finite number"));
-    EXPECT_TRUE(mentions(read.faults, "file:5: a face of 2 corners"));
-    EXPECT_TRUE(mentions(read.faults, "file:6: '5' names no vertex (4 vertices come before it"));
-    EXPECT_TRUE(mentions(read.faults, "file:7: '0' names no vertex"));
-    EXPECT_TRUE(mentions(read.faults, "file:8: '-5' names no vertex"));
-    EXPECT_TRUE(mentions(read.faults, "file:9: 'a' names no vertex"));
-    EXPECT_TRUE(mentions(read.faults, "file:10: '99999999999999999999' names no vertex"));
-    EXPECT_TRUE(mentions(read.faults, "file:11: 'face' is no statement of OBJ"));
-    EXPECT_TRUE(mentions(read.faults, "file:12: '/' names no vertex"));
+    EXPECT_TRUE(mentions(read.faults, "file:5: a face with 2 corners"));
+    EXPECT_TRUE(mentions(read.faults, "file:6: '5' is not a vertex (4 vertices come before it"));
+    EXPECT_TRUE(mentions(read.faults, "file:7: '0' is not a vertex"));
+    EXPECT_TRUE(mentions(read.faults, "file:8: '-5' is not a vertex"));
+    EXPECT_TRUE(mentions(read.faults, "file:9: 'a' is not a vertex"));
+    EXPECT_TRUE(mentions(read.faults, "file:10: '99999999999999999999' is not a vertex"));
+    EXPECT_TRUE(mentions(read.faults, "file:11: 'face' is not an OBJ statement"));
+    EXPECT_TRUE(mentions(read.faults, "file:12: '/' is not a vertex"));
     EXPECT_TRUE(mentions(read.faults, "file:13: the name '?' is not UTF-8"));
     EXPECT_EQ(read.faults.size(), 12U);
 }
@@ -90,7 +90,7 @@ TEST(ReadObj, CutsFacesWhoseSidesCrossIntoFansAndCountsThem) {
     EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_TRUE(read.warnings[0].starts_with(
-        "file: 2 faces have sides that cross each other, the first is of line 5: "))
+        "file: 2 faces have sides that intersect, the first is of line 5: "))
         << read.warnings[0];
     EXPECT_EQ(triangles_of(read.mesh).size(), 6U);
 }
@@ -106,7 +106,7 @@ TEST(ReadObj, RefusesAFaceOfTooManyCorners) {
     for (int i = 0; i < 5000; ++i) {
         face += " 1";
     }
-    EXPECT_TRUE(mentions(read_mesh_text("obj", kSquare + face).faults, "a face of 5000 corners"));
+    EXPECT_TRUE(mentions(read_mesh_text("obj", kSquare + face).faults, "a face with 5000 corners"));
 }
 
 TEST(ReadObj, TakesMaterialsFromItsLibrary) {
@@ -128,7 +128,7 @@ TEST(ReadObj, TakesColoursOfOneNumberAndLeavesSpectraToTheRunFile) {
     ASSERT_EQ(read.mesh.materials.size(), 2U);
     EXPECT_NEAR(read.mesh.materials[0].reflectance, 0.3, 1e-15);
     EXPECT_FALSE(read.mesh.materials[1].is_stated);
-    EXPECT_TRUE(mentions(read.warnings, "material 'grey' is there twice: the first counts"));
+    EXPECT_TRUE(mentions(read.warnings, "material 'grey' is given twice; the first is used"));
 }
 
 TEST(ReadObj, OnlyWarnsOfAMissingLibrary) {

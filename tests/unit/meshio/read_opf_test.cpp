@@ -103,14 +103,14 @@ TEST(ReadOpf, TapersScaledMeshesAndMovesAll) {
 TEST(ReadOpf, TellsFaultsByTheirLines) {
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("0 1 2 3", "0 1 2 4")).faults,
-        (Texts{"file:11: a face names point 4 (its mesh has 4, counted from 0)"}));
+        (Texts{"file:11: a face refers to point 4 (its mesh has 4, counted from 0)"}));
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("0 0 3 8<", "0 0 3<")).faults,
-        (Texts{"file:31: <mat> holds 11 numbers (it has three rows of four)"}));
+        (Texts{"file:31: <mat> has 11 numbers (it must have three rows of four)"}));
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("<shapeIndex>7", "<shapeIndex>6")).faults,
-        (Texts{"file:30: there is no shape 6 with a mesh (<shapeBDD> and <meshBDD> come before "
-               "<topology>)"}));
+        (Texts{"file:30: there is no shape 6 with a mesh (<shapeBDD> and <meshBDD> must come "
+               "before <topology>)"}));
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("<dUp>1<", "<dUp>one<")).faults,
         (Texts{"file:27: <dDwn> or <dUp> is not a finite number (the shape's mesh is scaled by "
@@ -125,28 +125,28 @@ TEST(ReadOpf, RefusesTwoMeshesOfOneId) {
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("Id=\"1\" enableScale", "Id=\"0\" enableScale")).faults,
         (Texts{
-            "file:9: its Id 0 is that of another mesh",
-            "file:30: there is no shape 7 with a mesh (<shapeBDD> and <meshBDD> come before "
+            "file:9: its Id 0 is used by another mesh",
+            "file:30: there is no shape 7 with a mesh (<shapeBDD> and <meshBDD> must come before "
             "<topology>)"}));
 }
 
 TEST(ReadOpf, TellsWhatIsNoXml) {
     EXPECT_EQ(
         read_mesh_text("opf", opf_with("</branch>", "</follow>")).faults,
-        (Texts{"file:33: Start-end tags mismatch (it is no XML)"}));
+        (Texts{"file:33: Start-end tags mismatch (it is not XML)"}));
     const std::string text = opf_text();
     EXPECT_EQ(
         read_mesh_text("opf", text.substr(0, text.find("</topology>"))).faults,
-        (Texts{"file:35: Start-end tags mismatch (it is no XML)"}));
+        (Texts{"file:35: Start-end tags mismatch (it is not XML)"}));
     EXPECT_EQ(
         read_mesh_text("opf", text + "<opf></opf>").faults,
-        (Texts{"file:37: a second element outside the first one (it is no XML)"}));
+        (Texts{"file:37: a second root element (it is not XML)"}));
     EXPECT_EQ(
         read_mesh_text("opf", text + std::string(1, '\0')).faults,
-        (Texts{"file:37: a byte is 0 (it is no XML); save the file as UTF-8"}));
+        (Texts{"file:37: a byte is 0 (it is not XML); save the file as UTF-8"}));
     EXPECT_EQ(
         read_mesh_text("opf", "<opf></opf>").faults,
-        (Texts{"file: has no <topology> (it is no OPF file)"}));
+        (Texts{"file: has no <topology> (it is not an OPF file)"}));
 }
 
 TEST(ReadOpf, ReplacesTheEntitiesOfXmlAndNoOthers) {

@@ -81,9 +81,9 @@ TEST(ReadOps, TakesPlantsAsCentimetresAndPlacesAsMetresAndSaysSo) {
     EXPECT_NEAR(area(triangles_of(read.mesh)), 0.5, 1e-12);
     EXPECT_EQ(
         read.warnings,
-        Texts{"file: plants are taken to be in centimetres and their places in metres, as in "
-              "AMAP's programs: the largest plant measures 1 m; give plant_unit in [[geometry]] "
-              "(\"cm\", \"m\", ...) if that is not so, or to say that it is"});
+        Texts{"file: plants are read in centimetres and their positions in metres, as in AMAP's "
+              "programs; the largest plant is 1 m large; set plant_unit in [[geometry]] (\"cm\", "
+              "\"m\", ...) to confirm or change it"});
     // A mesh without a unit of its own is in metres, as its position is.
     const ReadMesh other =
         read_mesh_text("ops", "1 1 a.tri 5 0 0 1 0 0 0\n", {{"a.tri", "0 0 0 1 0 0 0 1 0\n"}});
@@ -124,7 +124,7 @@ TEST(ReadOps, TakesTheScaleZeroAsOneAndDoubtsDegrees) {
     const std::string columns = "scale inclinationAzimut inclinationAngle stemTwist";
     const ReadMesh zero = read_below(columns, "0 0 0 0 0 0 0");
     EXPECT_NEAR(area(triangles_of(zero.mesh)), 0.5, 1e-12);
-    EXPECT_TRUE(mentions(zero.warnings, "file:2: 1 plant has the scale 0, which is taken as 1"));
+    EXPECT_TRUE(mentions(zero.warnings, "file:2: 1 plant has the scale 0, and 1 is used"));
     EXPECT_TRUE(mentions(
         read_below(columns, "0 0 0 1 0 0 90").warnings,
         "file:2: 1 plant has an angle beyond a full turn (2 pi)"));
@@ -148,7 +148,7 @@ TEST(ReadOps, TellsWhatIsWrong) {
     EXPECT_EQ(
         read_placed("0 0 0 1 0").faults,
         Texts{"file:3: 8 fields (a plant has ten: scene, plant, file, x, y, z, scale, azimuth and "
-              "angle of inclination, twist; in the old layout nine, without the scale)"});
+              "angle of inclination, twist; nine (without scale) in the old layout)"});
     EXPECT_EQ(read_placed("0 0 up 1 0 0 0").faults, Texts{"file:3: 'up' is not a finite number"});
     const std::string rows = "1 1 b.opf 0 0 0 1 0 0 0\n1 2 b.opf 0 0 0 1 0 0 0\n";
     EXPECT_EQ(
@@ -157,12 +157,11 @@ TEST(ReadOps, TellsWhatIsWrong) {
         << "a file is told of once";
     EXPECT_EQ(
         read_mesh_text("ops", rows, {{"b.opf", "<opf></opf>"}}).faults,
-        Texts{"b.opf: has no <topology> (it is no OPF file)"});
+        Texts{"b.opf: has no <topology> (it is not an OPF file)"});
     EXPECT_EQ(
         read_mesh_text("ops", "1 1 a.ops 0 0 0 1 0 0 0\n").faults,
-        Texts{
-            "file:1: the format of 'a.ops' can't be read; plants are OPF, or of another format of "
-            "geometry"});
+        Texts{"file:1: the format of 'a.ops' can't be read; plants must be OPF or another geometry "
+              "format"});
     EXPECT_TRUE(
         mentions(read_mesh_text("ops", "1 1 a.dae 0 0 0 1 0 0 0\n").faults, "assimp export"));
 }

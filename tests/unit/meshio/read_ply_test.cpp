@@ -131,35 +131,35 @@ TEST(ReadPly, RefusesWhatIsWrong) {
     const std::vector<BadPly> table{
         {"", "file:1: the first line is not 'ply'"},
         {"plyx\n", "the first line is not 'ply'"},
-        {"ply\nformat ascii 1.0\n", "the header does not end"},
+        {"ply\nformat ascii 1.0\n", "the header has no end"},
         {"ply\nformat ascii 2.0\nend_header\n", "file:2: 'ascii' is no format that is known"},
         {"ply\nformat text 1.0\nend_header\n", "'text' is no format that is known"},
-        {"ply\nend_header\n", "its header names no vertex with x, y and z"},
+        {"ply\nend_header\n", "its header has no vertex with x, y and z"},
         {"ply\nproperty float x\nend_header\n", "a property comes before any element"},
-        {"ply\nelement vertex -3\nend_header\n", "'-3' is no number of elements"},
-        {"ply\nelement vertex many\nend_header\n", "'many' is no number of elements"},
-        {"ply\nelement vertex 99999999999999999999\nend_header\n", "is no number of elements"},
-        {"ply\nelement vertex 3\nproperty real x\nend_header\n", "'real' is no type of PLY"},
+        {"ply\nelement vertex -3\nend_header\n", "'-3' is not a number of elements"},
+        {"ply\nelement vertex many\nend_header\n", "'many' is not a number of elements"},
+        {"ply\nelement vertex 99999999999999999999\nend_header\n", "is not a number of elements"},
+        {"ply\nelement vertex 3\nproperty real x\nend_header\n", "'real' is not a PLY type"},
         {"ply\nelement vertex 3\nproperty list int real x\nend_header\n",
-         "'real' is no type of PLY"},
-        {"ply\nelephant\nend_header\n", "'elephant' is no line of a PLY header"},
+         "'real' is not a PLY type"},
+        {"ply\nelephant\nend_header\n", "'elephant' is not a line of a PLY header"},
         {"ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty "
          "float z\nend_header\n",
-         "its header names no face with vertex_indices"},
+         "its header has no face with vertex_indices"},
         {"ply\nformat ascii 1.0\nelement face 0\nproperty list uchar int vertex_indices\nelement "
          "vertex 0\n"
          "property float x\nproperty float y\nproperty float z\nend_header\n",
-         "the faces come before the vertices"},
-        {header("ascii", 4, 2) + kCorners + "4 0 1 2 3\n", "face 2 is cut short or no number"},
-        {header("ascii", 5, 1) + kCorners, "vertex 5 is cut short or no number"},
-        {header("ascii", 4, 1) + "0 0 1\n1 0 one\n", "vertex 2 is cut short or no number"},
+         "faces come before vertices"},
+        {header("ascii", 4, 2) + kCorners + "4 0 1 2 3\n", "face 2 is incomplete or not a number"},
+        {header("ascii", 5, 1) + kCorners, "vertex 5 is incomplete or not a number"},
+        {header("ascii", 4, 1) + "0 0 1\n1 0 one\n", "vertex 2 is incomplete or not a number"},
         {header("ascii", 4, 1) + "0 0 nan\n1 0 1\n1 1 1\n0 1 1\n3 0 1 2\n",
          "vertex 1 is not finite"},
         {header("ascii", 4, 1) + kCorners + "2 0 1\n", "face 1 has 2 corners"},
         {header("ascii", 4, 1) + kCorners + "3 0 1 4\n",
-         "face 1 names vertex 4 (there are 4, counted from 0)"},
-        {header("ascii", 4, 1) + kCorners + "3 0 1 -1\n", "face 1 names vertex -1"},
-        {header("ascii", 4, 1) + kCorners + "3 0 1 1.5\n", "face 1 names vertex 1.5"},
+         "face 1 refers to vertex 4 (there are 4, counted from 0)"},
+        {header("ascii", 4, 1) + kCorners + "3 0 1 -1\n", "face 1 refers to vertex -1"},
+        {header("ascii", 4, 1) + kCorners + "3 0 1 1.5\n", "face 1 refers to vertex 1.5"},
         {header("ascii", 4, 1) + kCorners + "-3 0 1 2\n", "face 1 has a list of -3"},
         {header("ascii", 4, 1) + kCorners + "1000000000 0 1 2\n",
          "face 1 has a list of 1000000000"},
@@ -192,9 +192,15 @@ TEST(ReadPly, WarnsOfWhatFollowsTheLastElement) {
         EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
         return read.warnings;
     };
-    EXPECT_TRUE(mentions(warnings(square + "3 0 1 2\n3 0 2 3\n"), "there is more (4 words)"));
-    EXPECT_TRUE(mentions(warnings(square + "3 0 1 2 3\n"), "there is more (1 word)"));
-    EXPECT_TRUE(mentions(warnings(binary_square(true) + "more"), "there is more (4 bytes)"));
+    EXPECT_TRUE(mentions(
+        warnings(square + "3 0 1 2\n3 0 2 3\n"),
+        "there is more data after the last element of the header (4 words)"));
+    EXPECT_TRUE(mentions(
+        warnings(square + "3 0 1 2 3\n"),
+        "there is more data after the last element of the header (1 word)"));
+    EXPECT_TRUE(mentions(
+        warnings(binary_square(true) + "more"),
+        "there is more data after the last element of the header (4 bytes)"));
     for (const std::string end : {"", "\n\n", " \t\r\n", "comment by hand\n"}) {
         EXPECT_TRUE(warnings(square + "4 0 1 2 3\n" + end).empty()) << end;
     }
@@ -215,11 +221,10 @@ TEST(ReadPly, RefusesAHeaderThatSaysTheSameTwice) {
     twice.insert(twice.find("element face"), vertex);
     EXPECT_TRUE(mentions(
         read_mesh_text("ply", twice + kCorners + kCorners + "4 0 1 2 3\n").faults,
-        "file:8: element 'vertex' is there twice"));
+        "file:8: element 'vertex' is given twice"));
     std::string two_x = text;
     two_x.insert(two_x.find("property float y"), "property double x\n");
-    EXPECT_TRUE(
-        mentions(read_mesh_text("ply", two_x).faults, "'vertex' has two properties like 'x'"));
+    EXPECT_TRUE(mentions(read_mesh_text("ply", two_x).faults, "'vertex' has property 'x' twice"));
 }
 
 }  // namespace

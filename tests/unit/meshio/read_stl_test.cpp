@@ -60,23 +60,22 @@ TEST(ReadStl, RefusesBinaryFilesThatAreCutShort) {
     const std::string whole = binary_stl(3);
     const ReadMesh read = read_mesh_text("stl", whole.substr(0, whole.size() - 1));
     EXPECT_EQ(
-        read.faults,
-        (Texts{"file: is no STL file (a binary one has 50 bytes for each triangle that it states "
-               "at byte 81)"}));
+        read.faults, (Texts{"file: is not an STL file (a binary one has 50 bytes for each triangle "
+                            "counted at byte 81)"}));
 }
 
 TEST(ReadStl, ReportsEveryFault) {
-    const std::string rule = " (a facet has one loop of three vertices)";
+    const std::string rule = " (a facet must have one loop of three vertices)";
     const ReadMesh read = read_mesh_text(
         "stl",
         "solid\nouter loop\nvertex 0 0\nvertex 0 0 x\nvertex 1 1 1\nendloop\nwhat\nouter loop\n");
     EXPECT_EQ(
-        read.faults,
-        (Texts{
-            "file:3: a vertex of 2 numbers" + rule,
-            "file:4: 'x' is not a finite number (a vertex is x y z)",
-            "file:6: a loop of 1 vertices" + rule, "file:7: 'what' is no statement of STL" + rule,
-            "file:8: the file ends within a loop" + rule}));
+        read.faults, (Texts{
+                         "file:3: a vertex with 2 numbers" + rule,
+                         "file:4: 'x' is not a finite number (a vertex is x y z)",
+                         "file:6: a loop with 1 vertices" + rule,
+                         "file:7: 'what' is not an STL statement" + rule,
+                         "file:8: the file ends within a loop" + rule}));
     std::string bytes = binary_stl(1);
     bytes.replace(84 + 12, 4, "\xff\xff\xff\xff");
     EXPECT_EQ(
@@ -96,7 +95,7 @@ TEST(ReadStl, SaysWhereATextIsCutShort) {
     open.replace(open.find("endloop\n"), 8, "");
     EXPECT_TRUE(mentions(
         read_mesh_text("stl", solid + open + facet + "endsolid\n").faults,
-        "file:9: a loop begins before the last one ends"));
+        "file:9: a loop begins before the previous one ends"));
 }
 
 }  // namespace

@@ -44,11 +44,11 @@ TEST(ReadFastTracer, ReportsEveryBadLine) {
     const ReadMesh read =
         read_mesh_text("fasttracer", "1 2 3\n1 2 3 4 5  0 0 1 1 0 1 0 1 1  0.9 0.5 0.6\n1 2 x\n");
     ASSERT_EQ(read.faults.size(), 3U);
-    EXPECT_TRUE(read.faults[0].starts_with("file:1: 3 numbers (a line holds 17 numbers: "));
+    EXPECT_TRUE(read.faults[0].starts_with("file:1: 3 numbers (a line contains 17 numbers: "));
     EXPECT_EQ(
         read.faults[1],
-        "file:2: transmittance 0.5 and reflectance 0.6 (both are 0 or more, and at most 1 "
-        "together)");
+        "file:2: transmittance 0.5 and reflectance 0.6 (both must be at least 0, and their sum at "
+        "most 1)");
     EXPECT_TRUE(read.faults[2].starts_with("file:3: 'x' is not a finite number"));
 }
 
@@ -68,12 +68,12 @@ TEST(ReadDef, MakesDisksOfTheStatedArea) {
 
 TEST(ReadDef, ReportsEveryBadLine) {
     const ReadMesh read = read_mesh_text("def", "1 2\n-1 0 0 0 0 0 1\n1 0 0 0 0 0 0\n");
-    const std::string rule = " (a line holds the radius of a leaf, its centre and its normal)";
+    const std::string rule = " (a line contains the radius of a leaf, its centre and its normal)";
     EXPECT_EQ(
         read.faults, (Texts{
                          "file:1: 2 numbers" + rule,
-                         "file:2: the radius or the normal is not more than 0" + rule,
-                         "file:3: the radius or the normal is not more than 0" + rule}));
+                         "file:2: the radius or the length of the normal is not positive" + rule,
+                         "file:3: the radius or the length of the normal is not positive" + rule}));
 }
 
 }  // namespace

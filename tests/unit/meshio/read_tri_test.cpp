@@ -37,7 +37,7 @@ TEST(ReadTri, ReportsEveryBadLine) {
         "tri",
         "0 0 1 1 0 1 0 1\n0 0 1 1 0 1 0 1 1\n0 0 1 1 0 1 0 1 x\n0 0 1 1 0 1 0 1 nan\n"
         "0 0 1 1 0 1 0 1 1 1\n0 0 1 1 0 1 0 1 1e999\n");
-    const std::string rule = " (a line holds nine numbers: x y z of three corners)";
+    const std::string rule = " (a line contains nine numbers: x y z of three corners)";
     EXPECT_EQ(
         read.faults, (Texts{
                          "file:1: 8 numbers" + rule, "file:3: 'x' is not a finite number" + rule,

@@ -113,11 +113,10 @@ TEST(ReadVgx, WarnsOfLeavesWithoutAnOutlineAndOfPoints) {
     EXPECT_EQ(read.faults, Texts{});
     EXPECT_NEAR(area(triangles_of(read.mesh)), 2.0 / 3 * (12 + 3), 1e-12);
     EXPECT_EQ(
-        read.warnings,
-        (Texts{
-            "file:2: 2 leaves (Obj 11, 12, 13), whose outline is not in the file: they are "
-            "hexagons as PlantGL draws them, of two thirds of length x width",
-            "file:3: 1 points (Obj 40), which have no area: they are left out"}));
+        read.warnings, (Texts{
+                           "file:2: 2 leaves (Obj 11, 12, 13), whose outline is not in the file; "
+                           "hexagons as in PlantGL are used, with 2/3 of length x width",
+                           "file:3: 1 points (Obj 40), which have no area and are left out"}));
 }
 
 TEST(ReadVgx, WarnsOfColoursThatAreNone) {
@@ -143,19 +142,19 @@ TEST(ReadVgx, ReportsEveryBadLine) {
         (Texts{
             "file:2: Obj 22 is not read (only 0, 11 to 13, 21, 31, 32 and 33 are); let PlantGL "
             "make triangles of it: Scene('in.vgx').save('out.obj')",
-            "file:3: 2 numbers (the first line names 22 columns)",
-            "file:4: EchX 0, EchY 1, EchZ 1 (lengths are more than 0)",
-            "file:5: EchX is 'x' (it is a finite number)"}));
+            "file:3: 2 numbers (the first line has 22 columns)",
+            "file:4: EchX 0, EchY 1, EchZ 1 (lengths must be positive)",
+            "file:5: EchX is 'x' (it must be a finite number)"}));
     EXPECT_EQ(
         read_mesh_text("vgx", "1 2 3\n").faults,
-        (Texts{"file:1: the first line does not name the columns of a .vgx file (Obj, and EchX "
+        (Texts{"file:1: the first line does not contain the columns of a .vgx file (Obj, and EchX "
                "EchY EchZ TransX TransY TransZ RotX RotY RotZ or X1 ... Z3)"}));
     EXPECT_EQ(
         read_mesh_text("vgx", "Obj X1 Obj\n").faults,
-        (Texts{"file:1: column 'Obj' stands there twice"}));
+        (Texts{"file:1: column 'Obj' is given twice"}));
     EXPECT_EQ(
         read_mesh_text("vgx", "Obj X1 Y1 Z1 X2 Y2 Z2 X3 Y3 Z3\n21 0 0 0 0 0 0 0 0 0\n").faults,
-        (Texts{"file:2: Obj 21 is not read (the columns that say where it is are not there)"}));
+        (Texts{"file:2: Obj 21 is not read (the columns of its position are missing)"}));
 }
 
 }  // namespace

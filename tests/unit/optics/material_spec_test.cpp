@@ -45,9 +45,8 @@ TEST(CheckMaterial, RefusesASurfaceThatMakesLight) {
     spec.upper[1] = {.reflectance = 0.75, .transmittance = 0.5};
     EXPECT_EQ(
         faults_of(spec, 2),
-        "material 'leaf', upper side, band 2: reflectance 0.75 + transmittance 0.5 = 1.25 (more "
-        "than "
-        "1 makes light)");
+        "material 'leaf', upper side, band 2: reflectance 0.75 + transmittance 0.5 = 1.25 (the "
+        "surface would create light)");
 }
 
 TEST(CheckMaterial, RefusesWhatIsNotAFraction) {
@@ -107,9 +106,9 @@ TEST(CheckMaterial, NamesAParameterThatIsMissingOrThatNoModelTakes) {
     spec.lower[0].transmission_parameters["roughness"] = 1;
     EXPECT_EQ(
         faults_of(spec, 1),
-        "material 'leaf', upper side, band 1: reflection exponent is missing (model 'phong' takes "
-        "one)\n"
-        "material 'leaf', lower side, band 1: transmission roughness is given (no model takes it)");
+        "material 'leaf', upper side, band 1: reflection exponent is missing (model 'phong' has "
+        "it)\nmaterial 'leaf', lower side, band 1: transmission roughness is given (no model has "
+        "this parameter)");
 }
 
 TEST(CheckMaterial, CountsTheBandsOfBothSides) {

@@ -110,8 +110,8 @@ TEST(ReadLight, TakesTimesInTheirOrder) {
     };
     std::vector<std::pair<std::size_t, double>> reported;
     LightEvents events;
-    events.on_time_step = [&](std::size_t time_step, const Result& result) {
-        reported.emplace_back(time_step, result.at(0, Quantity::absorbed_flux, 0).mean);
+    events.on_time_step = [&](std::size_t index, const Result& result) {
+        reported.emplace_back(index, result.at(0, Quantity::absorbed_flux, 0).mean);
     };
     read_light(
         R"({"time_steps":[)" + time_step(noon, 3) + "," + time_step(noon, 5) + "]}", "a.json", run,
@@ -133,7 +133,7 @@ TEST(ReadLight, RefusesAResultWithoutAny) {
         ASSERT_EQ(error.faults().size(), 1U);
         EXPECT_EQ(
             error.faults()[0].text(),
-            "a.json: holds no light of organs (the run did not get so far)");
+            "a.json: contains no light of organs (the run ended before the first result)");
     }
 }
 

@@ -92,14 +92,15 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
     };
     EXPECT_NE(faults_of_text("").find("not JSON"), std::string::npos);
     EXPECT_NE(faults_of_text("{ \"format\": ").find("not JSON"), std::string::npos);
-    EXPECT_NE(faults_of_text("[]").find("is no result of QuasiMC"), std::string::npos);
-    EXPECT_NE(faults_of_text("{}").find("is no result of QuasiMC"), std::string::npos);
+    EXPECT_NE(faults_of_text("[]").find("is not a result of QuasiMC"), std::string::npos);
+    EXPECT_NE(faults_of_text("{}").find("is not a result of QuasiMC"), std::string::npos);
     EXPECT_NE(
         faults_of_text(R"({"format": "quasimc-result", "format_version": 3})")
             .find("format_version"),
         std::string::npos);
     EXPECT_NE(
-        faults_of_text(R"({"format": "quasimc-result", "format_version": 2})").find("holds no run"),
+        faults_of_text(R"({"format": "quasimc-result", "format_version": 2})")
+            .find("contains no run file"),
         std::string::npos);
     EXPECT_NE(
         faults_of_text(
@@ -114,7 +115,8 @@ TEST_F(StoredRunTest, RefusesWhatIsNoResult) {
 TEST_F(StoredRunTest, RefusesDeepNesting) {
     std::string text = R"({"format": "quasimc-result", "format_version": 2, "run_file": {"a": )";
     text += std::string(100000, '[') + std::string(100000, ']') + "}}";
-    EXPECT_NE(faults(folder_.write("b.json", text)).find("nested too deeply"), std::string::npos);
+    EXPECT_NE(
+        faults(folder_.write("b.json", text)).find("is nested too deeply"), std::string::npos);
 }
 
 }  // namespace

@@ -124,8 +124,7 @@ TEST(WriteCsv, SaysWhereItCameFrom) {
     const std::vector<std::string> lines = lines_of(csv_text());
     EXPECT_TRUE(mentions(lines, "# title: a, b"));
     EXPECT_TRUE(mentions(lines, "seed = 1"));
-    EXPECT_TRUE(
-        mentions(lines, "# source: directional: directional, light travels along (0, 0, -1)"));
+    EXPECT_TRUE(mentions(lines, "# source: directional: azimuth 0 deg, elevation 90 deg; R 1 "));
     EXPECT_TRUE(mentions(lines, "# axes: up z, north (0, 1, 0); length unit cm"));
 }
 
@@ -251,7 +250,7 @@ TEST(WriteGroups, HasARowForEachGroup) {
 
 TEST(WriteGroups, NamesItsColumns) {
     const std::vector<std::string> lines = lines_of(groups_text(small_run()));
-    EXPECT_TRUE(mentions(lines, "# column area [cm2]: of one side of all of them"));
+    EXPECT_TRUE(mentions(lines, "# column area [cm2]: their one-sided area"));
     EXPECT_TRUE(mentions(lines, "# column absorbed_flux_R [1e-4 W]: "));
     EXPECT_TRUE(mentions(lines, "# column reflectance_BAND [1]: "));
 }
@@ -336,8 +335,8 @@ TEST(Summary, TellsOfEnergyThatAddsUp) {
     budget.escaped.mean = 16.6384;
     const std::string text = summary(small_run(), result, {});
     EXPECT_NE(
-        text.find("R [1e-4 W]: 20.5 emitted - 0.0016 by roulette = 20.4984; organs 1.86 +- "
-                  "0.01, ground 2, escaped 16.6384, cut off 0: together 20.4984"),
+        text.find("R [1e-4 W]: emitted 20.5, imbalance -0.0016; organs 1.86 +- "
+                  "0.01, ground 2, escaped 16.6384, cut off 0\n"),
         std::string::npos)
         << text;
 }
@@ -351,7 +350,7 @@ TEST(Summary, GivesZerosNoSign) {
     result.canopy.resize(2);
     result.canopy[0].reflectance = {-1e-17, 0, -1e-17, -1e-17};
     std::string text = summary(small_run(), result, {});
-    EXPECT_NE(text.find("escaped 0, cut off 0: together 20.5"), std::string::npos) << text;
+    EXPECT_NE(text.find("escaped 0, cut off 0\n"), std::string::npos) << text;
     EXPECT_NE(text.find("reflectance 0.0000 +- 0"), std::string::npos) << text;
     budget.emitted.mean = 2e6;
     budget.escaped.mean = -3e-10;
@@ -368,8 +367,7 @@ TEST(Summary, TellsHowManyOrgansReachedTheTarget) {
     run.spec.target_error = 0.07;
     const std::string text = summary(run, result, {});
     EXPECT_NE(
-        text.find("target    7 % error or less: NOT reached (5.62 % of the organs have it, 95 % "
-                  "were asked for)"),
+        text.find("target    not reached: 5.62 % of the organs are within 7 % (95 % required)\n"),
         std::string::npos)
         << text;
 }
@@ -377,20 +375,17 @@ TEST(Summary, TellsHowManyOrgansReachedTheTarget) {
 TEST(Summary, TellsOfErrorsInWords) {
     Result result = small_result();
     std::string text = summary(small_run(), result, {});
-    EXPECT_NE(text.find("median 10 %, worst 10 % (organ "), std::string::npos) << text;
+    EXPECT_NE(text.find("median 10 %, largest 10 % (organ "), std::string::npos) << text;
     EXPECT_EQ(text.find("advice"), std::string::npos) << text;
     for (Estimate& estimate : result.values) {
         estimate.standard_error = estimate.mean;
     }
     text = summary(small_run(), result, {});
-    EXPECT_NE(
-        text.find("1 of 2 organs is known to no better than 50 % (worst: organ "),
-        std::string::npos)
+    EXPECT_NE(text.find(", above 50 % for 1 of 2 organs (largest: organ "), std::string::npos)
         << text;
     EXPECT_EQ(text.find("e+02"), std::string::npos) << text;
-    EXPECT_NE(
-        text.find("advice    target_error = 0.05 traces more paths until errors are that small"),
-        std::string::npos);
+    EXPECT_NE(text.find("advice    to reach 5 %: --target-error 0.05\n"), std::string::npos)
+        << text;
 }
 
 TEST(Summary, TellsThatTheTimeWasUp) {
@@ -400,11 +395,11 @@ TEST(Summary, TellsThatTheTimeWasUp) {
     run.spec.max_seconds = 2;
     run.spec.paths = 16;
     EXPECT_NE(
-        summary(run, result, {}).find("stopped   by max_seconds = 2: 4 of 16 paths are done"),
+        summary(run, result, {}).find("stopped   max_seconds = 2 reached: 4 of 16 paths completed"),
         std::string::npos);
     EXPECT_EQ(json_of(run, result)["completed"]["stop"], "time_limit");
     result.stop = StopReason::interrupted;
-    EXPECT_NE(summary(run, result, {}).find("stopped   on request: 4 of 16"), std::string::npos);
+    EXPECT_NE(summary(run, result, {}).find("stopped   interrupted: 4 of 16"), std::string::npos);
     EXPECT_EQ(json_of(run, result)["completed"]["stop"], "interrupted");
 }
 
@@ -422,7 +417,8 @@ TEST(Method, IsToldWithItsReason) {
     Result result = small_result();
     result.chosen = {Method::first_hits, "it is sunny"};
     EXPECT_NE(
-        summary(run, result, {}).find("method    first_hits: it is sunny"), std::string::npos);
+        summary(run, result, {}).find("method    first_hits (automatic): it is sunny"),
+        std::string::npos);
     const auto json = json_of(run, result)["method"];
     EXPECT_EQ(json["used"], "first_hits");
     EXPECT_EQ(json["requested"], "auto");
@@ -434,10 +430,12 @@ TEST(Method, IsToldWithItsReason) {
 
 TEST(Method, IsNoNewsToWhoAskedForIt) {
     Result result = small_result();
-    result.chosen = {Method::light_tracing, "asked for"};
+    result.chosen = {Method::light_tracing, "the reason"};
     RunFile run = small_run();
     run.spec.method = Method::light_tracing;
-    EXPECT_EQ(summary(run, result, {}).find("asked for"), std::string::npos);
+    const std::string text = summary(run, result, {});
+    EXPECT_NE(text.find("method    light_tracing (requested)\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("the reason"), std::string::npos);
 }
 
 Audit small_audit(double chance) {

@@ -175,10 +175,10 @@ TEST(GroupFaults, NameTheLabelThatNoOrganHas) {
     EXPECT_EQ(
         faults_of_groups(make_two_plants(), spec),
         (std::vector<std::string>{
-            "groups: no organ has a label 'plnat' (groups are made of the values of a label); "
+            "groups: no organ has a label 'plnat' (groups are formed by the values of a label); "
             "did you mean 'plant'?",
-            "groups: no organ has a label 'knd' (groups are made of the values of a label); "
-            "did you mean 'kind'?"}));
+            "groups: no organ has a label 'knd' (groups are formed by the values of a label); did "
+            "you mean 'kind'?"}));
 }
 
 TEST(GroupFaults, TellHeightsThatDoNotAscend) {
@@ -186,8 +186,8 @@ TEST(GroupFaults, TellHeightsThatDoNotAscend) {
     spec.layer_heights = {0, 2, 1};
     EXPECT_EQ(
         faults_of_groups(make_two_plants(), spec),
-        (std::vector<std::string>{"layer_heights: 1 follows 2 (heights are finite numbers that "
-                                  "ascend); state them from below to above"}));
+        (std::vector<std::string>{"layer_heights: 1 follows 2 (heights must be finite and "
+                                  "ascending); give them in ascending order"}));
     spec.layer_heights = {0, std::nan("")};
     EXPECT_EQ(faults_of_groups(make_two_plants(), spec).size(), 1U);
     spec.layer_heights = {3};

@@ -76,18 +76,18 @@ TEST(OrganLight, AnUnknownNameIsAnsweredWithThoseThatThereAre) {
     const Result result = light_of(builder_of_leaves().build());
     EXPECT_EQ(
         error_of([&] { return result["uper leaf"]; }),
-        "organ 'uper leaf': the scene has no organ of this name; did you mean 'upper leaf'?");
+        "organ 'uper leaf': no organ of the scene has this name; did you mean 'upper leaf'?");
     EXPECT_EQ(
         error_of([&] { return result["x"]; }),
-        "organ 'x': the scene has no organ of this name; organs are 'lower leaf', 'upper leaf'");
+        "organ 'x': no organ of the scene has this name; organs are 'lower leaf', 'upper leaf'");
     EXPECT_EQ(
         error_of([&] { return result["upper leaf"].absorbed_flux("UV"); }),
-        "band 'UV': the scene has no band of this name; bands are 'PAR', 'NIR'");
+        "band 'UV': no band of the scene has this name; bands are 'PAR', 'NIR'");
     EXPECT_NE(error_of([&] { return result["upper leaf"].absorbed_flux(2); }), "");
     EXPECT_NE(error_of([&] { return result.organ(4); }), "");
     EXPECT_EQ(
         error_of([&] { return result[2]; }),
-        "organ 2: the scene has no organ of this index; it has 2, counted from 0");
+        "organ 2: no organ of the scene has this index; it has 2, counted from 0");
     const Result nameless;
     EXPECT_NE(error_of([&] { return nameless["upper leaf"]; }), "");
 }
@@ -101,7 +101,7 @@ TEST(OrganLight, ANameOfSeveralOrgansIsRefused) {
     const Result result = light_of(builder.build());
     EXPECT_EQ(
         error_of([&] { return result["upper leaf"]; }),
-        "organ 'upper leaf': several organs have this name; ask by the organ's id");
+        "organ 'upper leaf': several organs have this name; use the organ's id");
     EXPECT_GT(result.organ(9).absorbed_flux("PAR").mean, 0);
 }
 

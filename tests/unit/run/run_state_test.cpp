@@ -168,7 +168,7 @@ TEST(RunState, BecomesNoRunThatWouldHaveOtherBits) {
     };
     EXPECT_EQ(refusal_of(1U << 16U), "");
     EXPECT_EQ(refusal_of(1U << 17U), "");
-    EXPECT_NE(refusal_of(1U << 14U).find("65536 paths are traced already"), std::string::npos);
+    EXPECT_NE(refusal_of(1U << 14U).find("65536 paths are computed already"), std::string::npos);
     few.sampler = "halton";
     few.max_paths = 0;
     few.paths = 20000;  // no whole blocks

@@ -66,8 +66,8 @@ TEST(Series, RefusesTimesThatAreNotInTheOrderOfTheirDays) {
         FAIL() << "it is not refused";
     } catch (const InputError& error) {
         ASSERT_EQ(error.faults().size(), 2U);
-        EXPECT_EQ(error.faults()[0].problem, "it is of day 1, after one of day 2");
-        EXPECT_EQ(error.faults()[1].problem, "it is of day 0, after one of day 3");
+        EXPECT_EQ(error.faults()[0].problem, "it belongs to day 1, but follows day 2");
+        EXPECT_EQ(error.faults()[1].problem, "it belongs to day 0, but follows day 3");
     }
 }
 

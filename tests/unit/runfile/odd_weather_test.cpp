@@ -38,7 +38,7 @@ TEST(RunFileWeather, RefusesAnEpwRecordThatIsThereTwice) {
     const auto faults = faults_of(with_time(keys, ""), {{"w.epw", epw_of(twice)}});
     ASSERT_EQ(faults.size(), 1U) << ::testing::PrintToString(faults);
     EXPECT_TRUE(mentions(
-        faults, "w.epw:4: the record of 2023-06-21T11:00+01:00 is there twice or out of order"));
+        faults, "w.epw:4: the record of 2023-06-21T11:00+01:00 is repeated or out of order"));
 }
 
 /// Months of a typical year are of years in any order: here the file ends before it begins.
@@ -52,7 +52,7 @@ TEST(RunFileWeather, ReadsATypicalYearWhoseFirstMonthIsOfALaterYear) {
     }
     const auto faults = faults_of(with_time("weather = 'w.epw'\n", ""), {{"w.epw", epw_of(hours)}});
     ASSERT_EQ(faults.size(), 1U) << ::testing::PrintToString(faults);
-    EXPECT_TRUE(mentions(faults, "time zone, place or stamp are wrong"));
+    EXPECT_TRUE(mentions(faults, "the time zone, the site or stamp is wrong"));
 }
 
 /// A 29 February of a typical year is left out where the year asked for has none.
@@ -81,8 +81,7 @@ TEST(RunFileWeather, LeavesOutADayThatTheYearDoesNotHave) {
         plain.series->days,
         (std::vector<std::string>{"2023-02-27", "2023-02-28", "2023-03-01", "2023-03-02"}));
     EXPECT_EQ(plain.series->time_steps.size(), 96U);
-    EXPECT_NE(
-        all_warnings(plain).find("24 records of a 29 February are left out"), std::string::npos)
+    EXPECT_NE(all_warnings(plain).find("24 records of 29 February left out"), std::string::npos)
         << all_warnings(plain);
     EXPECT_EQ(read(2024, "").series->days.size(), 5U);
     EXPECT_EQ(all_warnings(read(2024, "")).find("29 February"), std::string::npos);
@@ -101,7 +100,7 @@ TEST(RunFileWeather, OfAnEpwFileHasNoUnit) {
     const FakeFiles files{{"w.epw", epw_of({"2023,6,21,12"})}};
     EXPECT_TRUE(mentions(
         faults_of(with_time(keys + "unit = 'PPFD'\n", ""), files),
-        "unit is stated for an EPW file (its light is always in W m-2)"));
+        "unit is given for an EPW file (its irradiance is always in W m-2)"));
     EXPECT_TRUE(faults_of(with_time(keys + "unit = 'full_spectrum'\n", ""), files).empty());
     EXPECT_TRUE(faults_of(with_time(keys, ""), files).empty());
 }
@@ -116,7 +115,7 @@ TEST(RunFileWeather, CountsRecordsByTheirPartWithinTheHours) {
     EXPECT_EQ(steps[0].seconds, 1800);
     EXPECT_EQ(steps[1].seconds, 3600);
     EXPECT_EQ(steps[2].seconds, 900);
-    EXPECT_NE(all_warnings(run).find("2 records reach beyond these hours"), std::string::npos);
+    EXPECT_NE(all_warnings(run).find("2 records beyond these hours"), std::string::npos);
     const RunFile whole =
         run_of_weather("weather = 'w.epw'\nday = '2023-06-21'\nhours = [6, 9]\n", files);
     EXPECT_EQ(all_warnings(whole).find("beyond these hours"), std::string::npos);
@@ -126,8 +125,7 @@ TEST(RunFileWeather, TakesYearsOfTwoDigitsAndSaysSo) {
     const RunFile run = run_of_weather("weather = 'w.epw'\n", {{"w.epw", epw_of({"83,6,21,12"})}});
     EXPECT_EQ(run.series->days, std::vector<std::string>{"1983-06-21"});
     EXPECT_NE(
-        all_warnings(run).find("w.epw:3: 1 times have years of two digits, which are taken to be "
-                               "of 1969 to 2068"),
+        all_warnings(run).find("w.epw:3: 1 times have years of two digits, read as 1969 to 2068"),
         std::string::npos)
         << all_warnings(run);
 }
@@ -178,7 +176,7 @@ std::string clock_warnings(const std::vector<Reading>& readings, double zone, bo
             "weather = '{}'\n{}", name, is_epw ? "" : fmt::format("utc_offset_hours = {}\n", zone)),
         {{name, text}}, is_epw ? "" : "[site]\nlatitude_deg = 38\nlongitude_deg = -1.1\n");
     const std::string all = all_warnings(run);
-    const std::size_t begin = all.find("the days' light comes");
+    const std::size_t begin = all.find("daylight is about");
     return begin == std::string::npos ? "" : all.substr(begin, all.find('\n', begin) - begin);
 }
 
@@ -214,7 +212,7 @@ TEST(RunFileTime, AsksWhetherLatitudeAndLongitudeAreExchanged) {
                    read_text(with_time(
                        "day = '2024-06-21'\nhours = [11, 12]\nutc_offset_hours = " + clock + "\n",
                        "[site]\n" + site)))
-                   .find("are latitude and longitude exchanged?") != std::string::npos;
+                   .find("are latitude and longitude swapped?") != std::string::npos;
     };
     EXPECT_TRUE(warns("latitude_deg = 5.67\nlongitude_deg = 52\n", "1"));
     EXPECT_FALSE(warns("latitude_deg = 52\nlongitude_deg = 5.67\n", "1"));
@@ -233,7 +231,7 @@ std::string low_light_warnings(double divisor, const std::string& more = "") {
     }
     const std::string all =
         all_warnings(run_of_weather("weather = 'w.csv'\n" + more, {{"w.csv", table}}, kSite));
-    const std::size_t begin = all.find("times by day have at most");
+    const std::size_t begin = all.find("daytime values are at most");
     return begin == std::string::npos ? "" : all.substr(begin);
 }
 
@@ -259,7 +257,7 @@ TEST(RunFileWeather, TakesADateForItsDayAndAsksForMegajoulesOfDays) {
     ASSERT_EQ(watts.series->time_steps.size(), 1U);
     EXPECT_EQ(watts.series->days[0], "2024-06-13");
     EXPECT_NEAR(watts.series->notes[0].daylight.global(), 220, 1e-6);
-    EXPECT_EQ(all_warnings(watts).find("times by day"), std::string::npos) << all_warnings(watts);
+    EXPECT_EQ(all_warnings(watts).find("daytime values"), std::string::npos) << all_warnings(watts);
     EXPECT_NE(
         all_warnings(read(20)).find("multiply by 11.57 or 41.67 for 24 hours"), std::string::npos)
         << all_warnings(read(20));
@@ -273,9 +271,9 @@ TEST(RunFileTime, WarnsOfNoLightWithTheSunHigh) {
             lights + "\n")));
     };
     EXPECT_NE(
-        warnings("[0, 0, 700]").find("1 times have no light at all with the sun more than 10"),
+        warnings("[0, 0, 700]").find("1 time has no light with the sun more than 10"),
         std::string::npos);
-    EXPECT_EQ(warnings("[0, 20, 700]").find("no light at all"), std::string::npos);
+    EXPECT_EQ(warnings("[0, 20, 700]").find("no light with the sun"), std::string::npos);
 }
 
 TEST(RunFileTime, SaysFirstThatThereIsTooMuchLight) {
@@ -284,8 +282,8 @@ TEST(RunFileTime, SaysFirstThatThereIsTooMuchLight) {
         "diffuse = 10\n"));
     const std::string all = all_warnings(run);
     EXPECT_LT(
-        all.find("more light than the sun brings outside the atmosphere"),
-        all.find("times have more direct light than"))
+        all.find("more light than the sun gives outside the atmosphere"),
+        all.find("more direct light than the sun"))
         << all;
 }
 

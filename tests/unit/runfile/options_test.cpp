@@ -100,9 +100,9 @@ TEST(Options, MakeFlagsOfKeys) {
 }
 
 TEST(Options, TheManualHoldsTheTable) {
-    const std::string page = repository_file("docs/guide/options.md");
+    const std::string page = repository_file("docs/reference/options.md");
     EXPECT_NE(page.find(options_markdown()), std::string::npos)
-        << "docs/guide/options.md should hold what `quasimc list options-markdown` prints:\n"
+        << "docs/reference/options.md should hold what `quasimc list options-markdown` prints:\n"
         << options_markdown();
 }
 

@@ -82,10 +82,10 @@ TEST(RunFileCaribu, TellsFaultsByFileAndLine) {
     files["a.8"] = "0 0\n0 1\n";
     const Texts faults = faults_of(caribu_text().text(), files);
     for (const char* part :
-         {"nir.opt:3: a leaf whose reflectance + transmittance is more than 1",
-          "nir.opt:4: '2' is no number from 0 to 1", "nir.opt:5: 'q' begins no line of optics",
-          "two.light:1: 3 numbers", "two.light:2: the irradiance is less than 0",
-          "a.8: is no rectangle"}) {
+         {"nir.opt:3: reflectance + transmittance of a leaf exceeds 1",
+          "nir.opt:4: '2' is not a number from 0 to 1",
+          "nir.opt:5: 'q' is not the beginning of a line of optics", "two.light:1: 3 numbers",
+          "two.light:2: the irradiance is negative", "a.8: is not a rectangle"}) {
         EXPECT_TRUE(mentions(faults, part)) << part;
     }
     files = kCaribuFiles;
@@ -93,7 +93,7 @@ TEST(RunFileCaribu, TellsFaultsByFileAndLine) {
     files["nir.opt"] = "n 2\ns d 0.35\ne d 0.40 d 0.40 0.45 d 0.41 0.46\n";
     const Texts more = faults_of(caribu_text().text(), files);
     EXPECT_TRUE(mentions(more, "light 1 of 'two.light' does not travel downwards"));
-    EXPECT_TRUE(mentions(more, "nir.opt: states 2 species and has 1"));
+    EXPECT_TRUE(mentions(more, "nir.opt: says 2 species and has 1"));
     RunText text = caribu_text();
     text.rest += "x = [0, 1]\n";
     EXPECT_TRUE(mentions(faults_of(text.text(), kCaribuFiles), "both a file and ranges"));

@@ -67,7 +67,7 @@ TEST(RunFileDetectors, FaultsStandAtTheirLines) {
     EXPECT_TRUE(mentions(faults_of_detector("[[detector]]\nname = 'a'\n"), "type is missing"));
     const std::string twice = detector_of("escaped_by_zenith", "name = 'up'\n");
     const auto faults = faults_of_detector(twice + twice);
-    EXPECT_TRUE(mentions(faults, "detector 'up' is there already"));
+    EXPECT_TRUE(mentions(faults, "detector 'up' exists already"));
     EXPECT_TRUE(mentions(faults, "run.toml:"));
 }
 

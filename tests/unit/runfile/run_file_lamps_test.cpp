@@ -195,7 +195,7 @@ TEST(RunFileLamps, EmitInTheUnitOfEachBand) {
 
 TEST(RunFileLamps, SayWhatIsWrong) {
     const std::string point = "type = 'point'\nposition = [0, 0, 3]\n";
-    EXPECT_TRUE(mentions(faults_of(with_lamp(point)), "what it emits is missing"));
+    EXPECT_TRUE(mentions(faults_of(with_lamp(point)), "its flux is missing"));
     EXPECT_TRUE(mentions(
         faults_of(with_lamp(point + "power = 1\nphoton_flux = 2\n")),
         "photon_flux for band 'PAR' in W m-2"));
@@ -205,12 +205,12 @@ TEST(RunFileLamps, SayWhatIsWrong) {
     const std::string spot = "type = 'spot'\nposition = [0, 0, 3]\npower = 1\n";
     EXPECT_TRUE(mentions(faults_of(with_lamp(spot)), "cone_deg"));
     EXPECT_TRUE(mentions(
-        faults_of(with_lamp(spot + "cone_deg = 10\nsoft_from_deg = 20\n")), "at most that"));
+        faults_of(with_lamp(spot + "cone_deg = 10\nsoft_from_deg = 20\n")), "must not exceed it"));
     EXPECT_TRUE(mentions(
-        faults_of(with_lamp(spot + "cone_deg = 10\naim = [0, 0, 0]\n")), "points nowhere"));
+        faults_of(with_lamp(spot + "cone_deg = 10\naim = [0, 0, 0]\n")), "it has no direction"));
     EXPECT_TRUE(mentions(
         faults_of(with_lamp("type = 'line'\nfrom = [1, 0, 3]\nto = [1, 0, 3]\npower = 1\n")),
-        "the same place"));
+        "the same point"));
     EXPECT_TRUE(mentions(
         faults_of(with_lamp("type = 'disk'\nposition = [0, 0, 3]\nradius = 0\npower = 1\n")),
         "radius"));
@@ -263,18 +263,18 @@ TEST(Lamps, WarnOfAUnitThatIsNotGivenAndOfPlantsOfStrangeSize) {
     EXPECT_EQ(
         lamp_warnings("", 5),
         std::vector<std::string>{
-            "length_unit: is not given, so that coordinates are taken as metres (the median organ "
-            "measures 14.2 m); the irradiance that lamps give depends on it: set length_unit to "
-            "\"m\", \"cm\" or what the coordinates are in"});
+            "length_unit: is missing, and metres are assumed (the median organ is 14.2 m large); "
+            "the irradiance from lamps depends on it; set length_unit to the unit of the "
+            "coordinates, \"m\" or \"cm\""});
     EXPECT_EQ(lamp_warnings("", 0.1).size(), 1U);
     EXPECT_EQ(lamp_warnings("length_unit = 'cm'\n", 5), std::vector<std::string>{});
     EXPECT_EQ(lamp_warnings("length_unit = 'm'\n", 0.1), std::vector<std::string>{});
     EXPECT_TRUE(mentions(
         lamp_warnings("length_unit = 'm'\n", 5),
-        "the median organ measures 14.2 m if coordinates are in m"));
+        "the median organ is 14.2 m large if coordinates are in m"));
     EXPECT_TRUE(mentions(
         lamp_warnings("length_unit = 'mm'\n", 0.5),
-        "all organs together measure 0.00142 m if coordinates are in mm"));
+        "all organs together are 0.00142 m large if coordinates are in mm"));
 }
 
 TEST(Lamps, BelowTheGroundAreWarnedOf) {
@@ -310,8 +310,8 @@ TEST(Ies, RefusesOrWarnsOfWhatDoesNotFit) {
         with("1 -1 1 19", "1 -1 1e308 19").faults, "an intensity is negative or too large"));
     EXPECT_TRUE(mentions(ies(lambertian_ies() + "17 more").warnings, "'17' follows the last"));
     EXPECT_TRUE(ies(lambertian_ies() + "\r\n\x1A").warnings.empty());
-    EXPECT_TRUE(
-        mentions(ies(lambertian_ies(1, "TILT=other.tlt\n")).warnings, "TILT names 'other.tlt'"));
+    EXPECT_TRUE(mentions(
+        ies(lambertian_ies(1, "TILT=other.tlt\n")).warnings, "TILT refers to 'other.tlt'"));
     EXPECT_TRUE(mentions(
         ies("Maker of lamps\n1\n1\n4\n90\n19\n5\nreport\n").faults, "convert a EULUMDAT file"));
 }

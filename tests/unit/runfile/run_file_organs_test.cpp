@@ -148,13 +148,13 @@ TEST(OrganKeys, RefuseWhatIsWrong) {
          "normal is [0, 0, 0]"},
         {"shape = 'sphere'\ncenter = [0, 0, 0]\nradius = 1\nlevels = 50\n", "levels is 50"},
         {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = []\n",
-         "faces is missing or no list"},
+         "faces is missing or not a list"},
         {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = [[0, 1]]\n",
          "faces[0]"},
         {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = [[0, 1, 3]]\n",
-         "names a vertex that does not exist"},
+         "refers to a vertex that does not exist"},
         {"shape = 'mesh'\nvertices = [[0, 0, 1], [2, 0, 1], [2, 2, 1]]\nfaces = [[0, 1, -1]]\n",
-         "names a vertex"},
+         "refers to a vertex"},
     };
     for (const BadOrgan& bad : table) {
         const auto faults = faults_of(with_organ(bad.keys).text());
@@ -254,7 +254,7 @@ TEST(GeometryKeys, FaultsOfTheFileNameItsLine) {
         {{"a.tri", "0 0 0 1 0 0 0 1 0\n0 0 0 1 0 0 2\n"}});
     EXPECT_EQ(
         faults, (std::vector<std::string>{
-                    "a.tri:2: 7 numbers (a line holds nine numbers: x y z of three corners)"}));
+                    "a.tri:2: 7 numbers (a line contains nine numbers: x y z of three corners)"}));
 }
 
 std::vector<std::string> texts_of(const RunFile& run) {
@@ -390,7 +390,7 @@ TEST(GeometryKeys, AKeyThatTheFileDoesNotUseIsAWarning) {
     const std::string keys = "file = 'a.obj'\nmaterials = { 'a.obj green' = 'leaf' }\n";
     EXPECT_TRUE(mentions(
         texts_of(read_text(with_geometry(keys).text(), files)),
-        "materials names 'a.obj green', which a.obj does not use"));
+        "materials contains 'a.obj green', which a.obj does not use"));
 }
 
 TEST(GeometryKeys, AMaterialOfTheRunIsForAllFilesOrForOne) {
@@ -455,17 +455,17 @@ TEST(GeometryKeys, WarnsOfMasksAndOfWhatIsTransparentWithTheAreas) {
         "map_Kd bark.jpg\nd 1\nTr 1\n");
     EXPECT_TRUE(mentions(
         some,
-        "1 material has textures that can cut out parts of a face (map_d): masks are not read, and "
-        "each face counts whole, 0.5 of the area of 3"))
+        "1 material has textures that may mask parts of a face (map_d): masks are not read; faces "
+        "are opaque, 0.5 of the area of 3"))
         << ::testing::PrintToString(some);
     EXPECT_TRUE(mentions(
         some,
-        "1 material has an opacity below 1 (d 0): opacity is not read, and each face counts as a "
-        "surface, 2 of the area of 3"))
+        "1 material has an opacity below 1 (d 0): opacity is not read; faces are opaque, 2 of the "
+        "area of 3"))
         << ::testing::PrintToString(some);
     EXPECT_TRUE(mentions(
         warnings("newmtl leaf\nmap_Kd a.png\nnewmtl wood\nTr 1\nmap_d w.png\n"),
-        "2 materials have textures that can cut out parts of a face (map_Kd, map_d): masks"));
+        "2 materials have textures that may mask parts of a face (map_Kd, map_d): masks"));
     EXPECT_FALSE(mentions(warnings("newmtl leaf\nKd 1 1 1\nTr 0\nd 1.0\n"), "opacity"));
 }
 
@@ -482,7 +482,7 @@ TEST(GeometryKeys, PlantUnitIsThatOfThePlantsOfAScene) {
         return read_text(text.text(), files);
     };
     EXPECT_NEAR(read("").scene.organs()[1].area, 0.5e-4, 1e-14);
-    EXPECT_TRUE(mentions(texts_of(read("")), "plants are taken to be in centimetres"));
+    EXPECT_TRUE(mentions(texts_of(read("")), "plants are read in centimetres"));
     for (const auto& [key, unit] : {std::pair{"'m'", 1.0}, {"'cm'", 0.01}, {"1e-4", 1e-4}}) {
         const RunFile run = read(fmt::format("plant_unit = {}\n", key));
         EXPECT_NEAR(run.scene.organs()[1].area, 0.5 * unit * unit, 1e-9 * unit * unit) << key;
@@ -490,12 +490,12 @@ TEST(GeometryKeys, PlantUnitIsThatOfThePlantsOfAScene) {
     }
     EXPECT_TRUE(mentions(
         texts_of(read("transform = { scale = 1e-2 }\n")),
-        "transform scales the plants and places of a.ops once more"));
+        "transform scales the plants and positions of a.ops again"));
     EXPECT_FALSE(
-        mentions(texts_of(read("transform = { scale = 1e-2 }\nplant_unit = 'm'\n")), "once more"));
+        mentions(texts_of(read("transform = { scale = 1e-2 }\nplant_unit = 'm'\n")), " again: "));
     EXPECT_FALSE(mentions(
         texts_of(read("transform = { rotate = { axis = [1, 0, 1], angle_deg = 30 } }\n")),
-        "once more"));
+        " again: "));
     // A scene in centimetres: plants as they are, positions times 100.
     const RunFile in_cm = read("", "length_unit = 'cm'\n");
     EXPECT_NEAR(in_cm.scene.organs()[1].area, 0.5, 1e-12);
@@ -514,8 +514,8 @@ TEST(Materials, WarnOfBlackOnlyWhereTheReflectanceIsNotGiven) {
     text.materials = "[[material]]\nname = 'leaf'\ntransmittance = 0\n";
     EXPECT_EQ(
         texts_of(read_text(text.text())),
-        std::vector<std::string>{"material 'leaf' is black in every band: its reflectance is not "
-                                 "given, and counts as 0"});
+        std::vector<std::string>{
+            "material 'leaf' is black in every band: its reflectance is missing and 0 is used"});
 }
 
 TEST(GeometryKeys, RefuseWhatIsWrong) {
@@ -531,16 +531,16 @@ TEST(GeometryKeys, RefuseWhatIsWrong) {
         {"file = 'none.tri'\nmaterial = 'leaf'\n",
          "file 'none.tri' can't be read (No such file or directory)"},
         {"file = 'a.dat'\nmaterial = 'leaf'\n",
-         "the format of 'a.dat' can't be told from its name (the formats that are read are tri, "
-         "obj, ply, stl, can, opf, gwa, ops, fasttracer, def, glb, gltf, vgx)"},
+         "the format of 'a.dat' is unclear from its name (supported formats are tri, obj, ply, "
+         "stl, can, opf, gwa, ops, fasttracer, def, glb, gltf, vgx)"},
         {"file = 'a.tri'\nformat = 'xyz'\nmaterial = 'leaf'\n", "format is 'xyz'"},
-        {"file = 'a.tri'\n", "a.tri names no material for its triangles; add material"},
+        {"file = 'a.tri'\n", "a.tri has triangles without a material; add material"},
         {"file = 'a.tri'\nmaterial = 'wood'\n", "wood"},
         {"file = 'a.tri'\nmaterial = 3\n", "material is an integer"},
         {"file = 'a.tri'\nmaterial = 'leaf'\norgans = 'all'\n", "organs is 'all'"},
         {"file = 'a.tri'\nmaterial = 'leaf'\nfirst_id = 'a'\n", "first_id is a text"},
         {"file = 'a.tri'\nmaterial = 'leaf'\nscale = 3\n", "unknown key 'scale'"},
-        {"file = 'empty.tri'\nmaterial = 'leaf'\n", "file 'empty.tri' holds no triangle"},
+        {"file = 'empty.tri'\nmaterial = 'leaf'\n", "file 'empty.tri' contains no triangle"},
         {"file = 'b.obj'\n", "material 'wood' of b.obj is not in the run file"},
         {"file = 'b.obj'\nmaterials = 'leaf'\n", "materials is a text"},
         {"file = 'b.obj'\nmaterials = { wood = 3 }\n", "materials.wood is an integer"},
@@ -559,12 +559,13 @@ TEST(GroundAndCellKeys, RefuseWhatIsWrong) {
         {"[ground]\nmaterial = 'soil'\n", "soil"},
         {"[ground]\nmaterial = 'leaf'\nheight = inf\n", "height is inf"},
         {"[ground]\nmaterial = 'leaf'\nx = [0, 1]\n", "y is missing"},
-        {"[ground]\nmaterial = 'leaf'\nx = [1, 0]\ny = [0, 1]\n", "low must be less than high"},
+        {"[ground]\nmaterial = 'leaf'\nx = [1, 0]\ny = [0, 1]\n",
+         "the first must be less than the second"},
         {"[ground]\nmaterial = 'leaf'\nfile = 'x.tri'\n", "can't be read"},
         {"[ground]\nmaterial = 'leaf'\nfile = 'x.tri'\nheight = 3\n", "unknown key 'height'"},
-        {"[cell]\n", "it repeats along no axis"},
-        {"[cell]\nx = [0, 0]\n", "low must be less than high"},
-        {"[cell]\nx = 3\n", "x is no pair of numbers"},
+        {"[cell]\n", "it is not periodic along any axis"},
+        {"[cell]\nx = [0, 0]\n", "the first must be less than the second"},
+        {"[cell]\nx = 3\n", "x is not a pair of numbers"},
         {"[cell]\nx = [0, nan]\n", "x is nan"},
         {"[cell]\nz = [0, 1]\nx = [0, 1]\n", "unknown key 'z'"},
         {"cell = 3\n", ""},

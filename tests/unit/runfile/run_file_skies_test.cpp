@@ -28,6 +28,16 @@ std::string sky(const std::string& model, const std::string& more = "") {
     return "[[source]]\ntype = 'sky'\nmodel = '" + model + "'\nirradiance_horizontal = 50\n" + more;
 }
 
+/// Towards the first source, in the axes of the file.
+Vec3 towards_source(const RunFile& run) {
+    return run.scene.orientation().outward(
+        model_of(*run.sources[0]).illuminate({}, .5, .5).to_light);
+}
+
+void expect_near(const Vec3& v, const Vec3& expected) {
+    EXPECT_LT(length(v - expected), 1e-6) << v.x << " " << v.y << " " << v.z;
+}
+
 TEST(RunFileSun, IsWhereTimeAndSiteSay) {
     const RunFile run = read_text(with_sources(kSun));
     const SunPosition sun =
@@ -37,8 +47,8 @@ TEST(RunFileSun, IsWhereTimeAndSiteSay) {
         run.sources[0]->horizontal_irradiance(),
         std::sin(sun.elevation_deg * std::numbers::pi / 180), 1e-12);
     EXPECT_TRUE(mentions(run.source_notes, "2024-06-21T12:00+02:00 at latitude 50.1"));
-    EXPECT_TRUE(mentions(run.source_notes, "sun towards (0.340284, -0.398409, 0.851749)"));
-    EXPECT_TRUE(mentions(run.source_notes, "light travels along (-0.340284, 0.398409, -0.851749)"));
+    EXPECT_TRUE(mentions(run.source_notes, "sun: azimuth 139.49"));
+    expect_near(towards_source(run), {0.340284, -0.398409, 0.851749});
 }
 
 TEST(RunFileSun, TimesMayBeTextsOrDatesOfToml) {
@@ -55,11 +65,9 @@ TEST(RunFileSun, FollowsTheAxesOfTheFile) {
     RunText text;
     text.sources = south;
     text.top = "bands = ['PAR']\nup = 'y'\nnorth = [0, 0, 1]\n";
-    EXPECT_TRUE(
-        mentions(read_text(text.text()).source_notes, "sun towards (0, 0.707107, -0.707107)"));
+    expect_near(towards_source(read_text(text.text())), {0, 0.70710678, -0.70710678});
     text.top = "bands = ['PAR']\nnorth = [1, 0, 0]\n";
-    EXPECT_TRUE(
-        mentions(read_text(text.text()).source_notes, "sun towards (-0.707107, 0, 0.707107)"));
+    expect_near(towards_source(read_text(text.text())), {-0.70710678, 0, 0.70710678});
 }
 
 TEST(RunFileSun, MayBeADisk) {
@@ -104,11 +112,11 @@ TEST(RunFileSun, NeedsATimeZoneASiteAndADateThatIs) {
     RunText text;
     text.sources = kSun;
     EXPECT_TRUE(mentions(faults_of(text.text()), "time without [site]"));
-    EXPECT_TRUE(
-        mentions(faults_of(with_sources(kSun + "azimuth_deg = 3\n")), "time and angles are given"));
+    EXPECT_TRUE(mentions(
+        faults_of(with_sources(kSun + "azimuth_deg = 3\n")), "both time and angles are given"));
     EXPECT_TRUE(mentions(
         faults_of(with_sources("[[source]]\ntype = 'sun'\nirradiance_facing = 1\n")),
-        "where the sun stands is missing"));
+        "the position of the sun is missing"));
     EXPECT_TRUE(mentions(faults_of(with_sources(kSun + "disc = true\n")), "did you mean 'disk'?"));
 }
 
@@ -133,21 +141,21 @@ TEST(RunFileSky, KnowsEveryModel) {
         EXPECT_EQ(run.sources[i]->spectrum()[0], 50);
         EXPECT_EQ(run.sources[i]->horizontal_irradiance(), 1);
     }
-    EXPECT_TRUE(mentions(run.source_notes, "cie_general sky (type 7), 2024-06-21T12:00+02:00"));
+    EXPECT_TRUE(mentions(run.source_notes, "cie_general sky (type 7), sun at azimuth 139.49"));
     EXPECT_TRUE(run.sources[6]->is_directional()) << "sources stay in their order";
 }
 
 TEST(RunFileSky, MayHaveASunOfItsOwn) {
     const RunFile run =
         read_text(with_sources(kSun + sky("cie_clear", "azimuth_deg = 0\nelevation_deg = 30\n")));
-    EXPECT_TRUE(mentions(run.source_notes, "sun towards (0, 0.866025, 0.5)"));
+    EXPECT_TRUE(mentions(run.source_notes, "sun at azimuth 0 deg, elevation 30 deg"));
     const double north = model_of(*run.sources[1]).radiance({0, .866025, .5});
     EXPECT_GT(north, 5 * model_of(*run.sources[1]).radiance({0, -.866025, .5}));
 }
 
 TEST(RunFileSky, TellsAllThatIsWrong) {
     EXPECT_TRUE(
-        mentions(faults_of(with_sources(sky("cie_clear"))), "where the sun stands is missing"));
+        mentions(faults_of(with_sources(sky("cie_clear"))), "the position of the sun is missing"));
     EXPECT_TRUE(mentions(faults_of(with_sources(sky("cie_cler"))), "did you mean 'cie_clear'?"));
     EXPECT_TRUE(
         mentions(faults_of(with_sources(kSun + sky("cie_general"))), "cie_type is missing"));
@@ -187,20 +195,20 @@ TEST(RunFileSky, TablesHaveTheirFaultsToldByLine) {
         return faults_of(with_sources(kTable + more), {{"sky.txt", text}});
     };
     EXPECT_TRUE(mentions(faults_with(""), "sky.txt: is empty"));
-    EXPECT_TRUE(mentions(faults_with("4\n"), "sky.txt:1: does not tell the size"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n1 -1\n"), "sky.txt:2: '-1' is no value of a sky"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n1 nan\n"), "sky.txt:2: 'nan' is no value of a sky"));
+    EXPECT_TRUE(mentions(faults_with("4\n"), "sky.txt:1: does not give the size"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n1 -1\n"), "sky.txt:2: '-1' is not a value of a sky"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n1 nan\n"), "sky.txt:2: 'nan' is not a value of a sky"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1\n"), "sky.txt:2: a value is missing"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2 3\n"), "sky.txt:2: has too many values"));
     EXPECT_TRUE(mentions(faults_with("2 2\n1 2\n"), "ends after 1 of 2 rings"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n3 4\n"), "sky.txt:3: is one line too many"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n0 0\n"), "a sky must have some light somewhere"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n0 0\n"), "a sky must have light somewhere"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "format = 'radiance'\n"), "format is"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "values = 'light'\n"), "values is"));
     EXPECT_TRUE(mentions(faults_of(with_sources(kTable)), "sky.txt"));
     const std::string vlab = "format = 'vlab'\n";
     EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 1\n", vlab), "sky.txt:3: a value is missing"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 up 1\n", vlab), "sky.txt:3: is no cell"));
+    EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 up 1\n", vlab), "sky.txt:3: is not a cell"));
 }
 
 /// Azimuth by azimuth, over west, from the horizon up, whatever angles are written.

@@ -78,12 +78,12 @@ TEST(RunFileSpectrum, TellsFaults) {
     expect({}, "", "file 'leaf.csv' can't be read");
     expect({{"leaf.csv", "400,0.1\n500,0.1\n"}}, "", "leaf.csv:1: the names of the columns");
     const std::string names = "wavelength_nm,reflectance,transmittance\n";
-    expect({{"leaf.csv", names + "400,0.6,0.5\n"}}, "", "leaf.csv:2: is no row of a spectrum");
+    expect({{"leaf.csv", names + "400,0.6,0.5\n"}}, "", "leaf.csv:2: is not a row of a spectrum");
     expect({{"leaf.csv", names + "400,0,0\n400,0,0\n"}}, "", "leaf.csv:3: the wavelength does not");
     expect(
         {{"leaf.csv", names + "400,0.1\n450,0.1\n"}}, "",
         "has 400 to 450 nm, band 'blue' 400 to 500");
-    expect(kLeaf, "reflectance = 0.1\n", "its optics are stated twice");
+    expect(kLeaf, "reflectance = 0.1\n", "its optics are given twice");
     expect(kLeaf, "spectrum_light = 'moon'\n", "spectrum_light is 'moon'");
     RunText text = spectrum_text();
     text.top = "bands = ['odd']\n";
@@ -138,12 +138,12 @@ TEST(RunFileLeafModel, TellsFaults) {
     expect("optics = {model = 'prospect_d', " + rest + "dry_matter_g_cm2 = 0}\n", "water_cm");
     expect("optics = {model = 'prospect_d', structure = 0.5}\n", "structure is 0.5");
     expect("optics = {model = 'prospect_d', chlorophyl = 1}\n", "chlorophyl");
-    expect(kLeafModel + std::string("reflectance = 0.1\n"), "its optics are stated twice");
+    expect(kLeafModel + std::string("reflectance = 0.1\n"), "its optics are given twice");
     expect(kLeafModel + std::string("spectrum_light = 'moon'\n"), "spectrum_light is 'moon'");
     RunText text = leaf_model_text();
     text.top = "[[band]]\nname = 'UV'\nfrom_nm = 300\nto_nm = 400\n";
     EXPECT_TRUE(mentions(
-        faults_of(text.text()), "'prospect_d' has 400 to 2500 nm, band 'UV' 300 to 400 nm"));
+        faults_of(text.text()), "'prospect_d' covers 400 to 2500 nm, band 'UV' 300 to 400 nm"));
 }
 
 RunText usual_text(const std::string& keys) {
@@ -172,7 +172,7 @@ TEST(RunFileOptics, TellFaults) {
         EXPECT_TRUE(mentions(faults_of(usual_text(keys).text()), part)) << part;
     };
     expect("optics = 'gras_leaf'\n", "did you mean 'grass_leaf'");
-    expect("optics = 'grass_leaf'\nreflectance = 0.1\n", "its optics are stated twice");
+    expect("optics = 'grass_leaf'\nreflectance = 0.1\n", "its optics are given twice");
     expect("optics = 'soil'\n", "soil_color");
     expect("optics = 'soil'\nsoil_color = 21\n", "soil_color");
     RunText text = usual_text("optics = 'broad_leaf'\n");

@@ -106,16 +106,15 @@ TEST(RunFile, SaysWhatIsWrongWithGroupsAndLayers) {
     const auto faults = faults_of(text.text());
     EXPECT_TRUE(mentions(
         faults,
-        "run.toml:3: groups: no organ has a label 'plnat' (groups are made of the values of a "
+        "run.toml:3: groups: no organ has a label 'plnat' (groups are formed by the values of a "
         "label); did you mean 'plant'?"));
     EXPECT_TRUE(mentions(
         faults,
-        "run.toml:4: layer_heights: 0 follows 1 (heights are finite numbers that ascend); state "
-        "them from below to above"));
+        "run.toml:4: layer_heights: 0 follows 1 (heights must be finite and ascending); give them "
+        "in ascending order"));
     text.run = "[run]\nlayer_heights = ['a']\n";
-    EXPECT_TRUE(mentions(
-        faults_of(text.text()),
-        "layer_heights: [\"a\"] is not a list of finite numbers"));
+    EXPECT_TRUE(
+        mentions(faults_of(text.text()), "layer_heights: [\"a\"] is not a list of finite numbers"));
     text.run = "[run]\nlayer_heights = [0, inf]\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "run.toml:3: [run]: layer_heights is [0, inf]"));
 }
@@ -141,7 +140,7 @@ TEST(RunFile, SaysWhatIsWrongWithTheChoice) {
     EXPECT_TRUE(mentions(faults, "'absorbed' is not a quantity"));
     EXPECT_TRUE(mentions(faults, "'PRA' is not a band; did you mean 'PAR'?"));
     EXPECT_TRUE(mentions(faults, "groups is an option of the run; put it below [run]"));
-    EXPECT_TRUE(mentions(faults, "include_night without [time] (nights need times)"));
+    EXPECT_TRUE(mentions(faults, "include_night without [time] (night hours need [time])"));
     EXPECT_TRUE(mentions(faults, "time_of_day is [8, 6]"));
     text.rest = "[output]\ncsv = 'a'\ngroups_csv = 'a'\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "csv and groups_csv name the same file"));
@@ -208,7 +207,8 @@ TEST(RunFile, RefusesANorthThatIsNotHorizontal) {
     for (const char* north : {"[0, 0, 1]", "[0, 0, 0]", "[0, 1, 0.1]", "[1e300, 1e300, 0]"}) {
         RunText text;
         text.top += std::string("north = ") + north + "\n";
-        EXPECT_TRUE(mentions(faults_of(text.text()), "north is no horizontal direction")) << north;
+        EXPECT_TRUE(mentions(faults_of(text.text()), "north is not a horizontal direction"))
+            << north;
     }
 }
 
@@ -234,7 +234,7 @@ TEST(RunFile, DefaultOneHasNoFaultAndEveryOption) {
 }
 
 TEST(RunFile, OfTheManualHasNoFault) {
-    const std::string page = repository_file("docs/formats/run-file.md");
+    const std::string page = repository_file("docs/reference/run-file.md");
     const std::string fence = "```toml run\n";
     const std::size_t begin = page.find(fence);
     ASSERT_NE(begin, std::string::npos);

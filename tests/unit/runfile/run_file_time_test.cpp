@@ -82,7 +82,7 @@ TEST(RunFileTime, SplitsLightIntoBandsByTheirWavelengths) {
     text.top = "bands = ['green stuff']\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "the wavelengths of band 'green stuff'"));
     text.top = "[[band]]\nname = 'PAR'\nunit = 'klm'\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "daylight is known in W m-2"));
+    EXPECT_TRUE(mentions(faults_of(text.text()), "daylight is available in W m-2"));
 }
 
 TEST(RunFileTime, TakesSpectraOfOnesOwn) {
@@ -101,9 +101,9 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
     const auto bad = faults_of(
         text.text(), {{"s.csv", "wavelength_nm,direct,diffuse\n300,1\n300,1,0\n300,1,0\nx,1,1\n"}});
     EXPECT_EQ(bad.size(), 2U) << "one line for each kind of fault";
-    EXPECT_TRUE(mentions(bad, "does not grow"));
-    EXPECT_TRUE(mentions(bad, "s.csv:2: is no row of a spectrum"));
-    EXPECT_TRUE(mentions(bad, "; 1 more rows have this fault"));
+    EXPECT_TRUE(mentions(bad, "does not increase"));
+    EXPECT_TRUE(mentions(bad, "s.csv:2: is not a row of a spectrum"));
+    EXPECT_TRUE(mentions(bad, "; 1 more row with this error"));
     EXPECT_TRUE(mentions(
         faults_of(text.text(), {{"s.csv", "nm,a\n"}}), "names of the columns are missing"));
     EXPECT_TRUE(mentions(
@@ -155,7 +155,7 @@ TEST(RunFileTime, TakesTheStandardsLightOutsideAShortSpectrum) {
         EXPECT_NEAR(part.nir, whole.nir, .02 * whole.nir) << from;
         EXPECT_NE(
             part.warnings.find(fmt::format(
-                "s.csv: the rows cover {} to {} nm, and daylight is of 280 to 4000 nm", from, to)),
+                "s.csv: the rows cover {} to {} nm, daylight 280 to 4000 nm", from, to)),
             std::string::npos)
             << part.warnings;
     }
@@ -166,7 +166,7 @@ TEST(RunFileTime, TakesTheStandardsLightOutsideAShortSpectrum) {
     EXPECT_NE(dark.warnings.find("0 % of the direct"), std::string::npos) << dark.warnings;
     EXPECT_NE(
         noon_of("wavelength_nm,direct,diffuse\n280,0,0\n400,1,1\n650,1,1\n699,0,0\n4000,0,0\n")
-            .warnings.find("daylight has no light in band 'NIR', 700 to 2500 nm"),
+            .warnings.find("daylight contains no light in band 'NIR', 700 to 2500 nm"),
         std::string::npos);
 }
 
@@ -208,7 +208,7 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
     EXPECT_TRUE(
         mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhors = [9, 10]\n"), "hours"));
     EXPECT_TRUE(mentions(
-        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the place is missing"));
+        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the site is missing"));
     EXPECT_TRUE(mentions(
         faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[site]\nlatitude_deg = 91\n")),
         "latitude_deg"));
@@ -219,7 +219,7 @@ TEST(RunFileTime, TellsNightAndPolarNight) {
     const auto tells_night = [](const std::string& text) {
         const RunFile run = read_text(text);
         return std::any_of(run.warnings.begin(), run.warnings.end(), [](const Warning& warning) {
-            return warning.text.find("dark at all these times") != std::string::npos;
+            return warning.text.find("it is night at all time steps") != std::string::npos;
         });
     };
     EXPECT_TRUE(tells_night(with_time("times = ['2024-06-21T00:00+01:00']\n")));
@@ -246,7 +246,7 @@ TEST(RunFileTime, WarnsOfTimesThatOverlap) {
         "times = ['2024-06-21T12:00+01:00', '2024-06-21T11:30+01:00', '2024-06-21T13:00+01:00']\n";
     EXPECT_NE(
         overlap_warnings(times + "duration_minutes = 60\n")
-            .find("1 of the times overlap, and sums over days count their light twice: "
+            .find("1 of the time steps overlap, and daily sums count their light twice: "
                   "2024-06-21T12:00+01:00 begins 30 min after 2024-06-21T11:30+01:00, which lasts "
                   "60 min"),
         std::string::npos)
@@ -298,7 +298,7 @@ TEST(RunFileWeather, GivesTheLightOfATable) {
         faults_of(
             with_time("weather = 'w.csv'\nday = '2024-06-23'\nutc_offset_hours = 1\n"),
             {{"w.csv", day_table()}}),
-        "no light of the times asked for"));
+        "no light at the requested times"));
 }
 
 /// A clock twelve hours off puts light into the night.
@@ -309,8 +309,9 @@ TEST(RunFileWeather, NoticesAWrongTimeZone) {
         shifted.replace(at, 6, "-11:00");
     }
     const auto faults = faults_of(with_time("weather = 'w.csv'\n"), {{"w.csv", shifted}});
-    EXPECT_TRUE(mentions(faults, "degrees below the horizon (time zone, place or stamp are wrong"));
-    EXPECT_TRUE(mentions(faults, "more times have this fault"));
+    EXPECT_TRUE(
+        mentions(faults, "degrees below the horizon (the time zone, the site or stamp is wrong"));
+    EXPECT_TRUE(mentions(faults, "with this error"));
     EXPECT_EQ(faults.size(), 1U);
 }
 
@@ -381,7 +382,7 @@ TEST(RunFileWeather, GapsAreFaultsOrLeftOut) {
         faults_of(
             with_time(keys + "gaps = 'skip'\n"),
             {{"w.csv", "time,global\n2024-06-21T12:00+01:00,\n2024-06-21T13:00+01:00,\n"}}),
-        "no time of those asked for has light"));
+        "no requested time has light"));
     const std::string day = "day = '2024-06-21'\nutc_offset_hours = 1\n";
     EXPECT_TRUE(mentions(
         faults_of(with_time(keys + day), {{"w.csv", day_table(3, 20)}}),
@@ -420,7 +421,7 @@ TEST(RunFileWeather, GivesTheSiteAndLightOfAnEpwFile) {
         500 * std::sin(run.series->notes[12].sun.elevation_deg * std::numbers::pi / 180), 5);
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-22'\n";
     EXPECT_TRUE(mentions(
-        faults_of(text.text(), {{"w.epw", epw_text()}}), "no light of the times asked for"));
+        faults_of(text.text(), {{"w.epw", epw_text()}}), "no light at the requested times"));
     text.rest = "[time]\nweather = 'w.epw'\nutc_offset_hours = 2\nday = '2024-06-21'\n";
     EXPECT_TRUE(mentions(faults_of(text.text(), {{"w.epw", epw_text()}}), "1 hours ahead of UTC"));
     text.rest = "[time]\nweather = 'w.epw'\nday = '2024-06-21'\n";
@@ -450,7 +451,7 @@ TEST(RunFileTime, EffortOfADayNeedsTimesWithLengths) {
     text.sources = "";
     text.rest = "[time]\ntimes = ['2024-06-21T12:00+02:00']\n";
     EXPECT_TRUE(mentions(
-        faults_of(text.text()), "path_allocation: it is \"proportional\" (instants have no part"));
+        faults_of(text.text()), "path_allocation: it is \"proportional\" (instants do not count"));
     text.rest += "duration_minutes = 60\n";
     EXPECT_TRUE(faults_of(text.text()).empty());
 }

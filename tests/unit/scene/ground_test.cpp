@@ -101,8 +101,8 @@ TEST(Ground, RefusesAnExtentThatIsNotTheCells) {
     const GroundSpec ground{.material = "soil", .extent = {{0, -7, 1, 7}}};
     EXPECT_EQ(
         faults_of(leaf_above(ground, cell_of(true, false))),
-        (Texts{"ground: the extent along x runs from 0 to 1 (the scene is periodic along it from "
-               "-1 to 9); leave the extent out, or give the ground as triangles"}));
+        (Texts{"ground: the extent along x is from 0 to 1 (the scene is periodic along it from -1 "
+               "to 9); remove the extent, or give the ground as triangles"}));
 }
 
 TEST(Ground, RefusesExtentsThatAreNone) {
@@ -123,9 +123,8 @@ TEST(Ground, RefusesToLieUnderOrgansThatCoverNothing) {
     builder.add_organ(one_triangle("wall", {Vec3{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
     builder.set_ground({.material = "soil"});
     EXPECT_EQ(
-        faults_of(std::move(builder)),
-        (Texts{"ground: its size along x would be 0 (it reaches as far as the organs); state its "
-               "extent"}));
+        faults_of(std::move(builder)), (Texts{"ground: its size along x would be 0 (it extends as "
+                                              "far as the organs); give its extent"}));
 }
 
 TEST(Ground, MayLieAlone) {
@@ -158,15 +157,15 @@ TEST(Ground, OfTrianglesHasNeitherHeightNorExtent) {
              .extent = {{0, 0, 1, 1}},
              .triangles = {flat_triangle({})}})),
         (Texts{
-            "ground: it has an extent too (it is given as triangles); leave one of them out",
-            "ground: it has a height too (it is given as triangles); leave one of them out"}));
+            "ground: it has an extent too (it is given as triangles); remove one of them",
+            "ground: it has a height too (it is given as triangles); remove one of them"}));
 }
 
 TEST(Ground, NamesItsMaterialLikeAnOrgan) {
     const Texts faults = faults_of(leaf_above({.material = "sol", .where = "scene.toml:9"}));
     EXPECT_EQ(
-        faults, (Texts{"scene.toml:9: organ 'ground': material 'sol' is not defined (organs name "
-                       "their materials); did you mean 'soil'?"}));
+        faults, (Texts{"scene.toml:9: organ 'ground': material 'sol' is not defined (organs refer "
+                       "to materials by name); did you mean 'soil'?"}));
 }
 
 }  // namespace

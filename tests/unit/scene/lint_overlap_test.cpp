@@ -11,11 +11,11 @@ namespace {
 using Texts = std::vector<std::string>;
 
 constexpr const char* kSame =
-    "has a triangle with the same corners as triangles of organ 'first' (id 1): where they lie on "
+    "has a triangle have the same corners as triangles of organ 'first' (id 1): where they lie on "
     "each other, light falls on that organ only";
 constexpr const char* kUpon =
-    "has a triangle in one plane with, and overlapping, triangles of organ 'first' (id 1): where "
-    "they lie on each other, light falls on that organ only";
+    "has a triangle overlap coplanar triangles of organ 'first' (id 1): where they lie on each "
+    "other, light falls on that organ only";
 
 constexpr Triangle kTilted{Vec3{0.3, 0.1, 0.2}, {1.4, 0.2, 0.7}, {0.5, 1.3, 0.4}};
 
@@ -123,10 +123,8 @@ TEST(LintOverlap, FindsALeafThatLiesOnTheGround) {
     builder.set_ground({.material = "soil"});
     EXPECT_EQ(
         warnings_of(std::move(builder)),
-        (Texts{
-            "organ 'ground' (id 3): has 2 triangles in one plane with, and overlapping, "
-            "triangles of organ 'down' (id 2): where they lie on each other, light falls on that "
-            "organ only"}));
+        (Texts{"organ 'ground' (id 3): has 2 triangles overlap coplanar triangles of organ 'down' "
+               "(id 2): where they lie on each other, light falls on that organ only"}));
 }
 
 TEST(LintOverlap, CountsTheTrianglesOfAnOrganGivenTwice) {
@@ -138,9 +136,9 @@ TEST(LintOverlap, CountsTheTrianglesOfAnOrganGivenTwice) {
     builder.add_organ(organ);
     EXPECT_EQ(
         warnings_of(std::move(builder)),
-        (Texts{"organ 'second' (id 2): has 20 triangles with the same corners as triangles of "
-               "organ 'first' (id 1): where they lie on each other, light falls on that organ "
-               "only"}));
+        (Texts{
+            "organ 'second' (id 2): has 20 triangles have the same corners as triangles of organ "
+            "'first' (id 1): where they lie on each other, light falls on that organ only"}));
 }
 
 TEST(LintOverlap, NamesAtMostThreePairsOfOrgans) {
@@ -202,8 +200,7 @@ TEST(LintOverlap, SaysWhenItGivesUp) {
     builder.add_organ(std::move(pile));
     EXPECT_EQ(
         warnings_of(std::move(builder)),
-        (Texts{"scene: has too many triangles close together: not all were compared for "
-               "overlaps"}));
+        (Texts{"scene: has too many triangles close together; not all were checked for overlaps"}));
 }
 
 TEST(LintOverlap, EndsSoonWhenAllTrianglesAreTheSame) {

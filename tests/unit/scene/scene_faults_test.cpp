@@ -59,7 +59,7 @@ TEST(SceneFaults, AreAllReportedAtOnce) {
     EXPECT_TRUE(has("organ 'stalk' (id 2): it has no triangles"));
     EXPECT_TRUE(has("organ 'far' (id 3): corner 1 of triangle 1 is (inf, 0, 0)"));
     EXPECT_TRUE(has("cell along x: the size is -1"));
-    EXPECT_TRUE(has("ground: the extent along x runs from 1 to 0"));
+    EXPECT_TRUE(has("ground: the extent along x is from 1 to 0"));
     EXPECT_TRUE(has("material 'soil' is not defined"));
 }
 
@@ -71,8 +71,8 @@ TEST(SceneFaults, SuggestTheMaterialThatWasMeant) {
     builder.add_organ(std::move(organ));
     EXPECT_EQ(
         faults_of(std::move(builder)),
-        (Texts{"leaves.toml:12: organ 'leaf 7': material 'lef' is not defined (organs name their "
-               "materials); did you mean 'leaf'?"}));
+        (Texts{"leaves.toml:12: organ 'leaf 7': material 'lef' is not defined (organs refer to "
+               "materials by name); did you mean 'leaf'?"}));
 }
 
 TEST(SceneFaults, NameAMissingMaterialOnce) {
@@ -82,8 +82,8 @@ TEST(SceneFaults, NameAMissingMaterialOnce) {
     }
     EXPECT_EQ(
         faults_of(std::move(builder)),
-        (Texts{"organ 'organ 1' (id 1): material 'leaf' is not defined (100 parts of organs name "
-               "it); define a material of that name"}));
+        (Texts{"organ 'organ 1' (id 1): material 'leaf' is not defined (100 parts of organs use "
+               "it); define a material with that name"}));
 }
 
 TEST(SceneFaults, NameBothLocationsOfAnIdThatIsTaken) {
@@ -95,10 +95,10 @@ TEST(SceneFaults, NameBothLocationsOfAnIdThatIsTaken) {
     EXPECT_EQ(
         faults_of(std::move(builder)),
         (Texts{
-            "b.tri:1: organ 'organ 4': id 4 is taken (by a.tri:1: organ 'organ 4'); ids are unique "
-            "in a scene",
-            "b.tri:2: organ 'organ 4': id 4 is taken (by a.tri:1: organ 'organ 4'); ids are unique "
-            "in a scene"}));
+            "b.tri:1: organ 'organ 4': id 4 is used already (by a.tri:1: organ 'organ 4'); ids "
+            "must be unique in a scene",
+            "b.tri:2: organ 'organ 4': id 4 is used already (by a.tri:1: organ 'organ 4'); ids "
+            "must be unique in a scene"}));
 }
 
 TEST(SceneFaults, FindAnIdThatWasGivenByDefault) {
@@ -152,14 +152,15 @@ TEST(SceneFaults, CountTheTrianglesThatAreNotFinite) {
     const Texts faults = faults_of(std::move(builder));
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_NE(
-        faults[0].find("corner 1 of triangle 2 is (0, 0, 1e+31), and 2 more triangles are like it"),
+        faults[0].find(
+            "corner 1 of triangle 2 is (0, 0, 1e+31), and 2 more triangles with this error"),
         std::string::npos);
 }
 
 TEST(SceneFaults, RefuseASceneWithoutOrgans) {
     EXPECT_EQ(
         faults_of(one_band_builder()),
-        (Texts{"scene: there are no organs (light falls on organs); add one"}));
+        (Texts{"scene: there are no organs (results are computed for organs); add one"}));
 }
 
 TEST(SceneFaults, RefuseASceneWithoutBands) {
@@ -280,7 +281,7 @@ TEST(SceneFaults, OfVeryManyOrgansAreCounted) {
     }
     const Texts faults = faults_of(std::move(builder));
     ASSERT_EQ(faults.size(), 1001U);
-    EXPECT_EQ(faults.back(), "organs: 2000 more faults");
+    EXPECT_EQ(faults.back(), "organs: 2000 more errors");
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(RunFileOnHours, SwitchLamps) {
 
 TEST(RunFileOnHours, NeedAClockAndAnEnd) {
     EXPECT_TRUE(
-        mentions(faults_of(lamp_text("on_hours = [6, 22]\n", "")), "on_hours without [time]"));
+        mentions(faults_of(lamp_text("on_hours = [6, 22]\n", "")), "on_hours needs [time]"));
     const auto faults = [](const std::string& hours) {
         return faults_of(lamp_text(hours, kNight));
     };

@@ -124,13 +124,13 @@ TEST(Epw, RefusesRecordsThatAreThereTwiceOrOutOfOrder) {
     EXPECT_TRUE(epw(kHead + noon + one).faults.empty());
     EXPECT_TRUE(mentions(
         epw(kHead + noon + noon + one).faults,
-        "w.epw:5: the record of 2023-06-21T11:00+01:00 is there twice or out of order"));
+        "w.epw:5: the record of 2023-06-21T11:00+01:00 is repeated or out of order"));
     EXPECT_TRUE(mentions(epw(kHead + one + noon).faults, "w.epw:5: the record"));
     const std::string year = months({{1999, 12}, {1983, 1}, {1990, 2}});
     EXPECT_TRUE(epw(kHead + year).faults.empty()) << "a typical year from December on";
     const auto twice = epw(kHead + year + year).faults;
     ASSERT_EQ(twice.size(), 1U) << ::testing::PrintToString(twice);
-    EXPECT_TRUE(mentions(twice, "more records have this fault"));
+    EXPECT_TRUE(mentions(twice, "more record"));
     const std::string same = months({{2023, 12}, {2023, 1}});
     EXPECT_EQ(epw(kHead + same).faults.size(), 1U) << "no typical year goes back within a year";
     const std::string summers = months({{1999, 8}, {2000, 6}});
@@ -152,8 +152,8 @@ TEST(Epw, ReportsEveryBadRecord) {
 
 TEST(Epw, RefusesOtherFiles) {
     EXPECT_TRUE(mentions(epw("time,global\n").faults, "does not begin with LOCATION"));
-    EXPECT_TRUE(mentions(epw("").faults, "holds no records"));
-    EXPECT_TRUE(mentions(epw(kHead).faults, "holds no records"));
+    EXPECT_TRUE(mentions(epw("").faults, "contains no records"));
+    EXPECT_TRUE(mentions(epw(kHead).faults, "contains no records"));
     EXPECT_FALSE(epw("LOCATION,x\n").faults.empty());
 }
 
@@ -217,10 +217,10 @@ TEST(WeatherTable, TellsOfColumnsThatAreNotRead) {
     global.light = {{"global", "global"}};
     EXPECT_EQ(
         warnings(global, "global,Diffuse,wind"),
-        "w.csv:1: the column 'Diffuse' is not read: columns names others, and not this one\n");
+        "w.csv:1: the column 'Diffuse' is not read: columns lists others and not this one\n");
     EXPECT_EQ(
         warnings({}, "global,diffuse,diffuse_fraction"),
-        "w.csv:1: the column 'diffuse_fraction' is not read: other columns tell the parts of the "
+        "w.csv:1: the column 'diffuse_fraction' is not read: other columns give direct and diffuse "
         "light\n");
     EXPECT_EQ(warnings({}, "global,diffuse,wind"), "");
 }
@@ -275,7 +275,7 @@ TEST(WeatherTable, SaysWhatDaysOfTheYearLack) {
     EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "the year is missing"));
     columns = columns_of_days();
     columns.utc_offset_hours.reset();
-    EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "the clock is not known"));
+    EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "the clock is unknown"));
     columns = columns_of_days();
     EXPECT_TRUE(mentions(
         csv("DOY;Hour;Rg;RdRg\n366;1;0;1\n", columns).faults, "w.csv:2: 2006 has no day 366"));
@@ -284,7 +284,7 @@ TEST(WeatherTable, SaysWhatDaysOfTheYearLack) {
     EXPECT_TRUE(mentions(
         csv("DOY;Hour;Rg;RdRg\n1;1;5;1.5\n", columns).faults, "diffuse_fraction is '1.5'"));
     columns.light = {{"diffuse_fraction", "RdRg"}};
-    EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "goes with global alone"));
+    EXPECT_TRUE(mentions(csv("DOY;Hour;Rg;RdRg" + rows, columns).faults, "needs global alone"));
 }
 
 TEST(WeatherTable, RefusesColumnsThatAreThereTwice) {
@@ -338,9 +338,9 @@ TEST(WeatherTable, AsksForTheStampWhereRowsSeemToBeginAtTheirTimes) {
     const auto warnings = [&](const std::string& text) { return csv(text, columns).warnings; };
     EXPECT_TRUE(mentions(
         warnings(hours_of_two_days(0, 23)),
-        "w.csv:2: the rows go from 00:00 to 23:00, as if each stood for the 60 minutes after its "
-        "time, but it counts for those before: write stamp = \"start\", or stamp = \"end\" if that "
-        "is right"));
+        "w.csv:2: the rows go from 00:00 to 23:00, as if each were for the 60 minutes after its "
+        "time, but it is used for those before; write stamp = \"start\", or stamp = \"end\" if "
+        "that is right"));
     EXPECT_TRUE(warnings(hours_of_two_days(1, 24)).empty());
     EXPECT_TRUE(warnings(hours_of_two_days(8, 16)).empty()) << "it can't be told";
     const std::string middles =
@@ -367,7 +367,8 @@ TEST(WeatherTable, RefusesTimesThatGoBack) {
     EXPECT_TRUE(mentions(autumn.faults, "goes back in time"));
     EXPECT_TRUE(mentions(autumn.faults, "the same time again"));
     EXPECT_TRUE(mentions(
-        csv("time,global\n2024-12-31T23:00Z,1\n2024-01-01T00:00Z,1\n").faults, "column of years"));
+        csv("time,global\n2024-12-31T23:00Z,1\n2024-01-01T00:00Z,1\n").faults,
+        "need a column year"));
     EXPECT_TRUE(
         csv("time,global\n2024-10-27T02:30+02:00,1\n2024-10-27T02:30+01:00,1\n").faults.empty())
         << "the hour that comes twice, told apart by its offset";
@@ -377,7 +378,7 @@ TEST(WeatherTable, SaysWhatItLacks) {
     EXPECT_TRUE(mentions(csv("").faults, "is empty"));
     EXPECT_TRUE(mentions(csv("date,global\n").faults, "no column 'time'"));
     EXPECT_TRUE(mentions(csv("time,wind\n").faults, "no column of light"));
-    EXPECT_TRUE(mentions(csv("time,global\n").faults, "holds no rows"));
+    EXPECT_TRUE(mentions(csv("time,global\n").faults, "contains no readable rows"));
     EXPECT_TRUE(mentions(csv("time,global\n2024-06-21T12:00Z,5\n").faults, "a single row"));
     WeatherColumns typo;
     typo.light = {{"global", "globe"}};

@@ -335,7 +335,7 @@ TEST(Page, Base64IsThatOfTheStandard) {
 
 TEST(Page, ReportsHoldNoMarkupOfTheData) {
     if (embedded_page().script.empty()) {
-        GTEST_SKIP() << "built without its page";
+        GTEST_SKIP() << "built without the viewer";
     }
     std::string html;
     write_report(small_data(), [&html](std::string_view text) { html += text; });

@@ -1,4 +1,4 @@
-"""The interface of Caribu (OpenAlea), computed by quasimc: docs/guide/python.md tells what differs.
+"""The interface of Caribu (OpenAlea), computed by quasimc: docs/guide/coming-from-other-programs.md.
 
 Change one import of a script: ``from quasimc.compat.caribu.CaribuScene import CaribuScene``.
 """
