@@ -3,7 +3,7 @@
 // The flux of an opening is sampled as a point on it and a direction. Paths of light tracing start
 // either by the lamp's pattern, or, for a lamp outside the bounding sphere of an open scene,
 // uniformly in the cone that the sphere subtends at the point. Pilot starts on a fixed lattice show
-// which of the two has the smaller second moment; they also give flux(), which only scales the
+// which of the two has the smaller variance; they also give flux(), which only scales the
 // weights, so that its error cancels. Outside the scene's box, a path is moved on to its entry
 // point: rays are cast in single precision about the scene.
 

@@ -1,5 +1,5 @@
-// Light straight from the suns of a season: looked at pixel by pixel, which for the error that is
-// asked of it costs a fifth of what scan lines do (docs/develop/notebook/time-series.md).
+// Direct light of the suns of a series by item buffers, which for the requested error cost a fifth
+// of scan lines (docs/theory/time-series.md).
 
 #include "series/basis/season_suns.h"
 
