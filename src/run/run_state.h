@@ -1,6 +1,6 @@
 #pragma once
 
-// The state of a run, from which it can resume later, on any machine.
+// The state of a run, from which it can resume later, also on another machine.
 
 #include <cstddef>
 #include <cstdint>
@@ -50,7 +50,7 @@ class StoredStates {
     StoredStates() = default;
 };
 
-/// A state as bytes, independent of byte order. Its sums have checksums of their own.
+/// A state as bytes, in native byte order. Its sums have checksums of their own.
 [[nodiscard]] std::string save_state(const RunSnapshot& state);
 /// @throws std::invalid_argument  if the bytes are not a state
 [[nodiscard]] RunState load_state(std::string_view bytes);
