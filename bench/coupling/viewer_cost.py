@@ -32,7 +32,7 @@ GOLDEN_ANGLE = 2.399963229728653
 
 
 def message(leaves, step):
-        """Returns leaves around a stem, a little larger in every step."""
+    """Returns leaves around a stem, a little larger in every step."""
     width = leaves ** (1 / 3)
     text = []
     for i in range(leaves):
@@ -48,7 +48,7 @@ def message(leaves, step):
 
 
 def follow(address, ended):
-        """Requests what a page requests: news, and the data that it shows of the newest step."""
+    """Requests what a page requests: news, and the data that it shows of the newest step."""
 
     def ask(name):
         with urllib.request.urlopen(address + name, timeout=10) as answer:
@@ -74,15 +74,15 @@ def follow(address, ended):
 
 
 def read_answers(stream):
-        """Reads up to the end of the last chunk."""
+    """Reads up to the end of the last chunk."""
     for line in stream:
         if line.startswith(b"Control:") and int(line.split()[1]) & 4:
             return
-        raise SystemExit("viewer_cost.py: the light program has ended")
+    raise SystemExit("viewer_cost.py: the light program has ended")
 
 
 def measure(program, messages, kind):
-        """Returns processor time of the light program, and wall-clock time, per step."""
+    """Returns processor time of the light program, and wall-clock time, per step."""
     words = [] if kind == "without" else ["--view"]
     child = subprocess.Popen(
         [program, "-e", "comm.e", *words, "light.qmc"],
@@ -141,7 +141,7 @@ def main():
     print(f"{arguments.leaves} leaves, {arguments.steps} steps, medians of {arguments.repeats}:")
     for kind in KINDS:
         cpu, clock = (statistics.median(values) for values in zip(*found[kind]))
-                # Compares a viewer with the run just before: other programs disturb both alike.
+        # Compares a viewer with the run just before: other programs disturb both alike.
         added = [
             100 * (statistics.median(one[k] / other[k] for one, other in zip(found[kind], found["without"])) - 1)
             for k in (0, 1)

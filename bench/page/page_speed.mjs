@@ -61,8 +61,8 @@ const kIsWhole = () =>
   globalThis.drawn === 3 * Number(/(\d+) triangles/.exec(document.querySelector("#subtitle").textContent)[1]);
 
 /**
- * Turns the scene by keys, one at each frame that the browser offers. @returns the frames that were
- * drawn a second, how many, and the mean per cent of all triangles that they had
+ * Turns the scene by key presses, one per animation frame. @returns frames per second, their number,
+ * and the mean percentage of all triangles in them
  */
 const kTurn = async (seconds) => {
   const canvas = document.querySelector("#canvas");
