@@ -37,8 +37,8 @@ ClearDay make_day() {
     return day;
 }
 
-/// All hours as one moment.
-TimeStep collapsed(const ClearDay& day) {
+/// Cumulative light of all hours, as one time step.
+TimeStep cumulative(const ClearDay& day) {
     PeriodLight light(1);
     for (const HourParts& hour : day.parts) {
         for (const HourParts::Sun& sun : hour.suns) {
@@ -51,8 +51,8 @@ TimeStep collapsed(const ClearDay& day) {
     return {"day", light.sources("sky", 1.0 / kHours), "day", kHours * kHour, 0};
 }
 
-/// CPU time of the whole, building and starting included, and the median over the leaves of the
-/// relative error of what they absorb.
+/// CPU time of all, including preparation, and the median over leaves of the relative error of
+/// their absorbed flux.
 struct Cost {
     double seconds = 0, error = 0;
 };
@@ -96,8 +96,8 @@ void print_canopy(std::uint32_t leaves, Method from, const Effort& effort) {
         static_cast<unsigned long long>(spec.paths), spec.replicates);
     print_row("one hour (12 to 13 h)", hour, hour);
     print_row("15 hours", cost_of(scene, day.hours, spec), hour);
-    print_row("collapsed", cost_of(scene, {collapsed(day)}, spec), hour);
-    print_row("collapsed, 16 times the paths", cost_of(scene, {collapsed(day)}, thorough), hour);
+    print_row("cumulative", cost_of(scene, {cumulative(day)}, spec), hour);
+    print_row("cumulative, 16 times the paths", cost_of(scene, {cumulative(day)}, thorough), hour);
 }
 
 }  // namespace

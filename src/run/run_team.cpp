@@ -10,10 +10,10 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Numbers that 2^31 processes could add up: a bin as two halves.
+/// Splits a bin into two halves, so that sums over 2^31 processes do not overflow.
 constexpr unsigned kHalf = 32;
 constexpr std::int64_t kLowHalf = (std::int64_t{1} << kHalf) - 1;
-/// Bins that are sent at a time.
+/// Number of bins per message.
 constexpr std::size_t kBinsAtOnce = std::size_t{1} << 18U;
 
 void put_steps(const ExactBins& bins, std::size_t first, std::vector<std::int64_t>& numbers) {
@@ -48,7 +48,7 @@ void add_up(RunTeam& team, Sums& sums) {
                 take_steps(numbers, first, total);
             }
         }
-        bins = std::as_const(total);  // in place: workers may hold on to the bins
+        bins = std::as_const(total);  // in place: workers may refer to the bins
     }
 }
 

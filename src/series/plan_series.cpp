@@ -20,7 +20,7 @@ double sum_of_spectra(const TimeStep& time_step) {
     return sum;
 }
 
-/// The factor from the light of `a` to that of `b`, if it is one for all sources and bands.
+/// The factor from the light of `a` to that of `b`, if it is common to all sources and bands.
 std::optional<double> factor_between(const TimeStep& a, const TimeStep& b) {
     constexpr double kRounding = 1e-12;
     const double factor = sum_of_spectra(b) / sum_of_spectra(a);
