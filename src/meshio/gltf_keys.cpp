@@ -64,7 +64,7 @@ constexpr std::array kListKeys{
     ListKeys{"bufferViews", "bufferView", kViewKeys},
     ListKeys{"buffers", "buffer", kBufferKeys}};
 
-/// How many keys are not known where they stand, and the first.
+/// Number of unknown keys, and the first one.
 struct UnknownKeys {
     std::size_t count = 0;
     std::string first;

@@ -39,7 +39,7 @@ const MeshMaterial* definition_of(const std::string& name, const Definitions& de
 
 /// What a file gives for a material that the run file does not.
 std::string describe_optics(const MeshMaterial& material) {
-    if (!material.is_stated) {
+    if (!material.has_optics) {
         return "its library has no colour, and black is used";
     }
     return fmt::format(
