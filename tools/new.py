@@ -62,7 +62,7 @@ FAMILIES = {
                 "std::span<const double> values);",
             ),
             (
-                "tells the parameters of a model",
+                "adds the parameters of a model",
                 """constexpr std::array k@Name@{BsdfParameter{
     .name = "exponent",
     .low = 0,
@@ -150,7 +150,7 @@ FAMILIES = {
                 "std::unique_ptr<Detector> make_@name@(std::span<const double> values);",
             ),
             (
-                "tells the parameters of a detector",
+                "adds the parameters of a detector",
                 """constexpr std::array k@Name@{DetectorParameter{
     .name = "sectors",
     .summary = "of the azimuth",

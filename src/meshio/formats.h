@@ -94,8 +94,8 @@ struct MeshFile {
 struct FormatContext {
     Reporter& reporter;
     InputFiles& files;  ///< reads files that the file names
-    std::string
-        folder;  ///< folder of the file, relative to that of `files`; "" or with a '/' at the end
+    /// Folder of the file, relative to that of `files`; "" or with a '/' at the end.
+    std::string folder;
     /// Axes and unit of the scene, for files with known axes and unit.
     UpAxis up = UpAxis::z;
     std::string length_unit = "m";

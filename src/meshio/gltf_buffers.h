@@ -59,8 +59,8 @@ class GltfBuffers {
     GltfValues values_;
     std::optional<std::string_view> binary_;
     std::vector<std::string> read_;  // bytes of the buffers that were read
-    std::vector<std::optional<std::string_view>>
-        bytes_;  // by buffer; empty if it could not be read
+    // By buffer; empty if it could not be read.
+    std::vector<std::optional<std::string_view>> bytes_;
 };
 
 }  // namespace quasimc

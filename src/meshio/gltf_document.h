@@ -19,8 +19,8 @@ enum class CornerOrder { none, triangles, strip, fan };
 /// A part of a mesh that is of one material.
 struct GltfPrimitive {
     CornerOrder mode = CornerOrder::triangles;
-    std::optional<std::size_t> positions, indices,
-        material;  ///< numbers of accessors, and of the material
+    /// Numbers of accessors, and of the material.
+    std::optional<std::size_t> positions, indices, material;
 };
 
 struct GltfMesh {

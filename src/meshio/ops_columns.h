@@ -15,8 +15,8 @@ namespace quasimc {
 struct OpsNumbers {
     Vec3 position;  ///< metres
     double scale = 1;
-    double azimuth = 0, angle = 0,
-           twist = 0;  ///< azimuth and angle of the inclination, twist about the stem; radians
+    /// Azimuth and angle of the inclination, twist about the stem; radians.
+    double azimuth = 0, angle = 0, twist = 0;
 };
 
 /// The transform of a plant: twist, scale, inclination towards the azimuth and shift, as in

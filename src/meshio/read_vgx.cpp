@@ -309,8 +309,8 @@ class VgxReader {
     Reporter& reporter_;
     MeshFile file_{{}, {}, "line", {}};
     PlacedTriangles placed_;
-    std::vector<std::pair<std::size_t, std::string>>
-        columns_;  // index in the table (or its end), and name
+    // Index in the table (or its end), and name.
+    std::vector<std::pair<std::size_t, std::string>> columns_;
     std::map<VgxShape, Mesh> shapes_;
     std::map<std::array<double, 3>, std::string> materials_;
     Notes leaves_, points_, colors_;

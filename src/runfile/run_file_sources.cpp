@@ -95,7 +95,7 @@ std::optional<NotedSource> read_source(const Node& node, const RunFileContext& c
     const std::optional<DailyHours> hours = read_on_hours(table, context);
     if (source && hours) {
         source->hours = hours;
-        source->note += "; on " + hours->words();
+        source->note += "; on " + hours->describe();
     }
     table.finish();
     return source;

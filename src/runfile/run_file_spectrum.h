@@ -34,8 +34,8 @@ struct SurfaceSpectrum {
 struct SpectrumUse {
     std::string_view key;  ///< of the material, that asks for it
     std::string source;    ///< the file or model
-    std::optional<std::string>
-        light;  ///< `spectrum_light` of the material: global (usual), direct or flat
+    /// `spectrum_light` of the material: global (usual), direct or flat.
+    std::optional<std::string> light;
 };
 
 /// The means of a spectrum over each band, weighed by the light. Nothing after a fault: a band

@@ -208,8 +208,8 @@ class Assembler {
     Mesh mesh_;
     InstanceAreas areas_;
     std::vector<std::uint32_t> region_of_;  // by material, of the current organ
-    std::vector<std::size_t>
-        instanced_organs_;  // their triangle numbers are relative until the end
+    // Their triangle numbers are relative until the end.
+    std::vector<std::size_t> instanced_organs_;
     std::uint32_t own_triangles_ = 0, instance_triangles_ = 0;
 };
 

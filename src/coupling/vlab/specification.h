@@ -133,8 +133,7 @@ struct Specification {
     std::optional<GroundDirective> ground;
 
     std::optional<VarianceFile> variance_file;
-    std::optional<std::string>
-        picture_file;              ///< its name, to which the number of the step is added
+    std::optional<std::string> picture_file;  ///< without the number of the step
     std::optional<int> view_port;  ///< port of the page in the browser, 0: any; empty: no page
 
     [[nodiscard]] std::size_t band_count() const { return bands.size(); }
