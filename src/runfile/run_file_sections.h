@@ -169,7 +169,7 @@ struct NamedMesh {
     const FormatEntry* format = nullptr;
     MeshFile mesh;
 };
-/// Reads the file that a table names by `file` and `format`; empty after a fault. [[nodiscard]]
-/// std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context);
+/// Reads the file that a table names by `file` and `format`; empty after a fault.
+[[nodiscard]] std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context);
 
 }  // namespace quasimc
