@@ -52,7 +52,7 @@ class Lists(unittest.TestCase):
 
 
 class EveryFamily(unittest.TestCase):
-    """On the tree as it stands: nothing is written to it."""
+    """Checks on the current tree, without writing to it."""
 
     def test_there_are_some(self):
         families = {"bsdf", "format", "sampler", "solver", "detector", "output"}
