@@ -22,7 +22,7 @@ class Family:
 
     The texts are inserted above the lines "(tools/new.py WHAT above this line)" of the catalogue.
     In them and in the templates, @name@ is the name in snake_case, @Name@ in CapWords, @words@ with
-    blanks, @Words@ the same with a capital, @page@ with hyphens; @member@ and @test@ are the files.
+    blanks, @Title@ the same with a capital, @page@ with hyphens; @member@ and @test@ are the files.
     """
 
     folder: str  # of the members
@@ -191,7 +191,7 @@ def filled(text, family, name):
         "name": name,
         "Name": "".join(word.capitalize() for word in name.split("_")),
         "words": words,
-        "Words": words.capitalize(),
+        "Title": words.capitalize(),
         "page": name.replace("_", "-"),
     }
     return re.sub(r"@(\w+)@", lambda match: spellings[match[1]], text)
