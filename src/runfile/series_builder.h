@@ -71,8 +71,8 @@ class SeriesBuilder {
     double brightest_ratio_ = 0;  // ratio to the light outside the atmosphere
     Noted dark_by_day_;           // times without light, with the sun high
     Noted by_day_;                // times with the sun well up
-    double clearest_ = 0;         // of these, the largest ratio to the light outside the atmosphere
-    double longest_ = 0;          // of these, seconds
+    double clearest_ = 0;         // largest ratio of by_day_ to the light outside the atmosphere
+    double longest_ = 0;          // longest time of by_day_, seconds
 };
 
 }  // namespace quasimc

@@ -27,7 +27,7 @@ struct BuilderData {
 /// @param known  overlaps of the previous scene, replaced by those of this one; or null
 [[nodiscard]] Scene build_after(SceneBuilder builder, KnownOverlaps* known);
 
-/// Returns whether build_on() gives what build() would with the organs, ground, cell and axes of
+/// Returns whether build_on() has the result of build() with the organs, ground, cell and axes of
 /// `scene`: the bands are the same, and so are the names and order of the materials and which of
 /// them let all light pass (coplanar overlaps are cut accordingly).
 [[nodiscard]] bool can_build_on(const SceneBuilder& builder, const Scene& scene);

@@ -198,7 +198,7 @@ class MessageParser::Reader {
         }
     }
 
-    /// Reads "(v,v,...)" or nothing to the pass's parameters; returns how many there are.
+    /// Reads an optional "(v,v,...)" to the pass's parameters; returns their number.
     std::uint32_t take_parameters(std::string_view& rest) {
         if (rest.empty() || rest.front() != '(') {
             return 0;
