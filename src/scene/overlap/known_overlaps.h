@@ -44,8 +44,8 @@ class KnownOverlaps {
     [[nodiscard]] std::optional<OverlapSearchResult> find_among_changed(
         const SceneGeometry& triangles, const Bounds& bounds, const std::vector<Run>& runs);
 
-    std::shared_ptr<const SceneGeometry>
-        triangles_;  // triangles of the last search; the next members belong to it
+    // The last search: its triangles, their bounds and runs, and its result.
+    std::shared_ptr<const SceneGeometry> triangles_;
     Bounds bounds_;
     std::vector<Run> runs_;
     OverlapSearchResult known_;
