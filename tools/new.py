@@ -61,7 +61,7 @@ FAMILIES = {
                 "std::span<const double> values);",
             ),
             (
-                "adds the parameters of a model",
+                "enters the parameters of a model",
                 """constexpr std::array k@Name@{BsdfParameter{
     .name = "exponent",
     .low = 0,
@@ -149,7 +149,7 @@ FAMILIES = {
                 "std::unique_ptr<Detector> make_@name@(std::span<const double> values);",
             ),
             (
-                "adds the parameters of a detector",
+                "enters the parameters of a detector",
                 """constexpr std::array k@Name@{DetectorParameter{
     .name = "sectors",
     .summary = "of the azimuth",
