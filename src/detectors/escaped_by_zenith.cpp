@@ -1,6 +1,6 @@
 // Scattered light that leaves the scene, by the zenith angle of its direction.
 //
-// What     Rings of equal width from the zenith (0 degrees) to the nadir (180 degrees).
+// Method   Rings of equal width from the zenith (0 degrees) to the nadir (180 degrees).
 // Theory   docs/theory/geometry.md
 
 #include <algorithm>
