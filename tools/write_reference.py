@@ -20,7 +20,7 @@ FLAG = re.compile(r"^  (?P<flag>\S.*?)(?:  +(?P<text>\S.*))?$")
 
 
 def printed(program, words):
-    """What the program prints for these arguments."""
+    """The output of the program for these arguments."""
     unfolded = dict(os.environ, COLUMNS="100000")
     command = [program, *words.split()]
     return subprocess.run(

@@ -136,7 +136,7 @@ class NetcdfLight final : public NetcdfWriter {
         }
     }
 
-    /// Puts a block: `estimate(i)` for each of its numbers.
+    /// Writes a block: `estimate(i)` for each of its numbers.
     template <typename GetEstimate>
     void put(
         const NetcdfEstimates& to,
@@ -165,7 +165,7 @@ class NetcdfLight final : public NetcdfWriter {
     TextSink sink_;
     NetcdfFile file_;
     NetcdfLayout layout_;
-    std::vector<std::string> times_;  // of the first point, as are
+    std::vector<std::string> times_;  // of the first point, like `organs_`
     std::vector<Organ> organs_;
 };
 
