@@ -113,7 +113,8 @@ std::string RunWindow::label_of(std::size_t time_step) const {
 
 void RunWindow::finish(quasimc::StopReason stop) {
     window_->end(
-        stop == quasimc::StopReason::interrupted ? "The run was stopped." : "The run is done.");
+        stop == quasimc::StopReason::interrupted ? "The run was stopped."
+                                                 : "The run has finished.");
 }
 
 void RunWindow::stay() {

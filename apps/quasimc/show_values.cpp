@@ -131,7 +131,7 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
         refuse("day", choice.day, days.front(), days.back());
     }
     throw quasimc::InputError(
-        {{path, fmt::format("holds no {}", values.name),
+        {{path, fmt::format("contains no {}", values.name),
           "the run did not write it, or there is none", "check [output] in the run file"}});
 }
 

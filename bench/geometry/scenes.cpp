@@ -85,7 +85,8 @@ std::vector<BenchRay> vertical_rays(std::size_t count, double height, bool order
     for (std::uint64_t i = 0; rays.size() < count; ++i) {
         Vec3 position{random.uniform(), random.uniform(), 0};
         if (ordered) {
-            position = {(even_bits(i) + position.x) / cells, (even_bits(i >> 1U) + position.y) / cells, 0};
+            position = {
+                (even_bits(i) + position.x) / cells, (even_bits(i >> 1U) + position.y) / cells, 0};
         }
         rays.push_back({{position.x, position.y, height}, {0, 0, -1}});
     }

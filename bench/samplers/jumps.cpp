@@ -54,8 +54,8 @@ struct Jump {
         double greatest = 0;
         for (std::size_t k = 0; k < position.size(); ++k) {
             const double distance = x[k][point] - position[k];
-            sum +=
-                shape == Shape::half_space ? position[k] * (x[k][point] - 0.5) : distance * distance;
+            sum += shape == Shape::half_space ? position[k] * (x[k][point] - 0.5)
+                                              : distance * distance;
             greatest = std::max(greatest, std::min(std::abs(distance), 1 - std::abs(distance)));
         }
         switch (shape) {

@@ -28,7 +28,8 @@ Surface soup(std::size_t triangles) {
     for (std::uint32_t i = 0; i < triangles; ++i) {
         const Vec3 middle{coordinate(random), coordinate(random), coordinate(random)};
         for (int corner = 0; corner < 3; ++corner) {
-            const Vec3 way{coordinate(random) - 0.5, coordinate(random) - 0.5, coordinate(random) - 0.5};
+            const Vec3 way{
+                coordinate(random) - 0.5, coordinate(random) - 0.5, coordinate(random) - 0.5};
             surface.vertices.push_back(middle + size * way);
         }
         surface.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});

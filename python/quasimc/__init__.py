@@ -8,7 +8,7 @@
 >>> round(float(result["absorbed_flux"]["PAR"].mean[0]), 1)
 43.0
 
-docs/guide/python.md is the manual.
+See docs/guide/python.md.
 """
 
 from ._core import version as __version__

@@ -16,7 +16,7 @@ def _row(cells, tag="td"):
 
 
 def result_html(result):
-    """The first organs with what they absorb, and how that was found."""
+    """HTML table of the first organs with the light they absorb, and the method."""
     light = result["absorbed_flux"]
     units = [f"absorbed {escape(b)} [{escape(u)}]" for b, u in zip(light.bands, light.unit)]
     rows = [_row(["id", "organ", f"area [{escape(result.organs.length_unit)}2]", *units], "th")]

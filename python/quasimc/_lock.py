@@ -1,4 +1,4 @@
-"""One run of a scene at a time, and no change meanwhile."""
+"""A scene has one run at a time and can't be changed during it."""
 
 import threading
 

@@ -11,7 +11,7 @@ from .errors import InputError
 
 
 def fault(place, problem, why="", suggestion=""):
-    """An InputError of one fault, in the words of the library."""
+    """Returns an InputError with one error, worded as in the library."""
     text = f"{place}: {problem}" + (f" ({why})" if why else "")
     text += f"; {suggestion}" if suggestion else ""
     detail = {"where": place, "problem": problem, "why": why, "suggestion": suggestion}
@@ -21,7 +21,7 @@ def fault(place, problem, why="", suggestion=""):
 def without_mask(place, what, values):
     """The values, of which none may be masked."""
     if np.ma.is_masked(values):
-        raise fault(place, f"some of {what} are masked", "every number counts", "leave them out")
+        raise fault(place, f"some of {what} are masked", "every value is used", "remove them")
     return values
 
 
@@ -33,7 +33,7 @@ def integers(place, what, values):
     if values.dtype.kind not in "iu":
         raise fault(place, f"{what} is {values.dtype}", "it must be integers")
     if int(values.max()) > np.iinfo(np.int64).max:
-        raise fault(place, f"{what} is {values.max()}", "integers end at 2^63 - 1")
+        raise fault(place, f"{what} is {values.max()}", "the largest integer is 2^63 - 1")
     return values.astype(np.int64, copy=False)
 
 
@@ -52,7 +52,7 @@ def plain(value):
 
 
 def digest(mesh):
-    """Equal for equal meshes, wherever they stand."""
+    """A digest of a mesh, equal for equal meshes."""
     marks = hashlib.blake2b(digest_size=16)
     for key, value in mesh.items():
         if isinstance(value, np.ndarray):
@@ -131,10 +131,10 @@ def per_organ(place, what, value, ids, ranks):
     count = len(ranks)
     if isinstance(value, Mapping):
         if ids is None:
-            raise fault(place, f"{what} goes by organ", "no organ array was given")
+            raise fault(place, f"{what} is given by organ", "the argument organ is missing")
         missing = [int(i) for i in ids if int(i) not in value]
         if missing:
-            raise fault(place, f"{what} says nothing of organ {missing[0]}")
+            raise fault(place, f"{what} has no value for organ {missing[0]}")
         return [str(value[int(i)]) for i in ids]
     if isinstance(value, str) or np.ndim(value) == 0:
         return [str(value)]
@@ -162,7 +162,7 @@ def materials_of(place, material, order, starts, ids):
     if names.shape != (faces,) or names.dtype.kind not in "UO":
         raise fault(
             place,
-            "material is no name, and no list of one for each face",
+            "material is neither a name nor a list of one name for each face",
             f"there are {faces} faces",
             "write material=\"leaf\"",
         )

@@ -1,4 +1,4 @@
-"""Telling how far a run is."""
+"""Progress of runs."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ import sys
 
 
 class Progress:
-    """How far a run is.
+    """Progress of a run.
 
     Attributes
     ----------
     fraction : float
-        Of the run, 0 to 1.
+        Completed fraction of the run, 0 to 1.
     seconds : float
-        So far.
+        Time since the run began.
     expected_seconds : float
-        In all; grows when a target needs more rounds.
+        Expected duration of the whole run; it grows when a target needs more rounds.
     fraction_at_target : float
-        Of the organs that have reached the target error; 0 without a target.
+        Fraction of the organs that have reached the target error; 0 without a target.
     """
 
     __slots__ = ("fraction", "seconds", "expected_seconds", "fraction_at_target")
@@ -30,7 +30,7 @@ class Progress:
 
 
 class ProgressBar:
-    """A line on stderr that is written over."""
+    """A progress line on stderr, overwritten at each update."""
 
     WIDTH = 30
 

@@ -1,4 +1,4 @@
-"""What can go wrong."""
+"""Exceptions and warnings."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from typing import Any, Dict, List, Tuple
 
 
 class Error(Exception):
-    """Anything that quasimc reports."""
+    """Base class of the exceptions of quasimc."""
 
 
 class InputError(Error, ValueError):
-    """Something in what was stated is wrong.
+    """The input has errors.
 
-    The text tells every fault, one a line: "where: problem (why); suggestion".
+    The text has one line for each error: "where: problem (why); suggestion".
 
     Attributes
     ----------
     faults : list of dict
-        With the keys "where", "problem", "why" and "suggestion".
+        One dict for each error, with the keys "where", "problem", "why" and "suggestion".
     """
 
     def __init__(self, text: str, faults: List[Dict[str, str]]) -> None:
@@ -46,4 +46,4 @@ class Stopped(Error, RuntimeError):
 
 
 class QuasimcWarning(UserWarning):
-    """Something that is allowed but probably not meant."""
+    """A possible problem in the input."""

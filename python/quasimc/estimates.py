@@ -1,4 +1,4 @@
-"""Numbers with their errors."""
+"""Estimates with standard errors and confidence intervals."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ import numpy as np
 
 
 class Estimates:
-    """Means with their errors, as arrays of numpy, all of one shape.
+    """Means with standard errors and 95 % confidence intervals: numpy arrays of one shape.
 
-    The last axis is that of the bands where there are several; ``estimates["PAR"]`` picks one.
-    Means lie in their intervals, which end at what is physically possible (docs/theory/statistics.md).
+    With several bands, the last axis is the band; ``estimates["PAR"]`` selects one. Intervals contain the
+    mean and end at physical bounds (docs/theory/statistics.md).
 
     Attributes
     ----------
     name : str
-        Of the quantity.
+        Name of the quantity.
     unit : str, or tuple of str
-        Of the band, or of each band.
+        Unit of the band, or of each band.
     bands : tuple of str
-        Empty if there is one or none.
+        Names of the bands; empty for one band or none.
     """
 
     __slots__ = ("_values", "name", "unit", "bands")
@@ -31,12 +31,12 @@ class Estimates:
 
     @property
     def mean(self):
-        """The estimates."""
+        """Means."""
         return self._values[..., 0]
 
     @property
     def standard_error(self):
-        """Of the means; NaN where it can't be told (one replicate, or nothing was hit)."""
+        """Standard errors of the means; NaN where unknown (one replicate, or no light sampled)."""
         return self._values[..., 1]
 
     @property
@@ -72,15 +72,15 @@ class Estimates:
 
 
 class DetectorResult(Estimates):
-    """The flux in the bins of a detector: ``result.detectors["up"]["PAR"].mean``, one for each bin.
+    """The flux in the bins of a detector: ``result.detectors["up"]["PAR"].mean`` has shape (bins,).
 
     Attributes
     ----------
     type : str
     quantity : str
-        By which light is sorted, with its unit.
+        The quantity by which light is sorted, with its unit.
     bins : list of str
-        Their names.
+        Names of the bins.
     """
 
     __slots__ = ("type", "quantity", "bins")
@@ -105,7 +105,7 @@ class DetectorResult(Estimates):
 
 
 class Estimate:
-    """A number with its error: mean, standard_error, ci95_low and ci95_high, unit."""
+    """One estimate: mean, standard_error, ci95_low, ci95_high (floats) and unit (str)."""
 
     __slots__ = ("mean", "standard_error", "ci95_low", "ci95_high", "unit")
 

@@ -1,4 +1,4 @@
-"""Growth: organs that come, change and go between the steps of a simulation."""
+"""Growth: organs that are added, changed and removed between the steps of a simulation."""
 
 from __future__ import annotations
 
@@ -18,16 +18,15 @@ from .scene import _OF_SCENE, _warn
 class GrowthSession:
     """The light of a growing canopy, step by step.
 
-    A step states what changes alone, and its result is bit for bit that of a single run for the
-    same organs in the same order. Between steps these are kept: the organs; the scene, if no organ
-    changed; the acceleration structure for rays, if no triangle changed. When some triangle changed
-    both are built anew, in time in proportion to all triangles; triangles that lie on each other,
-    which takes longest to find, are looked for near those that changed.
+    Each step passes only the changes, and its result has the same bits as a single run of the same organs in
+    the same order. Between steps the session keeps the organs; the scene, if no organ changed; and the
+    acceleration structure, if no triangle changed. After a change of triangles both are rebuilt in time
+    proportional to the number of triangles; overlaps are searched near the changed triangles only.
 
     Parameters
     ----------
     scene : Scene
-        Bands, materials, sources, ground, cell, and organs that stay as they are: they come first.
+        Bands, materials, sources, ground, cell, and organs that never change: they come first.
         It may have no organs.
     """
 
@@ -48,7 +47,7 @@ class GrowthSession:
         measured=True,
         field_of_view_deg=90.0,
     ):
-        """Adds organs behind the others; the arguments are those of `Scene.add_mesh`.
+        """Appends organs; the arguments are those of `Scene.add_mesh`.
 
         The arrays are copied.
 
@@ -61,8 +60,8 @@ class GrowthSession:
         Raises
         ------
         InputError
-            If the session or its scene has an organ of such an id, or one of these is faulty; no
-            organ is added then.
+            If the session or its scene has an organ with one of the ids, or an organ is invalid;
+            no organ is added then.
         """
         mesh = mesh_arrays(
             "add", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
@@ -82,12 +81,12 @@ class GrowthSession:
         measured=True,
         field_of_view_deg=90.0,
     ):
-        """Replaces organs by others of the same ids, in their places.
+        """Replaces organs by others with the same ids; the order stays.
 
         Raises
         ------
         InputError
-            If the session has no such organ, or one of these is faulty; none is changed then.
+            If the session has no such organ, or an organ is invalid; none is changed then.
         """
         mesh = mesh_arrays(
             "change", vertices, faces, organ, material, name, labels, measured, field_of_view_deg
@@ -96,7 +95,7 @@ class GrowthSession:
             self._core.change(mesh)
 
     def remove(self, organ):
-        """Removes the organ of an id, or those of several.
+        """Removes the organs with one or several ids.
 
         Raises
         ------
@@ -108,21 +107,21 @@ class GrowthSession:
             self._core.remove(ids.tolist())
 
     def __contains__(self, organ):
-        """Whether an organ of this id was added and not removed; those of the scene do not count."""
+        """Whether the session has an organ with this id; those of its scene do not count."""
         is_id = isinstance(organ, numbers.Integral) and -(2**63) <= organ < 2**63
         return is_id and self._core.has(int(organ))
 
     def __len__(self):
-        """How many organs were added and not removed; those of the scene do not count."""
+        """Number of organs of the session; those of its scene do not count."""
         return self._core.size
 
     def update_scene(self):
-        """Takes over what was changed in the scene of the session: materials, ground, ...
+        """Applies changes of the session's scene: materials, ground, ...
 
         Raises
         ------
         InputError
-            If an organ of the scene now has the id of one of the session; nothing is taken over.
+            If an organ of the scene now has the id of one of the session; nothing is applied.
         """
         with self._lock:
             self._core.set_frame(self._scene._whole_document(), self._scene._mesh_list())
@@ -130,13 +129,13 @@ class GrowthSession:
     def run(self, sources=None, *, progress=None, **options):
         """Computes the light of this step; the arguments are those of `Scene.run`.
 
-        What is allowed but probably not meant is told as by `Scene.run`: a scene is looked through
-        once after each change, in time in proportion to all triangles.
+        Warnings are as those of `Scene.run`: the scene is checked once after each change, in time
+        proportional to the number of triangles.
 
         Returns
         -------
         Result
-            ``result.select(ids)`` gives the light of some organs in the order asked.
+            ``result.select(ids)`` gives the light of some organs in the given order.
         """
         with self._lock:
             builds = self._core.scene_builds
@@ -145,7 +144,7 @@ class GrowthSession:
                 _warn(built.warnings)
             light = self._scene._light(built, sources, _OF_SCENE, options)
             if light.has_times:
-                raise ValueError("a step has no times: give it sources, or use Scene.run")
+                raise ValueError("a growth step has no time steps: pass sources, or use Scene.run")
             _warn(light.warnings)
             with Listener(progress) as listener:
                 core = self._core.run(light, listener.callback)
@@ -157,15 +156,15 @@ class GrowthSession:
             light.ratio_names,
         )
         if result.stop == "interrupted":
-            _warn(["interrupted: the result is of what was done until then"])
+            _warn(["interrupted: the result contains the paths completed so far"])
         return result
 
     @property
     def scene_builds(self):
-        """How often a scene had to be put together."""
+        """How often the scene was built."""
         return self._core.scene_builds
 
     @property
     def tree_builds(self):
-        """How often an acceleration structure had to be built."""
+        """How often the acceleration structure was built."""
         return self._core.tree_builds

@@ -1,4 +1,4 @@
-"""What light is reported for."""
+"""Organs of a scene."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ class Organs:
     labels : dict
         Key -> list of str, "" where an organ has no such label.
     areas : numpy.ndarray
-        (organs,), of one side, square units of length.
+        (organs,), one-sided area in square units of length.
     has_ground : bool
     bands : tuple of str
     units : tuple of str
-        Of irradiance, by band.
+        Unit of irradiance of each band.
     length_unit : str
     """
 
@@ -72,7 +72,7 @@ class Organs:
             place = self._place_of_name[organ]
             if place is None:
                 count = self.names.count(organ)
-                raise KeyError(f"{count} organs have the name {organ!r}: ask by an id")
+                raise KeyError(f"{count} organs have the name {organ!r}: use an id")
             return place
         near = difflib.get_close_matches(organ, self.names, n=3)
         known = ", ".join(map(repr, near or self.names[:10]))

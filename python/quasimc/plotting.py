@@ -1,4 +1,4 @@
-"""Pictures of results, by matplotlib."""
+"""Plots of results with matplotlib."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def _triangles(result, organs):
 
 
 def _estimates(result, quantity, band):
-    """The numbers of the organs, of the first band if none is given."""
+    """The estimates of the organs; default: the first band."""
     estimates = result[quantity]
     return estimates[band or estimates.bands[0]] if estimates.bands else estimates
 
@@ -53,11 +53,11 @@ def plot(
     band : str
         Default: the first.
     ax : matplotlib.axes.Axes
-        Of projection "3d"; default: a new one.
+        With projection "3d"; default: new axes.
     cmap : str
-        Of colours.
+        Colormap.
     vmin, vmax : float
-        Values at the ends of the colours; default: those of the organs drawn.
+        Values at the ends of the colormap; default: range of the organs drawn.
     include_ground : bool
     colorbar : bool
 
@@ -104,8 +104,8 @@ def _set_limits(ax, points):
 def plot_profile(result, quantity="absorbed_flux_density", band=None, *, ax=None, layers=20):
     """Draws the light of each organ against its height, with 95 % intervals.
 
-    Lines show the means of layers by area, and the curve A exp(-rate depth) of the least squares,
-    depth below the highest organ. The ground is left out.
+    Lines show area-weighted means of layers and the least-squares fit A exp(-rate depth), where depth is below
+    the highest organ. The ground is left out.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def plot_profile(result, quantity="absorbed_flux_density", band=None, *, ax=None
     ax : matplotlib.axes.Axes
         Default: new ones.
     layers : int
-        Of equal heights.
+        Number of layers of equal height.
 
     Returns
     -------
@@ -149,7 +149,7 @@ def plot_organs(
 ):
     """Draws the light of each organ against its number n, counted from the top.
 
-    With 95 % intervals, and the curve A exp(-rate n) of the least squares. The ground is left out.
+    Shows 95 % intervals and the least-squares fit A exp(-rate n). The ground is left out.
 
     Parameters
     ----------
@@ -157,11 +157,11 @@ def plot_organs(
     quantity, band : str
         As of `plot`.
     variance : bool
-        The variance between replicates instead of the light.
+        Plot the variance between replicates instead of the light.
     ax : matplotlib.axes.Axes
-        Default: new ones. Those of another result of the scene show both.
+        Default: new axes. Pass those of another result of the scene to compare.
     label : str
-        What the points are called in the legend.
+        Name of the points in the legend.
 
     Returns
     -------
@@ -186,10 +186,10 @@ def plot_organs(
 
 
 def fit_exponential(x, y):
-    """A and the rate of the curve A exp(-rate x) with the least squared deviations from points.
+    """Returns A and rate of the least-squares fit A exp(-rate x).
 
-    By the method of Gauss and Newton, with shorter steps where a whole one leads away. None where
-    there is no such curve to be found: fewer than three places, or values that are not finite.
+    Gauss-Newton with step halving. None if there is no fit: fewer than three different x, or values that are
+    not finite.
     """
     x, y = np.asarray(x, float), np.asarray(y, float)
     if not (np.isfinite(x).all() and np.isfinite(y).all()) or len(np.unique(x)) < 3:

@@ -14,15 +14,15 @@ SHORT_NAMES = {"absorbed": "absorbed_flux"}
 
 
 def quantities():
-    """The quantities of a result, with a line on each: dict of str."""
+    """Quantities of a result: dict, name -> one-line description."""
     return {name: summary for name, (summary, _) in _core.quantities().items()}
 
 
 class _Light:
     """Light by quantity and band, of organs or groups.
 
-    ``light["absorbed_flux"]["PAR"]`` are the `Estimates` of a quantity in a band, and
-    ``light["absorbed_flux"]`` those of all bands, on the last axis. "absorbed" is short for
+    ``light["absorbed_flux"]["PAR"]`` are the `Estimates` of a quantity in one band;
+    ``light["absorbed_flux"]`` those of all bands (last axis). "absorbed" is short for
     "absorbed_flux".
     """
 
@@ -50,7 +50,7 @@ class _Light:
         return Estimates(self._values[:, number], name, units, self._of.bands)
 
     def keys(self):
-        """Names of quantities; sunlit_fraction if there are directional sources, not of sums."""
+        """Names of the quantities; with directional sources also sunlit_fraction (not for sums)."""
         has_sunlit = self._time is None and len(self._sunlit) > 0
         return [*_core.quantities(), *(["sunlit_fraction"] if has_sunlit else [])]
 
@@ -71,7 +71,7 @@ class _Light:
 
 
 class Selection(_Light):
-    """The light of some organs, in the order asked; indexed as a result.
+    """The light of some organs, in the given order; indexed like a result.
 
     Attributes
     ----------
@@ -88,13 +88,13 @@ class Selection(_Light):
 class Groups(_Light):
     """Sums over organs (`groups`, `layers` of a run), with the errors of the sums.
 
-    The first group is that of all organs. Indexed as a result, and
+    The first group is all organs. Indexed like a result.
 
     Attributes
     ----------
     groups : list of dict
-        Of each group: by, value, organs (places in the result), area; of a layer height_min, height_max,
-        plant_area_index and cumulative_plant_area_index.
+        For each group: by, value, organs (indices in the result), area; for layers also height_min,
+        height_max, plant_area_index and cumulative_plant_area_index.
     """
 
     def __init__(self, core, organs, ratio_names=(), factors=None):
@@ -108,13 +108,13 @@ class Groups(_Light):
 
     @property
     def ratios(self):
-        """Of each of the ratios that were asked for ("R:FR") the Estimates of the groups: dict."""
+        """Ratios of bands by group: dict, "R:FR" -> Estimates of shape (groups,)."""
         return _ratio_estimates(self._ratios, self._ratio_names)
 
     def to_pandas(self):
-        """A pandas.DataFrame with a row for each group, and columns as in the CSV files.
+        """Returns a pandas.DataFrame with a row for each group and the columns of the CSV files.
 
-        by, value, organs (how many), area, height_min, height_max, plant_area_index,
+        by, value, organs (their number), area, height_min, height_max, plant_area_index,
         cumulative_plant_area_index, ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``,
         sunlit_fraction and sunlit_area where there are directional sources, and ``ratio_<ratio>``.
         The fractions of the canopy are in `Result.canopy`.
@@ -140,33 +140,35 @@ class Groups(_Light):
 class Result(_Light):
     """The light of every organ.
 
-    ``result["absorbed_flux"]["PAR"].mean`` is an array with a number for each organ, in the order
-    of ``result.organs``; ``.standard_error``, ``.ci95_low`` and ``.ci95_high`` go with it. The
-    quantities are those of `quasimc.quantities()`, and "sunlit_fraction" where there are directional
-    sources.
+    ``result["absorbed_flux"]["PAR"].mean`` is an array of shape (organs,) in the order of
+    ``result.organs``, with ``.standard_error``, ``.ci95_low`` and ``.ci95_high`` of the same shape.
+    Quantities are listed by `quasimc.quantities()`; with directional sources there is also
+    "sunlit_fraction".
 
     Attributes
     ----------
     organs : Organs
-        What the numbers are of: ids, names, labels, areas.
+        Ids, names, labels and areas.
     method, reason : str
-        How light was followed, and why so.
+        Method that was used, and the reason of an automatic choice.
     paths, replicates, rays : int
-        Paths of each replicate; replicates; rays of all of them.
+        Paths of each replicate, number of replicates, rays of all replicates.
     stop : str
-        Why no more was traced: "finished", "target_reached", "time_limit", "path_limit",
-        "interrupted" (by Ctrl-C: the numbers are of the paths that were done), "no_light".
+        Why the run ended: "finished", "target_reached", "time_limit", "path_limit", "interrupted"
+        (Ctrl-C: the result contains the completed paths) or "no_light".
     fraction_at_target : float
-        Of the organs, where there was a target error.
+        Fraction of the organs that reached the target error; 0 without a target.
     preparation_seconds, solve_seconds, solve_cpu_seconds : float
+        Wall time of the preparation and of the solution, and CPU time of all threads.
+    escaped_by_difference : bool
+        Whether escaped light in `budget` is the remainder of the budget.
     rounds : list of dict
-        Of a run with a target error or `max_paths`, what each round has brought: paths (per
-        replicate, of all rounds up to it), seconds (since the run began), median_error and
-        worst_error (relative standard errors over organs and bands), fraction_at_target. Empty if
-        it was one round.
+        State after each round of a run with a target error or `max_paths`: paths (per replicate,
+        of all rounds so far), seconds (since the run began), median_error and worst_error
+        (relative standard errors over organs and bands), fraction_at_target. Empty for one round.
     warnings : list of str
     sources : list of str
-        In words.
+        Descriptions of the sources.
     """
 
     def __init__(self, core, organs, warnings=(), sources=(), ratio_names=()):
@@ -186,35 +188,36 @@ class Result(_Light):
 
     @cached_property
     def ratios(self):
-        """Of each of the ratios that were asked for ("R:FR") the Estimates of the organs: dict."""
+        """Ratios of bands by organ: dict, "R:FR" -> Estimates of shape (organs,)."""
         return _ratio_estimates(self._core.ratios, self._ratio_names)
 
     @cached_property
     def groups(self):
-        """Sums over organs: Groups, that of all organs first."""
+        """Sums over organs: Groups; the first is all organs."""
         return Groups(self._core.groups, self.organs, self._ratio_names)
 
     @cached_property
     def budget(self):
-        """Where the light of each band went, flux: band -> dict of Estimate.
+        """Energy budget: dict, band -> dict of Estimate (flux).
 
-        "closure_error" is a number, the part of what is emitted that is not accounted for: rounding.
+        "closure_error" is a float: the fraction of the emitted light that is not accounted for
+        (rounding).
         """
         return self._by_band(self._core.budget, ("closure_error",), "absorbed_flux")
 
     @cached_property
     def canopy(self):
-        """Fractions of the light that falls on the horizontal: band -> dict of Estimate.
+        """Canopy fractions of the light on the horizontal: dict, band -> dict of Estimate.
 
-        "incident" is a number, that light itself: flux.
+        "incident" is a float: the flux on the horizontal area.
 
-        Empty without a ground or a cell that repeats along both axes.
+        Empty without a ground or a cell that is periodic along both axes.
         """
         return self._by_band(self._core.canopy, ("incident",), None)
 
     @cached_property
     def detectors(self):
-        """What the detectors saw: name -> DetectorResult, in the order in which they were added."""
+        """Detectors: dict, name -> DetectorResult, in the order in which they were added."""
         units = tuple(self._unit("absorbed_flux", unit) for unit in self.organs.units)
         return {
             seen["name"]: DetectorResult(seen, units, self.bands) for seen in self._core.detectors
@@ -222,7 +225,7 @@ class Result(_Light):
 
     @property
     def audit(self):
-        """Of the audit, if there was one: dict with p_value, agrees, paths, replicates; or None."""
+        """The audit: dict with p_value, agrees, paths, replicates; None without an audit."""
         return self._core.audit
 
     def _by_band(self, rows, numbers, quantity):
@@ -236,18 +239,18 @@ class Result(_Light):
         return result
 
     def select(self, ids):
-        """The light of organs, given by their ids or names, in their order: a Selection.
+        """Returns the light of organs given by id or name, as a Selection in that order.
 
-        Raises KeyError if one is not there, or a name is of several.
+        Raises KeyError if an organ does not exist, or several organs have the name.
         """
         return Selection(self, ids)
 
     def to_pandas(self):
-        """A pandas.DataFrame with a row for each organ.
+        """Returns a pandas.DataFrame with a row for each organ.
 
         The index is the organ's id; the columns are those of the CSV files: name, labels, area,
-        ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``. A label that another column is named as is
-        ``label_<key>``. Units are in ``frame.attrs["units"]``.
+        ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``. A label with the name of
+        another column becomes ``label_<key>``. Units are in ``frame.attrs["units"]``.
         """
         import pandas
 
@@ -267,11 +270,11 @@ class Result(_Light):
         return frame
 
     def to_xarray(self):
-        """An xarray.Dataset with the dimensions organ, band and statistic.
+        """Returns an xarray.Dataset with the dimensions organ, band and statistic.
 
-        statistic: mean, standard_error, ci95_low, ci95_high. Units are attributes of the variables. A
-        detector is a variable of its name, with the dimension <name>_bin in place of organ; one that
-        something else is named as is ``detector_<name>``.
+        Statistics are mean, standard_error, ci95_low, ci95_high. Units are attributes of the
+        variables. A detector is a variable with its name and the dimension <name>_bin instead of
+        organ; if the name is used already, it is ``detector_<name>``.
         """
         import xarray
 
@@ -297,7 +300,7 @@ class Result(_Light):
         return xarray.Dataset(variables, coordinates, {"method": self.method})
 
     def plot(self, quantity="absorbed_flux_density", band=None, **options):
-        """A picture of the scene, each organ coloured by a quantity; see `quasimc.plotting.plot`.
+        """Draws the scene with organs coloured by a quantity; see `quasimc.plotting.plot`.
 
         Returns
         -------
@@ -308,7 +311,7 @@ class Result(_Light):
         return plot(self, quantity, band, **options)
 
     def plot_profile(self, quantity="absorbed_flux_density", band=None, **options):
-        """Light against height, with a fitted curve; see `quasimc.plotting.plot_profile`.
+        """Plots light against height with a fitted curve; see `quasimc.plotting.plot_profile`.
 
         Returns
         -------
@@ -319,7 +322,7 @@ class Result(_Light):
         return plot_profile(self, quantity, band, **options)
 
     def plot_organs(self, quantity="absorbed_flux_density", band=None, **options):
-        """Light organ by organ, with a fitted curve; see `quasimc.plotting.plot_organs`.
+        """Plots light by organ with a fitted curve; see `quasimc.plotting.plot_organs`.
 
         Returns
         -------
@@ -342,25 +345,30 @@ class Result(_Light):
 
 
 class Series:
-    """The light of the times of ``[time]``, and its sums over days.
+    """The light of the time steps of ``[time]``, and daily sums.
 
-    ``len(series)`` times; ``series[i]`` is the `Result` of one. With keep_times=False there are
-    sums alone: ``series[i]``, iteration and `to_pandas` raise KeyError.
+    ``len(series)`` is the number of time steps; ``series[i]`` is the `Result` of one. With
+    keep_times=False there are only sums: ``series[i]``, iteration and `to_pandas` raise KeyError.
 
     Attributes
     ----------
     organs : Organs
     times : list of dict
-        Of each: time ("2024-06-21T12:00+02:00"), seconds, sun_azimuth_deg, sun_elevation_deg,
-        direct and diffuse (W m-2 on the horizontal, full spectrum).
+        For each time step: time ("2024-06-21T12:00+02:00"), seconds (duration), sun_azimuth_deg,
+        sun_elevation_deg, direct and diffuse (W m-2 on the horizontal, full spectrum).
     days : dict
-        Date -> `Sums`. Days of which a run that was stopped did not do all times are left out. Times
-        that a weather file lacks (``gaps = "skip"``) are no times of the run: their days are there,
-        summed over the others (`Sums.seconds`).
+        Date -> `Sums`. Incomplete days of a stopped run are left out. Gaps of a weather file
+        (``gaps = "skip"``) are not time steps: their days are summed over the other time steps
+        (`Sums.seconds`).
     total : Sums
-        Over all times.
+        Sum over all time steps.
     stop : str
-        As of a result: "finished", "time_limit" or "interrupted".
+        "finished", "time_limit" or "interrupted".
+    time_steps, completed, computed : int
+        Number of time steps; of those that were completed; of those that were computed (the
+        others are at night or scaled).
+    audit_p_value : float
+        Smallest p-value of the audits, corrected for their number.
     """
 
     def __init__(self, core, organs, warnings=(), sources=(), ratio_names=()):
@@ -395,15 +403,15 @@ class Series:
         return len(self.times)
 
     def _kept(self):
-        """The results of the times. Raises KeyError if they were not kept."""
+        """The results of the time steps. Raises KeyError if they were not kept."""
         if not self._results and self.times:
-            raise KeyError("the times were not kept (keep_times=False)")
+            raise KeyError("the time steps were not kept (keep_times=False)")
         return self._results
 
     def __getitem__(self, index):
         if isinstance(index, str):
             raise TypeError(
-                f"a Series has a result for each time: use series[0][{index!r}] or "
+                f"a Series has a result for each time step: use series[0][{index!r}] or "
                 f"series.total[{index!r}]"
             )
         return self._kept()[index]
@@ -412,9 +420,9 @@ class Series:
         return iter(self._kept())
 
     def to_pandas(self):
-        """A pandas.DataFrame with a row for each time and organ, indexed by both.
+        """Returns a pandas.DataFrame with a row for each time step and organ, indexed by both.
 
-        Raises KeyError if the times were not kept (keep_times=False): `days` and `total` have
+        Raises KeyError if the time steps were not kept (keep_times=False); `days` and `total` have
         tables of their own.
         """
         import pandas
@@ -428,16 +436,16 @@ class Series:
 
 
 class Sums(_Light):
-    """Light summed over the times of a day, or of all days; indexed as a result.
+    """Light summed over a day, or over all days; indexed like a result.
 
-    Units are those of rates times time: J m-2 for W m-2, mol m-2 for umol m-2 s-1.
+    Units are multiplied by time: J m-2 for W m-2, mol m-2 for umol m-2 s-1.
 
     Attributes
     ----------
     seconds : float
-        Of the times that were summed.
+        Duration of the time steps that were summed.
     groups : Groups
-        Sums over organs, as those of a result, with the errors of the sums.
+        Sums over organs with their errors, as for a result.
     """
 
     def __init__(self, values, seconds, organs, groups=None):
@@ -447,7 +455,7 @@ class Sums(_Light):
         self.groups = None if groups is None else Groups(groups, organs, factors=factors)
 
     def to_pandas(self):
-        """A pandas.DataFrame with a row for each organ, indexed by id; columns as of a result."""
+        """Returns a pandas.DataFrame with a row for each organ, indexed by id; columns as for a result."""
         import pandas
 
         columns = self._columns()

@@ -1,4 +1,4 @@
-"""Scenes: what light falls on, and running them."""
+"""Scenes and runs."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _OF_SCENE = object()
 
 
 def options():
-    """The options of a run: list of dict with key, default, unit, takes and summary."""
+    """Run options: list of dict with key, default, unit, takes and summary."""
     return _core.options()
 
 
@@ -51,27 +51,27 @@ def _band_keys(bands):
 
 
 class Scene:
-    """What light falls on: organs and their materials, perhaps a ground and a cell that repeats.
+    """Organs and their materials, optionally a ground and a periodic cell.
 
-    Everything is stated by the names of the run file (docs/reference/run-file.md). What is added is
-    copied: later writes to an array change nothing. A faulty material or mesh is refused at the
-    call, and the scene stays as it was; all else is checked when the scene is built, which the
-    first run does.
+    Arguments have the names of the run file (docs/reference/run-file.md). Arrays are copied: later
+    changes of an array have no effect. An invalid material or mesh raises an error at the call, and
+    the scene stays unchanged; everything else is checked when the scene is built, at the latest by the
+    first run.
 
     Parameters
     ----------
     bands : str, list, or dict
-        Names of the wavebands; or a dict, name -> unit; or dicts with name, unit, from_nm, to_nm.
+        Names of the bands; or a dict, name -> unit; or dicts with name, unit, from_nm, to_nm.
     irradiance_unit : str
-        Of bands without a unit of their own. A name: nothing is converted.
+        Unit of bands without their own unit. It is only a name: nothing is converted.
     length_unit : str
-        Of all coordinates: "m", "cm", "mm" and others.
+        Unit of all coordinates: "m", "cm", "mm" and others.
     up : str
         "z" or "y": the axis that points up.
     north : sequence of 3 floats
-        A horizontal direction; azimuths count from it. Default: y, or x if y is up.
+        Horizontal direction of azimuth 0. Default: y, or x if y is up.
     site : dict
-        latitude_deg, longitude_deg, elevation_m and others: for suns by time.
+        latitude_deg, longitude_deg, elevation_m and others, for the position of the sun.
     title : str
     """
 
@@ -126,7 +126,7 @@ class Scene:
         return scene
 
     def __copy__(self):
-        """A scene of its own, of which the same was stated."""
+        """An independent copy of the scene."""
         other = type(self).__new__(type(self))
         other._init(copy.deepcopy(self._table), self._name, self._folder)
         other._meshes = dict(self._meshes)
@@ -151,10 +151,10 @@ class Scene:
         ----------
         name : str
         reflectance, transmittance : float, list or dict
-            0 to 1; for all bands, one for each, or by name. Together at most 1.
+            0 to 1; one for all bands, one for each, or by band name. Their sum is at most 1.
         upper, lower : dict
-            What a side has of its own, by the same keys. The upper side is that from which the
-            corners of a triangle run counter-clockwise.
+            Optics of one side, with the same keys. From the upper side the corners of a triangle
+            appear counter-clockwise.
         **keys
             reflection_model, reflection_exponent and others.
         """
@@ -186,33 +186,33 @@ class Scene:
         measured=True,
         field_of_view_deg=90.0,
     ):
-        """Adds organs made of triangles. They come after the organs of `add_organ` and `add_file`.
+        """Adds organs made of triangles. In results they follow the organs of `add_organ` and `add_file`.
 
-        Arrays are copied. A mesh whose name the scene has already, or that is equal to an earlier
-        one, is added beside it with a warning: `replace` puts it in its place.
+        Arrays are copied. A mesh with the name of an earlier one, or equal to it, is added with a
+        warning; use `replace` to replace the earlier one.
 
         Parameters
         ----------
         vertices : array_like
-            (n, 3), in the unit of length; without faces (m, 3, 3), the corners of each triangle.
+            (n, 3), in the length unit; without faces (m, 3, 3), the corners of each triangle.
         faces : array_like of int
-            (m, 3): numbers of vertices, counted from 0.
+            (m, 3): indices of vertices, from 0.
         material : str, dict or list of str
-            Its name; or by the ids in `organ`; or one for each face, in their order.
+            One name; or a dict by the ids in `organ`; or one name for each face.
         organ : int or array_like of int
             (m,): the id of the organ of each face, or of all; unique in the scene. Results list the
-            organs by ascending ids, however they stand here; those of `add_organ` without an id are then numbered from the
-            largest on. Default: all faces are one organ, with the next id that is free.
+            organs by ascending id; organs of `add_organ` without an id are then numbered after the
+            largest. Default: all faces are one organ, with the next free id.
         name : str, dict or list of str
-            Of the organs: by the ids in `organ`, or one for each, in the order in which the organs
-            first appear in `organ`; one name for several is followed by the id.
+            Names of the organs: a dict by the ids in `organ`, or a list of one for each, in the order
+            in which the organs first appear in `organ`; one name for several is followed by the id.
         labels : dict
             Key -> a value for all, a dict by the ids in `organ`, or a list of one for each organ, in
             the order in which they first appear there.
         measured : bool
-            Whether their light is asked for.
+            Whether their light is reported.
         field_of_view_deg : float
-            Of sensors: half angle about the normal, degrees.
+            Half angle about the normal for sensors, degrees.
         """
         with self._lock.to_change():
             mesh = self._mesh(
@@ -235,12 +235,12 @@ class Scene:
         measured=True,
         field_of_view_deg=90.0,
     ):
-        """Adds a mesh in place of all that was added under its name; the others as in `add_mesh`.
+        """Replaces everything with a name by a mesh; the arguments are those of `add_mesh`.
 
         Raises
         ------
         InputError
-            If nothing has this name, or the mesh is faulty; the scene stays as it was.
+            If nothing has this name, or the mesh is invalid; the scene stays unchanged.
         """
         with self._lock.to_change():
             mesh = self._mesh(
@@ -255,7 +255,7 @@ class Scene:
         return self
 
     def remove(self, name):
-        """Removes all that was added under a name: meshes, organs, files, detectors and sources.
+        """Removes everything with a name: meshes, organs, files, detectors and sources.
 
         Raises
         ------
@@ -295,9 +295,9 @@ class Scene:
         if double:
             raise fault(
                 mesh["place"],
-                f"an earlier mesh has an organ of the id {min(double)}",
-                "ids are unique",
-                "take other ids, or replace that mesh by its name",
+                f"an earlier mesh has an organ with the id {min(double)}",
+                "ids must be unique",
+                "use other ids, or replace that mesh by its name",
             )
 
     def _put(self, mesh, place):
@@ -323,8 +323,8 @@ class Scene:
             near = difflib.get_close_matches(str(name), names, 1)
             raise fault(
                 self._name,
-                f"nothing was added under the name {name!r}",
-                "" if names else "nothing has a name",
+                f"nothing has the name {name!r}",
+                "" if names else "there are no names",
                 f"did you mean {near[0]!r}?" if near else "",
             )
 
@@ -361,14 +361,14 @@ class Scene:
                 same = f"of the name {mark[1]!r}" if mark[0] == "name" else "equal to this one"
                 _warn(
                     [
-                        f"{self._name}: the scene has a {what} {same} already, and now has both; "
-                        "use replace() or remove() to have one"
+                        f"{self._name}: the scene already has a {what} {same} and now has both; "
+                        "use replace() or remove() to keep one"
                     ]
                 )
                 break
 
     def add_organ(self, shape, *, material, **keys):
-        """Adds an organ of a shape: triangle, rhombus, polygon, bezier, cylinder, disk, ...
+        """Adds an organ with a parametric shape: triangle, rhombus, polygon, bezier, cylinder, disk, ...
 
         Parameters
         ----------
@@ -376,35 +376,34 @@ class Scene:
             One of `quasimc.shapes()`.
         material : str
         **keys
-            Those of the shape (corners, base, length, ...), and id, name, labels, measured,
+            Keys of the shape (corners, base, length, ...), and id, name, labels, measured,
             transform, field_of_view_deg.
         """
         return self._add("organ", {"shape": shape, "material": material, **keys})
 
     def add_file(self, file, **keys):
-        """Adds organs from a file of geometry (tri, OBJ, PLY).
+        """Adds organs from a geometry file (tri, OBJ, PLY, ...).
 
         Parameters
         ----------
         file : str or path
-            From the folder that is the current one now (of a scene that was loaded: from that of
-            its file).
+            Relative to the current folder (for a loaded scene: to the folder of its file).
         **keys
             format, organs, material, materials, name, labels, first_id, transform, at, plant_unit.
         """
         return self._add("geometry", {"file": self._path(file), **keys})
 
     def add_detector(self, type, **keys):
-        """Adds a detector: light that is sorted by what no organ tells."""
+        """Adds a detector, which sorts light that organs do not report (docs/reference/detectors.md)."""
         return self._add("detector", {"type": type, **keys})
 
     def add_source(self, source, **keys):
-        """Adds a source, for runs that are not given others.
+        """Adds a source, used by runs without the argument `sources`.
 
         Parameters
         ----------
         source : Source or str
-            As `quasimc.sun` and others make it; or its type, with its keys.
+            A source from `quasimc.sun`, `quasimc.sky`, ...; or its type, followed by its keys.
         """
         source = source if isinstance(source, Source) else Source(source, **keys)
         table = plain(source.table())
@@ -415,7 +414,7 @@ class Scene:
     def set_ground(self, material, **keys):
         """Sets the ground: material; height, x, y, name, or file of a surface.
 
-        A file as that of `add_file`.
+        The path of a file is used as in `add_file`.
         """
         if "file" in keys:
             keys["file"] = self._path(keys["file"])
@@ -424,7 +423,7 @@ class Scene:
         return self
 
     def set_cell(self, x=None, y=None, z=None):
-        """Repeats the scene without end along the axes that are given: x=(low, high), ..."""
+        """Makes the scene periodic along the given axes: x=(low, high), ..."""
         cell = {"x": x, "y": y, "z": z}
         stated = {key: plain(list(value)) for key, value in cell.items() if value is not None}
         with self._lock.to_change():
@@ -457,17 +456,17 @@ class Scene:
     # Building and running.
 
     def build(self):
-        """Builds and checks the scene, if that is not done yet.
+        """Builds and checks the scene, if that has not been done.
 
         Returns
         -------
         Organs
-            What light will be reported for.
+            The organs of the results.
 
         Raises
         ------
         InputError
-            With all faults at once.
+            With all errors.
         """
         if self._built is None:
             with self._lock:
@@ -495,12 +494,12 @@ class Scene:
 
     @property
     def organs(self):
-        """What light is reported for: Organs. Builds the scene."""
+        """The organs of the results: Organs. Builds the scene."""
         return self.build()
 
     @property
     def warnings(self):
-        """What is allowed but probably not meant: list of str. Builds the scene."""
+        """Possible problems of the scene: list of str. Builds the scene."""
         self.build()
         return self._built.warnings
 
@@ -524,39 +523,38 @@ class Scene:
     def run(self, sources=None, *, time=_OF_SCENE, progress=None, keep_times=True, **options):
         """Computes the light on every organ.
 
-        Ctrl-C stops a run: its result is then that of the paths that were done, if there are any.
+        Ctrl-C stops a run; its result contains the completed paths, if there are any.
 
         Parameters
         ----------
         sources : Source or dict, or list of them
-            They replace the light of the scene: its sources, and the ``[time]`` of a scene that was
-            loaded. Default: the light of the scene. What files they name are looked for in the
-            folder that is the current one now (of a scene that was loaded: in that of its file).
+            They replace the sources of the scene, and the ``[time]`` of a loaded scene. Default: the
+            sources of the scene. Paths of files are relative to the current folder (for a loaded
+            scene: to the folder of its file).
         time : dict or None
-            The keys of ``[time]``: day, times, from and to, weather, ...: the light of many times;
-            sources shine at all of them. None: no times. Default: without `sources`, the ``[time]``
-            of a scene that was loaded.
+            The keys of ``[time]`` (day, times, from and to, weather, ...) for many time steps; `sources`
+            shine at all of them. None: no time steps. Default: without `sources`, the ``[time]`` of a
+            loaded scene.
         progress : bool or callable
-            True: a bar on stderr. A function is called now and then with a `Progress`; what it
-            raises ends the run.
+            True: a progress bar on stderr. A function is called repeatedly with a `Progress`; an
+            exception from it ends the run.
         keep_times : bool
-            Of a run with times: whether the result of each is kept, or sums alone.
+            For runs with time steps: keep the result of each, or only sums.
         **options
-            Those of ``[run]``: `quasimc.options()` tells them.
+            Run options, as in ``[run]``; `quasimc.options()` lists them.
 
         Returns
         -------
-        Result, or Series of a run with times: one that is given `time`, or takes it from a scene that
-        was loaded.
+        Result; or Series for a run with time steps, given by `time` or by a loaded scene.
 
         Raises
         ------
         InputError
-            With all faults at once.
+            With all errors.
         Stopped
-            If max_seconds were over before there was a result.
+            If max_seconds passed before there was a result.
         KeyboardInterrupt
-            If Ctrl-C came before there was a result.
+            If Ctrl-C was pressed before there was a result.
         """
         with self._lock:
             organs = self._build()
@@ -572,7 +570,7 @@ class Scene:
             notes = [*self._built.warnings, *light.warnings]
         result = kind(core, organs, notes, light.source_notes, light.ratio_names)
         if result.stop == "interrupted":
-            _warn(["interrupted: the result is of what was done until then"])
+            _warn(["interrupted: the result contains the paths completed so far"])
         return result
 
     def __repr__(self):
@@ -600,9 +598,9 @@ def _source_tables(sources):
         if not isinstance(source, (Source, Mapping)):
             raise fault(
                 "sources",
-                f"{source!r} is no source",
+                f"{source!r} is not a source",
                 "",
-                "make one by quasimc.sun, quasimc.sky, ..., or give a dict of its keys",
+                "use quasimc.sun, quasimc.sky, ..., or a dict of its keys",
             )
         tables.append(source.table() if isinstance(source, Source) else dict(source))
     return tables
@@ -628,7 +626,7 @@ def _numbered(table, meshes):
 
 
 def _warn(texts):
-    """Warns at the line outside of this package that led here."""
+    """Warns at the line of the caller outside this package."""
     depth, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
         depth, frame = depth + 1, frame.f_back
@@ -637,10 +635,10 @@ def _warn(texts):
 
 
 def load(path):
-    """A scene from a run file.
+    """Reads a scene from a run file.
 
-    Its organs, sources, times and options are those of the file; ``run`` takes others. What the
-    file says under ``[output]`` is passed over.
+    The scene has the organs, sources, time steps and options of the file; arguments of ``run``
+    replace them. ``[output]`` is ignored.
 
     Parameters
     ----------
@@ -653,7 +651,7 @@ def load(path):
     Raises
     ------
     InputError
-        With the faults of the scene, or if it has none those of the light, each with its line.
+        With the errors of the scene, or else those of the light, each with its line.
     """
     document = _core.Document.read(os.fspath(path))
     scene = Scene._of_document(document)

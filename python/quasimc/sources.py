@@ -1,6 +1,6 @@
-"""Where light comes from.
+"""Sources of light.
 
-Each function states a source, by the keys of ``[[source]]`` in a run file
+Each function makes a source with the keys of ``[[source]]`` in a run file
 (docs/reference/run-file.md). An irradiance or a flux is one number for all bands, a list with one for
 each, or a dict by the names of bands.
 """
@@ -14,14 +14,14 @@ LAMPS = ("point", "spot", "rectangle", "disk", "line", "sphere", "ies")
 
 
 class Source:
-    """A source as it is stated: its type and its keys. Checked when a run begins.
+    """A source: its type and its keys. It is checked when a run begins.
 
     Attributes
     ----------
     type : str
         One of `quasimc.source_types()`.
     keys : dict
-        The others, by name.
+        The other keys, by name.
     """
 
     __slots__ = ("type", "keys")
@@ -45,12 +45,12 @@ class Source:
 
 
 def source_types():
-    """The types of sources, with a line on each: dict of str."""
+    """Types of sources: dict, name -> one-line description."""
     return dict(_core.sources())
 
 
 def sky_models():
-    """The models of skies, with a line on each: dict of str."""
+    """Sky models: dict, name -> one-line description."""
     return dict(_core.skies())
 
 
@@ -64,18 +64,18 @@ def directional(
     name=None,
     on_hours=None,
 ):
-    """Parallel light.
+    """Parallel light from one direction.
 
     Parameters
     ----------
     direction : sequence of 3 floats
-        In which the light travels; any length. Or
+        Direction in which the light travels; any length. Or
     azimuth_deg, elevation_deg : float
-        where it comes from, degrees; azimuth clockwise from north.
+        direction towards the source, degrees; azimuth clockwise from north.
     irradiance_facing : float, list or dict
-        On a plane that faces the light, in the units of the bands. Or
+        Irradiance on a plane facing the light, in the units of the bands. Or
     irradiance_horizontal : float, list or dict
-        on the horizontal.
+        irradiance on the horizontal.
     """
     return Source("directional", **locals())
 
@@ -91,20 +91,20 @@ def sun(
     delta_t_s=None,
     name=None,
 ):
-    """The sun, by time or by angles.
+    """The sun, given by time or by angles.
 
     Parameters
     ----------
     time : str or datetime.datetime
         With its time zone, "2024-06-21T12:00:00+02:00"; the scene then needs a site. Or
     azimuth_deg, elevation_deg : float
-        where it stands, degrees; azimuth clockwise from north.
+        its position, degrees; azimuth clockwise from north.
     disk : bool
-        Whether it is a disk of its true size; otherwise a point.
+        Whether it is a disk with its real size, or a point.
     irradiance_facing : float, list or dict
-        On a plane that faces it, in the units of the bands. Or
+        Irradiance on a plane facing it, in the units of the bands. Or
     irradiance_horizontal : float, list or dict
-        on the horizontal.
+        irradiance on the horizontal.
     """
     return Source("sun", **locals())
 
@@ -117,9 +117,9 @@ def sky(model="cie_overcast", *, irradiance_horizontal, name=None, **keys):
     model : str
         One of `quasimc.sky_models()`.
     irradiance_horizontal : float, list or dict
-        On the horizontal, in the units of the bands.
+        Irradiance on the horizontal, in the units of the bands.
     **keys
-        What the model asks for: time or azimuth_deg and elevation_deg of the sun (default: those of
+        Parameters of the model: time, or azimuth_deg and elevation_deg of the sun (default: those of
         the first sun), cie_type, turbidity, direct_normal and diffuse_horizontal, file.
     """
     return Source(
@@ -128,12 +128,12 @@ def sky(model="cie_overcast", *, irradiance_horizontal, name=None, **keys):
 
 
 def uniform_sky(*, irradiance_horizontal, name=None):
-    """A sky of the same radiance everywhere.
+    """A sky with the same radiance in all directions.
 
     Parameters
     ----------
     irradiance_horizontal : float, list or dict
-        On the horizontal, in the units of the bands.
+        Irradiance on the horizontal, in the units of the bands.
     """
     return Source("uniform_sky", **locals())
 
@@ -155,12 +155,11 @@ def lamp(
     type : str
         "point", "spot", "rectangle", "disk", "line", "sphere" or "ies".
     power, photon_flux, luminous_flux : float, list or dict
-        What it emits in all: W, umol s-1 or lm, as the bands are in W m-2, umol m-2 s-1 or lx.
-        Where bands have different units each states those of its unit, and 0 for the others.
+        Total flux in W, umol s-1 or lm, for bands in W m-2, umol m-2 s-1 or lx. If bands have
+        different units, give the flux of each band in its unit, and 0 for the others.
     **keys
-        Where it stands and how it shines, in the unit of length: position, aim, along, length,
-        width, radius, cone_deg, soft_from_deg, exponent, file, opening; of a line ``from_`` and
-        ``to``.
+        Geometry and distribution, in the length unit: position, aim, along, length, width, radius,
+        cone_deg, soft_from_deg, exponent, file, opening; for a line ``from_`` and ``to``.
     """
     if "from_" in keys:
         keys["from"] = keys.pop("from_")

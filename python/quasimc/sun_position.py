@@ -1,4 +1,4 @@
-"""Where the sun stands."""
+"""Position of the sun."""
 
 from __future__ import annotations
 
@@ -8,23 +8,23 @@ from . import _core
 
 
 class SunPosition:
-    """Where the sun stands, seen from a site.
+    """Position of the sun at a site.
 
     Attributes
     ----------
     azimuth_deg : float
         Clockwise from north, 0 to 360.
     elevation_deg : float
-        Above the horizon, as refracted by the air.
+        Above the horizon, with refraction.
     true_elevation_deg : float
         Without refraction.
     zenith_deg : float
         90 - elevation_deg.
     distance_au : float
-        Of the Earth from the sun, astronomical units.
+        Distance of Earth and sun, astronomical units.
     declination_deg : float
     equation_of_time_min : float
-        Sundial less clock.
+        Apparent minus mean solar time.
     """
 
     __slots__ = (
@@ -43,7 +43,7 @@ class SunPosition:
 
     @property
     def vector(self):
-        """Towards the sun: x east, y north, z up; a tuple of 3 floats of length 1."""
+        """Unit vector towards the sun: x east, y north, z up; a tuple of 3 floats."""
         azimuth, elevation = math.radians(self.azimuth_deg), math.radians(self.elevation_deg)
         flat = math.cos(elevation)
         return (flat * math.sin(azimuth), flat * math.cos(azimuth), math.sin(elevation))
@@ -86,9 +86,9 @@ def sun_position(
     elevation_m : float
         Above the sea.
     pressure_hpa, temperature_c : float
-        Yearly means, for refraction; default: the standard atmosphere, 12 degrees.
+        Annual means, for refraction; default: standard atmosphere, 12 degrees.
     delta_t_s : float
-        Terrestrial less universal time; default: by the year.
+        Terrestrial minus universal time; default: by year.
 
     Returns
     -------
@@ -99,20 +99,20 @@ def sun_position(
 
 
 def sun_day(latitude_deg, longitude_deg, date, *, elevation_m=0.0):
-    """Rise, transit and set of the sun.
+    """Sunrise, transit and sunset.
 
     Parameters
     ----------
     latitude_deg, longitude_deg, elevation_m : float
         As of `sun_position`.
     date : str or datetime.datetime
-        A moment of the day, with its time zone.
+        A time of the day, with its time zone.
 
     Returns
     -------
     dict
-        kind ("ordinary", "polar_day", "polar_night"), transit, sunrise and sunset (texts as ISO
-        8601 writes them, or None), transit_elevation_deg.
+        kind ("ordinary", "polar_day", "polar_night"), transit, sunrise and sunset (ISO 8601
+        texts, or None), transit_elevation_deg.
     """
     site = _site(latitude_deg, longitude_deg, elevation_m, None, 12.0)
     return dict(_core.sun_day(site, _time_text(date)))

@@ -311,7 +311,7 @@ void NetcdfLayout::define_light() {
 }
 
 void NetcdfLayout::define_detectors() {
-    for (const DetectorResult& detector : dark_detectors(run_.scene)) {
+    for (const DetectorResult& detector : zero_detectors(run_.scene)) {
         const std::string axis = free_name(detector.name + "_bin");
         const int bin = file_.add_dimension(axis, detector.bins.size());
         file_.put(

@@ -29,8 +29,7 @@ struct BsdfEntry {
     [[nodiscard]] const BsdfParameter* find_parameter(std::string_view parameter) const;
 };
 
-/// All lobe models, in the order of the manual: lambertian, phong, blinn_phong, mirror. A mirror's
-/// transmitted lobe goes straight on.
+/// All lobe models, in the order of the manual. A mirror's transmitted lobe goes straight on.
 [[nodiscard]] std::span<const BsdfEntry> bsdf_catalogue();
 
 /// The row of that name, or null.

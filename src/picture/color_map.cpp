@@ -65,7 +65,8 @@ Rgb color_at(const ColorMap& map, double part) {
     const double position = std::clamp(part, 0.0, 1.0) * static_cast<double>(map.stops.size() - 1);
     const std::size_t below = std::min(static_cast<std::size_t>(position), map.stops.size() - 2);
     return mixed(
-        unpack(map.stops[below]), unpack(map.stops[below + 1]), position - static_cast<double>(below));
+        unpack(map.stops[below]), unpack(map.stops[below + 1]),
+        position - static_cast<double>(below));
 }
 
 Rgb category_color(std::size_t number) {

@@ -169,7 +169,8 @@ Periods periods_of(double low, double high, double period, bool repeats) {
     }
     constexpr double kMost = 100000;
     const auto at = [&](double coordinate) {
-        return static_cast<std::int32_t>(std::floor(std::clamp(coordinate / period, -kMost, kMost)));
+        return static_cast<std::int32_t>(
+            std::floor(std::clamp(coordinate / period, -kMost, kMost)));
     };
     return {at(low), at(high)};
 }

@@ -110,7 +110,7 @@ std::vector<DetectorResult> read_detectors(
     const Node* at = run.sweep ? item_at(rest.find("points"), position.point) : &rest;
     at = at != nullptr && run.series ? item_at(at->find("time_steps"), position.index) : at;
     const Node* list = at != nullptr ? at->find("detectors") : nullptr;
-    std::vector<DetectorResult> detectors = dark_detectors(run.scene);
+    std::vector<DetectorResult> detectors = zero_detectors(run.scene);
     const std::size_t bands = run.scene.bands().size();
     for (std::size_t d = 0; d < detectors.size(); ++d) {
         const Node* detector = item_at(list, d);

@@ -20,7 +20,7 @@ namespace quasimc {
 namespace {
 
 std::string line(std::string_view subject, const std::string& text) {
-    return fmt::format("{:<10}{}\n", subject, text);
+    return fmt::format("{:<9} {}\n", subject, text);
 }
 
 std::string scene_line(const Scene& scene) {
@@ -218,9 +218,8 @@ std::string describe_times(const TimeSeries& series, const SeriesSummary& summar
     if (series.cumulative_sky == CumulativeSky::none) {
         return fmt::format(
             "{} from {} to {}, {}: {} computed, {} at night or scaled from another",
-            counted(series.time_steps.size(), "time step"), first.time, last.time,
-            counted(series.days.size(), "day"), summary.computed,
-            summary.completed - std::min(summary.computed, summary.completed));
+            series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
+            summary.computed, summary.completed - std::min(summary.computed, summary.completed));
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -229,8 +228,8 @@ std::string describe_times(const TimeSeries& series, const SeriesSummary& summar
         suns += notes.suns;
     }
     return fmt::format(
-        "{} from {} to {}, in {} with {}: {} computed", counted(times, "time step"), first.time,
-        last.cumulated->until, counted(series.notes.size(), "cumulative sky", "cumulative skies"),
+        "{} from {} to {}, in {} with {}: {} computed", times, first.time, last.cumulated->until,
+        counted(series.notes.size(), "cumulative sky", "cumulative skies"),
         counted(suns, "sun position"), summary.computed);
 }
 
@@ -258,7 +257,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
         const std::size_t end = words.find(": ");
         text += line(words.substr(0, end), one_line(words.substr(end + 2)));
     }
-    text += line("steps", describe_times(series, summary));
+    text += line("time steps", describe_times(series, summary));
     text += sampling_line(
         run.spec,
         fmt::format(

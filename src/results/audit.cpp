@@ -9,17 +9,18 @@
 namespace quasimc {
 namespace {
 
-/// Triangles are traced in single precision, and windows are larger than the scene by 2^-20: what
-/// scatters by less counts as if it scattered so much.
+/// Triangles are traced in single precision, and start areas are larger than the scene by 2^-20:
+/// smaller differences count as a standard deviation of this size.
 constexpr double kRounding = 1e-6;
 
-/// Of the mean of an estimate. What was never seen did not scatter.
+/// Variance of the mean of an estimate; 0 where no light was sampled.
 double variance(const Estimate& e) {
     const double error = std::isfinite(e.standard_error) ? e.standard_error : 0;
     return error * error + kRounding * kRounding * e.mean * e.mean;
 }
 
-/// Degrees of freedom of a sum of variances, each of so many replicates (Satterthwaite 1946).
+/// Degrees of freedom of a sum of variances of means of `replicates` values each (Satterthwaite
+/// 1946).
 class Freedom {
   public:
     void add(double variance, std::uint32_t replicates) {
@@ -32,7 +33,7 @@ class Freedom {
     double sum_ = 0, spread_ = 0;
 };
 
-/// The squares of the differences on the sides of the organs, summed.
+/// Sum of squared differences over the sides of the organs.
 class Scatter {
   public:
     Scatter(const Result& a, const Result& b) : a_(a), b_(b) {}

@@ -15,16 +15,16 @@ const Organ* find_ground(const Scene& scene) {
     return found == scene.organs().end() ? nullptr : &*found;
 }
 
-bool is_endless(const Scene& scene) {
+bool is_infinite(const Scene& scene) {
     return scene.cell().along_x && scene.cell().along_y;
 }
 
-/// What a single find would have brought to the ground: flux, on it and absorbed.
-struct GroundFind {
+/// One contribution to the ground: flux on it and absorbed.
+struct GroundContribution {
     double on_ground = 0, absorbed = 0;
 };
 
-GroundFind find_on_ground(
+GroundContribution contribution_on_ground(
     const Sums& sums,
     const Scene& scene,
     const EvaluationSpec& spec,
@@ -32,8 +32,8 @@ GroundFind find_on_ground(
     std::size_t band) {
     const SumReader sum_reader(sums);
     const OrganReader reader(sum_reader, scene, spec, ground);
-    const double find = reader.largest_direct(band);
-    return {find, find * reader.largest_absorptance(band)};
+    const double contribution = reader.largest_direct(band);
+    return {contribution, contribution * reader.largest_absorptance(band)};
 }
 
 /// Makes fractions of the flows of one band.
@@ -43,8 +43,7 @@ class FractionMaker {
     FractionMaker(const std::vector<Flows>& flows, std::vector<double> incident)
         : flows_(flows), incident_(std::move(incident)) {}
 
-    /// @param value_per_contribution  flux that a single find would have brought; 0: zeros are
-    /// certain
+    /// @param value_per_contribution  flux of a single contribution; 0: zeros are certain
     [[nodiscard]] Estimate fraction(double Flows::*part, double value_per_contribution = 0) const {
         std::vector<double> amounts;
         for (const Flows& flows : flows_) {
@@ -71,9 +70,9 @@ class FractionMaker {
 std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     const Organ* ground = find_ground(scene);
-    const bool infinite = is_endless(scene);
-    const bool is_told = infinite || (ground != nullptr && !spec.horizontal_irradiance.empty());
-    std::vector<CanopyFractions> fractions(is_told ? flows.size() : 0);
+    const bool infinite = is_infinite(scene);
+    const bool is_known = infinite || (ground != nullptr && !spec.horizontal_irradiance.empty());
+    std::vector<CanopyFractions> fractions(is_known ? flows.size() : 0);
     for (std::size_t b = 0; b < fractions.size(); ++b) {
         std::vector<double> incident;
         for (const Flows& one : flows[b]) {
@@ -86,20 +85,21 @@ std::vector<CanopyFractions> evaluate_canopy(
             infinite ? sums->emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,
             maker.fraction(&Flows::organs), kUnknownEstimate};
         if (ground != nullptr) {
-            const GroundFind find = find_on_ground(sums, scene, spec, *ground, b);
+            const GroundContribution contribution =
+                contribution_on_ground(sums, scene, spec, *ground, b);
             own.reflectance =
                 maker.fraction(infinite ? &Flows::escaped : &Flows::escaped_scattered);
-            own.transmittance = maker.fraction(&Flows::on_ground, find.on_ground);
-            own.ground_absorptance = maker.fraction(&Flows::ground, find.absorbed);
+            own.transmittance = maker.fraction(&Flows::on_ground, contribution.on_ground);
+            own.ground_absorptance = maker.fraction(&Flows::ground, contribution.absorbed);
         }
     }
     return fractions;
 }
 
-std::vector<CanopyFractions> dark_canopy(const Scene& scene) {
-    const bool is_told = is_endless(scene) || find_ground(scene) != nullptr;
+std::vector<CanopyFractions> zero_canopy(const Scene& scene) {
+    const bool is_known = is_infinite(scene) || find_ground(scene) != nullptr;
     return std::vector<CanopyFractions>(
-        is_told ? scene.bands().size() : 0,
+        is_known ? scene.bands().size() : 0,
         {0, kUnknownEstimate, kUnknownEstimate, kUnknownEstimate, kUnknownEstimate});
 }
 

@@ -41,7 +41,7 @@ void cut_organs(
     });
 }
 
-/// The most that all organs of a group can get.
+/// Upper limits of the light of all organs of a group.
 OrganLimits limits_of(const PhysicalBounds& limits, const Scene& scene, const OrganGroup& group) {
     OrganLimits sum = limits.none(), own = sum;
     for (const std::uint32_t index : group.organs) {
@@ -69,15 +69,15 @@ void cut_groups(
     });
 }
 
-/// Under a cell that repeats along both axes all light that is emitted falls on the horizontal, and
-/// no part of it can be more.
+/// In a scene that is periodic along both axes all emitted light crosses the horizontal plane, and
+/// no fraction exceeds it.
 void cut_fractions(const Scene& scene, std::vector<CanopyFractions>& canopy) {
-    const bool is_endless = scene.cell().along_x && scene.cell().along_y;
+    const bool is_infinite = scene.cell().along_x && scene.cell().along_y;
     for (CanopyFractions& band : canopy) {
         for (Estimate CanopyFractions::*part :
              {&CanopyFractions::reflectance, &CanopyFractions::absorptance,
               &CanopyFractions::ground_absorptance}) {
-            band.*part = is_endless ? not_above(band.*part, 1) : band.*part;
+            band.*part = is_infinite ? not_above(band.*part, 1) : band.*part;
         }
     }
 }

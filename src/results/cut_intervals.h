@@ -6,9 +6,8 @@
 
 namespace quasimc {
 
-/// Ends all intervals of a result at what is physically possible (docs/theory/statistics.md), after
-/// all else that makes them wider. Means stay what they are; reported() puts them into the
-/// interval.
+/// Clips all intervals of a result to the physically possible values (docs/theory/statistics.md),
+/// after every step that widens them. Means stay; reported() moves them into the interval.
 void cut_intervals(
     const PhysicalBounds& limits, const Scene& scene, const EvaluationSpec& spec, Result& result);
 

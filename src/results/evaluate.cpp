@@ -22,14 +22,14 @@
 namespace quasimc {
 namespace {
 
-/// What is evaluated.
+/// The input of evaluate().
 struct Given {
     const Sums& sums;
     const Scene& scene;
     const EvaluationSpec& spec;
 };
 
-/// Turns the sums of one organ after the other into estimates.
+/// Turns the sums of organs into estimates, one organ at a time.
 class OrganEvaluator {
   public:
     explicit OrganEvaluator(const Given& given)
@@ -42,9 +42,9 @@ class OrganEvaluator {
         samples_.fill(values_);
     }
 
-    /// Fills in all of an organ.
-    /// @param finds  per band: gets those of what it absorbs, where one more or less counts
-    void evaluate(std::size_t index, Result& result, std::span<TotalContribution> finds) {
+    /// Fills in all values of an organ.
+    /// @param contributions  per band: gets one contribution to its absorbed light, if it matters
+    void evaluate(std::size_t index, Result& result, std::span<TotalContribution> contributions) {
         const Organ& organ = scene_.organs()[index];
         const OrganReader reader(reader_, scene_, spec_, organ);
         const auto& ratios = spec_.ratios;
@@ -53,9 +53,10 @@ class OrganEvaluator {
             return;
         }
         for (std::size_t b = 0; b < result.bands; ++b) {
-            const ContributionSize find = evaluate_band(reader, organ, index, b, result);
-            finds[b].include(
-                organ.is_ground ? TotalContribution{{}, find} : TotalContribution{find, {}});
+            const ContributionSize contribution = evaluate_band(reader, organ, index, b, result);
+            contributions[b].include(
+                organ.is_ground ? TotalContribution{{}, contribution}
+                                : TotalContribution{contribution, {}});
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
             result.ratio_values[index * ratios.size() + i] =
@@ -67,7 +68,7 @@ class OrganEvaluator {
     }
 
   private:
-    /// An organ that nobody asked for.
+    /// Fills in an organ that is not measured.
     static void leave_out(std::size_t index, std::size_t ratios, Result& result) {
         const std::size_t values = kQuantities * result.bands;
         std::fill_n(&result.values[index * values], values, kUnknownEstimate);
@@ -77,7 +78,7 @@ class OrganEvaluator {
         }
     }
 
-    /// @returns a find of what it absorbs
+    /// @returns one contribution to its absorbed light
     ContributionSize evaluate_band(
         const OrganReader& reader,
         const Organ& organ,
@@ -91,16 +92,16 @@ class OrganEvaluator {
             incident_[band].per_replicate[r] = sample_of(Quantity::incident_direct)[r] +
                                                sample_of(Quantity::incident_scattered)[r];
         }
-        const OrganContributions finds(reader, band);
-        const ContributionSize find = finds.incident_contribution();
-        incident_[band].find = {find.more * per_area, find.less * per_area};
+        const OrganContributions contributions(reader, band);
+        const ContributionSize contribution = contributions.incident_contribution();
+        incident_[band].contribution = {contribution.more * per_area, contribution.less * per_area};
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] =
-                finds.estimate(entry, per_area, samples_[q]);
+                contributions.estimate(entry, per_area, samples_[q]);
         }
-        return finds.knows_contributions() && !finds.has_enough_contributions()
-                   ? finds.find(Quantity::absorbed_flux)
+        return contributions.knows_contributions() && !contributions.has_enough_contributions()
+                   ? contributions.contribution(Quantity::absorbed_flux)
                    : ContributionSize{};
     }
 
@@ -115,10 +116,10 @@ class OrganEvaluator {
             const ContributionSize one = OrganContributions::sunlit_contribution(reader);
             return estimate_contributions(values_, {one.more * per_area, one.less * per_area});
         }
-        const double find =
+        const double contribution =
             reader.largest_sunlit() * per_area / static_cast<double>(values_.size());
         return reader.knows_unoccluded()
-                   ? estimate_sunlit_points(values_, 1, find)
+                   ? estimate_sunlit_points(values_, 1, contribution)
                    : estimate_seen_or_bound(values_, reader.largest_sunlit() * per_area);
     }
 
@@ -132,11 +133,11 @@ class OrganEvaluator {
 };
 
 /// Fills in all organs.
-/// @param is_done  (first, last) is called when the sums of these organs are read no more
-/// @param finds  gets what a find changes in the totals
+/// @param is_done  called with (first, last) when the sums of these organs are not needed any more
+/// @param contributions  gets one contribution to the totals
 template <typename IsDone>
 void evaluate_organs(
-    const Given& given, const IsDone& is_done, TotalContributions& finds, Result& result) {
+    const Given& given, const IsDone& is_done, TotalContributions& contributions, Result& result) {
     constexpr std::size_t kOrgansPerStep = 1 << 15;
     const std::size_t organs = given.scene.organs().size();
     const std::size_t values = kQuantities * result.bands;
@@ -155,13 +156,13 @@ void evaluate_organs(
             for (std::size_t i = first; i < last; ++i) {
                 evaluator.evaluate(i, result, own);
             }
-            finds.include(own);
+            contributions.include(own);
         });
         is_done(begin, end);
     }
 }
 
-/// As evaluate(), but that it tells of the sums that are read no more.
+/// Evaluates sums, and reports which sums are not needed any more.
 template <typename IsDone>
 Result evaluate_sums(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const IsDone& is_done) {
@@ -170,16 +171,16 @@ Result evaluate_sums(
     result.bands = sums->bands();
     result.names = scene.names();
     result.ratios = spec.ratios.size();
-    // All that reads the sums of many organs comes before these are given back.
+    // Values that need the sums of many organs come before the sums are released.
     result.groups = evaluate_groups(sums, scene, spec);
     const BandFlows flows = read_flows(sums, scene);
     result.budget = evaluate_budget(flows);
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
     result.rays = sums.rays();
-    TotalContributions finds(result.bands);
-    evaluate_organs({sums, scene, spec}, is_done, finds, result);
-    report_errors_of_totals(sums, scene, finds, result);
+    TotalContributions contributions(result.bands);
+    evaluate_organs({sums, scene, spec}, is_done, contributions, result);
+    report_errors_of_totals(sums, scene, contributions, result);
     result.escaped_by_difference = sums->escaped == EscapedLight::remainder;
     result.paths = sums.paths();
     result.replicates = static_cast<std::uint32_t>(sums->replicates.size());

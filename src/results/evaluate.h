@@ -8,12 +8,12 @@
 
 namespace quasimc {
 
-/// What each of the scene's detectors saw, as part of evaluate().
+/// The light of each of the scene's detectors, as part of evaluate().
 [[nodiscard]] std::vector<DetectorResult> evaluate_detectors(const Sums& sums, const Scene& scene);
-/// The same of a scene without light: zeros.
-[[nodiscard]] std::vector<DetectorResult> dark_detectors(const Scene& scene);
+/// Detectors of a scene without light: zeros.
+[[nodiscard]] std::vector<DetectorResult> zero_detectors(const Scene& scene);
 
-/// How well the light that organs absorb is known. Its time is left to the caller.
+/// The statistical errors of the absorbed light of organs. The caller sets the time.
 /// @param target  relative standard error, in every band; 0: none
 [[nodiscard]] RoundErrors errors_so_far(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target);

@@ -9,8 +9,7 @@
 namespace quasimc {
 namespace {
 
-/// The flux of one bin of the sums, of scattered light in a band; of one in which nothing was seen,
-/// the bound.
+/// The flux of one bin of scattered light in a band; an upper bound where it is zero.
 Estimate estimate_bin(const Sums& sums, std::size_t bin, std::size_t band) {
     const auto samples = static_cast<double>(sums->samples);
     const double unit = sums->units.flux[band] / samples;
@@ -30,7 +29,7 @@ DetectorResult unseen_result(const DetectorSpec& spec, std::size_t bands) {
 
 }  // namespace
 
-std::vector<DetectorResult> dark_detectors(const Scene& scene) {
+std::vector<DetectorResult> zero_detectors(const Scene& scene) {
     std::vector<DetectorResult> results;
     for (const DetectorSpec& spec : scene.detectors()) {
         results.push_back(unseen_result(spec, scene.bands().size()));
@@ -40,7 +39,7 @@ std::vector<DetectorResult> dark_detectors(const Scene& scene) {
 
 std::vector<DetectorResult> evaluate_detectors(const Sums& sums, const Scene& scene) {
     const LightBlocks blocks(sums->layout);
-    std::vector<DetectorResult> results = dark_detectors(scene);
+    std::vector<DetectorResult> results = zero_detectors(scene);
     for (std::size_t d = 0; d < results.size(); ++d) {
         const std::size_t first = blocks.detector(d);
         for (std::size_t i = 0; i < results[d].values.size(); ++i) {

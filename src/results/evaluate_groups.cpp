@@ -13,20 +13,21 @@ namespace {
 
 constexpr std::size_t kGroupsPerBatch = 4096;
 
-/// What each replicate says of the organs of a group together.
+/// Light of the organs of a group together, per replicate.
 struct GroupSums {
     std::vector<Incident> light;  ///< [band * replicates + replicate], flux
     std::vector<double> sunlit;   ///< [replicate], area
 };
 
-/// What one find more would bring to a group, or one less would take.
+/// The size of one contribution to a group.
 struct GroupContribution {
-    double incident = 0, absorbed = 0;  ///< more, to a single replicate
-    /// Where it is known what can be found: to the organ to which a sample brings most; of kinds of
-    /// light, of which each organ may lack some of its own, to all of them.
+    double incident = 0, absorbed = 0;  ///< upper bound, to a single replicate
+    /// Where sizes are known: the largest of any organ, if samples belong to organs; with
+    /// strategies, where each organ may lack contributions of its own, the root of the sum of
+    /// squares.
     std::array<ContributionSize, kQuantities> known{};
-    ContributionSize on_both_sides;  ///< the same of all light that falls
-    /// Where nothing was found: along one direction all organs may, a path meets one of them.
+    ContributionSize on_both_sides;  ///< likewise, to all light on both sides
+    /// Where no light was sampled: one direction may miss all organs, a path only one of them.
     std::array<double, kQuantities> by_sky_sample{}, by_path{};
 };
 
@@ -43,7 +44,7 @@ class GroupEvaluator {
             std::vector<Incident>(replicates * results_.bands), std::vector<double>(replicates)};
     }
 
-    /// Adds up the organs of a group in their order, as one replicate saw them.
+    /// Adds up the organs of a group in their order, for one replicate.
     void sum_up(std::size_t group, std::uint32_t replicate, GroupSums& sums) const {
         const std::size_t replicates = sums_->replicates.size();
         for (const std::uint32_t index : results_.groups[group].organs) {
@@ -75,10 +76,10 @@ class GroupEvaluator {
   private:
     [[nodiscard]] bool has_sun() const { return !results_.sunlit_fraction.empty(); }
 
-    /// Whether it is known what light could have been found.
+    /// Whether the unoccluded light is known.
     [[nodiscard]] bool knows_unoccluded() const { return reader_.unoccluded().exists(); }
 
-    /// Whether it is known what a find may bring.
+    /// Whether the size of contributions is known.
     [[nodiscard]] bool knows_contributions() const {
         return knows_unoccluded() || !sums_->strategies.empty();
     }
@@ -107,7 +108,8 @@ class GroupEvaluator {
         return {reader_, scene_, spec_, scene_.organs()[organ]};
     }
 
-    /// Of what one sample finds, the most that it brings to an organ; else each organ's own.
+    /// Combines contributions of organs: the largest if samples belong to organs, else the root of
+    /// the sum of squares.
     [[nodiscard]] ContributionSize together(
         const ContributionSize& a, const ContributionSize& b) const {
         if (b.more == 0 && b.less == 0) {
@@ -118,23 +120,25 @@ class GroupEvaluator {
                    : ContributionSize{std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
     }
 
-    [[nodiscard]] GroupContribution find_of(std::size_t group, std::size_t band) const {
+    [[nodiscard]] GroupContribution contribution_of(std::size_t group, std::size_t band) const {
         GroupContribution most;
         for (const std::uint32_t index : results_.groups[group].organs) {
             const OrganReader reader = reader_of(index);
-            const double find = reader.largest_direct(band);
-            most.incident = std::max(most.incident, find);
-            most.absorbed = std::max(most.absorbed, find * reader.largest_absorptance(band));
-            const OrganContributions finds(reader, band);
-            if (finds.has_enough_contributions()) {
+            const double contribution = reader.largest_direct(band);
+            most.incident = std::max(most.incident, contribution);
+            most.absorbed =
+                std::max(most.absorbed, contribution * reader.largest_absorptance(band));
+            const OrganContributions contributions(reader, band);
+            if (contributions.has_enough_contributions()) {
                 continue;
             }
-            most.on_both_sides = together(most.on_both_sides, finds.incident_contribution());
+            most.on_both_sides =
+                together(most.on_both_sides, contributions.incident_contribution());
             for (const QuantityEntry& entry : quantity_table()) {
-                if (finds.knows_contributions()) {
+                if (contributions.knows_contributions()) {
                     ContributionSize& known = most.known[static_cast<std::size_t>(entry.quantity)];
-                    known = together(known, finds.find(entry.quantity));
-                    const OrganContributions::Parts parts = finds.parts(entry.quantity);
+                    known = together(known, contributions.contribution(entry.quantity));
+                    const OrganContributions::Parts parts = contributions.parts(entry.quantity);
                     const auto q = static_cast<std::size_t>(entry.quantity);
                     most.by_sky_sample[q] += parts.by_sky_sample.more;
                     most.by_path[q] = std::max(most.by_path[q], parts.by_path.more);
@@ -148,11 +152,11 @@ class GroupEvaluator {
     IncidentLight evaluate_band(std::size_t group, std::size_t band, const GroupSums& sums) const {
         const double area = results_.groups[group].area;
         const double per_area = area > 0 ? 1 / area : 0;
-        const GroupContribution find = find_of(group, band);
+        const GroupContribution contribution = contribution_of(group, band);
         const std::size_t replicates = sums_->replicates.size();
         QuantitySamples samples;
         samples.fill(std::vector<double>(replicates));
-        IncidentLight incident{{}, find.on_both_sides};
+        IncidentLight incident{{}, contribution.on_both_sides};
         for (std::uint32_t r = 0; r < replicates; ++r) {
             const Incident& in = sums.light[band * replicates + r];
             put_sample(r, in, per_area, samples);
@@ -162,14 +166,16 @@ class GroupEvaluator {
         for (const QuantityEntry& entry : quantity_table()) {
             const double unit = entry.is_flux ? 1 : per_area;
             const bool is_absorbed = parts_of(entry.quantity).is_absorbed;
-            const double most = (is_absorbed ? find.absorbed : find.incident) * unit;
+            const double most =
+                (is_absorbed ? contribution.absorbed : contribution.incident) * unit;
             const auto q = static_cast<std::size_t>(entry.quantity);
             const bool is_dark = std::all_of(
                 samples[q].begin(), samples[q].end(), [](double light) { return light == 0; });
             const ContributionSize known =
                 is_dark
-                    ? ContributionSize{std::hypot(find.by_sky_sample[q], find.by_path[q]) * unit, 0}
-                    : ContributionSize{find.known[q].more * unit, find.known[q].less * unit};
+                    ? ContributionSize{std::hypot(contribution.by_sky_sample[q], contribution.by_path[q]) * unit, 0}
+                    : ContributionSize{
+                          contribution.known[q].more * unit, contribution.known[q].less * unit};
             results_.values[(group * kQuantities + q) * results_.bands + band] =
                 knows_contributions() ? estimate_contributions(samples[q], known)
                                       : estimate_seen_or_bound(samples[q], most);
@@ -184,7 +190,7 @@ class GroupEvaluator {
     GroupResults& results_;
 };
 
-/// Groups with room for all that is told of them.
+/// Groups with room for all their estimates.
 GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t ratios) {
     GroupResults results;
     results.groups = make_groups(scene, spec);
@@ -222,7 +228,7 @@ GroupResults evaluate_groups(const Sums& sums, const Scene& scene, const Evaluat
     return results;
 }
 
-GroupResults dark_groups(const Scene& scene, const GroupSpec& spec, std::size_t ratios) {
+GroupResults zero_groups(const Scene& scene, const GroupSpec& spec, std::size_t ratios) {
     GroupResults dark = empty_groups(scene, spec, ratios);
     std::fill(dark.ratio_values.begin(), dark.ratio_values.end(), kUnknownEstimate);
     return dark;

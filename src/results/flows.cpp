@@ -15,7 +15,7 @@ class FlowReader {
     FlowReader(const Sums& sums, const Scene& scene, std::size_t band)
         : sums_(*sums), blocks_(sums_.layout), scene_(scene), band_(band) {}
 
-    /// Of each replicate.
+    /// Flows per replicate.
     [[nodiscard]] std::vector<Flows> flows() const {
         std::vector<Flows> flows(sums_.replicates.size());
         for (std::size_t region = 0; region < sums_.layout.regions(); ++region) {
@@ -35,7 +35,7 @@ class FlowReader {
                static_cast<double>(sums_.samples);
     }
 
-    /// What falls on a region, and what it absorbs and may scatter of it.
+    /// Adds the light that falls on a region and that it absorbs or may scatter.
     void add_region(std::size_t index, std::vector<Flows>& flows) const {
         const Region& region = scene_.regions()[index];
         const Material& material = data_of(scene_).material(region);
@@ -74,7 +74,7 @@ class FlowReader {
         return sum;
     }
 
-    /// Where escaped light is what is left.
+    /// Sets escaped light to the remainder of the budget.
     [[nodiscard]] Flows with_remainder(Flows flows) const {
         flows.emitted = sums_.emitted_flux[band_];
         flows.imbalance = 0;

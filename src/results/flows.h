@@ -8,11 +8,11 @@
 
 namespace quasimc {
 
-/// Where the light of one band went, as one replicate saw it: flux.
+/// Budget of the light of one band in one replicate: flux.
 struct Flows {
     double emitted = 0, organs = 0, ground = 0, escaped = 0, cut_off = 0, imbalance = 0;
-    double on_ground = 0;          ///< what falls on the ground
-    double escaped_scattered = 0;  ///< of what escaped; NaN where escaped is a remainder
+    double on_ground = 0;          ///< falls on the ground
+    double escaped_scattered = 0;  ///< part of `escaped`; NaN where escaped light is a remainder
 };
 
 /// [band][replicate]
@@ -26,7 +26,7 @@ using BandFlows = std::vector<std::vector<Flows>>;
 /// The fractions of each band (Result::canopy).
 [[nodiscard]] std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
-/// The same of a scene without light: fractions that are NaN.
-[[nodiscard]] std::vector<CanopyFractions> dark_canopy(const Scene& scene);
+/// Fractions of a scene without light: NaN.
+[[nodiscard]] std::vector<CanopyFractions> zero_canopy(const Scene& scene);
 
 }  // namespace quasimc

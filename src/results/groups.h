@@ -20,8 +20,8 @@ void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults);
 /// The light of the groups that EvaluationSpec::groups asks for, as part of evaluate().
 [[nodiscard]] GroupResults evaluate_groups(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
-/// The same of a scene without light: zeros, and ratios that are NaN.
-[[nodiscard]] GroupResults dark_groups(
+/// Groups of a scene without light: zeros, and ratios that are NaN.
+[[nodiscard]] GroupResults zero_groups(
     const Scene& scene, const GroupSpec& spec, std::size_t ratios);
 
 /// The horizontal area that light falls on from above: that of a cell that is periodic along both

@@ -20,7 +20,7 @@ Estimate mean_alone(double mean) {
     return e;
 }
 
-/// Those of one of many, which have so many each.
+/// The values of item `index`, which has `each` of them.
 std::span<Estimate> part(std::vector<Estimate>& all, std::size_t index, std::size_t each) {
     return std::span(all).subspan(index * each, each);
 }
@@ -60,7 +60,7 @@ class MeansWriter {
     std::vector<double> on_both_sides_;  // per band, per area
 };
 
-/// Writes those of organs and groups of a scene.
+/// Writes the means of organs and groups of a scene.
 class SceneMeans {
   public:
     SceneMeans(const Sums& sums, const Scene& scene, const EvaluationSpec& spec, Result& result)

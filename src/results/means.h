@@ -6,11 +6,11 @@
 
 namespace quasimc {
 
-/// Of what evaluate() tells of organs, groups, totals and ratios the means alone, in a part of its
-/// time: how another result differs tells an error. Errors and intervals are not a number; of
-/// sunlit parts and detectors nothing is told.
-/// @param sums  of one replicate (coarser_sums())
-/// @param groups  that the other result has; none are made for this one
+/// The means alone of organs, groups, totals and ratios, in a fraction of the time of evaluate():
+/// the difference from another result estimates an error. Standard errors and intervals are NaN;
+/// sunlit fractions and detectors are left out.
+/// @param sums  sums of one replicate (coarser_sums())
+/// @param groups  groups of the other result; none are made for this one
 [[nodiscard]] Result evaluate_means(
     const Sums& sums,
     const Scene& scene,

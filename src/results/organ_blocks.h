@@ -25,7 +25,7 @@ void for_each_block(std::size_t begin, std::size_t end, unsigned threads, const 
     });
 }
 
-/// The same for all organs.
+/// Runs work(first, last) for all organs.
 template <typename Work>
 void for_each_block(const Scene& scene, unsigned threads, const Work& work) {
     for_each_block(0, scene.organs().size(), threads, work);

@@ -12,7 +12,7 @@ namespace quasimc {
 struct LightParts {
     bool upper = true, lower = true;
     bool direct = true, scattered = true;
-    bool is_absorbed = false;  ///< what of it the organ absorbs
+    bool is_absorbed = false;  ///< the absorbed part
 };
 
 /// All light that falls on an organ.

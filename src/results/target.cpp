@@ -1,4 +1,4 @@
-// How well the light that organs absorb is known: whether to a target, and how far it is from it.
+// How accurate the absorbed light of organs is, and how far it is from a target.
 
 #include <algorithm>
 #include <atomic>
@@ -18,7 +18,7 @@
 namespace quasimc {
 namespace {
 
-/// Adds what an organ absorbs, per band, on the mean over the replicates.
+/// Adds the mean flux that an organ absorbs, per band.
 void add_absorbed(const OrganReader& reader, std::vector<double>& flux) {
     const std::uint32_t replicates = reader.replicates();
     for (std::size_t b = 0; b < flux.size(); ++b) {
@@ -30,8 +30,9 @@ void add_absorbed(const OrganReader& reader, std::vector<double>& flux) {
     }
 }
 
-/// Mean flux that a measured organ absorbs, per band: the same on any number of threads.
-std::vector<double> usual_flux(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+/// Mean flux that a measured organ absorbs, per band; independent of the number of threads.
+std::vector<double> mean_absorbed_flux(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     const std::size_t bands = sums->bands();
     const SumReader reader(sums);
     std::vector<std::vector<double>> of_block(blocks_of(scene));
@@ -65,7 +66,7 @@ Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
     return OrganContributions(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
-/// What of the light of an organ other surfaces sent, in a band: 0 to 1.
+/// Scattered fraction of the light of an organ in a band: 0 to 1.
 double scattered_part(const OrganReader& reader, std::size_t band) {
     double scattered = 0, all = 0;
     for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
@@ -76,7 +77,8 @@ double scattered_part(const OrganReader& reader, std::size_t band) {
     return all > 0 ? std::clamp(scattered / all, 0.0, 1.0) : 0;
 }
 
-/// What organs absorb on the two levels of patches, per band: the same on any number of threads.
+/// Absorbed light of organs on the two levels of patches, per band; independent of the number of
+/// threads.
 std::vector<PatchErrorPool> pool_of(
     const SumReader& fine,
     const SumReader& coarse,
@@ -112,7 +114,7 @@ std::vector<PatchErrorPool> pool_of(
     return all;
 }
 
-/// What organs absorb with the error of patches, where sums have two levels.
+/// Absorbed light of organs, with the error of patches where sums have two levels.
 class AbsorbedByOrgans {
   public:
     AbsorbedByOrgans(const Sums& sums, const Scene& scene, const EvaluationSpec& spec)
@@ -124,7 +126,7 @@ class AbsorbedByOrgans {
         }
     }
 
-    /// Of an organ, [band].
+    /// Absorbed flux of an organ, [band].
     void find(const Organ& organ, std::vector<Estimate>& absorbed) const {
         const OrganReader reader(fine_, scene_, spec_, organ);
         for (std::size_t b = 0; b < absorbed.size(); ++b) {
@@ -148,15 +150,15 @@ class AbsorbedByOrgans {
     std::vector<PatchErrorPool> pools_;
 };
 
-/// Whether the absorbed flux of an organ is known to the target in every band; what can't absorb
-/// any light is. Where nothing was found, if what may be there is little beside what others get.
+/// Whether the absorbed flux of an organ meets the target in every band, as it does for organs that
+/// can't absorb. An upper bound of unsampled light must be small compared with other organs.
 /// @param absorbed  [band]
 bool is_at_target(
-    const std::vector<Estimate>& absorbed, double target, const std::vector<double>& usual) {
+    const std::vector<Estimate>& absorbed, double target, const std::vector<double>& mean_flux) {
     for (std::size_t b = 0; b < absorbed.size(); ++b) {
         const Estimate& estimate = absorbed[b];
         const bool is_unlit = std::isnan(estimate.standard_error);
-        const bool is_known = is_unlit ? estimate.ci95_high <= target * usual[b]
+        const bool is_known = is_unlit ? estimate.ci95_high <= target * mean_flux[b]
                                        : estimate.standard_error <= target * estimate.mean;
         if (!is_known) {
             return false;
@@ -191,8 +193,8 @@ RoundErrors errors_so_far(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
     const std::size_t bands = sums->bands();
     const AbsorbedByOrgans light(sums, scene, spec);
-    const std::vector<double> usual =
-        target > 0 ? usual_flux(sums, scene, spec) : std::vector<double>();
+    const std::vector<double> mean_flux =
+        target > 0 ? mean_absorbed_flux(sums, scene, spec) : std::vector<double>();
     std::atomic<std::size_t> reached{0};
     std::vector<double> errors(
         scene.organs().size() * bands, std::numeric_limits<double>::quiet_NaN());
@@ -210,7 +212,8 @@ RoundErrors errors_so_far(
                 std::transform(absorbed.begin(), absorbed.end(), at, relative_error);
             }
             const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
-            reached += is_covered || (target > 0 && is_at_target(absorbed, target, usual)) ? 1 : 0;
+            reached +=
+                is_covered || (target > 0 && is_at_target(absorbed, target, mean_flux)) ? 1 : 0;
         }
     });
     const auto organs = static_cast<double>(scene.organs().size());

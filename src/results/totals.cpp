@@ -8,8 +8,8 @@
 namespace quasimc {
 namespace {
 
-/// The upper bound of what organs, or the ground, absorb together, where nothing was found: that of
-/// the one with the largest, for a sample finds one of them at most.
+/// Upper bound of the total absorbed by organs, or by the ground, with zero contributions: the
+/// largest bound of one organ, for a sample contributes to at most one of them.
 void bound_unseen_totals(const Scene& scene, Result& result) {
     for (std::size_t b = 0; b < result.bands; ++b) {
         double organs = 0, ground = 0;
@@ -27,15 +27,15 @@ void bound_unseen_totals(const Scene& scene, Result& result) {
     }
 }
 
-/// Widens a total of which something was found. @param per_flux  its unit
-void widen(Estimate& total, const ContributionSize& find, double per_flux = 1) {
+/// Widens a total with contributions. @param per_flux  its unit
+void widen(Estimate& total, const ContributionSize& contribution, double per_flux = 1) {
     if (total.mean > 0) {
-        total = widened(total, {find.more * per_flux, find.less * per_flux});
+        total = widened(total, {contribution.more * per_flux, contribution.less * per_flux});
     }
 }
 
-/// An interval that holds its mean. The parts of a budget add up to what is emitted by their means,
-/// one of which may lie beyond what is possible by chance: these are reported as they are.
+/// An interval that contains its mean. The means of a budget's parts add up to the emitted flux;
+/// one may exceed its limit by chance, and is reported as it is.
 Estimate with_mean(const Estimate& e) {
     return {e.mean, e.standard_error, std::min(e.ci95_low, e.mean), std::max(e.ci95_high, e.mean)};
 }
@@ -55,19 +55,19 @@ void TotalContributions::include(std::span<const TotalContribution> some) {
 }
 
 void report_errors_of_totals(
-    const Sums& sums, const Scene& scene, const TotalContributions& finds, Result& result) {
+    const Sums& sums, const Scene& scene, const TotalContributions& contributions, Result& result) {
     bound_unseen_totals(scene, result);
     for (std::size_t b = 0; b < result.bands; ++b) {
-        const TotalContribution& find = finds.of(b);
+        const TotalContribution& contribution = contributions.of(b);
         BandBudget& budget = result.budget[b];
-        widen(budget.absorbed_by_organs, find.organs);
-        widen(budget.absorbed_by_ground, find.ground);
+        widen(budget.absorbed_by_organs, contribution.organs);
+        widen(budget.absorbed_by_ground, contribution.ground);
         if (!result.canopy.empty() && result.canopy[b].incident > 0) {
             CanopyFractions& canopy = result.canopy[b];
-            widen(canopy.absorptance, find.organs, 1 / canopy.incident);
-            widen(canopy.ground_absorptance, find.ground, 1 / canopy.incident);
+            widen(canopy.absorptance, contribution.organs, 1 / canopy.incident);
+            widen(canopy.ground_absorptance, contribution.ground, 1 / canopy.incident);
         }
-        // Where all light that is emitted goes, no part gets more.
+        // Where all emitted light is counted, no part exceeds it.
         for (Estimate* part :
              {&budget.absorbed_by_organs, &budget.absorbed_by_ground, &budget.escaped}) {
             *part = with_mean(

@@ -11,20 +11,20 @@
 
 namespace quasimc {
 
-/// What one find more or less changes in what organs absorb together, and the ground: the largest
-/// find of an organ, for with many finds the replicates tell what the others leave open.
+/// The largest contribution of an organ to the totals of organs and ground: with many contributions
+/// the spread of the replicates covers the others.
 struct TotalContribution {
     ContributionSize organs, ground;
 
     void include(const TotalContribution& other);
 };
 
-/// The total finds of each band, gathered on many threads.
+/// The largest contributions of each band, gathered on many threads.
 class TotalContributions {
   public:
     explicit TotalContributions(std::size_t bands) : bands_(bands) {}
 
-    /// Includes the finds of some organs.
+    /// Includes the contributions of some organs.
     void include(std::span<const TotalContribution> some);
     [[nodiscard]] const TotalContribution& of(std::size_t band) const { return bands_[band]; }
 
@@ -33,10 +33,10 @@ class TotalContributions {
     std::vector<TotalContribution> bands_;
 };
 
-/// Tells of what organs and the ground absorb in all, in the budget and as fractions of the canopy,
-/// what the replicates do not show: how much may be there where nothing was found, what a find more
-/// or less changes, and that it is not more than what is emitted.
+/// Completes the errors of the totals of organs and ground, in the budget and as fractions of the
+/// canopy, by what replicates do not show: upper bounds where no light was sampled, the size of one
+/// contribution, and the emitted flux as a limit.
 void report_errors_of_totals(
-    const Sums& sums, const Scene& scene, const TotalContributions& finds, Result& result);
+    const Sums& sums, const Scene& scene, const TotalContributions& contributions, Result& result);
 
 }  // namespace quasimc

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// Square metres of a square unit of length; nothing if its name is not known.
+/// Square metres of a square unit of length; nothing for an unknown unit.
 std::optional<double> square_metres_per(std::string_view length_unit) {
     const std::optional<double> metres = metres_per(length_unit);
     return metres ? std::optional(*metres * *metres) : std::nullopt;
@@ -36,7 +36,7 @@ std::string factor_text(double factor) {
 
 FluxUnit named_flux_unit(const std::string& irradiance_unit, const std::string& length_unit) {
     if (length_unit.empty()) {
-        return {1, ""};  // of a plant whose lengths have no unit
+        return {1, ""};  // the plant's lengths have no unit
     }
     constexpr std::string_view kPer = "-2";
     const std::string unit = irradiance_unit == "lx" ? "lm m-2" : irradiance_unit;
@@ -49,7 +49,7 @@ FluxUnit named_flux_unit(const std::string& irradiance_unit, const std::string& 
             const std::optional<double> per = square_metres_per(word);
             if (word == length_unit || (square && per)) {
                 const double factor = word == length_unit ? 1 : *square / *per;
-                // With the blank before it.
+                // Includes the space before it.
                 const std::size_t first = begin == 0 ? 0 : begin - 1;
                 return {factor, without_word(unit, first, end - first)};
             }

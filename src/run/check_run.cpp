@@ -203,7 +203,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {
-        check_matt(scene, faults);
+        check_diffuse(scene, faults);
         check_bundle_memory(scene, spec, faults);
     }
 }

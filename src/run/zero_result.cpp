@@ -30,10 +30,10 @@ Result zero_result(const Scene& scene, const RunSpec& spec) {
     dark.ratios = spec.ratios.size();
     dark.values.resize(scene.organs().size() * kQuantities * dark.bands);
     dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
-    dark.groups = dark_groups(scene, group_spec(spec), dark.ratios);
+    dark.groups = zero_groups(scene, group_spec(spec), dark.ratios);
     dark.budget.resize(dark.bands);
-    dark.canopy = dark_canopy(scene);
-    dark.detectors = dark_detectors(scene);
+    dark.canopy = zero_canopy(scene);
+    dark.detectors = zero_detectors(scene);
     dark.replicates = spec.replicates;
     dark.chosen.reason = "no source gives light; nothing was computed";
     return dark;

@@ -225,7 +225,7 @@ void check_with_sources(
 void refuse_sweep(TableReader& top) {
     if (const Node* sweep = top.any("sweep")) {
         top.fault_at(
-            *sweep, "[sweep] states several runs", "a scene to work with is one",
+            *sweep, "[sweep] describes several runs", "a scene is one run",
             "run the file with the program, `quasimc run`, or take [sweep] out");
     }
 }

@@ -31,8 +31,8 @@ struct BlockRange {
 ///
 /// A block is a pure function of its number but for the order of its additions, and sums are exact:
 /// so threads, and the order in which blocks are done, change nothing.
-/// @tparam Scratch  what a worker keeps between blocks, made from the number of bands. No two
-///         workers' share a cache line.
+/// @tparam Scratch  memory of a worker between blocks, made from the number of bands. Workers share
+/// no cache line.
 template <typename Scratch>
 class BlockRunner {
   public:
@@ -42,7 +42,7 @@ class BlockRunner {
           private_regions_(ground_regions(input.prepared.scene())) {}
 
     /// Calls `trace(replicate, block, scratch, tally)` for every block of every replicate.
-    /// @param tasks  a round of tasks that these are among
+    /// @param tasks  the round of tasks that contains these
     template <typename Trace>
     void run(std::uint64_t blocks, TaskRound& tasks, Sums& sums, const Trace& trace) {
         while (scratch_.size() < tasks.workers()) {

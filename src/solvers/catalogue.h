@@ -10,20 +10,20 @@
 
 namespace quasimc {
 
-/// One row of the catalogue: a way of computing.
+/// One row of the catalogue: a method.
 struct SolverEntry {
     Method method;
-    std::string_view name;     ///< as users write it: "first_hits"
+    std::string_view name;     ///< in run files: "first_hits"
     std::string_view summary;  ///< one line for the manual
     std::unique_ptr<Solver> (*make)(const SolverInput& input);
     SumMeaning (*meaning)(const PreparedScene& prepared, const RunSpec& spec);
-    EscapedLight escaped = EscapedLight::summed;  ///< what it knows of light that leaves the scene
-    /// Whether a first round of so many paths, and further ones of 1, 2, 4, ... times as many,
-    /// bring the bits of a single round of all of them. Null: they never do.
+    EscapedLight escaped = EscapedLight::summed;  ///< how escaped light is obtained
+    /// Whether a first round of `first_paths` paths, and further rounds of 1, 2, 4, ... times as
+    /// many, give the same bits as a single round of all paths. Null: they never do.
     bool (*do_rounds_add_up)(const Scene& scene, std::uint64_t first_paths) = nullptr;
 };
 
-/// All solvers. Method::automatic is none of them.
+/// All solvers, without Method::automatic.
 [[nodiscard]] std::span<const SolverEntry> solver_catalogue();
 
 /// The row of a method; null for Method::automatic.

@@ -1,4 +1,4 @@
-// What one contribution may bring to each side of the regions: docs/theory/statistics.md.
+// The largest contributions to each side of the regions: docs/theory/statistics.md.
 
 #include "solvers/sampling_strategies.h"
 
@@ -69,48 +69,48 @@ std::vector<double> diameters(const PreparedScene& prepared) {
     return all;
 }
 
-/// A direction of the middle of a sun.
+/// The direction of light from the centre of a sun.
 Vec3 direction_of(const BoundSource& sun) {
     const SourceSampler& sampler = *sun.source_sampler;
     return sampler.beam_direction() ? *sampler.beam_direction()
                                     : sampler.draw_direction(0.5, 0.5).direction;
 }
 
-/// How large a region looks to a sun, and its area.
-struct QuadratureNode {
-    double seen = 0, area = 0;
+/// Projected area of a region along the light of a sun, and its area.
+struct LitAreas {
+    double projected = 0, area = 0;
 };
 
-/// By region, how much area a sun lights for each unit of area across its light, at most.
+/// By region, the largest ratio of lit area to projected area for a sun.
 /// @param wanted  which suns
 template <typename Wanted>
 std::vector<double> slants(const PreparedScene& prepared, const Wanted& wanted) {
-    // Of very many suns some stand for all: their directions lie close.
-    constexpr double kMaxDirectLights = 1e8;
-    const double looks =
+    // If there are very many suns, some represent all: their directions are close.
+    constexpr double kMaxVisits = 1e8;
+    const double visits =
         static_cast<double>(prepared.lights().size()) * prepared.caster().mesh().triangle_count();
-    const auto stride =
-        static_cast<std::size_t>(std::ceil(std::max(1.0, looks / kMaxDirectLights)));
+    const auto stride = static_cast<std::size_t>(std::ceil(std::max(1.0, visits / kMaxVisits)));
     std::vector<double> most(prepared.scene().regions().size());
     for (std::size_t light = 0; light < prepared.lights().size(); light += stride) {
         if (!wanted(prepared.lights()[light])) {
             continue;
         }
         const Vec3 direction = direction_of(prepared.lights()[light]);
-        std::vector<QuadratureNode> seen(most.size());
+        std::vector<LitAreas> regions(most.size());
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
-            seen[region].seen += std::abs(dot(area, direction));
-            seen[region].area += length(area);
+            regions[region].projected += std::abs(dot(area, direction));
+            regions[region].area += length(area);
         });
         for (std::size_t i = 0; i < most.size(); ++i) {
-            most[i] = std::max(most[i], seen[i].seen > 0 ? seen[i].area / seen[i].seen : 0);
+            most[i] = std::max(
+                most[i], regions[i].projected > 0 ? regions[i].area / regions[i].projected : 0);
         }
     }
     return most;
 }
 
-/// By region, the area that a path of a sun lights at most: of the unit of a contribution, which is
-/// a path of the sun that is picked most seldom.
+/// By region, the largest area that a path of a sun lights, relative to the unit of a contribution:
+/// a path of the sun with the smallest probability.
 template <typename Wanted>
 std::vector<double> sunlit_by_path(const PreparedScene& prepared, const Wanted& wanted) {
     double largest = 0;
@@ -126,17 +126,17 @@ std::vector<double> sunlit_by_path(const PreparedScene& prepared, const Wanted& 
     return lit;
 }
 
-/// The strategies for the lights that are `wanted`, found by paths: a spectrum is one, so that what
-/// many paths of bright lights tell does not hide that a faint one has few; all are one if they are
-/// many.
+/// Adds strategies for the lights that are `wanted`, sampled by paths: one for each spectrum, so
+/// that many contributions of bright lights do not hide few of a faint one; a single one if spectra
+/// are many.
 template <typename Wanted>
 void add_strategies(
     const PreparedScene& prepared,
     const Wanted& wanted,
     std::vector<SamplingStrategy>& strategies) {
-    constexpr std::size_t kMaxDistance = 8;
+    constexpr std::size_t kMaxSeparate = 8;
     const std::vector<std::size_t> spectra = strategy_of(prepared, wanted).spectra;
-    const std::size_t count = spectra.size() <= kMaxDistance ? spectra.size() : 1;
+    const std::size_t count = spectra.size() <= kMaxSeparate ? spectra.size() : 1;
     for (std::size_t i = 0; i < count; ++i) {
         const auto is_own = [&](const BoundSource& light) {
             return wanted(light) && (count == 1 || light.spectrum == spectra[i]);
@@ -159,14 +159,15 @@ std::vector<SamplingStrategy> strategies_by_path(const PreparedScene& prepared) 
     return strategies;
 }
 
-/// Of the light along a direction a region gets the part that it takes of the box around the scene,
-/// as seen along it: at most what it is along one of the axes, since both are sums over these.
+/// A region receives the fraction of the light along a direction that its projected area is of the
+/// projected box of the scene. Both are sums over the axes, so this is at most the largest fraction
+/// along an axis.
 SamplingStrategy strategy_by_direction(
     const PreparedScene& prepared, std::uint32_t directions, double step) {
     SamplingStrategy strategy =
         strategy_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
     strategy.by = SampledBy::directions;
-    // Not sheared, as many are, more replicates see the same number.
+    // Many directions are not sheared, and more replicates have the same number of contributions.
     constexpr double kManyAlike = 7;
     strategy.many = directions > kMaxShearedDirections ? kManyAlike : strategy.many;
     strategy.step = step;
@@ -177,8 +178,8 @@ SamplingStrategy strategy_by_direction(
         up[region] += sideways + Vec3{0, 0, std::max(0.0, area.z)};
         down[region] += sideways + Vec3{0, 0, std::max(0.0, -area.z)};
     });
-    // Of a scene without end only the top lets light in: what comes in flatter than so does not
-    // count, or the part would have no bound.
+    // In a periodic scene light enters only through the top: without a lowest height of directions,
+    // the fraction would have no bound.
     constexpr double kFlat = 0.125;
     Vec3 face = prepared.projection().entry_box().face_area;
     const double least = kFlat * std::max({face.x, face.y, face.z});
@@ -197,11 +198,11 @@ SamplingStrategy strategy_by_direction(
     return strategy;
 }
 
-/// A line brings a region at most what falls on a stretch as long as the region.
+/// A line contributes to a region at most the light on a segment as long as the region.
 ///
-/// Lines of a replicate lie `spacing` apart, in a direction of their own: a lit part that is wider
-/// across them is met. One that no replicate has met is thus about as narrow in all of their
-/// directions, and a line that met it would cut no more than twice that.
+/// Lines of a replicate are `spacing` apart, in a random orientation, and meet every lit part that
+/// is wider across them. A part that no replicate has met is thus about as narrow in all of their
+/// orientations, and a line that met it would have a segment of at most twice that length.
 SamplingStrategy strategy_by_line(
     const PreparedScene& prepared,
     const std::vector<bool>& has_lines,
@@ -219,18 +220,19 @@ SamplingStrategy strategy_by_line(
             continue;
         }
         const Vec3 direction = direction_of(prepared.lights()[light]);
-        std::vector<QuadratureNode> looks(longest.size());
+        std::vector<LitAreas> regions(longest.size());
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
             const double along = dot(area, direction);
-            looks[region].seen += std::abs(along);
-            looks[region].area += length(area);
-            // What is seen at less is seen edge-on, as along the lines.
+            regions[region].projected += std::abs(along);
+            regions[region].area += length(area);
+            // At smaller cosines a triangle counts as edge-on to the light.
             if (std::abs(along) > kEdgeOn * length(area)) {
                 strategy.reach[std::size_t{2} * region + (along > 0 ? 1 : 0)] = longest[region];
             }
         });
-        for (std::size_t i = 0; i < looks.size(); ++i) {
-            const double slant = looks[i].seen > 0 ? looks[i].area / looks[i].seen : 0;
+        for (std::size_t i = 0; i < regions.size(); ++i) {
+            const double slant =
+                regions[i].projected > 0 ? regions[i].area / regions[i].projected : 0;
             strategy.sunlit_reach[i] = std::max(strategy.sunlit_reach[i], longest[i] * slant);
         }
     }

@@ -14,36 +14,35 @@
 
 namespace quasimc {
 
-/// Strategies for lights of which each path is a contribution of its own: one for suns, one for
-/// skies, one for lamps; those there are.
+/// Strategies for lights that are sampled by paths, each path one contribution: for suns, skies and
+/// lamps, if there are any.
 [[nodiscard]] std::vector<SamplingStrategy> strategies_by_path(const PreparedScene& prepared);
 
 /// The strategy for skies, whose light is sampled along directions.
-/// @param directions  in each replicate, of the first round
-/// @param step  units of light of each
+/// @param directions  their number in each replicate of the first round
+/// @param step  light along each, in units
 [[nodiscard]] SamplingStrategy strategy_by_direction(
     const PreparedScene& prepared, std::uint32_t directions, double step);
 
 /// The strategy for suns, whose light is sampled along lines.
-/// @param has_lines  by light: those of which it is
-/// @param step  units of light that a unit of length of a line brings
-/// @param spacing  of the lines, local units, at most
+/// @param has_lines  by light: whether it is sampled along lines
+/// @param step  light per unit length of a line, in units
+/// @param spacing  largest distance of neighbouring lines, local units
 [[nodiscard]] SamplingStrategy strategy_by_line(
     const PreparedScene& prepared, const std::vector<bool>& has_lines, double step, double spacing);
 
-/// The strategy for suns that are sampled by paths beside others whose light is sampled along
-/// lines. What they contribute is summed with that of the others: of none of it is it known whose
-/// it is.
-/// @param has_lines  by light: those of which it is not
+/// The strategy for suns that are sampled by paths if others are sampled along lines. The
+/// contributions of both are summed together and cannot be separated.
+/// @param has_lines  by light: whether it is sampled along lines
 [[nodiscard]] SamplingStrategy strategy_of_traced_suns(
     const PreparedScene& prepared, const std::vector<bool>& has_lines);
 
-/// The strategies of sums, and where squares of the contributions of the first of them are summed:
-/// of the light that each brought, in squares of the most it could (SamplingStrategy::step).
+/// The strategies of sums, and the blocks for squares of the contributions of the first of them,
+/// relative to the largest possible ones (SamplingStrategy::step).
 struct CountedStrategies {
     explicit CountedStrategies(const SumData& sums)
         : strategies(sums.strategies), squares(sums.layout, "squares") {}
-    /// Declares the blocks of squares for so many strategies.
+    /// Declares the blocks of squares for the given number of strategies.
     static void declare(std::size_t strategies, SumBlocks& blocks) {
         declare_sides("squares", columns_of(SumColumn::Of::strategy, strategies), blocks);
     }
@@ -57,7 +56,7 @@ class ContributionCounter {
   public:
     /// Counts what `add_all(counter)` adds.
     /// @param strategy  its index
-    /// @param lines  that the sample consists of; 1 for a direction
+    /// @param lines  number of lines in the sample; 1 for a direction
     template <typename AddAll>
     static void count(
         const PreparedScene& prepared,
@@ -74,7 +73,7 @@ class ContributionCounter {
     /// Adds light on a triangle. Triangles of a region follow each other.
     /// @param along  dot(unit normal of the upper side, direction of the light)
     /// @param amount  units of light
-    /// @param segments  along lines
+    /// @param segments  their number, along lines
     void add(std::uint32_t triangle, double along, double amount, std::uint32_t segments = 1) {
         const std::uint32_t region = prepared_.region(triangle);
         if (region != region_) {
@@ -84,7 +83,7 @@ class ContributionCounter {
         if (!prepared_.fields_of_view().contain(region, std::abs(along))) {
             return;
         }
-        // Nothing comes to one side, and no branch could guess to which.
+        // One side receives nothing; no branch predictor could guess which.
         const auto is_lower = static_cast<std::uint32_t>(along > 0);
         upper_.add(amount * (1 - is_lower), segments * (1 - is_lower));
         lower_.add(amount * is_lower, segments * is_lower);

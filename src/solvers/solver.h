@@ -11,7 +11,7 @@
 
 namespace quasimc {
 
-/// The points a run traces at one go, the same in every replicate.
+/// Points that a run traces in one call, the same in every replicate.
 struct Round {
     std::uint64_t first = 0;  ///< points traced before
     std::uint64_t count = 0;
@@ -20,9 +20,9 @@ struct Round {
 
 /// A way of computing the light on surfaces.
 ///
-/// A solver owns its loop: it may cut a round into blocks (solvers/block_runner.h, as those of
-/// today do), iterate, or hand a million paths to a device at once. What it keeps between rounds is
-/// its own. How to add one: its file, its test, its page, a row in solvers/catalogue.cpp.
+/// A solver owns its loop: it may cut a round into blocks (solvers/block_runner.h, as all present
+/// ones do), iterate, or hand a million paths to a device at once. State between rounds is its own.
+/// How to add one: its file, its test, its page, a row in solvers/catalogue.cpp.
 class Solver {
   public:
     virtual ~Solver() = default;
@@ -30,24 +30,25 @@ class Solver {
     Solver(const Solver&) = delete;
     Solver& operator=(const Solver&) = delete;
 
-    /// Adds the light of a round to sums of empty_sums(): to every replicate that of its own
-    /// points, and the paths and samples done. The same bits with any number of workers.
+    /// Adds the light of a round to sums of empty_sums(), to every replicate that of its own
+    /// points, and the numbers of paths and samples. The bits do not depend on the number of
+    /// workers.
     /// @throws InputError  where light is too strong to be summed
     /// @throws StopRequested  if a stop was requested; sums are then of no use
     ///
     /// The tasks of the last call of the round are in the order of replicates: those before
     /// have all light of the round when it is not complete yet.
     virtual void solve(const Round& round, Executor& executor, Sums& sums) = 0;
-    /// What a round adds to Sums::samples.
+    /// Number that a round adds to Sums::samples.
     [[nodiscard]] virtual std::uint64_t samples_of(const Round& round) const { return round.count; }
 };
 
-/// What a solver is made for; all of it outlives the solver.
+/// Inputs of a solver, which outlive it.
 struct SolverInput {
     const PreparedScene& prepared;
     const Sampler& sampler;
     const RunSpec& spec;
-    /// Asked within blocks, several times a second at least; that of the executor.
+    /// Checked within blocks, at least several times a second; the token of the executor.
     std::stop_token stop = {};
 };
 

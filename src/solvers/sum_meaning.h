@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// What a solver declares of its sums: see SumData.
+/// A solver's declarations about its sums: see SumData.
 struct SumMeaning {
     SumUnits units;
     std::vector<ContributionBound> bounds = {};

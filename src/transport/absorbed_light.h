@@ -15,14 +15,14 @@ enum class LightPart { direct, scattered };
 struct Arrival {
     std::uint32_t region = 0;
     SurfaceSide side = SurfaceSide::upper;
-    double cosine = 1;  ///< of the angle between the light and the normal, >= 0
+    double cosine = 1;  ///< between the light and the normal, >= 0
     LightPart part = LightPart::direct;
     double factor = 1;
     std::span<const double> weights;
 };
 
-/// Adds what the surface absorbs of light that falls on it, where that is summed on its own
-/// (LightBlocks::has_absorbed); elsewhere it follows from what falls on surfaces.
+/// Adds the light that the surface absorbs, if it is summed separately (LightBlocks::has_absorbed);
+/// otherwise it follows from the incident light.
 void score_absorbed(const PreparedScene& prepared, const Arrival& arrival, Tally& tally);
 
 }  // namespace quasimc

@@ -22,7 +22,7 @@ std::vector<double> total_flux(
     return flux;
 }
 
-/// Every band gives each light its share of the band's flux; the mean over the bands that have
+/// Sets the probability of each light: its fraction of the flux, mean over the bands that have
 /// light.
 void set_probabilities(
     std::vector<BoundSource>& lights, const std::vector<double>& flux, double area) {
@@ -115,7 +115,7 @@ void BoundLights::set_sun(BoundSource& light, double all_suns, double world_area
                      world_area / sun_area_ / radiance;
 }
 
-/// Lights of one kind with equal start weights have a spectrum in common.
+/// Lights of one kind (sun, sky or lamp) with equal start weights share a spectrum.
 void BoundLights::set_spectrum(BoundSource& light) {
     const auto is_alike = [&](const BoundSource& other) {
         return other.source->is_sun() == light.source->is_sun() &&

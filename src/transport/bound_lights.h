@@ -10,34 +10,33 @@
 
 namespace quasimc {
 
-/// A source bound to the scene. Weights are relative: in each band the flux of all sources is 1,
-/// shared out so that a path that picks a source with `probability` brings start_weights[b] to band
-/// b, on average 1.
+/// A source bound to the scene. Weights are relative: in each band the flux of all sources is 1. A
+/// path that picks a source with `probability` carries start_weights[b] in band b, on average 1.
 struct BoundSource {
     const Source* source = nullptr;
     std::unique_ptr<SourceSampler> source_sampler;
-    double probability = 0;             ///< of being picked, over all lights
-    double before = 0;                  ///< sum of the probabilities of the lights before
+    double probability = 0;             ///< probability of being picked, over all lights
+    double before = 0;                  ///< sum of the probabilities of the previous lights
     std::vector<double> start_weights;  ///< per band
     std::size_t spectrum = 0;  ///< suns with equal start weights share one, so do skies, lamps
-    double sun_share = 0;      ///< share in the irradiance of all directional lights; 0 for others
-    double lit_area =
-        0;  ///< what a path of it lights facing it, times sun_share, in units of sun_area / paths
-    double usual_irradiance = 1;  ///< for a spectrum of 1; of a lamp: spread over the scene's box
+    double sun_share = 0;  ///< fraction of the irradiance of all directional lights; 0 for others
+    double lit_area = 0;   ///< area across its direction that a path represents, times sun_share;
+                           ///< unit sun_area / paths
+    double usual_irradiance =
+        1;  ///< for a spectrum of 1; lamps: flux over a face of the scene's box
 
-    /// Whether paths that leave the scene find it by chance, as they do a sky.
+    /// Whether paths that leave the scene may hit it: only skies.
     [[nodiscard]] bool is_extended() const { return !source->is_sun() && !source->is_lamp(); }
 };
 
-/// A light that a number picks.
+/// A light picked by a random number.
 struct LightPick {
     std::size_t index = 0;
-    double u = 0;            ///< what is left of the number
-    double probability = 1;  ///< of the light
+    double u = 0;            ///< the number, rescaled to [0, 1) for another use
+    double probability = 1;  ///< probability of the light
 };
 
-/// The lights that send something into a scene, in the order of their sources. Const after
-/// construction.
+/// The lights with flux into a scene, in the order of their sources. Const after construction.
 class BoundLights {
   public:
     /// @throws StopRequested  if a stop is requested before they are ready
@@ -63,7 +62,7 @@ class BoundLights {
     [[nodiscard]] const std::vector<std::vector<double>>& spectra() const { return spectra_; }
     /// Flux of all lights into the scene, per band, irradiance unit x square scene unit.
     [[nodiscard]] const std::vector<double>& flux() const { return flux_; }
-    /// Area of all suns' cross-sections together, square scene units.
+    /// Sum of the cross-sections of all suns, square scene units.
     [[nodiscard]] double sun_area() const { return sun_area_; }
 
   private:

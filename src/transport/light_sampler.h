@@ -8,14 +8,13 @@
 
 namespace quasimc {
 
-/// Which light each point of a set picks, in proportion to flux, or nearly so.
+/// Picks a light for each point of a set, with a probability (nearly) proportional to flux.
 ///
-/// Where lights are few, their shares are whole numbers of points, at least one: by flux, to the
-/// nearest end. Else replicates would have one point more or less of a light, most of them the same
-/// number, and could not tell how often.
+/// If lights are few, each gets a whole number of points, at least one. Otherwise most replicates
+/// would have the same number of points of a light, and their spread would underestimate the error.
 class LightSampler {
   public:
-    /// @param points  of a set that is spread evenly; best a power of two
+    /// @param points  size of a well-spread set; best a power of two
     LightSampler(const PreparedScene& prepared, std::uint64_t points);
 
     [[nodiscard]] LightPick pick(double u) const {
@@ -25,7 +24,7 @@ class LightSampler {
         const IntervalPick share = pick_interval(ends_, u);
         return {share.index, share.part, share.width};
     }
-    /// What a point that picks a light counts, so that the mean is by flux.
+    /// Weight of a point that picks a light, so that the mean is proportional to flux.
     [[nodiscard]] double weight(std::size_t light) const {
         return ends_.empty() ? 1
                              : prepared_.lights()[light].probability / interval_width(ends_, light);
@@ -33,7 +32,7 @@ class LightSampler {
 
   private:
     const PreparedScene& prepared_;
-    std::vector<double> ends_;  // where a light's share of [0, 1) ends; empty: by flux
+    std::vector<double> ends_;  // upper end of each light's interval of [0, 1); empty: by flux
 };
 
 }  // namespace quasimc

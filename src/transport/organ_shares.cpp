@@ -43,7 +43,7 @@ double seen_area(const Scene& scene) {
 }
 
 double followed_peak(const Scene& scene) {
-    // A look through a peak brings half of it; light paths are those of all organs together.
+    // A sample through a peak contributes half of it; there are light subpaths for all organs.
     constexpr double kPart = 0.5, kMost = 1e5;
     const std::vector<double> areas = measured_areas(scene);
     const double found = static_cast<double>(areas.size()) * middle_of(areas);

@@ -4,16 +4,17 @@
 
 namespace quasimc {
 
-/// The middle one of the areas of the organs that are measured; 0 if none is.
+/// Median area of the measured organs; 0 if there are none.
 [[nodiscard]] double median_measured_area(const Scene& scene);
 
-/// About the area that the scene shows to light from far away: that of its cell, or a quarter of
-/// the surface of its box (Cauchy).
+/// Approximate mean projected area of the scene: the area of its cell, or a quarter of the surface
+/// of its box (Cauchy's formula).
 [[nodiscard]] double seen_area(const Scene& scene);
 
-/// The peak_brightness() of lobes from which on from_organs follows the light of suns and lamps
-/// from its source: where paths from there find a typical organ as often as looks from it find a
-/// lobe lit, and kSharpPeak at least. Lobes of one direction are always as sharp.
+/// The peak_brightness() from which on a lobe counts as narrow in from_organs, which then samples
+/// light of suns and lamps through it by light subpaths. At this limit light subpaths hit a typical
+/// organ as often as samples from it hit a lit lobe; at least kSharpPeak. Delta lobes are always
+/// narrow.
 [[nodiscard]] double followed_peak(const Scene& scene);
 
 }  // namespace quasimc

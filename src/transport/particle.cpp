@@ -8,14 +8,13 @@
 namespace quasimc {
 namespace {
 
-/// A light path under way: the physics of light tracing.
+/// Traces one light path: the physics of light tracing.
 ///
-/// At every hit the light that falls on the side is scored, in all bands; what the organ absorbs
-/// follows from it, or is summed (AbsorbedLight). Then one number decides between the lobes of the
-/// material and the end of the path, so that a path lives on with the surface's albedo and carries
-/// on with its weight (Side::scatter). Fixed-point copies of the weights are made once for each
-/// flight, so that what leaves one surface is, to the last bit, what arrives at the next or
-/// escapes.
+/// At every hit the incident light is scored, in all bands; absorbed light follows from it, or is
+/// summed as well (score_absorbed). Then one random number chooses a lobe of the material or the
+/// end of the path, so that a path survives with the probability of the surface's albedo and keeps
+/// its weight (Side::scatter). Fixed-point copies of the weights are made once for each flight, so
+/// that the light that leaves one surface arrives at the next, or escapes, to the last bit.
 class ParticleTracer {
   public:
     ParticleTracer(
@@ -61,7 +60,7 @@ class ParticleTracer {
     }
 
   private:
-    /// Adds what falls on the surface.
+    /// Adds the light on the surface.
     void score(const Surface& surface) {
         if (!prepared_.fields_of_view().contain(surface.region, surface.cosine)) {
             return;
@@ -91,8 +90,8 @@ class ParticleTracer {
         }
     }
 
-    /// Adds the part of the light that misses a sliver as given though it meets its rounded
-    /// corners: it escapes. A negative part meets the given triangle alone.
+    /// Adds the fraction of the light that meets a sliver with rounded corners but misses the given
+    /// one: it escapes. A negative fraction meets the given triangle only.
     void score_sliver_miss(const Surface& surface, double part) {
         if (prepared_.material(surface.region).is_transparent()) {
             return;
@@ -110,7 +109,7 @@ class ParticleTracer {
         }
     }
 
-    /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere.
+    /// Samples the direction after the `depth`-th hit. False if the path ends there.
     bool scatter(const Side& side, const Surface& surface, std::uint32_t depth) {
         if (direct_) {
             set_start_weights(path_, weights_);

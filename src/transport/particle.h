@@ -12,15 +12,15 @@
 
 namespace quasimc {
 
-/// What all light paths of a block have in common.
+/// Settings shared by all light paths of a block.
 struct PathRules {
     const PreparedScene* prepared = nullptr;
     const Sampler* sampler = nullptr;
     Stream stream;
-    std::uint32_t scatter_dimension = 0;  ///< of the first hit; two more for each further hit
+    std::uint32_t scatter_dimension = 0;  ///< at the first hit; two more for each further hit
     std::uint32_t max_depth = 0;          ///< hits; 0: no limit
     double roulette_threshold = 1;        ///< Draw::roulette_threshold
-    /// Asked at every hit, so that light in a closed box which absorbs nothing can be stopped.
+    /// Checked at every hit, as paths in a closed box that absorbs nothing do not end.
     const std::stop_token* stop = nullptr;
 };
 
@@ -28,7 +28,7 @@ struct PathRules {
 /// start_weights[b] of its source at first and changes at every scattering.
 struct Particle {
     const BoundSource* light = nullptr;
-    std::uint64_t point = 0;  ///< of the point set, from which its random numbers come
+    std::uint64_t point = 0;  ///< index in the point set that gives its random numbers
     Vec3 direction;
     double weight = 1;  ///< Emission::weight
 };
@@ -36,11 +36,11 @@ struct Particle {
 /// Light that was scattered at a surface and has not met the next one.
 struct ScatteredRay {
     Vec3 p, direction;
-    std::uint32_t triangle = 0;  ///< from which it comes
+    std::uint32_t triangle = 0;  ///< where it was scattered
     std::size_t vertex = 0;      ///< number of its path in the block
 };
 
-/// The weights of the path at hand, kept by each worker so that nothing is allocated on the way.
+/// Weights of the current path. Each worker reuses them, so that tracing allocates nothing.
 struct ParticleScratch {
     explicit ParticleScratch(std::size_t bands) {
         resize_apart(weights, bands);

@@ -16,20 +16,20 @@
 
 namespace quasimc {
 
-/// What a triangle of the mesh belongs to.
+/// Region and material of a triangle of the mesh.
 struct PrimitiveInfo {
     std::uint32_t region = 0;
     std::uint32_t material = 0;
 };
 
-/// What the materials in use have in common, by which faster or simpler methods are chosen.
+/// Properties of all materials in use, by which faster or simpler methods are chosen.
 struct OpticsTraits {
-    double sharpest_peak = 0;          ///< peak_brightness() of the sharpest lobe, sensors left out
+    double sharpest_peak = 0;          ///< largest peak_brightness() of a lobe, without sensors
     bool has_constant_albedos = true;  ///< no albedo depends on the angle of the light
     bool has_transparent = false;      ///< some material is a sensor that light passes
 };
 
-/// A scene with its lights, ready to trace: what all solvers and threads share. Const after
+/// A scene with its lights, ready to trace, shared by all solvers and threads. Const after
 /// construction.
 class PreparedScene {
   public:
@@ -69,7 +69,7 @@ class PreparedScene {
     [[nodiscard]] const Material& material(std::uint32_t region) const {
         return materials_[region_materials_[region].value];
     }
-    /// Of Scene::detectors(), in their order.
+    /// Implementations of Scene::detectors(), in their order.
     [[nodiscard]] const std::vector<std::unique_ptr<const Detector>>& detectors() const {
         return detectors_;
     }
@@ -80,8 +80,8 @@ class PreparedScene {
     const Scene* scene_;
     std::shared_ptr<const RayCaster> caster_;
     SceneProjection projection_;
-    // Of the triangles that belong to no instance: the scene's own list, unless the caster counts
-    // images of them.
+    // Regions of the triangles that belong to no instance: the scene's own list, unless the caster
+    // has periodic images of them.
     std::span<const RegionIndex> triangle_regions_;
     std::vector<RegionIndex> image_regions_;
     const Material* materials_ = nullptr;  // those of the scene

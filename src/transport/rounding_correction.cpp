@@ -5,10 +5,10 @@
 namespace quasimc {
 namespace {
 
-/// The least part of an amount of light by which it is corrected.
+/// The smallest relative change of light that is corrected.
 constexpr double kMinCorrected = 1e-4;
 
-/// Light that comes steeper is not corrected.
+/// The cosine above which light is not corrected.
 double grazing_cosine(const LocalMesh& mesh) {
     constexpr double kGrazing = 0.1;
     return mesh.instances.empty() ? std::min(kGrazing, mesh.most_turned / kMinCorrected) : kGrazing;
@@ -34,7 +34,7 @@ bool RoundingCorrection::lights_as_given(std::uint32_t mesh_triangle, const Vec3
     return std::abs(dot(across, direction)) > kEdgeOn * length(across);
 }
 
-/// A vector across the triangle of the scene, as long as twice its area.
+/// The normal of the given triangle, with twice its area as length.
 Vec3 RoundingCorrection::given_across(std::uint32_t mesh_triangle) const {
     return area_vector(data_of(*scene_).triangles()[caster_->source(mesh_triangle)]);
 }

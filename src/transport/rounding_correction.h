@@ -9,7 +9,7 @@
 
 namespace quasimc {
 
-/// The cosine up to which light runs along a surface: corners are told apart in single precision.
+/// The cosine up to which light counts as parallel to a surface: corners have single precision.
 inline constexpr double kEdgeOn = 0x1p-24;
 
 /// Corrections of the light on triangles for the single precision in which they are traced.
@@ -17,22 +17,22 @@ class RoundingCorrection {
   public:
     RoundingCorrection(const Scene& scene, const RayCaster& caster);
 
-    /// The light along `direction` that falls on a triangle of the mesh, over what falls on its
-    /// rounded corners: not 1 of slivers (LocalMesh::exact_share), nor of those that rounding turns
-    /// where light grazes them. @param cosine  dot(unit normal, direction) as traced
+    /// Light along `direction` on a triangle as given, over light on its rounded corners. It
+    /// differs from 1 for slivers (LocalMesh::exact_share), and for triangles that rounding turns,
+    /// in grazing light. @param cosine  dot(unit normal, direction) as traced
     [[nodiscard]] double light_share(
         std::uint32_t mesh_triangle, const Vec3& direction, double cosine) const {
         const double share = mesh_->exact_share(mesh_triangle, direction);
         return share != 1 || std::abs(cosine) > grazing_ ? share
                                                          : grazed_share(mesh_triangle, direction);
     }
-    /// The lit area of a triangle that is_sunlit() over that of its rounded corners, which may be
-    /// turned as well: what is lit of these is seen along their own cosine.
+    /// Lit area of a triangle that is_sunlit(), over that of its rounded corners. Rounding may turn
+    /// these, so their lit area follows from their own cosine.
     [[nodiscard]] double area_share(std::uint32_t mesh_triangle) const {
         return mesh_->exact_area_share(mesh_triangle);
     }
     /// Whether light of a sun along `direction` (of either sign) makes a triangle of the mesh count
-    /// as sunlit: not where it runs along the surface as given, to rounding (kEdgeOn).
+    /// as sunlit: not if it is parallel to the given surface, to rounding (kEdgeOn).
     /// @param cosine  dot(unit normal, direction) as traced
     [[nodiscard]] bool is_sunlit(
         std::uint32_t mesh_triangle, const Vec3& direction, double cosine) const {
@@ -49,7 +49,7 @@ class RoundingCorrection {
     const Scene* scene_;
     const RayCaster* caster_;
     const LocalMesh* mesh_;
-    double grazing_;  ///< cosine beyond which rounding changes no light by what is corrected
+    double grazing_;  ///< cosine above which rounding changes the light too little to be corrected
 };
 
 }  // namespace quasimc

@@ -25,8 +25,7 @@ inline void score_direct(
         tally);
 }
 
-/// Adds light that falls on a surface from others that scattered it, per band `factor` times
-/// weights[b].
+/// Adds scattered light on a surface, per band `factor` times weights[b].
 inline void score_scattered(
     const PreparedScene& prepared,
     const Surface& at,

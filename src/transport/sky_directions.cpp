@@ -13,8 +13,8 @@ namespace quasimc {
 
 namespace {
 
-/// Numbers that fractions come near to but slowly: those of the golden ratio, of silver and bronze,
-/// and another that goes on like the golden one.
+/// Badly approximable numbers: of the golden, silver and bronze ratios, and another one that is
+/// equivalent to the golden ratio.
 constexpr std::array<double, 4> kNumbers{
     std::numbers::phi - 1, std::numbers::sqrt2 - 1, 0.30277563773199465, 0.27639320225002106};
 

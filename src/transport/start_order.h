@@ -9,8 +9,8 @@ namespace quasimc {
 /// The index of a tile on a Morton curve (Morton 1966). @param column, row  less than 256
 [[nodiscard]] std::uint32_t interleaved(std::uint32_t column, std::uint32_t row);
 
-/// The starts of a block of paths, and the order in which to trace them. Kept by each worker so
-/// that nothing is allocated on the way.
+/// The starts of a block of paths, and the order in which to trace them. Each worker reuses them,
+/// so that tracing allocates nothing.
 struct PathStarts {
     std::vector<double> u0, u1;                   ///< position of each in the unit square
     std::vector<std::uint32_t> order;             ///< set by order_starts()

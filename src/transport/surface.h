@@ -7,11 +7,11 @@ namespace quasimc {
 
 /// The surface at the point where a ray hit the scene. Local coordinates.
 struct Surface {
-    std::uint32_t triangle = kNoTriangle;  ///< of the mesh
+    std::uint32_t triangle = kNoTriangle;  ///< index in the mesh
     std::uint32_t region = 0;
-    SurfaceSide side = SurfaceSide::upper;  ///< to which the ray came
-    Vec3 normal;                            ///< unit, of the side the ray came to
-    double cosine = 1;  ///< of the angle between that normal and the ray, reversed; >= 0
+    SurfaceSide side = SurfaceSide::upper;  ///< hit by the ray
+    Vec3 normal;                            ///< unit, of that side
+    double cosine = 1;                      ///< between that normal and the reversed ray, >= 0
 };
 
 /// The surface that a ray along `direction` met.
@@ -24,7 +24,7 @@ inline Surface surface_at(const PreparedScene& prepared, const Hit& hit, const V
         std::abs(along * scale)};
 }
 
-/// Where it is: the barycentric point of the triangle, which lies on it to the last digit.
+/// The point of a hit from its barycentric coordinates, on the triangle to the last digit.
 inline Vec3 point_of(const PreparedScene& prepared, const Hit& hit) {
     return prepared.caster().mesh().point(hit.triangle, hit.u, hit.v);
 }

@@ -209,26 +209,26 @@ HttpAnswer ViewerRoutes::answer(const HttpRequest& request) const {
         return refuse(400, "bad request\n");
     }
     if (request.host != host_ && !equal_names(request.host, local_host_)) {
-        return refuse(421, "not this host\n");
+        return refuse(421, "wrong host\n");
     }
     const std::string origin = fmt::format("http://{}", request.host);
     if (request.origin.data() != nullptr && !equal_names(request.origin, origin)) {
-        return refuse(403, "not from another page\n");
+        return refuse(403, "not from this page\n");
     }
     if (request.fetch_site == "cross-site" || request.fetch_site == "same-site") {
-        return refuse(403, "not from another page\n");
+        return refuse(403, "not from this page\n");
     }
     if (request.method != "GET" && request.method != "HEAD") {
-        return refuse(405, "GET alone\n");
+        return refuse(405, "only GET and HEAD\n");
     }
     if (request.has_body) {
-        return refuse(413, "no body\n");
+        return refuse(413, "a request has no body\n");
     }
     const std::string_view target = request.target;
     const std::size_t slash = target.find('/', 1);
     if (target.front() != '/' || slash == std::string_view::npos ||
         !is_same_secret(target.substr(1, slash - 1), token_)) {
-        return refuse(403, "the address is another\n");
+        return refuse(403, "wrong address\n");
     }
     HttpAnswer found = file(target.substr(slash + 1));
     found.is_head = request.method == "HEAD";
@@ -251,7 +251,7 @@ HttpAnswer ViewerRoutes::file(std::string_view name) const {
     if (auto found = files_(name)) {
         return {200, found->type, found->body, false, std::move(found->owner)};
     }
-    return {404, "text/plain; charset=utf-8", "nothing here\n"};
+    return {404, "text/plain; charset=utf-8", "not found\n"};
 }
 
 std::string random_token() {

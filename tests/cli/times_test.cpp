@@ -36,7 +36,7 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     const Outcome outcome =
         run({"run", "days.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("4 from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("time steps 4 from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
     const std::string times = folder_.read("t.csv");
     EXPECT_EQ(rows(times), 4 * 3);
     EXPECT_NE(times.find("\ntime,id,name,"), std::string::npos);
@@ -54,7 +54,7 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     folder_.write("period.toml", run_file_of_days() + "cumulative_sky = \"period\"\n");
     const Outcome checked = run({"check", "period.toml"});
     EXPECT_NE(
-        checked.out.find("4 times collapsed into 1 trace of 12 suns in all"), std::string::npos)
+        checked.out.find("4 time steps in 1 cumulative sky with 12 sun positions"), std::string::npos)
         << checked.out;
     const Outcome outcome =
         run({"run", "period.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
@@ -245,7 +245,7 @@ TEST_F(TimesTest, AndScenesWithoutLightHaveNoFault) {
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         EXPECT_NE(outcome.err.find("warning: no light reaches the scene"), std::string::npos);
         EXPECT_NE(
-            outcome.out.find("no light reaches the scene, nothing was traced"), std::string::npos)
+            outcome.out.find("no light reaches the scene; nothing was computed"), std::string::npos)
             << outcome.out;
         EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
         EXPECT_NE(folder_.read("out.json").find("\"no_light\""), std::string::npos);

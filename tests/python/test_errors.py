@@ -79,8 +79,8 @@ def test_options_are_checked_as_those_of_a_run_file(keys, words):
         (lambda v, f, o: (v, f - 1, o), "refers to vertex -1"),
         (lambda v, f, o: (v * np.nan, f, o), "finite"),
         (lambda v, f, o: (v, f[:0], o[:0]), "no triangles"),
-        (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "integers end at 2.63"),
-        (lambda v, f, o: (v, f.astype(np.uint64) + np.uint64(2**63), o), "integers end at 2.63"),
+        (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "largest integer is 2.63"),
+        (lambda v, f, o: (v, f.astype(np.uint64) + np.uint64(2**63), o), "largest integer is 2.63"),
         (lambda v, f, o: (v, f, [2**70] * len(f)), "must be integers"),
         (lambda v, f, o: (np.ma.masked_greater(v, 1.5), f, o), "some of vertices are masked"),
         (lambda v, f, o: (v, np.ma.masked_equal(f, 0), o), "some of faces are masked"),
@@ -131,7 +131,7 @@ def test_what_is_probably_not_meant_is_a_warning():
 
 @pytest.mark.parametrize("sources", ["sky", ["sky"], [3], ("sun", 4)])
 def test_what_is_no_source_is_refused(sources):
-    with pytest.raises(quasimc.InputError, match="is no source"):
+    with pytest.raises(quasimc.InputError, match="is not a source"):
         canopy().run(sources)
 
 

@@ -266,7 +266,7 @@ def test_a_name_of_several_organs_is_refused():
     sun = quasimc.sun(azimuth_deg=0, elevation_deg=90, irradiance_facing=100)
     organs = scene.run(sun, **FEW).organs
     assert organs.index_of("top") == 2
-    with pytest.raises(KeyError, match="2 organs have the name 'leaf': ask by an id"):
+    with pytest.raises(KeyError, match="2 organs have the name 'leaf': use an id"):
         organs.index_of("leaf")
     with pytest.raises(KeyError, match="there is no organ 'tap'; there are: 'top'"):
         organs.index_of("tap")

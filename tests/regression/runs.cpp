@@ -39,7 +39,7 @@ std::string_view word_of(Method way) {
 bool is_offered(const Case& c, Method method) {
     Faults faults;
     if (method == Method::ray_bundles) {
-        check_matt(c.scene, faults);
+        check_diffuse(c.scene, faults);
     }
     return faults.empty();
 }

@@ -178,7 +178,7 @@ bool has_lamps(const Node& document) {
 /// Whether light can be exchanged along bundles: they refuse surfaces that shine.
 bool is_diffuse(const Scene& scene) {
     Faults faults;
-    check_matt(scene, faults);
+    check_diffuse(scene, faults);
     return faults.empty();
 }
 

@@ -205,7 +205,7 @@ corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
     const result = JSON.parse(readFileSync(inFolder("run.json")));
     assert.ok(early >= 2 && early < 16, `seen with ${early} of 16 replicates`);
     assert.equal(await replicates(), 16);
-    assert.match(await page.locator("#progress").textContent(), /The run is done/);
+    assert.match(await page.locator("#progress").textContent(), /The run has finished/);
     await page.locator("#find").fill("lower");
     await page.keyboard.press("Enter");
     await page.waitForSelector("#organ td.number");

@@ -245,7 +245,7 @@ async function checkOddCharts(page) {
   assert.match(await page.locator("#histogram").textContent(), /the last bar: up to 0\.[4-9]/);
   const labels = await page.locator("#histogram .bar").evaluateAll((bars) => bars.map((bar) => bar.getAttribute("aria-label")));
   assert.ok(labels.length > 3, `those that are alike are told apart: ${labels}`);
-  assert.match(labels.at(-1), / to 0\.[4-9][^:]*: 1 of 1 organs$/);
+  assert.match(labels.at(-1), / to 0\.[4-9][^:]*: 1 of 1 organ$/);
 }
 
 const browser = await chromium.launch({

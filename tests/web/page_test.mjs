@@ -137,18 +137,18 @@ async function checkFilters(page) {
   await values("plant").selectOption(kTrick);
   assert.match(await shown(), /^1 of 3/);
   assert.ok((await hoverMiddle(page)).startsWith("upper "));
-  await page.getByRole("button", { name: "Show all again" }).click();
+  await page.getByRole("button", { name: "Reset" }).click();
   assert.match(await shown(), /^3 of 3/);
   await page.locator("#ground").uncheck();
   assert.match(await shown(), /^2 of 3/);
   await page.locator("#histogram .bar").first().click();
   assert.match(await shown(), /^[01] of 3/);
-  await page.getByRole("button", { name: "Show all again" }).click();
+  await page.getByRole("button", { name: "Reset" }).click();
   await page.selectOption("#cut", "z");
   await page.locator("#cut-at").fill("700"); // of the height of 1: below the upper leaf
   assert.match(await page.locator("#cut-text").textContent(), /z = 0\.7 m/);
   assert.ok((await hoverMiddle(page)).startsWith("lower: "), "what is cut away still stands there");
-  await page.getByRole("button", { name: "Show all again" }).click();
+  await page.getByRole("button", { name: "Reset" }).click();
 }
 
 /** Bars and organs that belong together are set apart together, by mouse and by key. */
@@ -158,14 +158,14 @@ async function checkBars(page, result, name) {
   const plain = await markedPixels(page);
   assert.ok(plain < 20, "nothing is chosen, yet something is marked");
   await page.locator("#profile .bar").last().hover(); // the highest layer: the upper leaf alone
-  assert.match(await page.locator("#pointed").textContent(), /^height .* of 1 organs: it is marked in the scene$/);
+  assert.match(await page.locator("#pointed").textContent(), /^height .* of 1 organ: 1 organ highlighted in the scene$/);
   const marked = await markedPixels(page);
   assert.ok(marked > 300, `${marked} pixels are marked`);
   await page.mouse.move(2, 2);
   assert.ok((await markedPixels(page)) < 20, "marks outlive the pointer");
   assert.equal(await page.locator("#pointed").textContent(), "");
   await page.locator("#histogram .bar").first().focus();
-  assert.match(await page.locator("#pointed").textContent(), /organs.*marked in the scene$/);
+  assert.match(await page.locator("#pointed").textContent(), /organs.*highlighted in the scene$/);
   assert.ok((await markedPixels(page)) > 300, "a bar that has the focus marks nothing");
   await page.locator("#canvas").focus();
   assert.ok((await markedPixels(page)) < 20);
@@ -183,7 +183,7 @@ async function checkBars(page, result, name) {
   const [from, to] = /^(\S+) to (\S+):/.exec(bar).slice(1).map(Number);
   const shown = meanIn(`: ${await page.locator("#organ td.number").first().textContent()}`);
   assert.ok(shown >= from * 0.999 && shown <= to * 1.001, `${shown} is not in the bar ${bar} (sum: ${mean})`);
-  assert.ok((await page.locator("#organ p").textContent()).includes(`in the bar ${bar.split(":")[0]}`));
+  assert.ok((await page.locator("#organ p").textContent()).includes(`in bar ${bar.split(":")[0]}`));
   await page.mouse.move(2, 2);
   await page.keyboard.press("Escape");
   assert.equal(await page.locator(".bar[aria-current=true]").count(), 0);
@@ -201,12 +201,12 @@ async function checkKeys(page, upper) {
   await page.locator("#find").fill("lower");
   await page.keyboard.press("Enter");
   await page.waitForFunction(() => document.querySelector("#organ h3")?.textContent === "lower");
-  await page.getByRole("button", { name: "Show all again" }).click();
+  await page.getByRole("button", { name: "Reset" }).click();
 }
 
 async function checkReport(page, result) {
   const text = await page.locator("#report").textContent();
-  for (const word of ["Energy", "absorbed by organs", "all organs", "Organs that are known worst", "SHA-256",
+  for (const word of ["Energy", "absorbed by organs", "all organs", "Largest errors", "SHA-256",
     result.inputs[0].sha256, "first_hits"]) {
     assert.ok(text.includes(word), word);
   }

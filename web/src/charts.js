@@ -115,7 +115,7 @@ function binsOf(numbers, bins, { low, high }, isIn) {
 export function drawHistogram(parent, { numbers, isShown, title, usual, absent }, acts) {
   const { low, high } = endsOf(numbers);
   if (!(high >= low)) {
-    parent.textContent = absent || "No organ has this number.";
+    parent.textContent = absent || "No organ has a value.";
     return kNoBars;
   }
   const bins = high > low ? 24 : 1;
@@ -136,7 +136,7 @@ export function drawHistogram(parent, { numbers, isShown, title, usual, absent }
     const { svg, x, y } = start(parent, "Histogram", [ends.low, ends.high], [0, Math.max(...all)],
       title, Number.isInteger);
     if (isOpen) {
-      add(svg, "text", { x: kWidth - 8, y: 20, "text-anchor": "end" }, `the last bar: up to ${short(high)}`);
+      add(svg, "text", { x: kWidth - 8, y: 20, "text-anchor": "end" }, `last bar up to ${short(high)}`);
     }
     const bars = [];
     for (let bin = 0; bin < bins; ++bin) {
@@ -147,7 +147,7 @@ export function drawHistogram(parent, { numbers, isShown, title, usual, absent }
       });
       if (all[bin] > 0) {
         add(svg, "rect", { class: "all", ...place(all[bin]) });
-        const label = `${short(from)} to ${short(to)}: ${shown[bin]} of ${all[bin]} organs`;
+        const label = `${short(from)} to ${short(to)}: ${shown[bin]} of ${all[bin]} organ${all[bin] === 1 ? "" : "s"}`;
         bars.push({ bin, place: place(shown[bin]), label, from, to });
       }
     }
@@ -178,7 +178,7 @@ export function drawProfile(parent, { numbers, isShown, title, heights, areas },
   const means = sums.map((layer) => (layer.area > 0 ? layer.sum / layer.area : NaN));
   const told = means.filter(Number.isFinite);
   if (told.length === 0) {
-    parent.textContent = "No organ is shown that has this number.";
+    parent.textContent = "No organ shown has a value.";
     return kNoBars;
   }
   return keepingFocus(parent, () => {
@@ -191,7 +191,7 @@ export function drawProfile(parent, { numbers, isShown, title, heights, areas },
       const place = {
         x: Math.min(x(0), x(mean)), width: Math.max(2, Math.abs(x(mean) - x(0))), y: top, height: Math.max(2, y(from) - top - 1),
       };
-      const label = `height ${short(from)} to ${short(to)}: mean ${short(mean)} of ${sums[bin].count} organs`;
+      const label = `height ${short(from)} to ${short(to)}: mean ${short(mean)} of ${sums[bin].count} organ${sums[bin].count === 1 ? "" : "s"}`;
       return { bin, place, label, from, to };
     });
     return addBars(svg, layerOf, bars.filter(({ bin }) => Number.isFinite(means[bin])), acts);
@@ -216,7 +216,7 @@ export function drawConvergence(parent, rounds) {
     const anchor = i + 1 === known.length ? "end" : "middle";
     add(svg, "text", { x: x(log(round.paths)), y: kHeight - kBottom + 14, "text-anchor": anchor }, String(round.paths));
   });
-  for (const [key, name, below] of [["worst_error", "worst organ", -6], ["median_error", "median", 16]]) {
+  for (const [key, name, below] of [["worst_error", "largest", -6], ["median_error", "median", 16]]) {
     const places = known.map((round) => [x(log(round.paths)), y(log(100 * round[key]))]);
     add(svg, "polyline", { class: `error ${key}`, fill: "none", points: places.map((place) => place.join(",")).join(" ") });
     places.forEach(([cx, cy]) => add(svg, "circle", { class: `dot ${key}`, cx, cy, r: 3 }));

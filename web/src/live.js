@@ -92,7 +92,7 @@ export class Follower {
       try {
         await this.live.poll();
       } catch {
-        this.tell("The run has ended. This page keeps what it has read.", -1);
+        this.tell("The run has ended. This page keeps the data that it has loaded.", -1);
         return;
       }
     }

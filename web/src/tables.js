@@ -69,7 +69,7 @@ function energyTable(energy, isRemainder) {
     estimate(e.absorbed_by_organs), estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off),
     estimate(e.imbalance), { number: short(e.closure_error) },
   ]);
-  const caption = isRemainder ? "What escapes is what remains: it was not traced." : "Flux ± standard error";
+  const caption = isRemainder ? "Flux ± standard error. Escaped light is the remainder of the budget." : "Flux ± standard error";
   return table(caption,
     ["band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "imbalance", "closure error"],
     rows);
@@ -83,7 +83,7 @@ function groupTables(groups, bands, unitOf) {
       estimate(group.absorbed_flux?.[band]), estimate(group.absorbed_flux_density?.[band]),
       ...(groups.some((g) => g.sunlit_fraction) ? [estimate(group.sunlit_fraction)] : []),
     ]);
-    return table(`${band}: ± standard error, of sums over organs and replicates`,
+    return table(`${band}: sums over organs ± standard error`,
       ["group", "organs", "area", `absorbed flux (${unitOf("absorbed_flux", band)})`,
         `per area (${unitOf("absorbed_flux_density", band)})`,
         ...(groups.some((g) => g.sunlit_fraction) ? ["sunlit fraction"] : [])], rows);
@@ -96,7 +96,7 @@ function missingGroups(run, groups) {
   const keys = Object.entries(run.json.organs.labels)
     .filter(([key, { values }]) => values.length <= kMost && !groups.some(({ by }) => by === key)).map(([key]) => key);
   return keys.length === 0 ? [] : [make("p",
-    `For the totals of a label with their errors the run must sum them: groups = ${JSON.stringify(keys)} in [run].`)];
+    `For totals by label with their errors, set groups = ${JSON.stringify(keys)} in [run].`)];
 }
 
 /** How errors fell, round by round. */
@@ -108,20 +108,30 @@ function convergenceNodes(rounds) {
   ]);
   const chart = make("div", undefined, { id: "convergence" });
   drawConvergence(chart, rounds);
-  return [chart, table("Relative standard errors of the flux that organs absorb",
-    ["paths", "seconds", "median", "worst", "organs at the target"], rows)];
+  return [chart, table("Relative standard errors of the flux absorbed by organs",
+    ["paths", "seconds", "median", "largest", "organs at the target"], rows)];
 }
 
 function settingsTables(head) {
   const options = Object.entries(head.run_file?.run ?? {}).map(([key, value]) => [key, words(value)]);
   const inputs = (head.inputs ?? []).map((file) => [file.path, { number: String(file.bytes) }, file.sha256]);
   const text = make("details");
-  text.append(make("summary", "The run file, whole"), make("pre", JSON.stringify(head.run_file ?? {}, null, 1)));
+  text.append(make("summary", "Complete run file"), make("pre", JSON.stringify(head.run_file ?? {}, null, 1)));
   return [
-    table("Files that were read", ["file", "bytes", "SHA-256"], inputs),
+    table("Input files", ["file", "bytes", "SHA-256"], inputs),
     table("Settings", ["option", "value"], options),
     text,
   ];
+}
+
+/** "65536 paths x 8 replicates, finished"; of a series its time steps. */
+function completedWords(completed) {
+  const { paths, replicates, time_steps: steps, time_steps_requested: requested, computed, stop } = completed;
+  return [
+    ...(paths === undefined ? [] : [`${paths} paths x ${replicates} replicates`]),
+    ...(steps === undefined ? [] : [`${steps} of ${requested} time steps, ${computed} computed`]),
+    ...(stop === undefined ? [] : [stop.replaceAll("_", " ")]),
+  ].join(", ");
 }
 
 function aboutTable(run, time) {
@@ -134,17 +144,17 @@ function aboutTable(run, time) {
     ["scene", `${organs} organs, ${triangles} triangles${unit ? `, lengths in ${unit}` : ""}`],
     ...(head.sources ?? []).map((source) => ["source", source]),
     ...(head.point ? [["point", words(head.point)]] : []),
-    ...(head.time ? [["times", [head.time].flat().map(words).join("; ")]] : []),
+    ...(head.time ? [["time steps", [head.time].flat().map(words).join("; ")]] : []),
     ...(method ? [["method", `${method.used}${method.reason ? `: ${method.reason}` : ""}`]] : []),
-    ["completed", Object.entries(completed).map(([key, value]) => `${key.replaceAll("_", " ")} ${words(value)}`).join(", ")],
-    ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (chance ${short(now.audit.p_value)})`]] : []),
+    ["completed", completedWords(completed)],
+    ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (p = ${short(now.audit.p_value)})`]] : []),
     ["program", `QuasiMC ${head.program_version}`],
     ["run file", head.run_file_path],
   ];
   return table("", ["", ""], rows);
 }
 
-/** @param worst  a node with the organs that are known worst */
+/** @param worst  a node with the organs that have the largest errors */
 export function drawReport(parent, run, time, worst, unitOf) {
   const { head } = run.json;
   const now = run.headOf(time);
@@ -156,7 +166,7 @@ export function drawReport(parent, run, time, worst, unitOf) {
   if (warnings.length > 0) {
     section("Warnings", table("", ["where", "warning"], warnings));
   }
-  section("What was run", aboutTable(run, time));
+  section("Run", aboutTable(run, time));
   if (now.rounds?.length > 0) {
     section(`Convergence${of}`, ...convergenceNodes(now.rounds));
   }
@@ -166,6 +176,6 @@ export function drawReport(parent, run, time, worst, unitOf) {
   if (now.groups?.length > 0) {
     section(`Groups of organs${of}`, ...groupTables(now.groups, bands, unitOf), ...missingGroups(run, now.groups));
   }
-  section(`Organs that are known worst${of}`, worst);
+  section(`Largest errors${of}`, worst);
   section("Files and settings", ...settingsTables(head));
 }

@@ -38,8 +38,8 @@ class Page {
       this.window = new SceneWindow(graphics.renderer, run);
     } else {
       $("stage").hidden = true;
-      this.notice(`The scene can't be shown in three dimensions: this browser has no WebGL 2 (${graphics.fault}). ` +
-        "All numbers are below.");
+      this.notice(`The scene can't be shown in 3D: this browser has no WebGL 2 (${graphics.fault}). ` +
+        "All results are below.");
     }
     $("beside").checked = run.json.grows === true;
     this.#showPlant();
@@ -70,7 +70,7 @@ class Page {
     const { run } = this;
     fill($("map"), Object.keys(run.colorMaps).map((name) => [name, name]));
     const parts = [...new Set(run.json.times.map((time) => time.part))];
-    const names = { time_steps: "time steps", days: "days", total: "all together" };
+    const names = { time_steps: "time steps", days: "days", total: "total" };
     fill($("part"), parts.map((part) => [part, names[part] ?? "run"]));
     $("part-label").hidden = this.onTime !== null;
     $("time-controls").hidden = run.json.times.length < 2;
@@ -253,7 +253,7 @@ class Page {
     if (found >= 0) {
       this.choose(found);
     } else if (text) {
-      $("shown").textContent = `No organ is called ${text}.`;
+      $("shown").textContent = `No organ has the name or id ${text}.`;
     }
   }
 
@@ -343,7 +343,7 @@ class Page {
   #point(organs, label) {
     this.pointed = organs;
     const n = organs?.length;
-    $("pointed").textContent = organs ? `${label}: ${n === 1 ? "it is" : `${n} organs are`} marked in the scene` : "";
+    $("pointed").textContent = organs ? `${label}: ${n} organ${n === 1 ? "" : "s"} highlighted in the scene` : "";
     this.#mark();
   }
 
@@ -364,7 +364,7 @@ class Page {
   async showOrgan(organ) {
     const panel = $("organ");
     if (organ === null) {
-      panel.replaceChildren(make("p", "Point at an organ to read its numbers; click keeps it."));
+      panel.replaceChildren(make("p", "Point at an organ to see its results; click selects it."));
       return;
     }
     const { run, time } = this;
@@ -378,8 +378,8 @@ class Page {
       .filter(([, label]) => label.of[organ] >= 0)
       .map(([key, label]) => `${key} = ${label.values[label.of[organ]]}`);
     const about = [`id ${run.idOf(organ)}`, `area ${withUnit(short(run.shape.areas[organ]), unit && `${unit}²`)}`,
-      `middle at height ${withUnit(short(run.shape.heights[organ]), unit)}`, ...labels,
-      ...this.bars.filter(Boolean).map((bar) => `in the bar ${bar}`)];
+      `centre at height ${withUnit(short(run.shape.heights[organ]), unit)}`, ...labels,
+      ...this.bars.filter(Boolean).map((bar) => `in bar ${bar}`)];
     const rows = columns.flatMap((column, i) => (all[i] ? [[
       run.columnName(column.number),
       { number: withError(all[i].mean[organ], all[i].error[organ]) },
@@ -417,7 +417,7 @@ class Page {
     }
     const n = run.count;
     const nothing = () => new Float32Array(n).fill(NaN);
-    this.absent = values === null && run.has(time, column) ? "The program ended before these numbers were read." : "";
+    this.absent = values === null && run.has(time, column) ? "The program ended before this page had loaded these values." : "";
     this.values = values ?? { mean: nothing(), error: nothing(), low: nothing(), high: nothing() };
     this.numbers = this.#numbersOf(this.values);
     const what = `${column} ${$("aspect").value}`;
@@ -549,6 +549,6 @@ async function main() {
 main().catch((error) => {
   console.error(error);
   $("notice").hidden = false;
-  $("notice").textContent = `The page can't show this run: ${error.message}`;
+  $("notice").textContent = `This run can't be shown: ${error.message}`;
   document.documentElement.dataset.state = "failed";
 });

@@ -1,4 +1,4 @@
-// The organs whose numbers are known worst.
+// The organs with the largest errors.
 
 import { short } from "./numbers.js";
 import { make, table } from "./tables.js";
@@ -36,6 +36,6 @@ export function worstOrgans(run, column, { mean, error }, describe, choose) {
     return [name, { number: describe(organ) }, { number: `${short(100 * parts[organ])} %` }];
   });
   return table(
-    `${run.columnName(column)}: half of the organs are known to ${short(100 * median(parts))} % or better; ` +
-    `${dark} had no light found`, ["organ", "value", "standard error"], rows);
+    `${run.columnName(column)}: median relative standard error ${short(100 * median(parts))} %; ` +
+    `${dark} organ${dark === 1 ? "" : "s"} without sampled light`, ["organ", "value", "standard error"], rows);
 }

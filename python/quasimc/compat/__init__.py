@@ -1,1 +1,1 @@
-"""The interfaces of other programs."""
+"""Interfaces of other programs."""

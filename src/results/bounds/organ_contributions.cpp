@@ -6,42 +6,49 @@
 namespace quasimc {
 namespace {
 
-/// Either may happen.
+/// Size of a contribution where either of two may be missing.
 ContributionSize both(const ContributionSize& a, const ContributionSize& b) {
-    // Mostly one of the two is none.
+    // Usually one of the two is zero.
     const auto sum = [](double x, double y) { return x == 0 ? y : y == 0 ? x : std::hypot(x, y); };
     return {sum(a.more, b.more), sum(a.less, b.less)};
 }
 
-ContributionSize operator*(const ContributionSize& find, double factor) {
-    return {find.more * factor, find.less * factor};
+ContributionSize operator*(const ContributionSize& contribution, double factor) {
+    return {contribution.more * factor, contribution.less * factor};
 }
 
-/// From so many finds of scattered light in each replicate on the replicates tell.
+/// With this many contributions of scattered light per replicate, the spread of the replicates
+/// suffices.
 constexpr double kManyContributions = 5;
 
-/// Of light that so many finds of all replicates brought. @param most  that a find may bring
-ContributionSize find_among(
-    double mean, double finds, double most, double replicates, double many = kManyContributions) {
+/// One contribution to light that consists of `contributions` of them in all replicates.
+/// @param most  its largest possible size
+ContributionSize contribution_among(
+    double mean,
+    double contributions,
+    double most,
+    double replicates,
+    double many = kManyContributions) {
     if (mean == 0) {
         return {most, 0};
     }
-    // Of so little light that it is no step of a sum it is not known how many: one.
-    finds = finds > 0 ? finds : 1;
-    const double few = std::max(0.0, 1 - finds / (many * replicates));
-    const double usual = mean / finds;
-    return {few * std::max(usual, most / (finds + 1)), few * usual};
+    // Light of less than one quantum consists of an unknown number of contributions: one is
+    // assumed.
+    contributions = contributions > 0 ? contributions : 1;
+    const double few = std::max(0.0, 1 - contributions / (many * replicates));
+    const double mean_size = mean / contributions;
+    return {few * std::max(mean_size, most / (contributions + 1)), few * mean_size};
 }
 
-/// Of light straight from the sources, of which a side got `found` and could have got `unoccluded`.
-/// Where it could have got none from the points, light paths may have found it.
+/// One contribution to direct light on a side that got `found` and could have got `unoccluded`.
+/// Sides whose points see no source may receive light by light paths.
 ContributionSize direct_contribution(
     double found, double unoccluded, double tries, double by_light_path) {
     if (unoccluded == 0) {
         return {by_light_path, found == 0 ? 0 : by_light_path};
     }
-    const double find = unoccluded / tries;
-    return {found == unoccluded ? 0 : find, found == 0 ? 0 : find};
+    const double contribution = unoccluded / tries;
+    return {found == unoccluded ? 0 : contribution, found == 0 ? 0 : contribution};
 }
 
 }  // namespace
@@ -72,7 +79,7 @@ void OrganContributions::set_unoccluded(const OrganReader& reader, std::size_t b
     }
     const double tries = count * reader.samples();
     const double by_path = reader.largest_by_light_path(band) / count;
-    // Where the points can't see a source, light paths may bring its light.
+    // Light paths may deliver light of sources that the points can't see.
     const bool is_hidden = mean.unoccluded_upper == 0 && mean.unoccluded_lower == 0;
     const double direct_path = is_hidden ? by_path : 0;
     direct_.upper =
@@ -80,18 +87,18 @@ void OrganContributions::set_unoccluded(const OrganReader& reader, std::size_t b
     direct_.lower =
         direct_contribution(mean.direct_lower, mean.unoccluded_lower, tries, direct_path);
     if (!reader.is_flat()) {
-        // How many points lie on the triangle that the sun shines on most is the same in nearly all
-        // replicates, one from what is expected in few.
+        // The number of points on the triangle that the sun shines on most is equal in nearly all
+        // replicates; few differ by one.
         const double one = bound_ / count;
         direct_.upper = larger(direct_.upper, {one, mean.direct_upper > 0 ? one : 0});
         direct_.lower = larger(direct_.lower, {one, mean.direct_lower > 0 ? one : 0});
     }
-    // What points have found must not hide that light paths have found nothing. A sample looks for
+    // Contributions of points must not hide that light paths sampled nothing. A sample gathers
     // scattered light on one of the two sides.
-    const double find =
+    const double contribution =
         std::hypot(reader.part_in_view() * reader.largest_scattered(band) / count, by_path);
     const auto scattered = [&](double found) {
-        return ContributionSize{find, found == 0 ? 0 : find};
+        return ContributionSize{contribution, found == 0 ? 0 : contribution};
     };
     scattered_ = {scattered(mean.scattered_upper), scattered(mean.scattered_lower)};
     on_either_ = scattered(mean.scattered_upper + mean.scattered_lower);
@@ -99,24 +106,25 @@ void OrganContributions::set_unoccluded(const OrganReader& reader, std::size_t b
 
 namespace {
 
-/// Whether all replicates have as many finds as each other: paths of a point set are spread so
-/// evenly that of 4.96 expected nearly all replicates find 5. They do not tell then how often one
-/// has another number.
+/// Whether all replicates have equally many contributions. Paths of a point set are so evenly
+/// distributed that with 4.96 expected nearly all replicates have 5; then their spread does not
+/// show how often one has another number.
 bool agrees_by_chance(const OrganReader& reader, std::size_t kind, SurfaceSide side) {
     return reader.strategy(kind).by == SampledBy::paths && reader.found_alike(kind, side);
 }
 
-/// Whether the first replicate alone has so many finds that all together have enough: most have.
+/// Whether the first replicate alone has enough contributions for all of them; usually it has.
 bool has_plenty(const OrganReader& reader, std::size_t kind, SurfaceSide side) {
     const OrganReader::Found first = reader.found(kind, side, 1);
-    return first.units > 0 && first.finds() >= 2 * reader.strategy(kind).many &&
+    return first.units > 0 && first.contributions() >= 2 * reader.strategy(kind).many &&
            !agrees_by_chance(reader, kind, side);
 }
 
-/// At least a find more or less, of those that brought `mean`.
-ContributionSize at_least_one(const ContributionSize& find, double mean, double finds) {
-    const double usual = mean > 0 ? mean / finds : 0;
-    return larger(find, {usual, usual});
+/// At least one contribution of mean size.
+ContributionSize at_least_one(
+    const ContributionSize& contribution, double mean, double contributions) {
+    const double mean_size = mean > 0 ? mean / contributions : 0;
+    return larger(contribution, {mean_size, mean_size});
 }
 
 }  // namespace
@@ -132,21 +140,22 @@ void OrganContributions::set_kinds(const OrganReader& reader, std::size_t band) 
                 continue;
             }
             const OrganReader::Found found = reader.found(i, side, reader.replicates());
-            ContributionSize find = find_among(
-                found.units * flux, found.finds(),
+            ContributionSize contribution = contribution_among(
+                found.units * flux, found.contributions(),
                 reader.units_per_contribution(i, side, found.units > 0) * flux, count, light.many);
-            find.less = light.spectra.empty() ? find.more : find.less;
+            contribution.less = light.spectra.empty() ? contribution.more : contribution.less;
             if (agrees_by_chance(reader, i, side)) {
-                find = at_least_one(find, found.units * flux, found.finds());
+                contribution =
+                    at_least_one(contribution, found.units * flux, found.contributions());
             }
             Kind& kind = is_path ? by_path_ : direct_;
             ContributionSize& sum = side == SurfaceSide::upper ? kind.upper : kind.lower;
-            sum = is_path ? larger(sum, find) : both(sum, find);
+            sum = is_path ? larger(sum, contribution) : both(sum, contribution);
         }
     }
     set_scattered(reader, band);
-    const auto is_none = [](const ContributionSize& find) {
-        return find.more == 0 && find.less == 0;
+    const auto is_none = [](const ContributionSize& contribution) {
+        return contribution.more == 0 && contribution.less == 0;
     };
     is_settled_ = is_none(on_either_);
     for (const Kind* kind : {&direct_, &by_path_, &scattered_}) {
@@ -159,13 +168,13 @@ void OrganContributions::set_scattered(const OrganReader& reader, std::size_t ba
     const double once = reader.largest_scattered(band) / count;
     const double upper = reader.scattered(SurfaceSide::upper, band) / count;
     const double lower = reader.scattered(SurfaceSide::lower, band) / count;
-    const auto by_contribution = [&](double mean, double find) {
-        return find_among(mean, mean / find, find, count);
+    const auto by_contribution = [&](double mean, double contribution) {
+        return contribution_among(mean, mean / contribution, contribution, count);
     };
     scattered_ = {by_contribution(upper, once), by_contribution(lower, once)};
     on_either_ = by_contribution(upper + lower, once);
-    // A path that got into a hollow organ meets it again and again, each time by the same chance:
-    // the mean square of what paths bring there over its mean.
+    // A path inside a hollow organ hits it repeatedly, each time with the same probability: this is
+    // the mean square of its contributions over their mean.
     const double again = reader.largest_albedo(band);
     const auto most = [&](double part) { return once * (1 + part) / (1 - part); };
     if (again >= 1 || std::min(upper, lower) > kManyContributions * count * most(again)) {
@@ -178,7 +187,7 @@ void OrganContributions::set_scattered(const OrganReader& reader, std::size_t ba
     on_either_ = part > 0 ? larger(on_either_, inside) : on_either_;
 }
 
-ContributionSize OrganContributions::find(Quantity quantity) const {
+ContributionSize OrganContributions::contribution(Quantity quantity) const {
     const Parts found = parts(quantity);
     return both(found.by_sky_sample, found.by_path);
 }
@@ -191,8 +200,7 @@ ContributionSize OrganContributions::incident_contribution() const {
     return both(found.by_sky_sample, found.by_path);
 }
 
-/// Of the light that comes straight from the sources, or that paths of theirs bring, on the sides
-/// of some parts.
+/// Direct light, whether it was sampled from the organ or by light paths, on the requested sides.
 template <typename Together>
 ContributionSize OrganContributions::on_sides(
     const Kind& kind, const LightParts& parts, Together together) {
@@ -200,7 +208,7 @@ ContributionSize OrganContributions::on_sides(
                                       : (parts.upper ? kind.upper : kind.lower);
 }
 
-/// Paths are finds whatever they bring: one more may bring direct light, or scattered.
+/// Each path is one contribution: one more may deliver direct or scattered light.
 OrganContributions::Parts OrganContributions::parts(const LightParts& parts) const {
     const bool has_both_sides = parts.upper && parts.lower;
     const ContributionSize direct =
@@ -219,9 +227,9 @@ OrganContributions::Parts OrganContributions::parts(const LightParts& parts) con
 
 namespace {
 
-/// Of the area that suns light in the mean, what one kind of them may have lit at most.
-/// @param found  of that kind
-/// @param most  area that one find of it lights
+/// Mean sunlit area that one strategy may have contributed at most.
+/// @param found  light of that strategy
+/// @param most  area that one of its contributions lights
 double sunlit_area_by(
     const OrganReader& reader, std::size_t kind, const OrganReader::Found& found, double most) {
     double area = 0;
@@ -230,14 +238,14 @@ double sunlit_area_by(
     }
     for (std::size_t other = 0; other < reader.strategies(); ++other) {
         if (other != kind && reader.strategy(other).has_suns) {
-            return found.units > 0 ? std::min(area, found.finds() * most) : 0;
+            return found.units > 0 ? std::min(area, found.contributions() * most) : 0;
         }
     }
     return area;
 }
 
-/// Of the area that one kind of suns lights.
-ContributionSize sunlit_find_of(const OrganReader& reader, std::size_t kind) {
+/// One contribution of a strategy to the sunlit area.
+ContributionSize sunlit_contribution_of(const OrganReader& reader, std::size_t kind) {
     if (has_plenty(reader, kind, SurfaceSide::upper) ||
         has_plenty(reader, kind, SurfaceSide::lower)) {
         return {};
@@ -251,13 +259,13 @@ ContributionSize sunlit_find_of(const OrganReader& reader, std::size_t kind) {
     };
     const bool is_known = !reader.strategy(kind).spectra.empty();
     const double area = is_known ? sunlit_area_by(reader, kind, found, most(true)) : 0;
-    ContributionSize find =
-        find_among(area, found.finds(), most(area > 0), count, reader.strategy(kind).many);
-    find.less = is_known ? find.less : find.more;
+    ContributionSize contribution = contribution_among(
+        area, found.contributions(), most(area > 0), count, reader.strategy(kind).many);
+    contribution.less = is_known ? contribution.less : contribution.more;
     return agrees_by_chance(reader, kind, SurfaceSide::upper) &&
                    agrees_by_chance(reader, kind, SurfaceSide::lower)
-               ? at_least_one(find, area, found.finds())
-               : find;
+               ? at_least_one(contribution, area, found.contributions())
+               : contribution;
 }
 
 }  // namespace
@@ -266,7 +274,7 @@ ContributionSize OrganContributions::sunlit_contribution(const OrganReader& read
     ContributionSize sum;
     for (std::size_t i = 0; i < reader.strategies(); ++i) {
         if (reader.strategy(i).has_suns) {
-            sum = both(sum, sunlit_find_of(reader, i));
+            sum = both(sum, sunlit_contribution_of(reader, i));
         }
     }
     return sum;
@@ -279,40 +287,43 @@ Estimate OrganContributions::estimate(
     }
     const double unit = entry.is_flux ? 1 : per_area;
     if (knows_contributions()) {
-        const ContributionSize one = find(entry.quantity);
+        const ContributionSize one = contribution(entry.quantity);
         return estimate_contributions(values, {one.more * unit, one.less * unit});
     }
     const double part = parts_of(entry.quantity).is_absorbed ? absorptance_ : 1;
     return estimate_seen_or_bound(values, bound_ * unit * part);
 }
 
-Estimate estimate_sunlit_points(std::span<const double> values, double all, double find) {
+Estimate estimate_sunlit_points(std::span<const double> values, double all, double contribution) {
     const bool is_all = std::all_of(
         values.begin(), values.end(), [&](double lit) { return lit >= kFullyLit * all; });
-    Estimate lit = estimate_contributions(values, {.more = is_all ? 0 : find, .less = find});
+    Estimate lit =
+        estimate_contributions(values, {.more = is_all ? 0 : contribution, .less = contribution});
     lit.ci95_high = is_all ? std::max(lit.ci95_high, all) : lit.ci95_high;
     return lit;
 }
 
 namespace {
 
-/// A find, if what was found is so little that it may be a few of them; of many the replicates
-/// tell. Of a ratio twice as many as of an amount: finds that are alike tell nothing of others.
-ContributionSize find_among_few(double mean, const ContributionSize& find, double replicates) {
-    const double most = std::max(find.more, find.less);
+/// One contribution, scaled down with the number of contributions that the light consists of; with
+/// many the spread of the replicates suffices. A ratio needs twice as many as an amount, for equal
+/// contributions show nothing about missing ones.
+ContributionSize contribution_among_few(
+    double mean, const ContributionSize& contribution, double replicates) {
+    const double most = std::max(contribution.more, contribution.less);
     const double many = 2 * kManyContributions * replicates;
-    return most > 0 ? find * std::max(0.0, 1 - mean / (most * many)) : ContributionSize{};
+    return most > 0 ? contribution * std::max(0.0, 1 - mean / (most * many)) : ContributionSize{};
 }
 
-ContributionSize find_of_ratio(const IncidentLight& above, const IncidentLight& below) {
+ContributionSize contribution_to_ratio(const IncidentLight& above, const IncidentLight& below) {
     const double a = mean_of(above.per_replicate);
     const double b = mean_of(below.per_replicate);
     if (!(b > 0)) {
         return {};
     }
     const auto replicates = static_cast<double>(above.per_replicate.size());
-    const ContributionSize of_a = find_among_few(a, above.find, replicates);
-    const ContributionSize of_b = find_among_few(b, below.find, replicates);
+    const ContributionSize of_a = contribution_among_few(a, above.contribution, replicates);
+    const ContributionSize of_b = contribution_among_few(b, below.contribution, replicates);
     const double less = b - of_b.less;
     return {
         std::max(of_a.more / b, less > 0 ? a / less - a / b : 0),
@@ -324,7 +335,7 @@ ContributionSize find_of_ratio(const IncidentLight& above, const IncidentLight& 
 Estimate estimate_light_ratio(const IncidentLight& above, const IncidentLight& below) {
     return widened(
         not_negative(estimate_ratio(above.per_replicate, below.per_replicate)),
-        find_of_ratio(above, below));
+        contribution_to_ratio(above, below));
 }
 
 }  // namespace quasimc

@@ -9,38 +9,38 @@
 
 namespace quasimc {
 
-/// By how much one find more, or one less, would change what is known of an organ in a band: see
-/// docs/theory/statistics.md.
+/// Size of one contribution to the light of an organ in a band: how much one more or one less would
+/// change an estimate (docs/theory/statistics.md).
 class OrganContributions {
   public:
     OrganContributions(const OrganReader& reader, std::size_t band);
 
-    /// The estimate of a quantity.
+    /// Estimates a quantity.
     /// @param per_area  1 / area of the organ
-    /// @param values  of the quantity, per replicate
+    /// @param values  the quantity, per replicate
     [[nodiscard]] Estimate estimate(
         const QuantityEntry& entry, double per_area, std::span<const double> values) const;
 
-    /// Whether it is known what could have been found: all light that nothing stands in the way of,
-    /// or what a find of each kind of light may bring.
+    /// Whether the size of contributions is known: by the unoccluded light, or for each sampling
+    /// strategy.
     [[nodiscard]] bool knows_contributions() const { return knows_unoccluded_ || knows_kinds_; }
-    /// Whether there are so many of each kind that one more changes nothing.
+    /// Whether each strategy has so many contributions that one more changes nothing.
     [[nodiscard]] bool has_enough_contributions() const { return is_settled_; }
-    /// A find of a quantity, as flux. To be asked where knows_contributions().
-    [[nodiscard]] ContributionSize find(Quantity quantity) const;
+    /// One contribution to a quantity, as flux. Requires knows_contributions().
+    [[nodiscard]] ContributionSize contribution(Quantity quantity) const;
 
-    /// Of all light that falls on both sides, as flux; none where it is not known.
+    /// One contribution to all light that falls on both sides, as flux; zero where it is unknown.
     [[nodiscard]] ContributionSize incident_contribution() const;
 
-    /// The same in two parts: of light that many organs may find at once, along a line or a
-    /// direction, and of what a path brings to a single one.
+    /// The parts of a contribution: light that one line or direction may deliver to many organs at
+    /// once, and light that a path delivers to a single one.
     struct Parts {
         ContributionSize by_sky_sample, by_path;
     };
     [[nodiscard]] Parts parts(Quantity quantity) const { return parts(parts_of(quantity)); }
     [[nodiscard]] Parts parts(const LightParts& parts) const;
 
-    /// A find of the sunlit area of an organ, where kinds of light are known.
+    /// One contribution to the sunlit area of an organ; requires strategies.
     [[nodiscard]] static ContributionSize sunlit_contribution(const OrganReader& reader);
 
   private:
@@ -48,7 +48,7 @@ class OrganContributions {
     void set_kinds(const OrganReader& reader, std::size_t band);
     void set_scattered(const OrganReader& reader, std::size_t band);
 
-    /// One kind of light.
+    /// Direct light, light of paths, or scattered light.
     struct Kind {
         ContributionSize upper, lower;
     };
@@ -58,26 +58,26 @@ class OrganContributions {
     bool knows_unoccluded_, knows_kinds_;
     bool is_settled_ = false;
     double absorptance_;
-    double bound_;  ///< where unoccluded light is not known: a find, in one replicate
+    double bound_;  ///< one contribution in one replicate, where unoccluded light is unknown
     Kind direct_, scattered_;
-    Kind by_path_;  ///< direct light of which each path is a find, where kinds are known
-    ContributionSize on_either_;  ///< scattered light, whichever side
+    Kind by_path_;                ///< direct light sampled by paths, where strategies are known
+    ContributionSize on_either_;  ///< scattered light on either side
 };
 
-/// The estimate of what of an area is sunlit, from points on it.
+/// Estimates the sunlit part of an area from points on it.
 /// @param values  per replicate
-/// @param all  the whole area: where all points were lit it is no more, and no less to rounding
-/// @param find  what one point stands for
+/// @param all  the whole area: the upper limit where all points were lit, within rounding
+/// @param contribution  area that one point represents
 [[nodiscard]] Estimate estimate_sunlit_points(
-    std::span<const double> values, double all, double find);
+    std::span<const double> values, double all, double contribution);
 
-/// What falls on both sides in a band.
+/// Light that falls on both sides in a band.
 struct IncidentLight {
     std::vector<double> per_replicate;
-    ContributionSize find;  ///< in the same unit
+    ContributionSize contribution;  ///< in the same unit
 };
 
-/// The ratio of what falls in two bands: a find more or less may bring light of one of them alone.
+/// The ratio of the light in two bands. One contribution may hold light of a single band.
 [[nodiscard]] Estimate estimate_light_ratio(const IncidentLight& above, const IncidentLight& below);
 
 }  // namespace quasimc

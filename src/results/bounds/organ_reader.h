@@ -1,6 +1,6 @@
 #pragma once
 
-// What the sums of a run say of an organ, replicate by replicate.
+// Reads the sums of a run organ by organ and replicate by replicate.
 
 #include <algorithm>
 #include <array>
@@ -20,13 +20,13 @@
 
 namespace quasimc {
 
-/// Light that one replicate saw fall on one organ, flux per band and side.
+/// Light that fell on one organ in one replicate: flux per band and side.
 struct Incident {
     double direct_upper = 0, direct_lower = 0, scattered_upper = 0, scattered_lower = 0;
     double absorbed = 0;
     double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
 
-    /// The flux of some parts.
+    /// The flux of the given parts.
     [[nodiscard]] double of(const LightParts& parts) const {
         double sum = 0;
         sum += parts.direct && parts.upper ? direct_upper : 0;
@@ -47,22 +47,23 @@ struct Incident {
     }
 };
 
-/// The quantities that follow from light.
-/// @param per_area  1 / area of what it fell on; 0 for no area, which receives nothing
+/// The quantities that follow from the incident light.
+/// @param per_area  1 / area of the surface; 0 for no area, which receives nothing
 inline std::array<double, kQuantities> quantities_of(const Incident& in, double per_area) {
     std::array<double, kQuantities> all{};
     const auto put = [&]<std::size_t... q>(std::index_sequence<q...>) {
         const auto unit = [&](const QuantityEntry& entry) { return entry.is_flux ? 1 : per_area; };
         ((all[q] = in.of(kQuantityRows[q].parts) * unit(kQuantityRows[q].entry)), ...);
     };
-    put(std::make_index_sequence<kQuantities>());  // unrolled: all else of a row is known then
+    put(std::make_index_sequence<kQuantities>());  // unrolled, for everything else in a row is
+                                                   // constant
     return all;
 }
 
-/// What each replicate says of each quantity.
+/// The values of each quantity, per replicate.
 using QuantitySamples = std::array<std::vector<double>, kQuantities>;
 
-/// Puts the quantities that follow from the light which a replicate saw.
+/// Stores the quantities that follow from the light of a replicate.
 inline void put_sample(
     std::uint32_t replicate, const Incident& in, double per_area, QuantitySamples& samples) {
     const std::array<double, kQuantities> all = quantities_of(in, per_area);
@@ -71,10 +72,10 @@ inline void put_sample(
     }
 }
 
-/// What a fraction of 1 comes out as, or more.
+/// A sunlit fraction of at least this counts as 1.
 inline constexpr double kFullyLit = 1 - 1e-12;
 
-/// Reads sums: the handles of their blocks and bounds, found once, and what bins mean after all
+/// Reads sums: caches the handles of their blocks and bounds, and converts bins to flux after all
 /// samples.
 class SumReader {
   public:
@@ -91,9 +92,9 @@ class SumReader {
 
     [[nodiscard]] const SumData& data() const { return data_; }
     [[nodiscard]] const LightBlocks& blocks() const { return blocks_; }
-    /// What would come straight from the sources if nothing stood in its way; may be missing.
+    /// Unoccluded direct light; may be missing.
     [[nodiscard]] const SideBlocks& unoccluded() const { return unoccluded_; }
-    /// By strategy whose contributions are counted: the sum of their squares.
+    /// The sum of squared contributions of each strategy that counts them.
     [[nodiscard]] const SideBlocks& squares() const { return squares_; }
     [[nodiscard]] double samples() const { return samples_; }
 
@@ -104,7 +105,7 @@ class SumReader {
     [[nodiscard]] double sunlit_area(std::size_t region) const {
         return data_.units.sunlit_area * data_.units.scale(region) / samples_;
     }
-    /// The largest contribution of a single sample: flux, of what is sunlit area.
+    /// The largest contribution of a single sample: flux, or sunlit area.
     [[nodiscard]] double largest_direct(std::size_t region, std::size_t band) const {
         return direct_.of(region, band) / samples_;
     }
@@ -166,11 +167,11 @@ class OrganReader {
         return largest([&](const Side& side) { return side.albedo()[band]; });
     }
 
-    /// A side that sees itself, and the part of what leaves it that falls on it again, were it
-    /// even: 1 less the opening's area over that of the side (a view factor).
+    /// A concave side, and its self view factor: the part of diffuse light leaving it that falls on
+    /// it again, 1 less the opening's area over that of the side.
     struct Hollow {
         SurfaceSide side{};
-        double part = 0;  ///< 0 of flat organs
+        double part = 0;  ///< 0 for flat organs
     };
     [[nodiscard]] Hollow hollow() const {
         Vec3 middle, opening;
@@ -182,7 +183,7 @@ class OrganReader {
             twice_area += length(across);
         });
         middle = 1 / twice_area * middle;
-        double outwards = 0;  // of the upper side
+        double outwards = 0;  // sum over the upper side
         for_each_triangle([&](const Triangle& t) {
             outwards += dot(t[0] + t[1] + t[2] - middle, area_vector(t));
         });
@@ -191,29 +192,29 @@ class OrganReader {
             twice_area > 0 ? std::max(0.0, 1 - length(opening) / twice_area) : 0};
     }
 
-    /// The largest contribution of a sample to the organ's direct light, as flux; nothing falls on
-    /// one of no area.
+    /// The largest contribution of a sample to the organ's direct light, as flux; 0 for an organ of
+    /// no area.
     [[nodiscard]] double largest_direct(std::size_t band) const {
         return organ_.area > 0 ? reader_.largest_direct(organ_.first_region, band) : 0;
     }
-    /// The same of scattered light.
+    /// The largest contribution of a sample to its scattered light.
     [[nodiscard]] double largest_scattered(std::size_t band) const {
         return organ_.area > 0 ? reader_.largest_scattered(organ_.first_region, band) : 0;
     }
-    /// The part of the light from an even surrounding that lies within the field of view.
+    /// The part of the light of uniform surroundings that lies within the field of view.
     [[nodiscard]] double part_in_view() const {
         return 1 - organ_.least_cosine * organ_.least_cosine;
     }
-    /// The same of a light path that is followed along with a sample; 0 if there are none.
+    /// The largest contribution of a light subpath that accompanies a sample; 0 without subpaths.
     [[nodiscard]] double largest_by_light_path(std::size_t band) const {
         return organ_.area > 0 ? reader_.largest_by_light_path(organ_.first_region, band) : 0;
     }
-    /// Samples of a replicate.
+    /// Number of samples per replicate.
     [[nodiscard]] double samples() const { return reader_.samples(); }
     [[nodiscard]] std::uint32_t replicates() const {
         return static_cast<std::uint32_t>(sums_.replicates.size());
     }
-    /// Whether its triangles lie in parallel planes, so that a sun shines on all of them alike.
+    /// Whether all triangles are parallel, so that a sun shines equally on all of them.
     [[nodiscard]] bool is_flat() const {
         constexpr double kParallel = 1 - 1e-9;
         const auto across = [&](std::size_t i) {
@@ -223,34 +224,34 @@ class OrganReader {
         for (std::size_t i = 1; i < organ_.triangle_count; ++i) {
             const Vec3 own = across(i);
             if (dot(sum, own) < kParallel * length(sum) * length(own)) {
-                return false;  // of a body the second triangle tells
+                return false;  // closed bodies fail at the second triangle
             }
             sum += own;
         }
         return true;
     }
-    /// Whether it is known what light could have been found.
+    /// Whether the unoccluded light is known.
     [[nodiscard]] bool knows_unoccluded() const { return reader_.unoccluded().exists(); }
     [[nodiscard]] double largest_sunlit() const {
         return reader_.largest_sunlit(organ_.first_region);
     }
 
-    /// Strategies of which it is known what one contribution brings; 0: see largest_direct().
+    /// Number of strategies with contributions of known size; 0: see largest_direct().
     [[nodiscard]] std::size_t strategies() const { return sums_.strategies.size(); }
     [[nodiscard]] const SamplingStrategy& strategy(std::size_t i) const {
         return sums_.strategies[i];
     }
-    /// What replicates together found of a strategy's light on a side.
+    /// Light of a strategy on a side, summed over replicates.
     struct Found {
         double units = 0;    ///< of light
-        double squares = 0;  ///< sum of squares of what each find brought
+        double squares = 0;  ///< sum of squared contributions
 
-        /// As how many finds of one size they count; of no light: not a number.
-        [[nodiscard]] double finds() const { return units * units / squares; }
-        /// Of one of them; of no light: 0.
-        [[nodiscard]] double usual() const { return units > 0 ? squares / units : 0; }
+        /// Equivalent number of contributions of equal size; without light: NaN.
+        [[nodiscard]] double contributions() const { return units * units / squares; }
+        /// Mean size of a contribution; without light: 0.
+        [[nodiscard]] double mean_size() const { return units > 0 ? squares / units : 0; }
     };
-    /// @param replicates  the first so many
+    /// @param replicates  number of replicates, from the first
     [[nodiscard]] Found found(
         std::size_t strategy, SurfaceSide side, std::size_t replicates) const {
         Found sum;
@@ -271,10 +272,10 @@ class OrganReader {
         }
         return sum;
     }
-    /// Whether each replicate found as much of a strategy's light on a side as every other, but for
-    /// less than half of a contribution: as the directions of a sun's disk make it.
+    /// Whether the light of a strategy on a side differs between replicates by less than half a
+    /// contribution, as is usual for the directions within a sun's disk.
     [[nodiscard]] bool found_alike(std::size_t strategy, SurfaceSide side) const {
-        const double half = found(strategy, side, 1).usual() / 2;
+        const double half = found(strategy, side, 1).mean_size() / 2;
         const double first = units_of(0, strategy, side);
         for (std::uint32_t r = 1; r < replicates(); ++r) {
             if (std::abs(units_of(r, strategy, side) - first) > half) {
@@ -293,8 +294,8 @@ class OrganReader {
         }
         return sum;
     }
-    /// The most units of light that one contribution of a strategy may bring to a side.
-    /// @param is_seen  whether some was found
+    /// Upper bound of the units of light that one contribution of a strategy delivers to a side.
+    /// @param is_seen  whether the strategy sampled some light
     [[nodiscard]] double units_per_contribution(
         std::size_t strategy, SurfaceSide side, bool is_seen) const {
         const double most = is_seen ? std::numeric_limits<double>::infinity()
@@ -305,8 +306,8 @@ class OrganReader {
         }
         return organ_.area > 0 ? sum * sums_.per_contribution[strategy] : 0;
     }
-    /// The same of area lit by suns, units of largest_sunlit().
-    /// @param is_seen  whether some was found
+    /// Upper bound of the sunlit area of one contribution, in units of largest_sunlit().
+    /// @param is_seen  whether the strategy sampled some light
     [[nodiscard]] double sunlit_per_contribution(std::size_t strategy, bool is_seen) const {
         const SamplingStrategy& light = this->strategy(strategy);
         double sum = light.sunlit_reach.empty() ? 1 : 0;
@@ -321,7 +322,7 @@ class OrganReader {
         }
         return sum * sums_.per_contribution[strategy];
     }
-    /// Flux in `band` of a unit of a strategy's light; 0 where direct light does not count.
+    /// Flux in `band` of a unit of a strategy's light; 0 where direct light is excluded.
     [[nodiscard]] double flux_per_unit(std::size_t strategy, std::size_t band) const {
         return spec_.direct_light == DirectLight::included
                    ? this->strategy(strategy).flux[band] * sums_.units.scale(organ_.first_region) /
@@ -330,7 +331,7 @@ class OrganReader {
     }
 
   private:
-    /// Of both sides of all regions.
+    /// Sum of read(region, side) over both sides of all regions.
     template <typename Read>
     [[nodiscard]] double largest(const Read& read) const {
         double most = 0;
@@ -350,7 +351,7 @@ class OrganReader {
         }
     }
 
-    /// Of a bin, over the first replicates.
+    /// Sum of a bin over the first replicates.
     [[nodiscard]] double sum_of(std::size_t bin, std::size_t replicates) const {
         double sum = 0;
         for (std::size_t r = 0; r < replicates; ++r) {
@@ -359,7 +360,7 @@ class OrganReader {
         return sum;
     }
 
-    /// Units of a strategy's light that a replicate found on a side.
+    /// Units of a strategy's light on a side in one replicate.
     [[nodiscard]] double units_of(
         std::uint32_t replicate, std::size_t strategy, SurfaceSide side) const {
         double sum = 0;
@@ -409,7 +410,7 @@ class OrganReader {
         return sum;
     }
 
-    /// What a region absorbs: summed, or what follows from the light that falls on it.
+    /// Light that a region absorbs: summed directly, or derived from its incident light.
     [[nodiscard]] double absorbed(
         const ExactBins& bins, std::uint32_t region, std::size_t band, const Incident& in) const {
         const LightBlocks& blocks = reader_.blocks();

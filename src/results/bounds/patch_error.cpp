@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// Widens all estimates of a result by what those of another one differ.
+/// Widens all estimates of a result by their differences from another result.
 class Widening {
   public:
     explicit Widening(Estimate (*widened)(const Estimate& e, double difference))
@@ -34,7 +34,7 @@ class Widening {
     Estimate (*widened_)(const Estimate& e, double difference);
 };
 
-/// Light that escapes is not sorted on two levels: each part may be as wrong as the whole.
+/// Escaped light is not split into two levels: the error of each part may be that of the whole.
 void Widening::widen_escaped(
     const Result& other, const std::vector<Estimate>& escaped, DetectorResult& detector) const {
     const std::size_t bands = other.budget.size();
@@ -74,8 +74,8 @@ void Widening::widen(const Result& other, Result& result) const {
     }
 }
 
-/// Adds the bins of a block to those of another one of the same columns.
-/// @param rows  of both
+/// Adds the bins of a block to those of another block with the same columns.
+/// @param rows  row count of both
 void copy_block(
     const ExactBins& from,
     const BlockBins& block,

@@ -13,13 +13,12 @@ namespace quasimc {
     return ScatteredBlocks(sums->layout, kCoarse).on_surfaces.exists();
 }
 
-/// Of sums with two levels of patches those of the coarser one, as sums of their own: of one
-/// replicate, which holds the light of all.
+/// The sums of the coarser of two levels of patches: one replicate that holds the light of all.
 [[nodiscard]] Sums coarser_sums(const Sums& sums);
 
-/// The estimate with the error that patches make, told by a difference of the means of two levels:
-/// the standard error becomes hypot(standard error, difference), and the interval reaches so much
-/// further to either side, but not below 0 where it did not.
+/// Adds the discretization error of patches, estimated by the difference between two levels, to an
+/// estimate: the standard error becomes hypot(standard error, difference), and the interval grows
+/// by as much on either side, but not below 0 unless it began there.
 [[nodiscard]] Estimate with_patch_error(const Estimate& e, double difference);
 
 /// Adds the error of patches to all estimates.
@@ -27,11 +26,11 @@ namespace quasimc {
 void add_patch_errors(
     Result coarse, const Scene& scene, const EvaluationSpec& spec, Result& result);
 
-/// The estimate with one more error, of a known standard deviation, independent of its own.
+/// Adds one more independent error of known standard deviation to an estimate.
 [[nodiscard]] Estimate with_error(const Estimate& e, double error);
 
-/// Adds an error to all estimates.
-/// @param raised  the means of light that is more by its error
+/// Adds an error to all estimates of a result.
+/// @param raised  the means of the light plus its error
 void add_errors(const Result& raised, Result& result);
 
 }  // namespace quasimc

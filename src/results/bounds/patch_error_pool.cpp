@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// What of the light of an organ other surfaces sent, in a band: 0 to 1.
+/// Scattered fraction of the light of an organ in a band: 0 to 1.
 double scattered_part(const Result& light, std::size_t i, std::size_t band) {
     const double all = light.at(i, Quantity::incident_upper, band).mean +
                        light.at(i, Quantity::incident_lower, band).mean;
@@ -20,9 +20,9 @@ double scattered_part(const Result& light, std::size_t i, std::size_t band) {
     return std::isfinite(part) ? std::clamp(part, 0.0, 1.0) : 0;
 }
 
-/// Estimates of one kind that organs and groups have: means, and those of the coarser level.
+/// One kind of estimate of organs and groups: its means and those of the coarser level.
 struct Kind {
-    std::size_t stride, index;  ///< where they stand among the estimates of an organ or a group
+    std::size_t stride, index;  ///< of the estimate within an organ or a group
     bool is_flux;               ///< otherwise per area
 
     template <typename Estimates>
@@ -34,7 +34,7 @@ struct Kind {
 /// The differences of one kind of estimate between two levels of patches.
 class KindPool {
   public:
-    /// @param scattered  of each organ: what its light has of scattered light, per area
+    /// @param scattered  scattered light of each organ, per area
     KindPool(const Scene& scene, const Kind& kind, std::vector<double> scattered)
         : scene_(scene), kind_(kind), scattered_(std::move(scattered)) {}
 
@@ -51,7 +51,7 @@ class KindPool {
         });
     }
 
-    /// Groups that have an organ which is not pooled keep their own differences.
+    /// Leaves the differences of groups that hold an organ which is not pooled.
     void shrink_groups(
         const std::vector<OrganGroup>& groups,
         const std::vector<Estimate>& fine,
@@ -75,7 +75,7 @@ class KindPool {
     }
 
   private:
-    /// Calls act(organ, what makes its estimates densities) for those that are pooled.
+    /// Calls act(organ, factor to densities) for each pooled organ.
     template <typename Act>
     void for_each_organ(const Act& act) const {
         for (std::size_t i = 0; i < scattered_.size(); ++i) {
@@ -92,7 +92,7 @@ class KindPool {
     PatchErrorPool pool_;
 };
 
-/// Of each organ what a function tells, 0 of those that are not pooled.
+/// The values of a function for all organs; 0 for those that are not pooled.
 template <typename OfOrgan>
 std::vector<double> scattered_of(const Scene& scene, const OfOrgan& of_organ) {
     std::vector<double> scattered(scene.organs().size());

@@ -5,23 +5,22 @@
 
 namespace quasimc {
 
-/// What the differences of organs between two levels of patches have in common. That of an organ,
-/// or of a group, is one draw: it may be small by chance, as where the light of both levels
-/// crosses, while what is wrong is not. So half of its square is its own, and half is what organs
-/// with as much scattered light differ by in the mean: for that much light each by a part that is
-/// the same for all, and by a part of its own.
+/// Pools the differences of organs between two levels of patches. The difference of one organ or
+/// group is a single draw: it may be small by chance, as where the light of both levels crosses,
+/// while its error is not. So half of its square is its own, and half is the mean square of organs
+/// with equal scattered light, split into a part common to all and a part of each organ.
 class PatchErrorPool {
   public:
-    /// @param scattered  what the light of an organ has of scattered light, per area
-    /// @param difference  of its two levels, per area
+    /// @param scattered  scattered light of the organ, per area
+    /// @param difference  between its two levels, per area
     void add(double scattered, double difference);
     PatchErrorPool& operator+=(const PatchErrorPool& other);
 
-    /// What counts as the difference of one organ or of several together, without a sign.
+    /// The pooled difference of one or several organs, without a sign.
     /// @param scattered  sum over the organs
-    /// @param squares  sum of its squares
+    /// @param squares  sum of the squares over the organs
     [[nodiscard]] double shrunk(double own, double scattered, double squares) const;
-    /// The same of one organ.
+    /// The pooled difference of one organ.
     [[nodiscard]] double shrunk(double own, double scattered) const {
         return shrunk(own, scattered, scattered * scattered);
     }
@@ -30,14 +29,14 @@ class PatchErrorPool {
     double squares_ = 0, products_ = 0, differences_ = 0;  // of scattered light and differences
 };
 
-/// Whether an organ is one of those that tell each other's errors of patches.
+/// Whether an organ takes part in the pooling.
 [[nodiscard]] inline bool is_pooled(const Organ& organ) {
     return organ.measured && !organ.is_ground && organ.area > 0;
 }
 
-/// Lets organs, groups and their ratios differ from `fine` by as much as counts as their error of
+/// Sets the differences of organs, groups and their ratios from `fine` to their pooled error of
 /// patches (PatchErrorPool).
-/// @param coarse  the same on the coarser level
+/// @param coarse  result on the coarser level
 void pool_patch_errors(
     const Scene& scene, const EvaluationSpec& spec, const Result& fine, Result& coarse);
 

@@ -1,4 +1,4 @@
-// What is physically possible: docs/theory/statistics.md.
+// Upper limits of energy conservation: docs/theory/statistics.md.
 
 #include "results/bounds/physical_bounds.h"
 
@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// An upper bound of what a source brings to any side, however it is turned: of bounds that are
-/// linear in the normal, or convex, the diagonal of those along the axes.
+/// An upper bound of a source's irradiance on any orientation: bounds that are linear or convex in
+/// the normal allow the diagonal of those along the axes.
 double most_facing(const Source& source) {
     double squares = 0;
     for (const Vec3& axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
@@ -28,7 +28,7 @@ double most_facing(const Source& source) {
     return std::sqrt(squares);
 }
 
-/// Whether light passes some of the organ, and may meet it again and again.
+/// Whether some of the organ transmits light undisturbed, so that light may hit it repeatedly.
 bool has_sensor(const Scene& scene, const Organ& organ) {
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
         if (data_of(scene).material(scene.regions()[organ.first_region + i]).is_transparent()) {
@@ -38,7 +38,7 @@ bool has_sensor(const Scene& scene, const Organ& organ) {
     return false;
 }
 
-/// The least share of light that a side of the organ absorbs.
+/// The smallest absorptance of any side of the organ.
 double least_absorptance(const Scene& scene, const Organ& organ, std::size_t band) {
     double least = 1;
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
@@ -58,7 +58,7 @@ double OrganLimits::of(Quantity quantity, std::size_t band) const {
     most += parts.direct && parts.upper ? direct_upper[band] : 0;
     most += parts.direct && parts.lower ? direct_lower[band] : 0;
     most += parts.scattered ? scattered[band] : 0;
-    return parts.is_absorbed ? std::min(emitted[band], most) : most;  // what is absorbed fell on it
+    return parts.is_absorbed ? std::min(emitted[band], most) : most;  // absorbed light fell on it
 }
 
 OrganLimits& OrganLimits::operator+=(const OrganLimits& other) {
@@ -85,8 +85,8 @@ PhysicalBounds::PhysicalBounds(
     emitted_.resize(scene.bands().size(), kUnlimited);
     for (const auto& source : spec.sources) {
         const bool is_lamp = source->is_lamp();
-        if (!is_lamp && looked_at_.size() < kMaxDirectLights) {
-            looked_at_.push_back(source.get());
+        if (!is_lamp && single_sources_.size() < kMaxDirectLights) {
+            single_sources_.push_back(source.get());
             continue;
         }
         knows_suns_ = knows_suns_ && !source->is_sun();
@@ -98,7 +98,7 @@ PhysicalBounds::PhysicalBounds(
     }
     const std::vector<double> albedo = largest_albedos(scene);
     for (std::size_t b = 0; b < emitted_.size(); ++b) {
-        // Of what falls on surfaces at most so much leaves them, and so on.
+        // At most this share of the light on surfaces leaves them, and so on.
         const double all = albedo[b] < 1 ? emitted_[b] * albedo[b] / (1 - albedo[b]) : kUnlimited;
         scattered_.push_back(albedo[b] > 0 ? all : 0);
     }
@@ -113,12 +113,13 @@ PhysicalBounds::UnoccludedSides PhysicalBounds::unoccluded_sides(const Organ& or
         const double area = length(across);
         const Vec3 normal = area > 0 ? across / area : Vec3{};
         bool is_sunlit = false;
-        for (std::size_t s = 0; area > 0 && s < looked_at_.size(); ++s) {
-            const double above = model_of(*looked_at_[s]).most_irradiance(normal);
-            const double below = model_of(*looked_at_[s]).most_irradiance(-normal);
+        for (std::size_t s = 0; area > 0 && s < single_sources_.size(); ++s) {
+            const double above = model_of(*single_sources_[s]).most_irradiance(normal);
+            const double below = model_of(*single_sources_[s]).most_irradiance(-normal);
             sides.upper[s] += area * above;
             sides.lower[s] += area * below;
-            is_sunlit = is_sunlit || (looked_at_[s]->is_sun() && std::max(above, below) > kEdgeOn);
+            is_sunlit =
+                is_sunlit || (single_sources_[s]->is_sun() && std::max(above, below) > kEdgeOn);
         }
         sides.sunlit_area += is_sunlit ? area : 0;
     }
@@ -127,7 +128,7 @@ PhysicalBounds::UnoccludedSides PhysicalBounds::unoccluded_sides(const Organ& or
 
 void PhysicalBounds::find(const Organ& organ, OrganLimits& limits) const {
     const UnoccludedSides sides = unoccluded_sides(organ);
-    // Of all of an organ to rounding.
+    // All area of an organ, within rounding.
     const bool is_all = !knows_suns_ || sides.sunlit_area >= kFullyLit * organ.area;
     limits.sunlit_area = is_all ? organ.area : sides.sunlit_area;
     const bool is_sensor = has_sensor(scene_, organ);
@@ -135,13 +136,13 @@ void PhysicalBounds::find(const Organ& organ, OrganLimits& limits) const {
         const double lamps = is_sensor && lamps_[b] > 0 ? kUnlimited : lamps_[b];
         const double others = is_known_ ? facing_[b] * organ.area + lamps : kUnlimited;
         limits.direct_upper[b] = limits.direct_lower[b] = others;
-        for (std::size_t s = 0; s < looked_at_.size(); ++s) {
-            const double own = looked_at_[s]->spectrum()[b];
+        for (std::size_t s = 0; s < single_sources_.size(); ++s) {
+            const double own = single_sources_[s]->spectrum()[b];
             limits.direct_upper[b] += own > 0 ? own * sides.upper[s] : 0;
             limits.direct_lower[b] += own > 0 ? own * sides.lower[s] : 0;
         }
         const double absorptance = least_absorptance(scene_, organ, b);
-        // What falls on a surface that absorbs some of it.
+        // The incident light of a surface that absorbs some of it.
         const double before = absorptance > 0 ? emitted_[b] / absorptance : kUnlimited;
         limits.scattered[b] = is_sensor ? kUnlimited : std::min(scattered_[b], before);
     }

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
+/// Lights sampled by paths: lamps, suns without scan lines and skies without item buffers.
 TracedLights traced_lights(const PreparedScene& prepared, const SamplingBudget& budget) {
     TracedLights traced;
     for (std::size_t i = 0; i < prepared.lights().size(); ++i) {
@@ -29,7 +29,7 @@ std::size_t strategy_of(const VisibilityTask& task, std::span<const SamplingStra
     return static_cast<std::size_t>(found - strategies.begin());
 }
 
-/// A block's part of the light of a beam; all parts add up to it.
+/// The fraction of a beam's light of a block; the fractions of all blocks add up exactly.
 double share_of_block(double paths, const DirectBeams::Work& work) {
     const auto until = [&](std::uint64_t i) {
         return from_fixed(
@@ -38,7 +38,7 @@ double share_of_block(double paths, const DirectBeams::Work& work) {
     return until(work.block + 1) - until(work.block);
 }
 
-/// How many paths' light a light emits.
+/// The emission of a light, as a number of paths.
 double paths_of(const BoundSource& light, const Round& round) {
     return light.probability * static_cast<double>(round.count);
 }
@@ -51,11 +51,11 @@ DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
       spec_(input.spec),
       stop_(input.stop),
       skies_(input.prepared),
-      seen_(input.prepared, &stop_),
+      projection_input_(input.prepared, &stop_),
       budget_(input.prepared, skies_, scene(), input.spec.paths, scattered),
       traced_(traced_lights(input.prepared, budget_)) {
     if (budget_.sees_skies()) {
-        seen_.store_blocks();
+        projection_input_.store_blocks();
     }
 }
 
@@ -91,7 +91,7 @@ Stream DirectBeams::stream_of(const Work& work, std::uint64_t i) const {
     // most a number for each of them, and for each sky in each block.
     const std::uint64_t placed = work.task.count + work.task.blocks * (1 + skies_.skies().size());
     const std::uint64_t most = std::bit_ceil(2 * work.round.count + 2 + placed);
-    // Each light has at most so many tasks.
+    // An upper bound of the number of tasks.
     const std::uint64_t tasks = prepared_.lights().size() * kDiskBeams;
     return {spec_.seed, 1 + work.number + tasks * i, work.replicate, work.round.first * 4, most};
 }
@@ -104,7 +104,7 @@ std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t
     return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// A light's part in one of `count` directions.
+/// The beam of a light along one of `count` directions.
 DirectBeams::Beam DirectBeams::beam_along(
     const DirectionSample& from,
     const BoundSource& light,

@@ -19,8 +19,8 @@
 
 namespace quasimc {
 
-/// Direct light of suns and skies by geometry: the beams, what each of them lights, and the score.
-/// Scattered light is the solver's own.
+/// Direct light of suns and skies by geometry: beams, the surfaces that each lights, and the score.
+/// Scattered light is left to the solver.
 class DirectBeams {
   public:
     explicit DirectBeams(const SolverInput& input, ScatteredBy scattered = ScatteredBy::paths);
@@ -29,17 +29,17 @@ class DirectBeams {
     struct Work {
         const Round& round;
         std::uint32_t replicate;
-        std::uint32_t number;  ///< of the task
+        std::uint32_t number;  ///< index of the task
         const VisibilityTask& task;
         const CountedStrategies& counted;
-        std::size_t strategy;  ///< of the light, in `counted`
-        std::uint64_t block;   ///< of the task
+        std::size_t strategy;  ///< index in `counted`
+        std::uint64_t block;   ///< index in the task
     };
     /// A beam and the area across it, through which its light enters; local units squared.
     struct Beam : SurfaceBeam {
         double area = 1;
     };
-    /// Memory of a worker, which holds nothing to be read.
+    /// Scratch memory of a worker.
     struct Scratch {
         std::optional<ScanLines> lines;           // cached between the strips of a beam
         std::array<std::uint64_t, 3> lines_of{};  // their task, replicate and round
@@ -49,29 +49,29 @@ class DirectBeams {
     /// A strip of scan lines across the beam of a sun, with its part of the light of the beam.
     struct LitStrip {
         SurfaceBeam share;
-        double per_length = 0;  ///< paths' light on a unit of length of a segment
+        double per_length = 0;  ///< light per unit length of a segment, as a number of paths
         LineStrip strip;
     };
-    /// What is seen along one direction of the skies.
+    /// The view along one direction of the skies.
     struct SkyView {
         DirectionSample from;
-        std::vector<Beam> beams;  ///< of each sky, some without light
-        double paths = 0;         ///< of all beams together
+        std::vector<Beam> beams;  ///< one for each sky, some without light
+        double paths = 0;         ///< sum over the beams
         ItemBuffer image;
 
-        /// Paths' light that a pixel gets from a beam.
+        /// Light of a beam on a pixel, as a number of paths.
         [[nodiscard]] double per_pixel(const Beam& beam) const {
             return beam.paths * image.pixel_area() / beam.area;
         }
     };
 
-    [[nodiscard]] const ProjectedScene& scene() const { return seen_.projected(); }
+    [[nodiscard]] const ProjectedScene& scene() const { return projection_input_.projected(); }
     [[nodiscard]] const SkyDirections& skies() const { return skies_; }
-    /// The skies whose direct light is found by pixels; null if it is not.
+    /// The skies whose direct light is sampled by item buffers; null if it is not.
     [[nodiscard]] const SkyDirections* viewed_skies() const {
         return budget_.sees_skies() ? &skies_ : nullptr;
     }
-    /// Lamps, suns that are not cut into lines, and skies that are not seen by pixels.
+    /// Lights sampled by paths: lamps, suns without scan lines and skies without item buffers.
     [[nodiscard]] const TracedLights& traced() const { return traced_; }
     /// The tasks of a round; raises the bounds of contributions in the sums.
     [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round, Sums& sums) const;
@@ -87,7 +87,7 @@ class DirectBeams {
     /// has sequence 0.
     [[nodiscard]] Stream stream_of(const Work& work, std::uint64_t i) const;
 
-    /// The strip that is a block of a sun's task. It lies in the scratch.
+    /// The strip of a block of a sun's task. It refers to the scratch.
     [[nodiscard]] LitStrip lit_strip(const Work& work, Scratch& scratch) const;
     /// Scores the direct light of a strip.
     void score_strip(
@@ -95,7 +95,7 @@ class DirectBeams {
         const LitStrip& lit,
         std::span<const LineStrip::Visible> visible,
         Tally& tally) const;
-    /// What is seen along direction `i` of the skies' task. It lies in the scratch.
+    /// The view along direction `i` of the skies' task. It refers to the scratch.
     /// @param with_points  see ItemBuffer::View
     [[nodiscard]] SkyView sky_view(
         const Work& work, std::uint32_t i, bool with_points, Scratch& scratch) const;
@@ -119,12 +119,12 @@ class DirectBeams {
     const RunSpec& spec_;
     std::stop_token stop_;
     SkyDirections skies_;
-    ProjectionInput seen_;
+    ProjectionInput projection_input_;
     SamplingBudget budget_;
     TracedLights traced_;
 };
 
-/// What the sums of direct light mean, found so; of scattered light as in light tracing.
+/// Meaning of the sums of direct light; scattered light as in light tracing.
 [[nodiscard]] SumMeaning direct_beams_meaning(
     const PreparedScene& prepared, const RunSpec& spec, ScatteredBy scattered = ScatteredBy::paths);
 

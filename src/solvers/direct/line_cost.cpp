@@ -34,17 +34,17 @@ LineCost::LineCost(const ProjectedScene& scene) : scene_(scene) {
     }
 }
 
-/// A line is one period long and stands for all values of t. A triangle that reaches over a part f
+/// A line is one period long and represents all values of t. A triangle that reaches over a part f
 /// of the period of t is cut by f lines in each, once and once more for every period along s that
-/// its width there reaches into; the widths of all lines add up to its picture's area.
+/// its width there reaches into; the widths of all lines add up to the area of its projection.
 double LineCost::cuts_per_line(const Vec3& direction) const {
     if (!scene_.cell.periodic()) {
         return 0;
     }
     const ProjectionPlane plane(scene_, direction, 0, AlongPeriods::slanted);
     const double along_t = dot(absolute(plane.t), extents_) / plane.size_t;
-    const double picture = dot(absolute(direction), areas_) / plane.area;
-    return along_t + picture / (plane.size_s * plane.size_t);
+    const double projection = dot(absolute(direction), areas_) / plane.area;
+    return along_t + projection / (plane.size_s * plane.size_t);
 }
 
 }  // namespace quasimc

@@ -22,7 +22,7 @@ double mean_albedo(const Side& side, const std::vector<double>& spectrum) {
     return kept / sum;
 }
 
-/// How many bits of a triangle's tiles, in both directions, are sorted by.
+/// Number of bits per direction of the tiles by which vertices of a triangle are sorted.
 unsigned tile_bits(std::size_t vertices, std::uint32_t triangles) {
     // About one vertex a tile, and at most 16 tiles a side.
     const auto bits =
@@ -30,8 +30,8 @@ unsigned tile_bits(std::size_t vertices, std::uint32_t triangles) {
     return std::bit_width(triangles) + 2 * bits <= 32 ? bits : 0;
 }
 
-/// Sets keys to where vertices lie: triangle, then tile of it.
-void find_keys(
+/// Sets the sort keys of vertices: triangle, then tile.
+void set_keys(
     std::span<const PathVertex> vertices, unsigned bits, std::vector<std::uint32_t>& keys) {
     const auto side = static_cast<float>(1U << bits);
     keys.clear();
@@ -105,7 +105,7 @@ void order_by_position(
     constexpr unsigned kDigit = 11;
     constexpr std::uint32_t kMask = (1U << kDigit) - 1;
     const unsigned bits = tile_bits(vertices.size(), triangles);
-    find_keys(vertices, bits, order.keys);
+    set_keys(vertices, bits, order.keys);
     const std::uint64_t keys = std::uint64_t{triangles} << (2 * bits);
     order.order.resize(vertices.size());
     order.next.resize(vertices.size());

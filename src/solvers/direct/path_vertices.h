@@ -13,23 +13,23 @@
 
 namespace quasimc {
 
-/// Light that comes to surfaces along one direction.
+/// Light on surfaces along one direction.
 struct SurfaceBeam {
     const BoundSource* light = nullptr;
-    Vec3 direction;    ///< unit, in which the light travels
-    double paths = 0;  ///< how many paths' light it brings
+    Vec3 direction;    ///< unit direction of the light
+    double paths = 0;  ///< its light, as a number of paths
 };
 
 /// The first vertex of a path: a point on a triangle of the mesh.
 struct PathVertex {
     std::uint32_t triangle = 0;
-    std::uint32_t beam = 0;  ///< in the list of beams, which light comes by
+    std::uint32_t beam = 0;  ///< index in the list of beams
     float u = 0, v = 0;
     double weight = 1;
 };
 
-/// What each side of each material scatters of the light of each spectrum, relative to the side
-/// that scatters most: mean over the bands, weighted by their light. 0 for sensors.
+/// Light of each spectrum that each side of each material scatters, relative to the side that
+/// scatters most: mean over the bands, weighted by their light. 0 for sensors.
 class ScatteredShares {
   public:
     explicit ScatteredShares(const PreparedScene& prepared);
@@ -43,14 +43,14 @@ class ScatteredShares {
     std::vector<double> shares_;  // [spectrum][material][side]
 };
 
-/// A piece of a lit surface as paths start from it.
+/// A piece of a lit surface, from which paths start.
 struct ScatteringPiece {
-    double scattered = 0;  ///< as many paths start, on average
-    double weight = 0;     ///< of each
+    double scattered = 0;  ///< mean number of paths that start
+    double weight = 0;     ///< per path
     std::uint32_t triangle = 0;
 };
 
-/// The piece on which `amount` paths' light of a beam falls.
+/// The piece that receives light of a beam: that of `amount` paths.
 /// @param along  dot(unit normal of the upper side, direction of the beam)
 [[nodiscard]] ScatteringPiece scattering_piece(
     const PreparedScene& prepared,
@@ -92,10 +92,10 @@ class SystematicPlacement {
     double residual_;
 };
 
-/// Scores the direct light of one beam: what falls on triangles, and that the rest escapes.
+/// Scores the direct light of one beam: on triangles, and as escaped light.
 class DirectLightScore {
   public:
-    /// Scores what `add_all(score)` adds, and the rest of the beam as escaped.
+    /// Scores the light that `add_all(score)` adds, and the remainder of the beam as escaped.
     template <typename AddAll>
     static void score(
         const PreparedScene& prepared,
@@ -107,11 +107,10 @@ class DirectLightScore {
         direct.add_escaped();
     }
 
-    /// Adds `amount` paths' light on a triangle. @param along  as in scattering_piece()
+    /// Adds the light of `amount` paths on a triangle. @param along  as in scattering_piece()
     void add(std::uint32_t triangle, double along, double amount) {
         const std::uint32_t region = prepared_.region(triangle);
-        // What thin triangles lack by rounding is lit as well: the rest escapes, as all that is
-        // not stopped does.
+        // Slivers receive the light of their exact area; all light that is not stopped escapes.
         const double exact =
             amount * prepared_.rounding().light_share(triangle, beam_.direction, along);
         const std::int64_t fixed = to_fixed(exact);
@@ -120,7 +119,7 @@ class DirectLightScore {
             return;
         }
         tally_.add(region * stride_ + sides_[along > 0 ? 1 : 0], fixed);
-        if (finds_sunlit_ && along != 0) {
+        if (sums_sunlit_ && along != 0) {
             add_sunlit(triangle, along, amount);
         }
         if (sums_absorbed_) {
@@ -137,7 +136,7 @@ class DirectLightScore {
           sides_{
               tally.blocks().direct(0, SurfaceSide::upper, beam.light->spectrum),
               tally.blocks().direct(0, SurfaceSide::lower, beam.light->spectrum)},
-          finds_sunlit_(beam.light->lit_area > 0),
+          sums_sunlit_(beam.light->lit_area > 0),
           sums_absorbed_(tally.blocks().has_absorbed()) {}
 
     void add_sunlit(std::uint32_t triangle, double along, double amount);
@@ -148,8 +147,8 @@ class DirectLightScore {
     const SurfaceBeam& beam_;
     Tally& tally_;
     std::size_t stride_;
-    std::array<std::size_t, 2> sides_;  // of direct light, in a row
-    bool finds_sunlit_, sums_absorbed_;
+    std::array<std::size_t, 2> sides_;  // bins of direct light of the two sides
+    bool sums_sunlit_, sums_absorbed_;
     std::int64_t stopped_ = 0;  // fixed point
 };
 

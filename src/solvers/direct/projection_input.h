@@ -9,16 +9,17 @@
 
 namespace quasimc {
 
-/// A prepared scene as beams see it, with what that refers to. The scene must outlive it.
+/// A prepared scene as input of projections, with the data that it refers to. The scene must
+/// outlive it.
 class ProjectionInput {
   public:
-    /// @param stop  asked while beams are prepared, if given; must outlive this
+    /// @param stop  checked while beams are prepared, if given; must outlive this
     explicit ProjectionInput(const PreparedScene& prepared, const std::stop_token* stop = nullptr);
     ~ProjectionInput() = default;
     ProjectionInput(const ProjectionInput&) = delete;
     ProjectionInput& operator=(const ProjectionInput&) = delete;
 
-    /// For beams of many directions.
+    /// Prepares for beams of many directions.
     void store_blocks();
 
     [[nodiscard]] const ProjectedScene& projected() const { return projected_; }

@@ -9,8 +9,8 @@
 namespace quasimc {
 namespace {
 
-/// Where all bands scatter most of the light, its noise is in the paths: fewer lines and pixels,
-/// which leaves time for more of them (the first scattering is split, as it were).
+/// If all bands scatter most of the light, most noise is in the paths: fewer lines and pixels leave
+/// time for more paths.
 constexpr SamplingDensity kDarkDensity{
     .paths_per_line = 80,
     .pixels_per_path = 40,
@@ -24,7 +24,7 @@ constexpr SamplingDensity kBrightDensity{
     .cuts_per_path = 10,
     .paths_per_sample = 4};
 /// Errors of lines fall with the third power of their number, those of bundles with the square root
-/// of theirs, at every albedo. For a path bundles take several times as long, and lines may too.
+/// of theirs, at every albedo. Bundles take several times as long per path, and so may lines.
 constexpr SamplingDensity kBrightBundleDensity{
     .lines_per_root = 12.8,
     .pixels_per_path = 160,
@@ -32,15 +32,15 @@ constexpr SamplingDensity kBrightBundleDensity{
     .most_over_root = 2,
     .cuts_per_path = 160,
     .paths_per_sample = 2};
-/// So many times the pixels in each of as many directions.
+/// The density with `times` as many pixels in each direction.
 constexpr SamplingDensity with_pixels(SamplingDensity density, double times) {
     density.pixels_per_path *= times;
     density.pixels_per_root *= times;
     return density;
 }
-/// ... but what dark leaves scatter has small errors: pixels are most of what is left.
+/// Scattered light of low-albedo leaves has small errors; pixels have most of the error.
 constexpr SamplingDensity kDarkBundleDensity = with_pixels(kBrightBundleDensity, 3);
-/// Largest albedo from which on a band is bright.
+/// The largest albedo of a scene from which on a band is bright.
 constexpr double kBrightAlbedo = 0.5;
 
 /// Whether all bands scatter most of the light.
@@ -57,54 +57,54 @@ const SamplingDensity& sampling_density(const PreparedScene& prepared, Scattered
     return is_bright(prepared) ? kBrightDensity : kDarkDensity;
 }
 
-/// A beam has at least so many lines; where there are hundreds of beams, all together so many, but
-/// each four.
+/// Minimum number of lines: of a beam, of all beams together if they are hundreds, and of each of
+/// these.
 constexpr std::uint32_t kMinLines = 16, kMinLinesInAll = 4096, kMinOfMany = 4;
-/// Few beams have at least so many lines together, which take no more time than to get started.
+/// Minimum number of lines of few beams together: they take no more time than the preparation.
 constexpr std::uint32_t kMinOfFew = 128;
 
-/// The fewest lines of each of so many beams.
+/// The minimum number of lines of each beam.
 std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
     const std::uint32_t of_many =
         std::clamp(kMinLinesInAll / std::max(suns, 1U), kMinOfMany, kMinLines);
     return std::max(of_many, kMinOfFew / std::max(beams, 1U));
 }
 
-/// Triangles that are projected for each path of a sun. Where they would be more, or where lines
-/// would cut so much that too few of them are left, the sun is traced from itself, which then
-/// leaves the smaller errors for its time (docs/develop/notebook/choosing.md).
+/// Maximum number of projected triangles for each path of a sun. If they would be more, or if cuts
+/// leave too few lines, paths from the sun are more efficient.
 constexpr double kMaxTrianglesPerPath = 20;
-/// Of few organs each has many paths, and lines bring less: for each organ at most so many.
+/// Maximum number for each organ as well: few organs have many paths each, and lines improve them
+/// less.
 constexpr double kMaxTrianglesPerPathOfOrgan = 2;
-/// Lines of a sun that are too few, but where it is one of many: of an endless stand at 1 degree 37
-/// of them left organs 500 times the error of as many paths, at 5 degrees 41 of them 5 times.
+/// Minimum number of lines of a sun with costly cuts, unless it is one of many. In an infinite
+/// stand, 37 lines at an elevation of 1 degree had 500 times the error of as many paths, 41 lines
+/// at 5 degrees 5 times.
 constexpr std::uint32_t kMinWhereCostly = 64;
 
-/// Pixels of a direction of a sky. To project a triangle costs as much as some pixels, and where
-/// there are more of them each may be seen less well: the root is between, until there are two for
-/// each. Of very many paths directions become less of the error than pixels are, and each gets
-/// more.
+/// Pixels of a direction of a sky. Projecting a triangle costs as much as some pixels, and many
+/// triangles need less accuracy each: pixels grow with the square root of their number, with at
+/// least two for each. For very many paths pixels dominate over directions in the error, and each
+/// direction gets more.
 constexpr double kMinPerTriangle = 2;
-/// ... and where scattered light has small errors, so many for each in as many directions, if they
-/// are not too many more.
+/// Pixels per triangle if scattered light has small errors, limited by most_over_root.
 constexpr double kWantedPerTriangle = 6;
 constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
 constexpr double kMinPixels = 1024, kMaxPixels = 2048 * 2048;
-/// Of a periodic scene none of them is empty.
+/// Factor for periodic scenes, where no pixel is empty.
 constexpr double kShareOfLayer = 1.0 / 3;
-/// Directions of a sky: at least so many, in at most so many blocks of work.
+/// Minimum number of directions of a sky, and maximum number of blocks.
 constexpr std::uint32_t kMinDirections = 16;
 constexpr std::uint32_t kDirectionBlocks = 16;
-/// To project a triangle costs as much as so many pixels; where it repeats itself, twice that.
+/// Cost of projecting a triangle, in pixels; twice that in periodic scenes.
 constexpr double kPixelsPerTriangle = 20;
-/// Skies that cost so many times the pixels that their paths are meant to have are traced from
-/// themselves, which then leaves the smaller errors for its time.
+/// Skies that cost more than this multiple of the pixels of their paths are sampled by paths, which
+/// is then more efficient.
 constexpr double kMaxOverPixels = 30;
-/// So are skies of fewer directions times organs: all organs have the errors of the directions in
-/// common, those of paths cancel in what is large.
+/// So are skies with fewer directions times organs: errors of directions are common to all organs,
+/// those of paths cancel in totals.
 constexpr double kMinViews = 400;
 
-/// How many organs are asked for, the ground aside.
+/// Number of measured organs, without the ground.
 double measured_organs(const Scene& scene) {
     return static_cast<double>(std::count_if(
         scene.organs().begin(), scene.organs().end(),
@@ -167,7 +167,7 @@ bool SamplingBudget::are_close(const VisibilityTask& task, double paths) const {
     }
     const Round round{.count = static_cast<std::uint64_t>(paths)};
     const double organ = std::sqrt(median_measured_area(prepared_.scene()));
-    // Of an organ that no line finds lit, twice the distance of lines may be
+    // On an organ that no line finds lit, twice the distance of lines may be lit
     // (theory/statistics.md).
     return light_per_sample(task, round) * std::min(organ, 2 * spacing(task)) <=
            density_.paths_per_sample;
@@ -226,7 +226,7 @@ double SamplingBudget::light_per_sample(const VisibilityTask& task, const Round&
 }
 
 double SamplingBudget::spacing(const VisibilityTask& task) const {
-    // No more than the scene is wide over their number.
+    // At most the width of the scene over the number of lines.
     return length(prepared_.projection().entry_box().bounds.size()) / task.count;
 }
 

@@ -9,44 +9,47 @@
 
 namespace quasimc {
 
-/// Directions that stand for the disk of a sun.
+/// Number of directions that represent the disk of a sun.
 inline constexpr std::uint32_t kDiskBeams = 8;
-/// How many beams stand for a sun.
+/// Number of beams that represent a sun.
 [[nodiscard]] std::uint32_t beams_of(const BoundSource& sun);
 
 /// Part of the light from far away in one round: a beam that is cut into scan lines, or all skies.
 struct VisibilityTask {
     bool is_sky = false;
-    std::uint32_t light = 0;            ///< of a beam
-    std::uint32_t beam = 0, beams = 1;  ///< of a sun's disk: which direction, and of how many
-    std::uint32_t count = 0;            ///< lines, or directions
-    double pixels = 0;                  ///< of each direction of the skies
+    std::uint32_t light = 0;  ///< index of a light with beams
+    std::uint32_t beam = 0,
+                  beams = 1;  ///< index among the directions of a sun's disk, and their number
+    std::uint32_t count = 0;  ///< number of lines, or of directions
+    double pixels = 0;        ///< per direction of the skies
     std::uint64_t first_block = 0, blocks = 0;
 };
 
-/// What scattered light is found by. Along bundles it is known so much better for the time that
-/// more of the error is in direct light, which then is sampled more densely.
+/// Method for scattered light. With bundles, direct light has more of the error and is sampled more
+/// densely.
 enum class ScatteredBy { paths, bundles };
 
-/// How densely direct light is sampled for each path that may start.
+/// Sampling density of direct light for a number of paths.
 struct SamplingDensity {
-    double paths_per_line = 0;  ///< 0: lines_per_root says
-    double lines_per_root = 0;  ///< of the number of paths
+    double paths_per_line = 0;  ///< 0: lines_per_root decides
+    double lines_per_root = 0;  ///< lines per square root of the number of paths
     double pixels_per_path = 0;
-    double pixels_per_root = 0;  ///< of the number of triangles, along each direction of a sky
-    double most_over_root = 1;   ///< so many times that, where triangles would have few pixels
-    double cuts_per_path = 0;    ///< images of triangles that the lines of a sun may cut
-    /// Paths' light that a line may bring a typical organ where cuts leave fewer lines than usual.
+    double pixels_per_root =
+        0;  ///< pixels of a sky direction per square root of the number of triangles
+    double most_over_root =
+        1;  ///< largest factor on pixels_per_root if triangles would have few pixels
+    double cuts_per_path = 0;  ///< largest number of triangle images that the lines of a sun cut
+    /// Largest contribution of a line to a typical organ if cuts leave fewer lines than usual, as a
+    /// number of paths.
     double paths_per_sample = 0;
 };
 
-/// How densely direct light is sampled for how many paths. Direct light and scattered light each
-/// have their error; these numbers make the figure of merit of both together the largest in our
-/// measurements (docs/develop/notebook/first-hits.md).
+/// Chooses the sampling density of direct light for a number of paths. Its constants maximize the
+/// figure of merit of direct and scattered light together, in measurements.
 class SamplingBudget {
   public:
-    /// @param seen  the scene as beams see it
-    /// @param paths  of the first round: what is cheap in it is in all
+    /// @param seen  input of projections
+    /// @param paths  of the first round, which decides for all rounds
     SamplingBudget(
         const PreparedScene& prepared,
         const SkyDirections& skies,
@@ -54,45 +57,44 @@ class SamplingBudget {
         std::uint64_t paths,
         ScatteredBy scattered = ScatteredBy::paths);
 
-    /// Whether the direct light of a sun is found along lines. Not where they cost so much that
-    /// paths from the sun do better for the time: as at dawn in an endless stand, whose images a
-    /// line cuts by the thousand, or where few paths have many triangles; nor for lights that are
-    /// no suns.
+    /// Whether the direct light of a sun is sampled along lines. Paths from the sun are more
+    /// efficient at dawn in an infinite stand, where a line cuts thousands of periodic images, and
+    /// if there are few paths for many triangles. False for other lights.
     [[nodiscard]] bool has_lines(std::size_t light) const { return has_lines_[light]; }
 
-    /// Whether there are skies and their direct light is found by pixels. Not where few paths have
-    /// so many triangles, or few organs so few directions, that paths from the skies do better for
-    /// the time.
+    /// Whether there are skies and their direct light is sampled by item buffers. Paths from the
+    /// skies are more efficient if there are few paths for many triangles, or few directions for
+    /// few organs.
     [[nodiscard]] bool sees_skies() const { return sees_skies_; }
 
     /// The tasks of a round, their blocks one after the other: at most kDiskBeams for each sun, and
-    /// one. Takes time in proportion to the suns.
+    /// one for all skies. Takes time in proportion to the suns.
     [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round) const;
 
-    /// By light; as has_lines() says.
+    /// has_lines() by light.
     [[nodiscard]] const std::vector<bool>& lights_with_lines() const { return has_lines_; }
-    /// Whether some sun has none, and is traced from itself.
+    /// Whether some sun has no lines, and is sampled by paths.
     [[nodiscard]] bool traces_suns() const;
 
-    /// The largest contribution of a sample of a task, in paths' light: of a direction of the skies
-    /// all light along it, of a scan line that on a unit of its length, local units.
+    /// The largest contribution of a sample of a task, as a number of paths: all light along a
+    /// direction of the skies, or the light per unit length of a scan line, local units.
     [[nodiscard]] double light_per_sample(const VisibilityTask& task, const Round& round) const;
-    /// How far apart the scan lines of a task stand at most, local units.
+    /// The largest distance of neighbouring scan lines of a task, local units.
     [[nodiscard]] double spacing(const VisibilityTask& task) const;
 
   private:
     void set_lines(const LineCost& cost, double paths);
     [[nodiscard]] bool are_skies_cheap(double paths) const;
-    /// Lines of each beam of a sun, were it not for what they cut.
+    /// Lines of each beam of a sun, regardless of the cost of cuts.
     [[nodiscard]] std::uint32_t usual_lines(std::size_t light, double paths) const;
     /// Beams of a sun, and lines of each.
     [[nodiscard]] VisibilityTask lines_of(std::size_t light, double paths) const;
-    /// Whether the lines of a sun are as many as usual, or so close together that what one of them
-    /// may bring an organ is no more than some paths do.
+    /// Whether the lines of a sun are as many as usual, or so close together that the largest
+    /// contribution of one to an organ is no more than that of a few paths.
     [[nodiscard]] bool are_close(const VisibilityTask& task, double paths) const;
     [[nodiscard]] VisibilityTask skies_of(double paths) const;
     void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const;
-    /// Along a direction. @param most_over_root  see SamplingDensity
+    /// Pixels of a direction. @param most_over_root  see SamplingDensity
     [[nodiscard]] double pixels_for(double paths, double most_over_root) const;
 
     const PreparedScene& prepared_;
@@ -104,9 +106,8 @@ class SamplingBudget {
     bool sees_skies_ = false;
 };
 
-/// Whether suns shine alone and bundles would not find the direct light of one of them along lines:
-/// its light then lies on patches in spots of single paths, and what these scatter is better
-/// traced.
+/// Whether all lights are suns and ray bundles would sample one of them by paths. Its light is then
+/// deposited in spots of single paths, and tracing is better for scattered light too.
 /// @param paths  of the first round
 [[nodiscard]] bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths);
 

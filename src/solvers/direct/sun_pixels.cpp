@@ -12,9 +12,10 @@
 namespace quasimc {
 namespace {
 
-/// Dimensions of a beam's point: how the pixels stand, and where on its disk a sun is viewed.
+/// Dimensions of a beam's point: rotation and shift of the pixels, and the direction on the sun's
+/// disk.
 constexpr std::uint32_t kPixelDimension = 0, kDiskDimension = 3;
-/// Each beam of a disk has at least so many.
+/// The minimum number of pixels of a beam.
 constexpr double kMinOfBeam = 256;
 
 }  // namespace
@@ -24,9 +25,9 @@ SunPixels::SunPixels(const SolverInput& input, double pixels)
       sampler_(input.sampler),
       spec_(input.spec),
       stop_(input.stop),
-      seen_(input.prepared, &stop_),
+      projection_input_(input.prepared, &stop_),
       pixels_(pixels) {
-    seen_.store_blocks();
+    projection_input_.store_blocks();
 }
 
 SunLight SunPixels::find(std::uint32_t replicate, ItemScratch& scratch) const {
@@ -48,7 +49,7 @@ SunLight SunPixels::find(std::uint32_t replicate, ItemScratch& scratch) const {
         for (; point < first + count; ++point) {
             View view = view_of(light, {stream, first, point});
             const ItemBuffer image = draw(
-                seen_.projected(),
+                projection_input_.projected(),
                 {.direction = view.direction,
                  .rotation = sampler_.coordinate(stream, point, kPixelDimension),
                  .shift_s = sampler_.coordinate(stream, point, kPixelDimension + 1),
@@ -59,7 +60,7 @@ SunLight SunPixels::find(std::uint32_t replicate, ItemScratch& scratch) const {
             score(view, image, found);
         }
     }
-    settle(found);
+    normalize(found);
     return found;
 }
 
@@ -82,7 +83,7 @@ SunPixels::View SunPixels::view_of(const BoundSource& light, const Placing& plac
         light, from.direction, light.probability * per_area * area, light.probability * per_area};
 }
 
-/// Adds the light of one view: what falls on nothing opaque escapes.
+/// Adds the light of one view; light that meets nothing opaque escapes.
 void SunPixels::score(const View& view, const ItemBuffer& image, SunLight& found) const {
     const std::size_t bands = prepared_.bands();
     const std::vector<double>& weights = view.light.start_weights;
@@ -114,9 +115,9 @@ void SunPixels::score(const View& view, const ItemBuffer& image, SunLight& found
     }
 }
 
-/// From parts of the light to light. Beams of a disk bring more or less than its light: in
-/// proportion to what they brought all of it is known better.
-void SunPixels::settle(SunLight& found) const {
+/// Converts fractions of the light to light. The beams of a disk carry more or less than its light;
+/// their ratio to the known flux improves the estimate.
+void SunPixels::normalize(SunLight& found) const {
     const std::size_t bands = prepared_.bands();
     for (std::size_t b = 0; b < bands; ++b) {
         const double drawn = found.emitted[b];

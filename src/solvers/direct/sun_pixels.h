@@ -10,21 +10,21 @@
 
 namespace quasimc {
 
-/// Light straight from suns, as one replicate sees it.
+/// Direct light of suns, as estimated by one replicate.
 struct SunLight {
-    std::vector<double> flux;         ///< [region][side][band], what falls on each
-    std::vector<double> sunlit_area;  ///< by region, of suns by their share in the irradiance
+    std::vector<double> flux;         ///< incident, [region][side][band]
+    std::vector<double> sunlit_area;  ///< by region, with suns weighted by their irradiance
     std::vector<double> emitted;      ///< per band, into the scene
     std::vector<double> escaped;      ///< per band, past all that is opaque
 };
 
-/// Direct light of suns alone, each viewed pixel by pixel. For several views of organs that need
-/// not be seen to a percent each this is faster than scan lines, of which the first few cost as
-/// much as all pixels (docs/develop/notebook/time-series.md).
+/// Direct light of suns by item buffers. For many suns that need not be accurate to a percent each,
+/// this is faster than scan lines, the first few of which cost as much as all pixels
+/// (docs/develop/notebook/time-series.md).
 class SunPixels {
   public:
-    /// @param input  all lights of which are suns
-    /// @param pixels  about as many of each beam, over the scene or a period of it
+    /// @param input  with suns as its only lights
+    /// @param pixels  approximate number for each beam, over the scene or a period of it
     SunPixels(const SolverInput& input, double pixels);
 
     /// The light of a replicate.
@@ -32,12 +32,12 @@ class SunPixels {
     [[nodiscard]] SunLight find(std::uint32_t replicate, ItemScratch& scratch) const;
 
   private:
-    /// Light along one direction, in parts of the light of all suns.
+    /// Light along one direction, as a fraction of the light of all suns.
     struct View {
         const BoundSource& light;
         Vec3 direction;
         double part = 0;
-        double of_pixel = 0;  ///< of a pixel; at first of an area of 1, local units squared
+        double of_pixel = 0;  ///< light per pixel; at first per area, local units squared
     };
 
     /// The point that shifts a beam, and that of the first beam of its sun.
@@ -48,13 +48,13 @@ class SunPixels {
 
     [[nodiscard]] View view_of(const BoundSource& light, const Placing& placing) const;
     void score(const View& view, const ItemBuffer& image, SunLight& found) const;
-    void settle(SunLight& found) const;
+    void normalize(SunLight& found) const;
 
     const PreparedScene& prepared_;
     const Sampler& sampler_;
     const RunSpec& spec_;
     std::stop_token stop_;
-    ProjectionInput seen_;
+    ProjectionInput projection_input_;
     double pixels_;
 };
 

@@ -1,12 +1,12 @@
 // Direct light by geometry, scattered light by paths from where it falls.
 //
-// A sun is cut into scan lines, and each line into the segments of surfaces that it lights
-// (raster/scan_lines.h): the direct light of every organ, with an error that falls with
-// the third power of the number of lines. A sky is a sum of beams from well-spread directions, and
-// each is seen pixel by pixel (raster/item_buffer.h). Paths start on segments and pixels
+// The light of a sun is cut into scan lines, and each line into the segments of surfaces that it
+// lights (raster/scan_lines.h): the direct light of every organ, with an error that falls with the
+// third power of the number of lines. A sky is a sum of beams from well-spread directions, each
+// with an item buffer (raster/item_buffer.h). Paths start on segments and pixels
 // (solvers/direct/path_vertices.h) and are traced from there (solvers/first_hits/vertex_tracer.h).
-// Light of lamps, and of suns so low above an endless stand that lines would cost more than they
-// bring, is traced from the sources.
+// Light of lamps, and of suns so low above an infinite stand that lines would be inefficient, is
+// traced from the sources.
 
 #include "solvers/first_hits/first_hits.h"
 
@@ -65,7 +65,7 @@ class FirstHits final : public Solver {
     using Work = DirectBeams::Work;
     using Beam = DirectBeams::Beam;
 
-    /// What a worker keeps between blocks.
+    /// Memory of a worker, reused between blocks.
     struct Scratch {
         explicit Scratch(std::size_t bands) : tracing(bands) {}
         DirectBeams::Scratch direct;
@@ -111,7 +111,7 @@ class FirstHits final : public Solver {
             rules_of(work), scratch.beams, scratch.vertices, scratch.tracing, tally);
     }
 
-    /// Every so many-th direction of the skies: what is seen of it serves all of them.
+    /// Every n-th direction of the skies for n blocks: one view serves all skies.
     void trace_skies(const Work& work, Scratch& scratch, Tally& tally) const {
         const Stream placing = direct_.stream_of(work, 0);
         scratch.beams.clear();
@@ -180,8 +180,8 @@ class FirstHits final : public Solver {
     BlockRunner<LightTracer::Scratch> trace_runner_;
 };
 
-/// A path that starts where light falls stands for as much scattered light as others, of which each
-/// band has its part.
+/// The largest scattered light per path: all paths from first hits carry the same, shared among the
+/// bands.
 std::vector<double> scattered_flux_per_path(const PreparedScene& prepared) {
     std::vector<double> largest = largest_albedos(prepared.scene());
     for (std::size_t b = 0; b < largest.size(); ++b) {

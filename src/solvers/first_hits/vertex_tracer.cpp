@@ -25,8 +25,8 @@ class VertexTracer {
           scratch_(scratch),
           tally_(tally) {
         rules_.stream.count = std::bit_ceil(vertices.size() + 1);
-        // Part of a lattice must be spread over all of it, and its first coordinate, which grows
-        // with the number, is left out: a surface would send all its light one way.
+        // A subset of a lattice must be spread over all of it. Its first coordinate grows with the
+        // index and is not used: a surface would scatter all its light in one direction.
         is_spread_ = rules_.sampler->needs_power_of_two();
         rules_.scatter_dimension = is_spread_ ? 1 : 0;
     }
@@ -34,7 +34,7 @@ class VertexTracer {
     /// Returns the rays cast.
     std::uint64_t trace() {
         order_by_position(vertices_, prepared_.caster().mesh().triangle_count(), scratch_.order);
-        // As many at a time as stay in the cache.
+        // Batches that fit into the cache.
         constexpr std::size_t kMaxAtOnce = 512, kWeightsAtOnce = 8192;
         const std::size_t at_once =
             std::clamp<std::size_t>(kWeightsAtOnce / prepared_.bands(), 1, kMaxAtOnce);
@@ -60,7 +60,7 @@ class VertexTracer {
         return {beam.light, rules_.stream.first + index, beam.direction, vertex.weight};
     }
 
-    /// Per band, of a ray of the batch.
+    /// The weights of a ray of the batch, per band.
     [[nodiscard]] std::span<double> weights_of(std::size_t ray) {
         return std::span(scratch_.ray_weights).subspan(ray * prepared_.bands(), prepared_.bands());
     }

@@ -9,18 +9,19 @@
 
 namespace quasimc {
 
-/// What a worker keeps between calls of trace_from_vertices() so that nothing is allocated.
+/// Memory of a worker, reused between calls of trace_from_vertices().
 struct VertexScratch {
     explicit VertexScratch(std::size_t bands) : particle(bands) {}
     VertexOrder order;
-    std::vector<double> u0, u1;       // the numbers by which a batch scatters
+    std::vector<double> u0, u1;       // random numbers of a batch
     std::vector<ScatteredRay> rays;   // of a batch
     std::vector<double> ray_weights;  // per band of each
     ParticleScratch particle;
 };
 
 /// Traces paths from their first vertices, surface after surface, so that the directions in which
-/// one scatters are neighbours in the point set. Scores all but the direct light, and the rays.
+/// one scatters are neighbours in the point set. Scores all but the direct light, and counts the
+/// rays.
 /// @param rules  stream and limits; the number of points and the dimensions are set here
 void trace_from_vertices(
     PathRules rules,

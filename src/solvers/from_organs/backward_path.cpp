@@ -33,19 +33,19 @@ std::uint64_t BackwardPaths::gather(
     std::fill(path.gathered.begin(), path.gathered.end(), 0.0);
     Vec3 p = point.p;
     std::uint32_t triangle = point.triangle;
-    bool by_sharp = false;
+    bool by_narrow = false;
     std::uint64_t rays = 0;
     for (std::uint32_t depth = 1;;) {
         throw_if_stopped(stop_);
-        // After the last hit that counts only the sky does, if a sharp lobe shows it.
+        // Beyond the last hit only the sky counts, through a narrow lobe.
         const bool is_last = depth == max_depth_;
-        if (is_last && !by_sharp) {
+        if (is_last && !by_narrow) {
             return rays;
         }
         const CastHit at = prepared_.caster().cast(p, away, triangle);
         ++rays;
         if (at.end != RayEnd::hit) {
-            if (by_sharp && at.end == RayEnd::escaped) {
+            if (by_narrow && at.end == RayEnd::escaped) {
                 next_event_.add_sky(away, path);
             }
             return rays;
@@ -74,14 +74,14 @@ std::uint64_t BackwardPaths::gather(
         }
         dimension += 2;
         ++depth;
-        by_sharp = from->sharp;
+        by_narrow = from->sharp;
         away = -from->wi;
     }
 }
 
-/// Adds to path.gathered the light that a surface sends along `out` from the light vertices to
-/// which it is connected. Returns the rays cast.
-/// @param depth  hits of the path that runs backwards, this one with them
+/// Adds to path.gathered the light of connected light vertices that a surface scatters along `out`.
+/// Returns the rays cast.
+/// @param depth  hits of the backward path, including this one
 std::uint64_t BackwardPaths::add_vertices(
     const LightVertices& vertices,
     const Surface& surface,

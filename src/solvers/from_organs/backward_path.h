@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// The random numbers of a path: those of point `index` from coordinate `dimension` on.
+/// The random numbers of a path: coordinates of point `index` from `dimension` on.
 struct PathNumbers {
     const Stream& stream;
     std::uint64_t index;

@@ -1,12 +1,12 @@
-// Tracing from the organs: points on every organ sample the light that comes to them.
+// Backward tracing: points on every organ sample the light that they receive.
 //
-// At a point of the organ, and at every vertex of a path that runs backwards from there, one
-// direction to a light is drawn and tested (next-event estimation). Light that comes by a sharp
-// lobe, or a mirror, is hardly ever sampled so. From a sky it is sampled by the paths that the lobe
-// sends there; from a sun or a lamp by a light subpath, which is traced with each point where a
-// scene has such lobes. So is what falls on something next to a lamp (LampNearField): points are
-// connected with it, unless they are near too (VertexLight). The classes of paths are disjoint, and
-// together complete (path_class.h).
+// At a point of an organ, and at every vertex of the backward path from there, one direction to a
+// light is sampled and tested for occlusion (next-event estimation). This hardly ever samples light
+// that comes by a narrow lobe, or a mirror. From a sky such light is sampled by backward paths
+// through the lobe; from a sun or a lamp by a light subpath, one for each point if a scene has such
+// lobes. Light subpaths also sample the near field of lamps (LampNearField): points are connected
+// with their vertices, unless they are near too (VertexLight). The classes of paths are disjoint,
+// and together complete (path_class.h).
 
 #include "solvers/from_organs/from_organs.h"
 
@@ -34,7 +34,7 @@ namespace {
 struct Point : OrganPoint {
     std::uint64_t index = 0;
 
-    /// Its surface, to which light comes on one side. @param cosine  of the angle to the normal
+    /// Its surface, lit on one side. @param cosine  of the angle to the normal
     [[nodiscard]] Surface surface(SurfaceSide side, double cosine) const {
         return {triangle, region, side, side == SurfaceSide::upper ? up : -up, cosine};
     }
@@ -57,10 +57,10 @@ class FromOrgans final : public Solver {
               input.prepared,
               input.sampler,
               near_,
-              kFinerSteps * measured_.area,
+              kFinerQuanta * measured_.area,
               followed_peak_,
               points_per_organ_),
-          vertex_light_(input.prepared, kFinerSteps * measured_.area, followed_peak_),
+          vertex_light_(input.prepared, kFinerQuanta * measured_.area, followed_peak_),
           backward_paths_(input, next_event_, vertex_light_, near_, followed_peak_),
           subpaths_(input, measured_, near_, followed_peak_),
           part_of_unit_(parts_of_unit(input.prepared, measured_, near_)),
@@ -94,10 +94,10 @@ class FromOrgans final : public Solver {
         explicit Scratch(std::size_t bands) : path(bands), subpath(bands) {}
         GatherScratch path;
         LightSubpathScratch subpath;
-        SideBlocks unoccluded;  // light that would come if nothing stood in its way
+        SideBlocks unoccluded;  // unoccluded light
     };
 
-    /// Points per organ of so many paths: a power of two, as point sets like it.
+    /// Points per organ for a number of paths: a power of two, which suits point sets best.
     static std::uint64_t points_of(std::uint64_t paths, const MeasuredArea& measured) {
         return std::bit_floor(std::max<std::uint64_t>(1, paths / measured.organs.size()));
     }
@@ -164,7 +164,7 @@ class FromOrgans final : public Solver {
                sample_surfaces(stream, point, scratch, tally);
     }
 
-    /// Adds the light of one source, drawn for the point, that comes straight to it.
+    /// Adds the direct light of one source, sampled for the point.
     std::uint64_t sample_sources(
         const Stream& stream,
         const Point& point,
@@ -194,12 +194,12 @@ class FromOrgans final : public Solver {
             prepared_.rounding().is_sunlit(point.triangle, sample.to_light, cosine)) {
             tally.add(
                 blocks.sunlit(point.region),
-                to_fixed(part * kFinerSteps * sample.light->sun_share / sample.probability));
+                to_fixed(part * kFinerQuanta * sample.light->sun_share / sample.probability));
         }
         return 1;
     }
 
-    /// Adds the light that comes to the point straight from the vertices of its light subpath.
+    /// Adds the light that the point receives from the vertices of its light subpath.
     std::uint64_t sample_vertices(const Point& point, Scratch& scratch, Tally& tally) const {
         std::uint64_t rays = 0;
         const LightVertices& vertices = scratch.subpath.vertices;
@@ -221,8 +221,8 @@ class FromOrgans final : public Solver {
         return rays;
     }
 
-    /// Adds the light that other surfaces send to the point: a path backwards from it, to one of
-    /// its two sides.
+    /// Adds the light that the point receives from other surfaces: a backward path from one of its
+    /// two sides.
     std::uint64_t sample_surfaces(
         const Stream& stream, const Point& point, Scratch& scratch, Tally& tally) const {
         const std::uint32_t dimension = 2 + next_event_.dimensions();
@@ -255,7 +255,7 @@ class FromOrgans final : public Solver {
     VertexLight vertex_light_;
     BackwardPaths backward_paths_;
     LightSubpaths subpaths_;
-    std::vector<double> part_of_unit_;  // by region: of a point, for the organ's open part
+    std::vector<double> part_of_unit_;  // by region: light of a point, for the organ's open part
     BlockRunner<Scratch> runner_;
 };
 

@@ -27,20 +27,20 @@ bool has_sky(const PreparedScene& prepared) {
         lights.begin(), lights.end(), [](const BoundSource& light) { return light.is_extended(); });
 }
 
-/// Whether light of suns or lamps is followed through lobes.
+/// Whether light subpaths sample light of suns or lamps through narrow lobes.
 bool has_followed_lobes(const PreparedScene& prepared) {
     return has_small_light(prepared) &&
            prepared.optics().sharpest_peak >= followed_peak(prepared.scene());
 }
 
-/// The most that a material of the scene sends to one of its sides, of light that falls on it:
-/// twice that is the irradiance that a point finds on a matt surface (pi for the cosine law over
-/// pi, 2 for the choice of a side). A find through a lobe of Phong's is on average half as bright
-/// as its peak; through sharp ones points find nothing but skies.
-/// @param narrow_from  peak_brightness() of those
+/// The largest fraction of incident light that a material of the scene scatters to one of its
+/// sides. Twice this is the irradiance that a point samples from a Lambertian surface (pi for the
+/// cosine law over pi, 2 for the choice of a side). A contribution through a Phong lobe is on
+/// average half as bright as its peak; through narrow lobes points sample only skies.
+/// @param narrow_from  peak_brightness() from which on lobes are narrow
 double brightest(const PreparedScene& prepared, std::size_t band, double narrow_from) {
     constexpr double kUsual = 0.5;
-    const double by_sharp = has_sky(prepared) ? 1 : 0;
+    const double by_narrow = has_sky(prepared) ? 1 : 0;
     double most = 0;
     for (std::uint32_t region = 0; region < prepared.scene().regions().size(); ++region) {
         const Material& material = prepared.material(region);
@@ -50,7 +50,7 @@ double brightest(const PreparedScene& prepared, std::size_t band, double narrow_
                 const double peak = peak_brightness(*lobe.shape);
                 sum[lobe.shape->hemisphere() == Hemisphere::reflected ? 0 : 1] +=
                     lobe.albedo[band] *
-                    (peak < narrow_from ? std::max(1.0, kUsual * peak) : by_sharp);
+                    (peak < narrow_from ? std::max(1.0, kUsual * peak) : by_narrow);
             }
             most = material.is_transparent() ? most : std::max({most, sum[0], sum[1]});
         }
@@ -58,9 +58,9 @@ double brightest(const PreparedScene& prepared, std::size_t band, double narrow_
     return most;
 }
 
-/// What a light vertex brings to a point by way of another surface, about: of all light of a lamp,
-/// for a spectrum of 1, spread over twice the radius about it. As irradiance, over the square of
-/// the albedo.
+/// Approximate irradiance that a light vertex contributes to a point by way of another surface,
+/// over the square of the albedo: all light of a lamp, for a spectrum of 1, spread over a
+/// hemisphere of the radius of its near field.
 double irradiance_by_vertex(const LampNearField& near, const BoundSource& light) {
     const double radius = near.scatter_radius(light);
     return radius > 0 ? light.source_sampler->flux() / (2 * std::numbers::pi * radius * radius) : 0;
@@ -86,7 +86,7 @@ double part_by_vertices(
     const MeasuredArea& measured,
     const LampNearField& near,
     const Organ& organ) {
-    constexpr double kConnections = 2;  // that may be followed one after the other
+    constexpr double kConnections = 2;  // in a row
     const Bounds box = local_bounds(prepared, organ);
     const double area = organ.area / prepared.projection().world_area();
     double part = 0;
@@ -115,7 +115,7 @@ void set_light_paths(
     for (std::size_t i = 0; const double coarser : coarseness_of(scene, measured)) {
         meaning.units.region_scale[i++] *= coarser;
     }
-    // Light that is followed through lobes may come to all.
+    // Light through narrow lobes may reach all organs.
     if (!has_followed_lobes(prepared)) {
         bound.scale = parts;
         for (double& part : bound.scale) {
@@ -139,7 +139,7 @@ MeasuredArea measured_area(const Scene& scene) {
 }
 
 double units_of_light_path(const MeasuredArea& measured, double own_area) {
-    return own_area > 0 ? kFinerSteps * measured.area /
+    return own_area > 0 ? kFinerQuanta * measured.area /
                               (own_area * static_cast<double>(measured.organs.size()))
                         : 0;
 }
@@ -195,8 +195,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const Scene& scene = prepared.scene();
     const MeasuredArea measured = measured_area(scene);
     SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::asked_for};
-    // Light that would come straight from the sources if nothing stood in its way: what a sample of
-    // an organ could have found.
+    // Unoccluded direct light: the contribution that a sample of an organ could have had.
     declare_sides(
         "unoccluded", columns_of(SumColumn::Of::spectrum, prepared.lights().spectra().size()),
         meaning.blocks);
@@ -221,18 +220,18 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
                              ? own * albedo[b] * albedo[b] * irradiance_by_vertex(near, light)
                              : 0;
         }
-        direct.largest.push_back(irradiance * kFinerSteps);
+        direct.largest.push_back(irradiance * kFinerQuanta);
         scattered.largest.push_back(
-            kFinerSteps * (2 * brightest(prepared, b, narrow_from) * on_surfaces + by_vertex));
+            kFinerQuanta * (2 * brightest(prepared, b, narrow_from) * on_surfaces + by_vertex));
     }
     units.sunlit_area = prepared.lights().sun_area() > 0 ? 1 : 0;
     for (const BoundSource& light : prepared.lights()) {
         sunlit.largest[0] =
-            std::max(sunlit.largest[0], kFinerSteps * light.sun_share / light.probability);
+            std::max(sunlit.largest[0], kFinerQuanta * light.sun_share / light.probability);
     }
     // A power of two: the division is exact.
     for (const Region& region : scene.regions()) {
-        units.region_scale.push_back(scene.organs()[region.organ.value].area / kFinerSteps);
+        units.region_scale.push_back(scene.organs()[region.organ.value].area / kFinerQuanta);
     }
     for (ContributionBound* bound : {&direct, &scattered, &sunlit}) {
         bound->scale = units.region_scale;

@@ -1,6 +1,6 @@
 #pragma once
 
-// What from_organs sums, and in which units.
+// The quantities that from_organs sums, and their units.
 
 #include <cstdint>
 #include <vector>
@@ -10,10 +10,11 @@
 
 namespace quasimc {
 
-/// Points a block holds: of one organ, or of several if they have few each.
+/// Points per block: of one organ, or of several with few points each.
 inline constexpr std::uint64_t kPointsPerBlock = 8192;
-/// Steps of the fixed point are finer by this: weights of big organs are small (2^40 steps a unit).
-inline constexpr double kFinerSteps = 4096;
+/// Quanta of the fixed point are finer by this factor: weights of large organs are small (2^40
+/// quanta a unit).
+inline constexpr double kFinerQuanta = 4096;
 
 /// The organs that points are placed on, and the area of all of them.
 struct MeasuredArea {
@@ -22,17 +23,17 @@ struct MeasuredArea {
 };
 [[nodiscard]] MeasuredArea measured_area(const Scene& scene);
 
-/// From the flux of a light path to units of a region.
+/// Factor from the flux of a light path to units of a region.
 /// @param own_area  of the region's organ
 [[nodiscard]] double units_of_light_path(const MeasuredArea& measured, double own_area);
 
-/// By region, how much coarser its units are, a power of two; 1 for all but the smallest organs. A
-/// light path brings an organ the more units the smaller it is: of as many as this all paths of a
-/// block may meet one.
+/// By region, the factor by which its units are coarser, a power of two; 1 for all but the smallest
+/// organs. The smaller an organ, the more units a light path contributes. With coarser units, all
+/// paths of a block may hit the same organ.
 [[nodiscard]] std::vector<double> coarseness_of(const Scene& scene, const MeasuredArea& measured);
 
-/// By region, the part of a unit that light of 1 brings: 1 over coarseness_of() where light
-/// subpaths are needed, else 1.
+/// By region, the units per light of 1: 1 over coarseness_of() if light subpaths are needed, else
+/// 1.
 [[nodiscard]] std::vector<double> parts_of_unit(
     const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near);
 
@@ -42,13 +43,13 @@ struct MeasuredArea {
 [[nodiscard]] std::vector<double> parts_by_vertices(
     const PreparedScene& prepared, const MeasuredArea& measured, const LampNearField& near);
 
-/// By region, whether its points take light from vertices (VertexLight): those that hardly any
-/// light path meets.
+/// By region, whether its points are connected with light vertices (VertexLight): regions that
+/// hardly any light subpath hits.
 /// @param parts  parts_by_vertices()
 [[nodiscard]] std::vector<char> connected_regions(
     const PreparedScene& prepared, const std::vector<double>& parts);
 
-/// Whether points do not look for all light.
+/// Whether light subpaths are needed, as points do not sample all light.
 [[nodiscard]] bool needs_light_paths(const PreparedScene& prepared, const LampNearField& near);
 
 }  // namespace quasimc

@@ -13,7 +13,7 @@ namespace quasimc {
 namespace {
 
 constexpr double kAlongGround = .25;
-/// Of directions along the ground.
+/// The smallest cosine of directions along the ground.
 constexpr double kMinCosine = 1e-6;
 
 /// Whether a lobe sends light almost along a surface, much more than by the cosine law.
@@ -37,8 +37,8 @@ bool has_ground_that_sends_along(const Scene& scene) {
     });
 }
 
-/// The cosine of the angle of exit, with a density of its power of -3/4. A power of -1 would be as
-/// the light is, but most of the time would go to the rays that cross the most cells.
+/// Samples the cosine of the exit angle with a density proportional to its power of -3/4. A power
+/// of -1 would match the light, but rays that cross many cells would take most of the time.
 Vec3 direction_along_ground(double u0, double u1) {
     const double least = std::pow(kMinCosine, .25);
     const double cosine = std::pow(least + u0 * (1 - least), 4);
@@ -60,7 +60,7 @@ GatherDirections::GatherDirections(const PreparedScene& prepared)
       along_ground_(has_ground_that_sends_along(prepared.scene()) ? kAlongGround : 0) {}
 
 GatherSample GatherDirections::draw(const OrganPoint& point, double u0, double u1) const {
-    // Of the square of the sine; less than 1 for sensors with a narrow field of view.
+    // The squared sine of the widest angle, 1 except for sensors with a narrow field of view.
     const double part = 1 - std::pow(prepared_.fields_of_view().least_cosine(point.region), 2);
     // pi for the cosine law, 2 for the choice of a side.
     const double factor = 2 * std::numbers::pi * part;
@@ -80,7 +80,7 @@ GatherSample GatherDirections::draw(const OrganPoint& point, double u0, double u
     return {away, side, cosine, along_ground_ > 0 ? mixed(factor, cosine, away) : factor};
 }
 
-/// The balance heuristic: whichever way a direction was drawn, the density is that of both.
+/// The balance heuristic: the density of a direction is that of both techniques.
 double GatherDirections::mixed(double factor, double cosine, const Vec3& away) const {
     return cosine /
            ((1 - along_ground_) * cosine / factor + along_ground_ * density_along_ground(away));

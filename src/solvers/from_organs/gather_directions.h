@@ -5,21 +5,21 @@
 
 namespace quasimc {
 
-/// A direction from a point of an organ, in which it looks for light that surfaces send to it.
+/// A direction from a point of an organ, along which light of other surfaces is sampled.
 struct GatherSample {
     Vec3 away;           ///< unit
-    SurfaceSide side{};  ///< of the organ, on which the direction lies
+    SurfaceSide side{};  ///< the organ's side that faces the direction
     double cosine = 0;   ///< with the normal of that side
     double factor = 0;   ///< cosine over density; 0: outside the organ's field of view
 };
 
-/// Draws such directions: by the cosine law on either side, and where the ground sends much light
-/// almost along itself, a part of them so.
+/// Samples such directions: by the cosine law on either side, and a fraction of them almost along
+/// the ground if the ground scatters much light there.
 ///
-/// Phong's lobes, folded at the surface, send a finite density of light along it, so that the
-/// radiance grows as one over the cosine of the angle of exit. To what stands upright over an
-/// endless ground each factor of the cosine brings as much light as the next one; of directions by
-/// the cosine law hardly any look there, and those that do find so much that no error tells.
+/// Phong's lobes, folded at the surface, scatter a finite density of light along it, so that the
+/// radiance grows as one over the cosine of the exit angle. An upright organ above an infinite
+/// ground then receives the same light from every decade of this cosine. The cosine law samples few
+/// directions there, with contributions so large that the error is not estimated reliably.
 class GatherDirections {
   public:
     explicit GatherDirections(const PreparedScene& prepared);
@@ -29,7 +29,7 @@ class GatherDirections {
     [[nodiscard]] double mixed(double factor, double cosine, const Vec3& away) const;
 
     const PreparedScene& prepared_;
-    double along_ground_ = 0;  // the part of the directions
+    double along_ground_ = 0;  // fraction of the directions
 };
 
 }  // namespace quasimc

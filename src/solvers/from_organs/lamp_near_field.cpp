@@ -35,8 +35,8 @@ constexpr double kConnectionPart = 0.25;
 }  // namespace
 
 LampNearField::LampNearField(const PreparedScene& prepared) : prepared_(prepared) {
-    // Parts of the size of an organ. If the irradiance is bounded, the bright spot next to a lamp
-    // is as large as the distance: a tenth is met by one point in thirty.
+    // Fractions of the size of an organ. If the irradiance is bounded, the bright spot next to a
+    // lamp is as large as the distance: at a tenth, one point in thirty hits it.
     constexpr double kPartOfOrgan = 0.5, kPartIfBounded = 0.1;
     lamps_.reserve(prepared.lights().size());
     for (const Region& region : prepared.scene().regions()) {
@@ -70,7 +70,7 @@ LampNearField::LampNearField(const PreparedScene& prepared) : prepared_(prepared
     }
 }
 
-/// The first hits of paths from a lamp, the nearest first.
+/// The first hits of paths from a lamp, nearest first.
 std::vector<LampNearField::PilotSample> LampNearField::pilot_samples(
     const BoundSource& light, const LampExtent& lamp) const {
     std::vector<PilotSample> samples;
@@ -92,7 +92,7 @@ std::vector<LampNearField::PilotSample> LampNearField::pilot_samples(
     return samples;
 }
 
-/// On what was hit, as if nothing else stood in the way.
+/// Irradiance on the surface that was hit, without occlusion.
 double LampNearField::irradiance_at(const BoundSource& light, const CastHit& at) const {
     constexpr int kDraws = 4;
     const Vec3 normal = normalized(prepared_.caster().mesh().across(at.hit.triangle));
@@ -106,10 +106,10 @@ double LampNearField::irradiance_at(const BoundSource& light, const CastHit& at)
     return sum;
 }
 
-/// A fiftieth of the scene, or a quarter of the distance within which the lamp lights nine tenths
-/// of what it lights; 0 where nothing it lights is so near. A large lamp of bounded radiance has
-/// no point next to it that is brighter than others, unless most of its light falls on a small
-/// area: less than a twentieth of a face of the scene's box, over which `usual` is its irradiance.
+/// A fiftieth of the scene, or a quarter of the distance that contains nine tenths of the first
+/// hits; 0 if no first hit is so near. A large lamp of bounded radiance has no point next to it
+/// that is brighter than others, unless most of its light falls on a small area: less than a
+/// twentieth of a face of the scene's box, over which `usual` is its irradiance.
 double LampNearField::radius_about(
     const std::vector<PilotSample>& samples, const LampExtent& extent, double usual) const {
     constexpr double kPartOfScene = 0.02;
@@ -161,7 +161,7 @@ bool LampNearField::lights_near(
         return false;
     }
     const double reach = lamp.organ_part * organ_size_[region];
-    // Points find what is near a lamp as large as that.
+    // Points sample the near field of so large a lamp well.
     if (lamp.is_bounded && reach < lamp.body.radius) {
         return false;
     }

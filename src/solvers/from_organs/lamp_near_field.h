@@ -7,10 +7,10 @@
 
 namespace quasimc {
 
-/// The near field of each lamp: where its irradiance grows as 1 / distance^2, and few points of
-/// organs sample that with a variance without bound. Light there is sampled by paths from the lamp
-/// instead. A function of the lamp and of the point where its light falls first, so that both
-/// strategies are disjoint and together complete (path_class.h).
+/// The near field of each lamp. Its irradiance grows there as 1 / distance^2, which points of
+/// organs would sample with unbounded variance; paths from the lamp sample it instead. The near
+/// field depends only on the lamp and the first point that its light hits, so that both strategies
+/// are disjoint and together complete (path_class.h).
 class LampNearField {
   public:
     explicit LampNearField(const PreparedScene& prepared);
@@ -20,7 +20,7 @@ class LampNearField {
     /// Whether a surface that scatters light of a lamp first at `p` lies in its near field. Local
     /// coordinates.
     [[nodiscard]] bool scatters_near(const BoundSource& light, const Vec3& p) const;
-    /// Whether light of a lamp that falls on a region at `p` does so in the near field.
+    /// Whether light of a lamp that hits a region at `p` does so in the near field.
     [[nodiscard]] bool lights_near(
         const BoundSource& light, std::uint32_t region, const Vec3& p) const;
 
@@ -49,9 +49,9 @@ class LampNearField {
         BoundingSphere body;
         double scatter_radius = 0;  ///< within which scattered light is near; 0: none is
         double min_connection_distance = 0;
-        double organ_part = 0;    ///< of the size of an organ, within which light on it is
-                                  ///< near; 0: none is
-        bool is_bounded = false;  ///< its irradiance, and it is no line
+        double organ_part = 0;    ///< distance over the size of an organ within which its direct
+                                  ///< light is near; 0: none is
+        bool is_bounded = false;  ///< bounded irradiance, and no line
         double irradiance = 0;
         Vec3 half_line;  ///< LampExtent::half_line
     };
@@ -60,7 +60,7 @@ class LampNearField {
     }
     /// The first hit of a path from a lamp.
     struct PilotSample {
-        double distance = 0;  ///< from the lamp's centre, of a line from the nearest of its points
+        double distance = 0;  ///< from the lamp's centre, or the nearest point of a line
         Vec3 p;
         std::uint32_t region = 0;
         double irradiance = 0;  ///< there, for a spectrum of 1

@@ -10,8 +10,8 @@
 namespace quasimc {
 namespace {
 
-/// A light subpath under way: the walk of light tracing, of which only the light of some classes
-/// counts. Where points sample the light that arrives, the path goes on by sharp lobes alone.
+/// Traces one light subpath, as in light tracing, but scores only the light of some classes. Where
+/// points sample the incident light, the path continues by narrow lobes only.
 class LightSubpathTracer {
   public:
     LightSubpathTracer(
@@ -84,7 +84,7 @@ class LightSubpathTracer {
             : score_scattered(prepared_, surface, factor, weights_, tally_);
     }
 
-    /// Draws where the light goes from its `depth`-th hit. False if it goes nowhere that counts.
+    /// Samples the direction after the `depth`-th hit. False if none of the light beyond counts.
     bool scatter(const Side& side, const Surface& surface, const Vec3& p, std::uint32_t depth) {
         if (class_ == PathClass::from_source) {
             set_start_weights(path_, weights_);
@@ -94,8 +94,8 @@ class LightSubpathTracer {
         }
         const bool is_near_field = meets_points(class_) && is_near(p);
         const bool is_vertex = is_near_field && !rules_.connected.empty();
-        const bool only_by_sharp = goes_on_by_sharp_alone(is_near_field);
-        if (only_by_sharp && side.sharpest_peak() < rules_.narrow_from) {
+        const bool only_by_narrow = goes_on_by_narrow_alone(is_near_field);
+        if (only_by_narrow && side.sharpest_peak() < rules_.narrow_from) {
             return false;
         }
         if (is_vertex) {
@@ -105,12 +105,12 @@ class LightSubpathTracer {
         const LobeTable::Choice lobe =
             side.choose(surface.normal, direction_, {u, 0, walk_.roulette_threshold}, weights_);
         const bool is_narrow = lobe.row != nullptr && lobe.row->peak >= rules_.narrow_from;
-        if (lobe.row == nullptr || (only_by_sharp && !is_narrow)) {
+        if (lobe.row == nullptr || (only_by_narrow && !is_narrow)) {
             return false;
         }
-        // Where the lobe decides the class, its light is not weighed against that of other lobes.
+        // If the lobe decides the class, its light is not weighted with that of other lobes.
         const bool by_lobe_alone =
-            only_by_sharp || is_vertex || class_ == PathClass::from_light_vertex;
+            only_by_narrow || is_vertex || class_ == PathClass::from_light_vertex;
         const double u1 = scatter_number(walk_, path_, depth, ScatterNumber::azimuth);
         direction_ =
             (by_lobe_alone ? side.scatter_by_alone(lobe, surface.normal, direction_, u1, weights_)
@@ -122,7 +122,7 @@ class LightSubpathTracer {
     }
 
     /// Whether points sample all light that broad lobes send on from here, wherever it counts.
-    [[nodiscard]] bool goes_on_by_sharp_alone(bool is_near_field) const {
+    [[nodiscard]] bool goes_on_by_narrow_alone(bool is_near_field) const {
         return !is_near_field &&
                (class_ == PathClass::from_source ||
                 (class_ == PathClass::from_light_vertex && !rules_.has_unconnected));

@@ -13,7 +13,7 @@
 
 namespace quasimc {
 
-/// The weights and light vertices of a subpath, kept by each worker.
+/// The weights and light vertices of a subpath, reused by each worker.
 struct LightSubpathScratch {
     explicit LightSubpathScratch(std::size_t bands) { resize_apart(weights, bands); }
     std::vector<double> weights;  // per band
@@ -24,7 +24,7 @@ struct LightSubpathScratch {
 /// (PathClass).
 class LightSubpaths {
   public:
-    /// @param narrow_from  peak_brightness() of lobes that count as sharp
+    /// @param narrow_from  peak_brightness() from which on lobes count as narrow
     LightSubpaths(
         const SolverInput& input,
         const MeasuredArea& measured,
@@ -46,7 +46,7 @@ class LightSubpaths {
         LightSubpathScratch& scratch,
         Tally& tally) const;
 
-    /// Which paths count, and in which units.
+    /// The paths that count, and their units.
     struct Rules {
         const LampNearField& near;
         double narrow_from;

@@ -15,15 +15,15 @@ struct LightVertex {
     const BoundSource* light = nullptr;
     Vec3 p;
     Surface surface;
-    Vec3 wi;                  ///< in which the light came
-    std::uint32_t depth = 0;  ///< scatterings up to here, this one with them
+    Vec3 wi;                  ///< direction of the incident light
+    std::uint32_t depth = 0;  ///< number of scatterings, including this one
 };
 
 /// The light vertices of one subpath.
 class LightVertices {
   public:
     void clear() { all_.clear(), weights_.clear(); }
-    /// @param weights  of the light that falls there, per band
+    /// @param weights  of the incident light, per band
     void add(const LightVertex& vertex, std::span<const double> weights) {
         all_.push_back(vertex);
         weights_.insert(weights_.end(), weights.begin(), weights.end());
@@ -45,13 +45,13 @@ class LightVertices {
 class VertexLight {
   public:
     /// @param scale  as that of NextEvent
-    /// @param narrow_from  peak_brightness() of lobes that send nothing
+    /// @param narrow_from  peak_brightness() from which on lobes contribute nothing
     VertexLight(const PreparedScene& prepared, double scale, double narrow_from)
         : prepared_(prepared), scale_(scale), narrow_from_(narrow_from) {}
 
     /// The light of one connection.
     struct Connection {
-        Vec3 wi;                 ///< in which the light travels
+        Vec3 wi;                 ///< direction of the light
         bool is_traced = false;  ///< a ray was cast
         bool arrives = false;    ///< otherwise the irradiance is not set
     };

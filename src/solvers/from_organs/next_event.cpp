@@ -23,14 +23,14 @@ NextEvent::NextEvent(
       near_(near),
       scale_(scale),
       narrow_from_(narrow_from),
-      shares_(prepared, points) {
+      light_sampler_(prepared, points) {
     const auto& lights = prepared.lights();
     dimensions_ = lights.size() == 1 && lights[0].source->is_directional() ? 0 : 2;
-    constexpr std::size_t kMost = 1000;  // lights, all of which are looked at each time
+    constexpr std::size_t kMaxEvaluated = 1000;  // lights, all of which are evaluated each time
     const bool has_lamp = std::any_of(lights.begin(), lights.end(), [](const BoundSource& light) {
         return light.source->is_lamp();
     });
-    if (has_lamp && lights.size() > 1 && lights.size() <= kMost) {
+    if (has_lamp && lights.size() > 1 && lights.size() <= kMaxEvaluated) {
         for (const BoundSource& light : lights) {
             lamps_.push_back(light.source_sampler->lamp_extent().value_or(LampExtent{}));
         }
@@ -53,12 +53,12 @@ double NextEvent::importance(std::size_t index, const Vec3& p) const {
            (4 * std::numbers::pi * prepared_.projection().world_area() * (square + kNearest));
 }
 
-/// Picks a fifth of the lights by their flux, so that a light that brings more than its importance
-/// says is not missed.
+/// Picks lights by flux with a probability of a fifth, so that lights with an underestimated
+/// importance are not missed.
 NextEvent::Pick NextEvent::pick(double u, const Vec3& p) const {
     const auto& lights = prepared_.lights();
     if (lamps_.empty()) {
-        const LightPick share = shares_.pick(u);
+        const LightPick share = light_sampler_.pick(u);
         return {&lights[share.index], share.u, share.probability};
     }
     double sum = 0;
@@ -80,12 +80,12 @@ NextEvent::Pick NextEvent::pick(double u, const Vec3& p) const {
 
 namespace {
 
-/// A sky as a narrow view shows it. Of directions drawn over all of the sky as many fall into the
-/// view in nearly every replicate, which then can't tell how many should.
+/// Samples a sky within a narrow field of view. If directions were sampled over all of the sky,
+/// nearly every replicate would have the same number in the view, and hide the error.
 Illumination sky_within(const Source& sky, const FieldOfView& view, double u0, double u1) {
     const double part = 1 - view.least_cosine * view.least_cosine;  // sine of its edge, squared
     const double edge = std::sqrt(part);
-    const bool above = view.normal.z > -edge;  // whether that side sees any of the sky
+    const bool above = view.normal.z > -edge;  // whether that side sees part of the sky
     const bool below = -view.normal.z > -edge;
     const bool is_upper = above && (!below || u0 < .5);
     const double u = above && below ? 2 * u0 - (is_upper ? 0 : 1) : u0;
@@ -125,7 +125,7 @@ LightSample NextEvent::sample_light(
 }
 
 bool NextEvent::is_in_plane(const LightSample& sample, const Vec3& normal) {
-    // Half a digit of the coordinates of either, and a little.
+    // Half a unit in the last digit of either's coordinates, and a margin.
     constexpr double kHeight = 8e-8;
     return std::isfinite(sample.distance) &&
            std::abs(dot(sample.to_light, normal)) * sample.distance < kHeight;

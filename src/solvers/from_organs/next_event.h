@@ -26,10 +26,10 @@ struct LightSample {
 /// side.
 struct FieldOfView {
     Vec3 normal;
-    double least_cosine = 0;  ///< of the angle from the normal; 0: all
+    double least_cosine = 0;  ///< between direction and normal; 0: all
 };
 
-/// A path that runs backwards, kept by each worker so that nothing is allocated on the way.
+/// The state of a backward path. Each worker reuses it, so that tracing allocates nothing.
 struct GatherScratch {
     explicit GatherScratch(std::size_t bands) {
         resize_apart(weights, bands);
@@ -37,8 +37,8 @@ struct GatherScratch {
         resize_apart(gathered, bands);
         resize_apart(irradiance, bands);
     }
-    std::vector<double> weights;   // per band: of what the path finds
-    std::vector<double> gathered;  // per band: radiance found so far
+    std::vector<double> weights;   // per band: throughput of the path
+    std::vector<double> gathered;  // per band: radiance sampled so far
     std::vector<double> products;
     std::vector<double> irradiance;  // per band: of a connection
 };
@@ -48,11 +48,10 @@ class NextEvent {
   public:
     /// @param scale  irradiance counts in units of the flux of all lights over this area (square
     /// scene units)
-    /// @param near  which light is not looked for
-    /// @param narrow_from  peak_brightness() of lobes through which suns and lamps are not looked
-    /// for
-    /// @param points  a power of two: where lights are picked alike from everywhere, so many points
-    /// of a set that is spread evenly pick each exactly as often as expected
+    /// @param near  light that is not sampled here
+    /// @param narrow_from  peak_brightness() of lobes through which suns and lamps are not sampled
+    /// @param points  a power of two: if lights are picked alike at all points, this number of
+    /// well-spread points picks each light exactly as often as expected
     NextEvent(
         const PreparedScene& prepared,
         const Sampler& sampler,
@@ -61,7 +60,7 @@ class NextEvent {
         double narrow_from,
         std::uint64_t points);
 
-    /// Numbers that sample_light() draws: none if all light comes from one direction.
+    /// Random numbers that sample_light() uses: none if all light comes from one direction.
     [[nodiscard]] std::uint32_t dimensions() const { return dimensions_; }
     /// Picks a light and a direction to it. If there are lamps, lights are picked mostly by their
     /// irradiance at the point.
@@ -74,11 +73,11 @@ class NextEvent {
         const Vec3& p,
         const FieldOfView& view = {}) const;
 
-    /// Whether what is seen of a lamp lies in the plane of a surface, as near as can be told: it
-    /// neither lights the surface nor is hidden by it.
+    /// Whether the sampled point of a lamp is in the plane of a surface, to rounding: it neither
+    /// lights the surface nor is occluded by it.
     [[nodiscard]] static bool is_in_plane(const LightSample& sample, const Vec3& normal);
 
-    /// Adds to path.gathered what the light sends by the surface along `out`, times path.weights.
+    /// Adds to path.gathered the light that the surface scatters along `out`, times path.weights.
     /// Returns the rays cast.
     std::uint64_t add_light(
         const LightSample& sample,
@@ -87,20 +86,20 @@ class NextEvent {
         const Vec3& out,
         GatherScratch& path) const;
 
-    /// Adds the sky that a mirror shows in direction `to_light`.
+    /// Adds the radiance of the sky in direction `to_light`, for a narrow lobe.
     void add_sky(const Vec3& to_light, GatherScratch& path) const;
 
   private:
-    /// A light that a number picks.
+    /// A light picked by a random number.
     struct Pick {
         const BoundSource* light = nullptr;
-        double u = 0;  ///< what is left of the number
+        double u = 0;  ///< the number, rescaled to [0, 1)
         double probability = 1;
     };
     [[nodiscard]] Pick pick(double u, const Vec3& p) const;
     [[nodiscard]] double importance(std::size_t light, const Vec3& p) const;
 
-    /// Irradiance of spectrum 1 in our unit, over the probability of the light.
+    /// Irradiance for a spectrum of 1 in the units of the sums, over the probability of the light.
     [[nodiscard]] double scale_of(const BoundSource& light) const {
         return scale_ / (light.source_sampler->flux() * prepared_.projection().world_area());
     }
@@ -111,7 +110,7 @@ class NextEvent {
     double scale_, narrow_from_;
     std::uint32_t dimensions_;
     std::vector<LampExtent> lamps_;  // one for each light if picked by position, else empty
-    LightSampler shares_;            // if lights are picked alike at all points
+    LightSampler light_sampler_;     // if lights are picked alike at all points
 };
 
 }  // namespace quasimc

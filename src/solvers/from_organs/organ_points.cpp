@@ -55,7 +55,7 @@ OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, doub
         prepared_.region(triangle)};
 }
 
-/// Across a triangle on its upper side: as it is rounded, or as given where that turns it.
+/// The normal of a triangle's upper side: of its rounded corners, or as given if rounding turns it.
 Vec3 OrganPoints::across(std::uint32_t scene_triangle, std::uint32_t mesh_triangle) const {
     constexpr double kLeast = 1e-5;
     const LocalMesh& mesh = prepared_.caster().mesh();

@@ -12,7 +12,7 @@ namespace quasimc {
 struct OrganPoint {
     Vec3 p;
     Vec3 up;                     ///< unit normal of the upper side
-    std::uint32_t triangle = 0;  ///< of the mesh
+    std::uint32_t triangle = 0;  ///< index in the mesh
     std::uint32_t region = 0;
 };
 
@@ -21,7 +21,7 @@ class OrganPoints {
   public:
     explicit OrganPoints(const PreparedScene& prepared);
 
-    /// The part of an organ's area that is not covered (Organ::covered_area); of no area: 0.
+    /// The fraction of an organ's area that is not covered (Organ::covered_area); 0 without area.
     [[nodiscard]] static double open_part(const Organ& organ);
     /// The point of an organ (of which some part is open) for a point of the unit square: u0 picks
     /// the triangle and is used again inside it. Periodic scenes: on that image of the triangle

@@ -8,20 +8,22 @@ namespace quasimc {
 /// Points of organs sample most paths: by next-event estimation, and near lamps by connections with
 /// light vertices. Light subpaths sample the others. A subpath is in one class at a time, which
 /// changes where it is scattered; the class with which it arrives decides whether its light counts.
-/// A lobe is sharp from followed_peak() on, broad below; near is LampNearField.
+///
+/// In Heckbert's notation, as in docs/theory/light-tracing.md: S is a source, D scattering by a
+/// broad lobe, N by a narrow one (followed_peak()), V by a broad one in the near field of a lamp
+/// (LampNearField), X any scattering.
 enum class PathClass {
-    /// Light has left its source and met no surface. Points sample it, except where it falls on
-    /// an organ in the near field.
+    /// S: light from its source that has met no surface. Points sample it, except on an organ in
+    /// the near field.
     from_source,
-    /// Light has left a light vertex by a broad lobe. Points of connected regions sample what
-    /// it lights next, unless that is closer than the shortest connection.
+    /// S V+: light from a light vertex by a broad lobe. Points of connected regions sample it on
+    /// the next surface, unless that is closer than the shortest connection.
     from_light_vertex,
-    /// Light has gone further than the shortest connection from its last light vertex, and on by a
-    /// broad lobe. Points of connected regions sample it, all of it.
+    /// S V+ D X*: light that went further than the shortest connection from its last light vertex,
+    /// and on by a broad lobe. Points of connected regions sample all of it.
     connected,
-    /// Light was scattered first by a sharp lobe, or in the near field where no region is
-    /// connected, or left a light vertex or a connected surface by a sharp lobe. Points do not
-    /// sample it: it counts everywhere.
+    /// S N X*, S V+ N X*, and S V X* if no region is connected. Points do not sample it: it counts
+    /// everywhere.
     sampled_from_source,
 };
 

@@ -54,7 +54,7 @@ bool is_visible_source(
     if (!std::isfinite(distance)) {
         return is_open(prepared, p, direction, distance, self);
     }
-    // A lamp may lie on a surface: what is next to it is searched from there.
+    // A lamp may lie on a surface, so its neighbourhood is tested from the lamp.
     const double most = distance - static_cast<double>(kTouch);
     if (most > 0 && !is_open(prepared, p, direction, most, self)) {
         return false;

@@ -1,9 +1,9 @@
 // Light tracing: paths start at the sources, and every organ they meet receives their light.
 //
 // A block of consecutive points is put in the order of a curve through the cross-section of the
-// beam. Parallel light is then cast in packets of 16; whatever survives its first hit goes on one
-// ray at a time. Which rays share a packet follows from the block alone, never from load, so a run
-// gives the same bits on any number of threads.
+// beam. Parallel light is then cast in packets of 16; paths that survive their first hit continue
+// one ray at a time. Which rays share a packet follows from the block alone, never from load, so a
+// run gives the same bits on any number of threads.
 
 #include "solvers/light_tracing/light_tracer.h"
 
@@ -20,7 +20,7 @@
 namespace quasimc {
 namespace {
 
-/// How the triangles hit lie towards the rays: normal times direction (not normalized), and
+/// Orientation of the triangles that rays hit: normal times direction (not normalized), and
 /// 1/|cosine|.
 struct Facing {
     std::array<float, kPacket> along, inverse_cosine;
@@ -45,7 +45,7 @@ LightTracer::LightTracer(const SolverInput& input, TracedLights traced)
       sampler_(input.sampler),
       spec_(input.spec),
       traced_(std::move(traced)),
-      shares_(input.prepared, input.spec.paths),
+      light_sampler_(input.prepared, input.spec.paths),
       stop_(input.stop),
       roulette_threshold_(roulette_threshold(input)) {
     for (const BoundSource& source : prepared_.lights()) {
@@ -98,12 +98,12 @@ void LightTracer::trace(
     tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
 }
 
-/// By spectrum, the start weights of a path that counts most.
+/// By spectrum, the largest start weights of a path.
 std::vector<std::vector<double>> LightTracer::brightest_paths() const {
     std::vector<double> most(prepared_.lights().spectra().size(), 0);
     for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
         double& own = most[prepared_.lights()[i].spectrum];
-        own = std::max(own, shares_.weight(i));
+        own = std::max(own, light_sampler_.weight(i));
     }
     std::vector<std::vector<double>> weights = prepared_.lights().spectra();
     for (std::size_t i = 0; i < weights.size(); ++i) {
@@ -114,8 +114,8 @@ std::vector<std::vector<double>> LightTracer::brightest_paths() const {
     return weights;
 }
 
-/// An upper bound of the chance that light of a spectrum goes on after its first hit; above 1
-/// if more than the chance has to be looked at.
+/// An upper bound of the probability that light of a spectrum survives its first hit; above 1 if
+/// more than this probability decides.
 double LightTracer::survival(
     const std::vector<double>& spectrum, const Material& material, SurfaceSide side) const {
     double sum = 0;
@@ -143,7 +143,7 @@ void LightTracer::prepare(const Block& block, Scratch& scratch) const {
     sampler_.coordinates(stream, block.first, block.rules.scatter_dimension, scratch.u2);
     // The first coordinate also picks the light.
     for (std::size_t i = 0; i < scratch.sources.size(); ++i) {
-        const LightPick picked = shares_.pick(scratch.starts.u0[i]);
+        const LightPick picked = light_sampler_.pick(scratch.starts.u0[i]);
         scratch.sources[i] = static_cast<std::uint32_t>(picked.index);
         scratch.starts.u0[i] = picked.u;
     }
@@ -168,7 +168,7 @@ std::uint64_t LightTracer::trace_single(
     const Block& block, const Group& group, Scratch& scratch, Tally& tally) const {
     const BoundSource& light = prepared_.lights()[group.source];
     const Stream& stream = block.rules.stream;
-    const double weight = shares_.weight(group.source);
+    const double weight = light_sampler_.weight(group.source);
     std::uint64_t rays = 0;
     for (const std::uint32_t i : group.points) {
         const std::uint64_t point = block.first + i;
@@ -176,7 +176,7 @@ std::uint64_t LightTracer::trace_single(
             {scratch.starts.u0[i], scratch.starts.u1[i], sampler_.coordinate(stream, point, 2),
              sampler_.coordinate(stream, point, 3)});
         if (emission.weight == 0) {
-            continue;  // to where the lamp doesn't shine
+            continue;  // a direction without light of the lamp
         }
         emission.weight *= weight;
         tally.add(tally.blocks().emitted() + light.spectrum, to_fixed(emission.weight));
@@ -212,7 +212,7 @@ std::uint64_t LightTracer::trace_packet(
     prepared_.caster().cast(packet, n, ends);
     tally.add(
         tally.blocks().emitted() + light.spectrum,
-        static_cast<std::int64_t>(n) * to_fixed(shares_.weight(group.source)));
+        static_cast<std::int64_t>(n) * to_fixed(light_sampler_.weight(group.source)));
     return n + shade(block, group, packet, ends, scratch, tally);
 }
 
@@ -230,7 +230,7 @@ std::uint64_t LightTracer::shade(
     const double* survival =
         &survival_[2 * light.spectrum * data_of(prepared_.scene()).materials.size()];
     const Facing facing = facing_of(packet);
-    Particle path{&light, 0, *beams_[group.source], shares_.weight(group.source)};
+    Particle path{&light, 0, *beams_[group.source], light_sampler_.weight(group.source)};
     std::uint64_t rays = 0;
     for (std::size_t lane = 0; lane < group.points.size(); ++lane) {
         CastHit at{ends[lane], {}};

@@ -15,26 +15,26 @@
 
 namespace quasimc {
 
-/// Whose light is traced, by light of the prepared scene; empty: everybody's.
+/// Whether light is traced, by light of the prepared scene; empty: all lights.
 using TracedLights = std::vector<bool>;
 
-/// Traces light from the sources: blocks of consecutive points, each an independent piece of work.
+/// Traces light from the sources: blocks of consecutive points, each an independent task.
 class LightTracer {
   public:
     LightTracer(const SolverInput& input, TracedLights traced);
 
-    /// Points a block holds: enough that neighbours are near, few enough for the cache and for many
+    /// Points per block: enough that neighbours are near, few enough for the cache and for many
     /// threads.
     static constexpr std::uint64_t kPathsPerBlock = 16384;
     /// Number of blocks a round of one replicate is cut into.
     [[nodiscard]] static std::uint64_t blocks(const Round& round);
 
-    /// What a worker keeps between blocks.
+    /// Memory of a worker, reused between blocks.
     struct Scratch {
         explicit Scratch(std::size_t bands) : particle(bands) {}
         PathStarts starts;
-        std::vector<double> u2;              // the number that decides at the first hit
-        std::vector<std::uint32_t> sources;  // which each start picks; empty if there is one
+        std::vector<double> u2;              // random number of the first hit
+        std::vector<std::uint32_t> sources;  // source of each start; empty if there is one
         ParticleScratch particle;
     };
 
@@ -79,7 +79,7 @@ class LightTracer {
     const Sampler& sampler_;
     const RunSpec& spec_;
     TracedLights traced_;
-    LightSampler shares_;
+    LightSampler light_sampler_;
     std::stop_token stop_;
     double roulette_threshold_;
     std::vector<std::optional<Vec3>> beams_;  // by source: its direction if it is a beam

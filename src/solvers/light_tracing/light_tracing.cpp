@@ -36,7 +36,7 @@ std::unique_ptr<Solver> make_light_tracing(const SolverInput& input) {
 }
 
 SumMeaning light_tracing_meaning(const PreparedScene& prepared, const RunSpec&) {
-    // A path of a sun that is seldom picked stands for many.
+    // Paths of suns with small probabilities have the largest weights.
     double largest = 0;
     const auto& lights = prepared.lights();
     for (const BoundSource& light : lights) {

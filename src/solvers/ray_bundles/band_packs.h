@@ -6,7 +6,7 @@
 
 namespace quasimc {
 
-/// Bands whose light on patches stands side by side.
+/// Bands whose light on patches is stored side by side.
 struct BandPack {
     std::size_t first = 0, bands = 0;
 };
@@ -14,11 +14,10 @@ struct BandPack {
 /// Bands of a pack, at most.
 inline constexpr std::size_t kMaxInPack = 5;
 
-/// Few bands are one pack. Many are several: light that goes from patch to patch all over a scene
-/// is fast as long as caches hold what is known of the patches, and in all bands at once it would
-/// come from memory again and again.
+/// Cuts bands into packs. Few bands are one pack. Many are several, so that caches hold the data of
+/// patches in one pack: an exchange accesses patches all over a scene.
 [[nodiscard]] inline std::vector<BandPack> band_packs(std::size_t bands) {
-    constexpr std::size_t kPack = 4;  // with 5 to 16 a season's directions take as long
+    constexpr std::size_t kPack = 4;  // 5 to 16 take as long for daylight coefficients
     const std::size_t each = bands <= kMaxInPack ? bands : kPack;
     std::vector<BandPack> packs;
     for (std::size_t first = 0; first < bands; first += each) {

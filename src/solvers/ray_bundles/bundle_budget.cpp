@@ -8,43 +8,42 @@
 namespace quasimc {
 namespace {
 
-/// What a path is worth: about the time that light tracing takes for one.
+/// Line segments per path: they take about the time of a path in light tracing.
 constexpr double kSegmentsPerPath = 16;
-/// ... and, times the fourth power of the mean albedo, more where much is scattered again and
-/// again: it is most of the error, which for dark surfaces is in direct light as well.
+/// Additional fraction, times the fourth power of the mean albedo: multiple scattering dominates
+/// the error of high-albedo surfaces.
 constexpr double kMoreOfBright = 0.85;
-/// A patch is met so often in all steps together; with less, fewer patches would do as well. Of
-/// very many segments patches get more: then there are more directions too, which are what is left
-/// of the error.
+/// Line segments per patch in all steps together; fewer would suffice for fewer patches. Beyond
+/// kManySegments segments patches get more, and with them more directions, which dominate the
+/// error.
 constexpr double kSegmentsPerPatch = 100, kManySegments = 1 << 20;
-/// ... but so many patches at least, or as many as are met so often: they cost next to nothing, and
-/// light of lamps or of narrow gaps lies in spots that fewer don't tell apart, nor their errors.
+/// Minimum number of patches, or as many as get this number of segments. They cost next to nothing,
+/// and resolve spots of light of lamps or narrow gaps, and their errors.
 constexpr double kFewPatches = 4096, kFewSegmentsPerPatch = 8;
-/// ... and at least so often in each step. With less, single patches would pass on light that was
-/// meant for many, the variance of which may grow from step to step.
+/// Minimum segments per patch in each step. With fewer, single patches would pass on the light of
+/// many, and the variance might grow from step to step.
 constexpr double kMinPerPatch = 3;
-/// ... but where no surface scatters this much, a step of weak light may meet them less often: what
-/// one that is met too often sends on too much of dies out.
+/// Below this albedo, steps of weak light may have fewer: their variance dies out.
 constexpr double kNearlyWhite = 0.9;
-/// Beyond this number patches take memory and bring nothing.
+/// Maximum number of patches: more take memory without improvement.
 constexpr double kMaxPatches = 1 << 21;
-/// A direction meets so many of all patches; where that would be more, only as many as let it meet
-/// each organ so often, or each triangle, on average: more directions bring more than more lines.
+/// Segments per direction: this fraction of the patches, but not more than these mean numbers for
+/// each organ or triangle. More directions improve results more than more lines.
 constexpr double kPatchesPerDirection = 0.2, kMeetingsOfOrgan = 4, kMeetingsOfTriangle = 1;
-/// Starting with a direction takes as long as some segments.
+/// Minimum segments per direction: preparing a direction takes as long as some segments.
 constexpr double kMinOfDirection = 512;
 constexpr double kMinInGroup = 8, kMinOfWeak = 4, kMaxInGroup = 4096;
-/// Of all segments, times the albedo, those of single orders: their noise is seen through the last
-/// step alone, where organs get light of very many patches, and less of it the darker they are.
+/// Fraction of all segments for single orders, times the albedo: their noise passes the final
+/// gather, where organs receive light of very many patches, and less of it the lower their albedo.
 constexpr double kForOrders = 0.3;
-/// ... and the last step has as many segments as they have at least: of few paths and bright
-/// surfaces there are many orders, each with its fewest, and what is left of the error is in the
-/// last step. With twice as many, what patches get wrong beside stems shows beside so little noise.
+/// The final gather has at least this multiple of their segments. With few paths and bright
+/// surfaces there are many orders, each with its minimum, and the final gather dominates the error.
+/// At twice as many, the error of patches beside stems exceeds the reported noise.
 constexpr double kLastOverOrders = 1;
-/// Of the mean albedo, what goes on to the next order: the rest escapes.
+/// Fraction of scattered light that reaches a surface, not the sky.
 constexpr double kCaught = 0.75;
 
-/// By the brightest surface, twice; of nearly white ones 1.
+/// The fraction that the brightest surface scatters in two steps; 1 if nearly white.
 double passed_on_twice(const Scene& scene) {
     const std::vector<double> albedos = largest_albedos(scene);
     const double once = *std::max_element(albedos.begin(), albedos.end()) / kNearlyWhite;
@@ -102,7 +101,7 @@ BundleGroup BundleBudget::group(const Wanted& wanted) const {
     const double directions =
         std::clamp(segments / of_direction_, wanted.fewest_directions, kMaxInGroup);
     const double even = 2 * std::round(directions / 2);
-    // Along a direction surfaces look half as large, on average.
+    // The mean projected area of surfaces is half of their area.
     return {static_cast<std::uint32_t>(even), area_ / 2 * even / segments, wanted.key, segments};
 }
 

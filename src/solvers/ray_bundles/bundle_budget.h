@@ -8,26 +8,26 @@
 
 namespace quasimc {
 
-/// Patches that a scene is cut into for so many paths of all rounds together.
+/// Number of patches of a scene for the paths of all rounds together.
 [[nodiscard]] double patches_for(std::uint64_t paths);
 
-/// Of a path's light, what goes along one stretch of a line, about: most bring less.
+/// Approximate light along one line segment, as a number of paths; most carry less.
 [[nodiscard]] double light_of_segment();
 
-/// How many directions and lines each step of the exchange gets. A path is worth some segments of
-/// lines, from a patch to the next. Most go to the last step, in which all light is sent once more;
-/// those of single orders share the rest by the light that is on its way, so that a step that
-/// brings little costs little. See docs/develop/notebook/ray-bundles.md.
+/// Allocates directions and lines to the steps of the exchange. A path is worth some line segments
+/// between patches. Most go to the last step, the final gather. Single orders share the others in
+/// proportion to their light, so that weak orders cost little. See
+/// docs/develop/notebook/ray-bundles.md.
 class BundleBudget {
   public:
     /// @param paths  of the round
-    /// @param first  light that leaves surfaces at first, by column of PatchLight
+    /// @param first  flux of the first order that leaves surfaces, by column of PatchLight
     BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first);
 
-    /// The bundles of a step for light of one order.
+    /// The bundles for light of one order.
     /// @param leaving  the flux that leaves surfaces, [column]
     [[nodiscard]] BundleGroup of_order(const std::vector<double>& leaving, std::uint64_t key) const;
-    /// The bundles of the step in which light of all orders goes together.
+    /// The bundles of the final gather.
     /// @param of_orders  BundleGroup::segments of all single orders together
     [[nodiscard]] BundleGroup of_all(double of_orders, std::uint64_t key) const;
 
@@ -39,7 +39,8 @@ class BundleBudget {
     [[nodiscard]] BundleGroup group(const Wanted& wanted) const;
 
     double patches_, area_;
-    double passed_on_;          // by the brightest surface, twice; of nearly white ones 1
+    double
+        passed_on_;  // fraction that the brightest surface scatters in two steps; 1 if nearly white
     double of_direction_;       // segments
     double of_first_, of_all_;  // segments of the first order, and of all orders together
     std::vector<double> first_;

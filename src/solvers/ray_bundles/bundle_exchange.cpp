@@ -16,10 +16,10 @@
 namespace quasimc {
 namespace {
 
-/// The cache of lines takes at most this number of 4 bytes each.
+/// Maximum number of hits in the cache of lines, 4 bytes each.
 constexpr std::size_t kMaxCached = std::size_t{1} << 21U;
-/// Directions nearer to the horizon would follow lines through an endless canopy for ever; light
-/// that goes so flat is 1e-10 of what falls on the horizontal.
+/// The smallest height of a direction: flatter lines through an infinite canopy would be extremely
+/// long, for 1e-10 of the light on the horizontal.
 constexpr double kFlattest = 1e-5;
 
 /// The number of a direction that has this purpose, in [0, 1).
@@ -73,8 +73,8 @@ class BundleExchange {
             },
             [&](std::uint64_t i, unsigned thread) {
                 const LineHits& lines = scratch_.threads_[thread]->lines;
-                // Each of the directions stands for 2 pi / n, which goes with 1 / pi of the cosine
-                // law.
+                // Each direction represents the solid angle 2 pi / n; the cosine law has a factor
+                // of 1 / pi.
                 const Beam beam{
                     bundle_direction(group_, static_cast<std::uint32_t>(i)),
                     2 * lines.line_area() / group_.directions};
@@ -95,7 +95,7 @@ class BundleExchange {
 
     [[nodiscard]] LineHits lines_along(std::uint32_t i, LineHitScratch& scratch) const {
         return find_line_hits(
-            scene_.seen, scene_.drawn,
+            scene_.projected, scene_.drawn,
             {.direction = bundle_direction(group_, i),
              .rotation = number_of(group_, i, 0),
              .shift_s = number_of(group_, i, 1),
@@ -113,7 +113,7 @@ class BundleExchange {
         }
     }
 
-    /// Lets light go along lines, in bands of one pack.
+    /// Exchanges light along lines, in one pack of bands.
     void exchange_along(const LineHits& lines, const Beam& beam) {
         const bool has_ends = options_.skies != nullptr;
         clear(scratch_.leaving_, has_ends ? lines.size() : 0);
@@ -129,8 +129,8 @@ class BundleExchange {
         scratch_.cached_beams_.push_back(beam);
     }
 
-    /// Lets light go along all lines of the cache, pack by pack, and empties it. The first pack
-    /// finds the ends of lines, if they are asked for.
+    /// Exchanges light along all lines of the cache, pack by pack, and clears it. The first pack
+    /// lists the ends of lines, if they are requested.
     void exchange_cached() {
         const std::vector<std::size_t>& packs = field_.packs;
         const std::vector<Beam>& beams = scratch_.cached_beams_;

@@ -12,31 +12,30 @@
 
 namespace quasimc {
 
-/// Directions of one step, and how densely lines stand along each.
+/// Directions of one step, and the density of lines along each.
 struct BundleGroup {
     std::uint32_t directions = 2;  ///< even
-    double line_area = 1;          ///< wanted, across each direction: local units squared
+    double line_area = 1;          ///< requested, across each direction; local units squared
     std::uint64_t key = 0;         ///< seed of their random shift
-    double segments = 0;           ///< of lines, wanted
+    double segments = 0;           ///< requested number of line segments
 };
 
 /// Direction `i` of a group, on the upper half of the sphere: a spiral of the golden angle, turned
-/// and shifted at random. Each is uniform in its layer of the hemisphere, and two neighbours
-/// together are exactly half as high as the zenith, on average: the horizontal has its exact
-/// area in every group.
+/// and shifted at random. Each is uniform in its layer of the hemisphere, and the heights of two
+/// neighbours have a constant sum: every group represents horizontal areas exactly.
 [[nodiscard]] Vec3 bundle_direction(const BundleGroup& group, std::uint32_t i);
 
-/// How light is exchanged, and what is measured besides.
+/// Options of an exchange.
 struct ExchangeOptions {
-    unsigned threads = 1;  ///< at most; the same light comes of any number
-    /// Skies of which LineStatistics::open is measured, if any.
+    unsigned threads = 1;  ///< at most; the light does not depend on it
+    /// Skies for which LineStatistics::open is measured; null: none.
     const SkyDirections* skies = nullptr;
     /// Is called with light that leaves the scene, direction by direction in their order: flux in
     /// each column of PatchLight.
     std::function<void(const Vec3& direction, std::span<const double> flux)> on_escape = {};
 };
 
-/// Memory that exchange() uses, of one thread, which may start more.
+/// Scratch memory of exchange() for one calling thread, which may start more.
 class BundleScratch {
     friend class BundleExchange;
 
@@ -66,9 +65,9 @@ class BundleScratch {
 
 /// E = T B: exchanges light between patches along bundles of parallel lines.
 ///
-/// All light that leaves Lambertian patches goes along lines to the next patch, both ways: along a
-/// line that stands for the area a and the solid angle w of its direction, a patch of exitance B
-/// sends the flux B a w / pi.
+/// All light that leaves Lambertian patches goes along lines to the next patch, both ways. Along a
+/// line that represents the area a and the solid angle w, a patch of exitance B sends the flux B a
+/// w / pi.
 [[nodiscard]] PatchIrradiance exchange(
     PatchExitance exitance,
     const BundleGroup& group,

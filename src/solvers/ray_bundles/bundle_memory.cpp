@@ -20,7 +20,7 @@ unsigned replicates_at_work(const RunSpec& spec) {
     return std::min(thread_count(spec.threads), static_cast<unsigned>(spec.replicates));
 }
 
-/// Infinite where the system does not tell.
+/// Infinite if unknown.
 double bytes_of_machine() {
 #ifdef __linux__
     struct sysinfo machine {};

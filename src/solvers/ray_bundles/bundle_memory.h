@@ -7,16 +7,17 @@
 
 namespace quasimc {
 
-/// Beyond this the light of all patches takes more memory than is spent unasked, for each replicate
-/// at work.
+/// The memory for the light of all patches up to which `auto` chooses ray bundles, for each
+/// replicate in progress.
 inline constexpr double kMaxBytesUnasked = 400e6;
 
-/// Memory that ray bundles take in a scene, about: the light of the patches for each replicate at
-/// work, and what is known of the triangles.
+/// Approximate memory of ray bundles in a scene: the light of the patches for each replicate in
+/// progress, and data of the triangles.
 /// @param patches  PatchSize::count
 [[nodiscard]] double bytes_of_bundles(const Scene& scene, const RunSpec& spec, double patches);
 
-/// Says what ray bundles that are asked for by name take, where "auto" would not take them.
+/// Warns about the memory of ray bundles that are requested by name, if "auto" would not choose
+/// them.
 [[nodiscard]] std::vector<Warning> lint_bundle_memory(
     const Scene& scene, const RunSpec& spec, const PatchSize& size);
 

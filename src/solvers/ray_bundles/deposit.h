@@ -14,7 +14,7 @@ namespace quasimc {
 struct LitBands {
     PatchSides<0> sides;              ///< in the bands of the pack
     std::size_t first = 0;            ///< in the pack
-    std::span<const double> weights;  ///< of the bands from the first on
+    std::span<const double> weights;  ///< per band, from the first on
 
     /// Adds `amount` times the weights to the light on a side.
     void add(std::size_t side, double amount) const {
@@ -52,8 +52,8 @@ inline void add_to(std::span<const LitBands> lit, std::size_t side, double amoun
     }
 }
 
-/// Adds light to patches some additions later, in the same order: by then their numbers have come
-/// from memory, for which each addition would wait.
+/// Adds light to patches some additions later, in the same order: by then their data have been
+/// prefetched.
 class PrefetchedAdds {
   public:
     /// Adds all light that `add_all(adds)` adds.

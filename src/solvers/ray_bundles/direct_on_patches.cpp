@@ -14,19 +14,19 @@
 namespace quasimc {
 namespace {
 
-/// One of each few rows of pixels, of that times the light, the first drawn at random.
+/// Every n-th row of pixels with n times the light, from a random first row.
 struct DepositedRows {
     std::uint32_t first = 0, of = 1;
 };
 
-/// Which of many lines or directions are deposited on patches: one of each few, of as many times
-/// the light. Light on organs is scored with all; scattered light comes from many patches, the
-/// noise of which hardly counts beside that of bundles, and depositing takes longer than viewing.
+/// The subset of lines or directions that are deposited on patches: one of every n, with n times
+/// the light. Light on organs is scored with all. Scattered light comes from many patches, whose
+/// noise is small beside that of bundles, and depositing takes longer than projecting.
 class DepositedSamples {
   public:
     /// @param stream  of the samples
     /// @param count  for each light
-    /// @param most  of which one is deposited, where they are very many
+    /// @param most  largest n, for very many samples
     DepositedSamples(const Stream& stream, std::uint32_t count, std::uint32_t most)
         : key_(stream_key(stream, 0, 0)),
           of_(count >= kMany ? std::min(most, count / kFewest) : 1) {}
@@ -48,7 +48,7 @@ class DepositedSamples {
 };
 
 constexpr std::uint32_t kDepositedLines = 4;
-/// Scattered light is a small part of the light of dark leaves.
+/// Scattered light is a small part of the light of low-albedo leaves.
 constexpr double kDark = 0.5;
 constexpr std::uint32_t kDepositedDirections = 4, kDepositedOnDark = 8;
 
@@ -82,7 +82,7 @@ class DirectDeposit {
           tally_(tally),
           open_(beams.viewed_skies() != nullptr ? 2 * patches_.region_areas.size() : 0) {}
 
-    /// @returns how open sides are
+    /// @returns the areas of sides that see the sky
     OpenAreas run() {
         const std::vector<VisibilityTask>& tasks = replicate_.tasks;
         const std::uint64_t blocks =
@@ -309,7 +309,7 @@ class DirectDeposit {
         return rays;
     }
 
-    /// Light straight from a source is the same on both levels.
+    /// Direct light is the same on both levels.
     void copy_to_coarse() {
         for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
             const PatchSides<0> all = light_.sides(pack);

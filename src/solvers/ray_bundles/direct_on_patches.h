@@ -10,30 +10,31 @@
 
 namespace quasimc {
 
-/// What the light of one replicate of a round is solved of.
+/// Inputs of the solution of one replicate of a round.
 struct ReplicateInput {
     const Round& round;
-    const std::vector<VisibilityTask>& tasks;  ///< of the round
+    const std::vector<VisibilityTask>& tasks;  ///< tasks of the round
     const CountedStrategies& counted;
-    const ScatteredBlocks& coarse;  ///< of the coarser level of patches
+    const ScatteredBlocks& coarse;  ///< blocks of the coarser level of patches
     std::uint32_t index = 0;
 };
 
-/// Memory that score_and_deposit_direct() uses.
+/// Scratch memory of score_and_deposit_direct().
 struct DirectScratch {
     DirectBeams::Scratch beams;
     std::vector<TriangleParts::Segment> segments;
 };
 
-/// Direct light on patches, and how open sides are as the item buffers of skies see them.
+/// Direct light on patches, and the areas of sides that see the sky, from the item buffers of
+/// skies.
 struct DirectOnPatches {
     PatchIrradiance irradiance;
     OpenAreas open;
 };
 
 /// Scores the direct light of all sources, and deposits it on patches: that of suns along scan
-/// lines, that of skies by pixels. Lamps, and lights of which that would cost too much, are sampled
-/// by paths to their first hits.
+/// lines, that of skies by pixels. Lamps, and lights for which this would be inefficient, are
+/// sampled by paths to their first hits.
 /// @param memory  of the irradiance
 [[nodiscard]] DirectOnPatches score_and_deposit_direct(
     const SolverInput& input,

@@ -9,65 +9,65 @@
 
 namespace quasimc {
 
-/// What the lines of several beams pass, cached so that light can go along them again and again.
+/// The hits of the lines of several beams, cached for repeated exchanges.
 class LineCache {
   public:
     /// The lines of a beam, as LineHits has them.
     class Beam {
       public:
-        Beam(std::span<const LineHits::Hit> passed, std::span<const std::uint32_t> lengths)
-            : passed_(passed), lengths_(lengths) {}
+        Beam(std::span<const LineHits::Hit> hits, std::span<const std::uint32_t> lengths)
+            : hits_(hits), lengths_(lengths) {}
 
-        /// Of all lines.
-        [[nodiscard]] std::size_t size() const { return passed_.size(); }
+        /// Number of hits of all lines.
+        [[nodiscard]] std::size_t size() const { return hits_.size(); }
         /// See LineHits::for_each_line().
         template <typename Visit>
         void for_each_line(const Visit& visit) const {
             std::size_t first = 0;
             for (const std::uint32_t length : lengths_) {
-                visit(passed_.subspan(first, length));
+                visit(hits_.subspan(first, length));
                 first += length;
             }
         }
 
       private:
-        std::span<const LineHits::Hit> passed_;
+        std::span<const LineHits::Hit> hits_;
         std::span<const std::uint32_t> lengths_;
     };
 
     void add(const LineHits& lines) {
-        passed_.resize(size_);
+        hits_.resize(size_);
         starts_.push_back({size_, lengths_.size()});
         lines.for_each_line([&](std::span<const LineHits::Hit> line) {
-            passed_.insert(passed_.end(), line.begin(), line.end());
+            hits_.insert(hits_.end(), line.begin(), line.end());
             lengths_.push_back(static_cast<std::uint32_t>(line.size()));
         });
-        size_ = passed_.size();
-        passed_.resize(size_ + LineHits::kReadAhead);
+        size_ = hits_.size();
+        hits_.resize(size_ + LineHits::kReadAhead);
     }
     void clear() {
-        passed_.clear();
+        hits_.clear();
         lengths_.clear();
         starts_.clear();
         size_ = 0;
     }
 
-    /// Of all beams.
+    /// Number of hits of all beams.
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// The `i`-th that was added. It is read until another one is added.
+    /// The `i`-th beam. Valid until another one is added.
     [[nodiscard]] Beam beam(std::size_t i) const {
         const Start& start = starts_[i];
         const Start end = i + 1 < starts_.size() ? starts_[i + 1] : Start{size_, lengths_.size()};
         return {
-            std::span(passed_).subspan(start.passed, end.passed - start.passed),
+            std::span(hits_).subspan(start.hit, end.hit - start.hit),
             std::span(lengths_).subspan(start.line, end.line - start.line)};
     }
 
   private:
     struct Start {
-        std::size_t passed = 0, line = 0;
+        std::size_t hit = 0, line = 0;
     };
-    std::vector<LineHits::Hit> passed_;   // the first size_, and as many as may be read ahead
+    std::vector<LineHits::Hit> hits_;     // the first size_, and as many as may be read ahead
     std::vector<std::uint32_t> lengths_;  // by line
     std::vector<Start> starts_;           // by beam
     std::size_t size_ = 0;

@@ -13,8 +13,8 @@ namespace quasimc {
 template <std::size_t kColumns>
 class LineExchange {
   public:
-    /// @param forwards, backwards  get what escapes
-    /// @param ends  get the sides from which lines left the scene; or nobody
+    /// @param forwards, backwards  receive escaping light
+    /// @param ends  receives the sides from which lines leave the scene, or null
     LineExchange(
         const PatchSides<0>& sides,
         double weight,
@@ -41,7 +41,7 @@ class LineExchange {
         end(line.back() ^ 1U);
     }
 
-    /// Light passes sensors, which count it.
+    /// Light passes sensors, which score it.
     void exchange_through_sensors(std::span<const LineHits::Hit> line) {
         std::uint32_t last = 0;        // side that light leaves forwards
         const double* from = nullptr;  // its exitance
@@ -69,7 +69,7 @@ class LineExchange {
         }
     }
 
-    /// Behind the sides from which lines left the scene.
+    /// The end of the sides from which lines left the scene.
     [[nodiscard]] const std::uint32_t* ends() const { return next_end_; }
 
   private:
@@ -80,14 +80,14 @@ class LineExchange {
             *next_end_++ = side;
         }
     }
-    /// What leaves a side and what comes to one never overlap: several columns are added at once.
+    /// Exitance and incident flux never overlap: several columns are added at once.
     void add(double* __restrict to, const double* __restrict from) {
         const double weight = weight_;
         for (std::size_t c = 0; c < sides_.columns(); ++c) {
             to[c] += weight * from[c];
         }
     }
-    /// Asks for the patch that is passed some steps later: each step would wait for it else.
+    /// Prefetches the patch that is met some steps later.
     void fetch_ahead(const LineHits::Hit& passed) const {
         const LineHits::Hit later = *(&passed + LineHits::kReadAhead) & ~LineHits::kSensor;
         sides_.fetch(later / 2);

@@ -5,7 +5,7 @@
 namespace quasimc {
 namespace {
 
-/// How often lines meet a region tells little if they are fewer in the mean: at times none does.
+/// The minimum mean number of lines that meet a corrected region: with fewer, at times none does.
 constexpr double kMinMeetings = 10;
 
 }  // namespace

@@ -9,16 +9,16 @@
 namespace quasimc {
 namespace {
 
-/// Longest edge over height. Stems of rings of triangles with a ratio of 10 have the error that is
-/// told, with one of 25 twice that, with one of 100 ten times
-/// (docs/develop/notebook/ray-bundles.md).
+/// Longest edge over height of a long triangle. The true error of stems of rings of triangles is
+/// the reported one at a ratio of 10, twice that at 25, and ten times at 100.
 constexpr double kLongTriangle = 12;
-/// A patch is long beside its organ's width if it is longer than this part of it.
+/// A patch is long if it exceeds this fraction of its organ's width.
 constexpr double kOfWidth = 0.75;
-/// Of an organ's area, what may lie in long patches; of all surfaces, what may lie in flat organs
-/// that have them, and in closed ones, as stems are: what goes to and fro between these is little.
+/// Tolerated fractions in long patches: of an organ's area; of all surfaces, in flat organs, and in
+/// closed ones such as stems, which exchange little light.
 constexpr double kMaxOfOrgan = 0.05, kMaxOfScene = 0.15, kMaxClosed = 0.25;
-/// Organs of which the normals agree so well are flat: they send themselves next to no light.
+/// Mean resultant length of the normals from which on an organ is flat: its self view factor is
+/// small.
 constexpr double kFlat = 0.9;
 
 using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
@@ -27,7 +27,7 @@ Edge edge_of(const Vec3& a, const Vec3& b) {
     return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
 }
 
-/// Whether every edge is one of two triangles that run along it in opposite ways: no light gets in.
+/// Whether two triangles of opposite orientation share every edge: no light gets in.
 bool is_closed(const Scene& scene, const Organ& organ) {
     std::map<Edge, int> open;
     for (std::size_t i = 0; i < organ.triangle_count; ++i) {
@@ -50,10 +50,10 @@ double longest_edge(const Triangle& t) {
     return std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
 }
 
-/// What matters of an organ's shape.
+/// Properties of an organ's shape.
 class Shape {
   public:
-    /// @param patch  the area that patches have
+    /// @param patch  area of a patch
     Shape(const Scene& scene, const Organ& organ, double patch) : area_(organ.area) {
         for (std::size_t i = 0; i < organ.triangle_count; ++i) {
             const Triangle t = data_of(scene).triangles()[organ.first_triangle + i];
@@ -69,7 +69,7 @@ class Shape {
     }
 
     [[nodiscard]] bool has_long_patches() const {
-        // Area over length: of a stem its circumference.
+        // Area over length: the circumference of a stem.
         const double most = kOfWidth * area_ / (2 * bounds_.radius());
         double in_long = 0;
         for (const Long& part : long_) {

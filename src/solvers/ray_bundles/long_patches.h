@@ -5,18 +5,19 @@
 #include "scene/scene.h"
 #include "solvers/ray_bundles/patch_size.h"
 
-// Patches of long thin triangles are long and thin as well: light that changes along them, as it
-// does within a stem or between needles, is lost in both levels of patches, so that their
-// difference, the error of patches, tells nothing of it.
+// Patches of long thin triangles are long and thin as well. Light that changes along them, as it
+// does within a stem or between needles, is averaged on both levels of patches, so that their
+// difference, the reported error, does not show this.
 
 namespace quasimc {
 
-/// Organs of such triangles, where they make patches longer than the organ is wide.
+/// Organs of such triangles, if their patches are longer than the organ is wide.
 struct LongPatches {
-    /// Those whose errors don't tell what is wrong. Of flat and closed ones there may be some.
+    /// Organs with unreliable reported errors. A small fraction of flat and closed organs is
+    /// tolerated.
     std::vector<const Organ*> organs;
-    /// Of all surfaces, what is in closed ones, as stems are. What is wrong there is told, but does
-    /// not get less with more paths.
+    /// Fraction of all surfaces in closed organs, such as stems. Their error is reported, but does
+    /// not decrease with more paths.
     double closed_part = 0;
 };
 

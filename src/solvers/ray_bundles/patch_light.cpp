@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// Orders end where this part of the light of the first one is left: less than any error.
+/// Orders end at this fraction of the light of the first one, which is less than any error.
 constexpr double kNegligible = 1e-5;
 
 /// Whether the last order is negligible in a pack.
@@ -47,7 +47,7 @@ class PackScatter {
           each_(light.sides(pack), light.packs()[pack].first, sum),
           leaving_(2 * light.packs()[pack].bands) {}
 
-    /// @param lines  along which the light came; null: straight from sources
+    /// @param lines  along which the light came; null: direct light
     /// @returns flux that leaves surfaces, by column of the pack
     const std::vector<double>& scatter(const LineStatistics* lines) {
         for (const PatchScene::Surface& surface : scene_.surfaces) {
@@ -80,7 +80,7 @@ class PackScatter {
         cut == nullptr ? even_out(surface) : even_out_cut(surface, *cut);
     }
 
-    /// Gives each four patches their mean, in the columns of the coarser level.
+    /// Sets each group of four patches to its mean, in the columns of the coarser level.
     void even_out(const PatchScene::Surface& surface) {
         const auto level = static_cast<std::size_t>(scene_.patches.level(surface.triangle));
         const std::vector<std::uint32_t>& parents = scene_.parents[level];
@@ -95,7 +95,7 @@ class PackScatter {
         }
     }
 
-    /// Does so where patches are not equally large, nor four by four.
+    /// Evens out cut patches, in groups of any size.
     void even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut) {
         const std::size_t row = each_.row();
         const std::size_t first = scene_.patches.first(surface.triangle);
@@ -129,7 +129,7 @@ double* sum_of_pack(double* sum, const PatchScene& scene, const BandPack& pack) 
     return sum + std::size_t{2} * scene.patches.count() * 2 * pack.first;
 }
 
-/// @param sum  to which the exitance of before is added; or null
+/// @param sum  receives the exitance of the previous order, or null
 ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, double* sum) {
     PatchLight& light = *irradiance.light;
     ScatteredFlux flux = std::move(before);

@@ -15,19 +15,18 @@
 
 namespace quasimc {
 
-/// Memory that the light on and from patches takes, and the sum of what they send, about.
+/// Approximate memory for the light on and from patches, and the sum of exitances.
 [[nodiscard]] constexpr double bytes_of_patch_light(double patches, std::size_t bands) {
     constexpr double kBytesEach = 96;
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
-/// Memory for a field of light on all patches of a scene, in all bands, on two levels: as light is
-/// where each patch is equally bright, and where each four of them are.
+/// Memory for a field of light on all patches of a scene, in all bands, on two levels: with
+/// constant light on each patch, and on each group of four.
 ///
 /// A column is [level * bands + band], level 0 the finer one. Numbers are sorted by pack of bands,
 /// in each [2 * patch + side][level * bands of the pack + band]. Those of a patch, on and from both
-/// of its sides, lie next to each other in whole cache lines: light that goes along lines, from
-/// patch to patch all over the scene, waits for them alone.
+/// of its sides, fill whole cache lines, as exchanges access patches all over the scene.
 class PatchLight {
   public:
     explicit PatchLight(const PatchScene& scene);
@@ -35,7 +34,7 @@ class PatchLight {
     [[nodiscard]] const PatchScene& scene() const { return scene_; }
     [[nodiscard]] std::size_t columns() const { return columns_; }
     [[nodiscard]] const std::vector<BandPack>& packs() const { return packs_; }
-    /// The column of one of a pack.
+    /// The column of the pack's own column `own`.
     [[nodiscard]] std::size_t column(std::size_t pack, std::size_t own) const {
         const BandPack& bands = packs_[pack];
         return own / bands.bands * bands_ + bands.first + own % bands.bands;
@@ -58,14 +57,14 @@ class PatchLight {
     std::vector<CacheLine> lines_;
 };
 
-/// A field on all patches, which passes its memory on to the field that is computed of it.
+/// A field on all patches, which passes its memory on to the field that is computed from it.
 struct PatchField {
     std::unique_ptr<PatchLight> light;
-    std::vector<std::size_t> packs;  ///< of bands: in the others the light is negligible
+    std::vector<std::size_t> packs;  ///< packs of bands in which the light is not negligible
 };
 /// Irradiance E of patches.
 struct PatchIrradiance : PatchField {
-    std::optional<LineStatistics> lines;  ///< along which it came; none: straight from sources
+    std::optional<LineStatistics> lines;  ///< along which it came; none: direct light
 };
 /// Exitance B of patches.
 struct PatchExitance : PatchField {};
@@ -75,8 +74,8 @@ struct PatchExitance : PatchField {};
 
 /// Flux of scattered light that leaves surfaces, [column].
 struct ScatteredFlux {
-    std::vector<double> first;  ///< of the first order
-    std::vector<double> last;   ///< of the last one in which the column's pack was scattered
+    std::vector<double> first;  ///< flux of the first order
+    std::vector<double> last;   ///< flux of the last order in which the column's pack was scattered
 };
 /// Light of one order that leaves patches.
 struct ScatteredOrder {
@@ -84,9 +83,8 @@ struct ScatteredOrder {
     ScatteredFlux flux;
 };
 
-/// B = R E: what surfaces scatter of the light on them. The cosine law: light leaves a patch
-/// equally bright in all directions.
-/// @param direct  straight from sources
+/// B = R E: the exitance of surfaces that scatter their irradiance.
+/// @param direct  direct light
 [[nodiscard]] ScatteredOrder scatter(PatchIrradiance direct);
 
 /// The sum of B over orders.
@@ -97,14 +95,14 @@ class ExitanceSum {
     ExitanceSum(const PatchScene& scene, std::vector<double>& memory);
 
     /// Adds the exitance that an exchange sent, which the memory of the irradiance still holds, and
-    /// scatters the irradiance, in one pass over patches: two took up to 3 % more time.
-    /// @param before  of the order that was sent
+    /// scatters the irradiance, in one pass over patches, up to 3 % faster than two.
+    /// @param before  flux of the order that was sent
     [[nodiscard]] ScatteredOrder add_and_scatter(PatchIrradiance irradiance, ScatteredFlux before);
     /// The sum as an exitance, in all packs.
     /// @param memory  of the exitance
     [[nodiscard]] PatchExitance exitance(std::unique_ptr<PatchLight> memory) const;
 
-    /// Numbers that it takes.
+    /// Size of its memory, in numbers.
     [[nodiscard]] static std::size_t size(const PatchScene& scene);
 
   private:
@@ -124,7 +122,7 @@ class RegionFlux {
     [[nodiscard]] std::span<const double> of(std::uint32_t region, SurfaceSide side) const {
         return {&sums_[(std::size_t{2} * region + index_of(side)) * columns_], columns_};
     }
-    /// The flux that misses thin triangles, [column].
+    /// The flux that misses slivers, [column].
     [[nodiscard]] const std::vector<double>& missed() const { return missed_; }
 
   private:

@@ -15,18 +15,18 @@ class PatchScatter {
     struct Sent {
         std::size_t patch = 0;
         double area = 0;
-        double share = 1;  ///< of what came to it
+        double share = 1;  ///< factor on the incident flux
     };
 
     /// @param sides  in the bands of a pack
     /// @param first_band  of the pack
-    /// @param sum  to which the exitance of before is added, [2 * patch + side][column]; or null
+    /// @param sum  receives the exitance of the previous order, [2 * patch + side][column]; or null
     PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* sum)
         : sides_(sides), first_band_(first_band), sum_(sum) {}
 
     /// Adds the exitance to the sum, sets it to the light that is scattered, and clears the
     /// incident light.
-    /// @param scattered  what leaves is added to it, [column]
+    /// @param scattered  receives the flux that leaves, [column]
     void scatter(
         const PatchOptics& upper,
         const PatchOptics& lower,

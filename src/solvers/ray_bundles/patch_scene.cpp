@@ -33,7 +33,7 @@ PatchOptics optics_of(const Side& side, std::size_t bands) {
     return optics;
 }
 
-/// Which triangle stands for all images of one, by triangle; empty: each for itself.
+/// By triangle, the one that represents all its periodic images; empty: each its own.
 std::vector<std::uint32_t> find_representatives(const PreparedScene& prepared) {
     std::vector<std::uint32_t> found;
     if (prepared.scene().cell().periodic()) {
@@ -63,7 +63,7 @@ std::vector<std::vector<std::uint32_t>> parents_of(const Patches& patches) {
     return parents;
 }
 
-/// Where surfaces cross those that light leaves, on the triangles that have patches.
+/// Intersections of surfaces, on the triangles that have patches.
 std::vector<SurfaceCrossing> crossings_of(
     const PreparedScene& prepared, const std::stop_token& stop) {
     const SurfaceCrossings& all = prepared.caster().crossings(stop);
@@ -120,9 +120,9 @@ Patches make_patches(
     return Patches(std::move(levels), crossings_of(prepared, stop));
 }
 
-PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& projected, Patches cut)
+PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& projection, Patches cut)
     : prepared(scene),
-      seen(projected),
+      projected(projection),
       patches(std::move(cut)),
       region_areas(scene.scene().regions().size()),
       parents(parents_of(patches)) {
@@ -152,7 +152,7 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& project
         const PrimitiveInfo info = prepared.primitive(i);
         surfaces.push_back(
             {i, info.region, info.material, own, length(mesh.exact_across(i)) / (2 * own),
-             is_sensor(seen.roles, i)});
+             is_sensor(projected.roles, i)});
         area += own;
         region_areas[info.region] += surfaces.back().is_sensor ? 0 : own;
         region_of_patch.resize(patches.first(i + 1), info.region);
@@ -163,7 +163,7 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& project
             }
         }
     }
-    drawn = line_triangles(seen, patches, least_cosines);
+    drawn = line_triangles(projected, patches, least_cosines);
     mean_albedo = area > 0 ? *std::max_element(scattered.begin(), scattered.end()) / area : 0;
 }
 

@@ -10,24 +10,25 @@
 namespace quasimc {
 namespace {
 
-/// What casts shadows is as large as so many of the patches that tell them apart. With patches four
-/// times as large both levels are too coarse, and their difference is a third of the error
+/// Patches per typical organ that resolve its shadow. With patches four times as large both levels
+/// are too coarse, and their difference is a third of the error
 /// (docs/develop/notebook/ray-bundles.md).
 constexpr double kPatchesPerOrgan = 8;
-/// An organ of one triangle is cut into four, which do for organs like itself.
+/// Minimum number for organs of one triangle, which suffices for the shadows of similar organs.
 constexpr double kMinPerOrgan = 4;
-/// Each triangle is cut into so many at least ...
+/// Minimum number of patches per triangle.
 constexpr double kPatchesPerTriangle = 4;
-/// ... and so many times as many may be made for the sake of shadows.
+/// Largest factor on the minimum number of all triangles, to resolve shadows.
 constexpr double kMaxTimes = 4;
 
-/// Patches that are smaller than the mean by more are met less than once in two steps.
+/// Patches smaller than the mean by this factor are met less than once in two steps.
 constexpr double kMuchSmaller = 6;
-/// So many organs may have such, if they are flat: no light goes to and fro within them.
+/// Tolerated fraction of organs with such patches, if they are flat: they exchange no light within
+/// themselves.
 constexpr double kMaxSmall = 0.05;
 constexpr std::uint32_t kTrianglesOfFlat = 2;
 
-/// The area of an organ's patches, where others have the usual one.
+/// The area of an organ's patches; it is `usual` for most.
 double patch_of(const Organ& organ, double usual) {
     return std::min(organ.area / (kPatchesPerTriangle * organ.triangle_count), usual);
 }

@@ -4,25 +4,24 @@
 
 namespace quasimc {
 
-/// How large the patches of ray bundles are.
+/// The size of the patches of ray bundles.
 struct PatchSize {
-    double area = 0;   ///< of all surfaces
-    double part = 1;   ///< of that: what a patch covers, about
-    double count = 1;  ///< of patches, about
-    /// Whether none is so large beside a typical organ that the shadow of one is lost in it.
+    double area = 0;   ///< total area of surfaces
+    double part = 1;   ///< approximate fraction of it in a patch
+    double count = 1;  ///< approximate number of patches
+    /// Whether patches are small enough to resolve the shadow of a typical organ.
     bool holds_shadows = true;
-    /// Whether those of small organs are not so much smaller than the rest that lines hardly ever
-    /// meet one: light that goes to and fro between them would be found by very few lines.
+    /// Whether no patches of small organs are too small for lines to meet them often: very few
+    /// lines would sample the light that such patches exchange.
     bool are_alike = true;
 };
 
-/// A triangle of this area is cut into 4 to the power of so many similar parts, for patches of
-/// about a given area; once at least.
+/// Level of subdivision of a triangle, at least 1: it is cut into 4^level similar parts of about
+/// the area `patch`.
 [[nodiscard]] int patch_level(double area, double patch);
 
-/// About `most` patches; more where surfaces are large beside organs, as a ground below leaves is,
-/// so that the shadows of organs are told apart, as long as that makes at most four times as many
-/// as triangles are cut into anyway.
+/// Sizes for about `most` patches. More are made, up to four times the minimum of all triangles, to
+/// resolve shadows of organs on much larger surfaces, such as a ground.
 [[nodiscard]] PatchSize patch_size(const Scene& scene, double most);
 
 }  // namespace quasimc

@@ -1,16 +1,16 @@
 // Ray bundles: all scattered light at once.
 //
-// Direct light falls on patches of surfaces (solvers/ray_bundles/direct_on_patches.h).
-// Lambertian surfaces scatter it equally bright in all directions, so that light need not be
-// followed ray by ray: along lines in one direction through the whole scene each patch sends light
-// to the next one, both ways (solvers/ray_bundles/bundle_exchange.h). Step by step all light that
-// has not yet been sent on goes along lines in new directions, drawn independently of all before:
-// the Neumann series of the radiosity equation, order by order, each without bias. What is left
-// then is reported as cut off. These steps have few lines. All that left surfaces in them goes
-// along many lines once more, and what organs receive in this last step is the result.
+// Direct light falls on patches of surfaces (solvers/ray_bundles/direct_on_patches.h). Lambertian
+// surfaces scatter it equally bright in all directions, so that light need not be traced ray by
+// ray: along lines in one direction through the whole scene each patch sends light to the next one,
+// both ways (solvers/ray_bundles/bundle_exchange.h). Step by step all light that has not yet been
+// sent on goes along lines in new directions, drawn independently of all before: the Neumann series
+// of the radiosity equation, order by order, each without bias. The remainder is reported as cut
+// off. These steps have few lines. The sum of all exitances then goes along many lines once more
+// (final gather, Reichert 1992), and the irradiance of this last step is the result.
 //
-// The same steps are done twice at once: with patches, and with each four of them taken together.
-// The difference tells how much it matters that light is constant over a patch.
+// Each step is done on two levels at once: with patches, and with groups of four of them. The
+// difference estimates the error of constant light on patches.
 
 #include "solvers/ray_bundles/ray_bundles.h"
 
@@ -38,14 +38,14 @@ namespace {
 /// Point sets of other purposes have smaller numbers.
 constexpr std::uint64_t kBundleSequence = std::uint64_t{1} << 62U;
 
-/// Scattered light of one replicate that came to no surface, [column of PatchLight]; fixed point.
+/// Scattered light of one replicate that reached no surface, [column of PatchLight]; fixed point.
 struct Flow {
     std::vector<std::int64_t> escaped, cut_off;
 };
 
-/// Where fewer replicates are left than there are threads, each uses several.
+/// If fewer replicates are left than there are threads, each uses several.
 struct ThreadShares {
-    std::atomic<std::size_t> replicates;  // that are left
+    std::atomic<std::size_t> replicates;  // remaining ones
     std::size_t workers = 1;
 
     [[nodiscard]] unsigned of_each() const {
@@ -89,14 +89,14 @@ class RayBundles final : public Solver {
         PatchScene scene;
     };
 
-    /// Memory of a worker, which holds nothing to be read.
+    /// Scratch memory of a worker.
     struct Scratch {
         explicit Scratch(std::size_t) {}
         DirectScratch direct;
         BundleScratch bundles;
         std::unique_ptr<PatchLight> light;
         std::vector<double> sum;  // of exitances
-        std::uint64_t cut = 0;    // which one the light is made for
+        std::uint64_t cut = 0;    // to which the light belongs
     };
 
     /// Patches become finer with the paths of all rounds: their error falls as that of lines does.
@@ -170,13 +170,13 @@ class RayBundles final : public Solver {
         scratch.light = std::move(irradiance.light);
     }
 
-    /// Whether light is sent on that was scattered k times.
+    /// Whether light of order k is exchanged.
     [[nodiscard]] bool goes_on(std::uint64_t k, const PatchExitance& exitance) const {
         const bool is_deepest = input_.spec.max_depth > 0 && k >= input_.spec.max_depth;
         return !exitance.packs.empty() && !is_deepest;
     }
 
-    /// Memory for the light on the patches of now.
+    /// Memory for the light on the current patches.
     [[nodiscard]] std::unique_ptr<PatchLight> memory_of(Scratch& scratch) const {
         if (scratch.cut == cuts_ && scratch.light != nullptr) {
             return std::move(scratch.light);
@@ -224,11 +224,12 @@ class RayBundles final : public Solver {
         }
     }
 
-    /// What went out is what came to surfaces, escaped or was cut off: exactly.
+    /// Adds the flows of a replicate. Scattered light is exactly the sum of incident, escaped and
+    /// cut-off light.
     void add_sums(
         const RegionFlux& flux, Flow flow, const ScatteredBlocks& coarse, Tally& tally) const {
         for (std::size_t c = 0; c < flow.escaped.size(); ++c) {
-            // Thin triangles that rounding made smaller miss less than nothing.
+            // Negative for slivers that rounding made smaller.
             const double missed = flux.missed()[c];
             flow.escaped[c] += missed < 0 ? -to_fixed(-missed) : to_fixed(missed);
         }
@@ -256,7 +257,7 @@ class RayBundles final : public Solver {
         }
     }
 
-    /// Adds what escaped in a band, what was scattered and what was cut off.
+    /// Adds escaped, scattered and cut-off light of a band.
     static void add_flow(
         const ScatteredBlocks& blocks,
         std::size_t band,
@@ -275,12 +276,12 @@ class RayBundles final : public Solver {
     DirectBeams beams_;
     BlockRunner<Scratch> runner_;
     std::unique_ptr<Cut> cut_;
-    std::uint64_t cuts_ = 0;  // made until now
+    std::uint64_t cuts_ = 0;  // number made
 };
 
 }  // namespace
 
-void check_matt(const Scene& scene, Faults& faults) {
+void check_diffuse(const Scene& scene, Faults& faults) {
     const std::vector<bool> is_used = used_materials(scene);
     for (std::size_t m = 0; m < is_used.size(); ++m) {
         const Material& material = data_of(scene).materials[m];

@@ -6,10 +6,10 @@
 namespace quasimc {
 namespace {
 
-/// Directions that are drawn more seldom than evenly by more than this count less.
+/// Directions with a density below the uniform one by more than this factor count less.
 constexpr double kMaxWeight = 4;
-/// A side of which less is surrounded gets little scattered light, and what is left when all that
-/// is open is taken from it is not known well enough.
+/// The minimum surrounded fraction of a corrected side. Below it a side receives little scattered
+/// light, and the difference of area and open area is too noisy.
 constexpr double kMinSurrounded = 0.25;
 constexpr double kHemisphere = 2 * std::numbers::pi;
 

@@ -11,13 +11,13 @@
 namespace quasimc {
 namespace {
 
-/// Each patch is met a few times in every step, however few paths there are: with fewer than this
-/// for each triangle that takes more time than it is worth.
+/// Minimum number of paths per triangle: each patch is met a few times in every step, however few
+/// paths there are.
 constexpr double kMinPathsPerTriangle = 0.2;
-/// Of few organs each has so many paths that first hits leave less of an error than patches do.
+/// Maximum number of paths per organ: with more, the errors of patches exceed those of first hits.
 constexpr double kMaxPathsPerOrgan = 1000;
-/// ... and far fewer under a sun where so much of all surfaces is closed stems of long patches,
-/// whose error does not get less with more paths.
+/// The maximum under a sun if this fraction of all surfaces is in closed stems with long patches,
+/// whose error does not decrease with more paths.
 constexpr double kManyStems = 0.15, kMaxPathsBesideStems = 4;
 constexpr std::size_t kMinOrgans = 16;
 

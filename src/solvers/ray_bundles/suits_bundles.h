@@ -5,14 +5,13 @@
 
 namespace quasimc {
 
-/// Whether all that scatters light does so by the cosine law, as ray bundles ask.
+/// Whether all surfaces that scatter light are Lambertian, as ray bundles require.
 [[nodiscard]] bool is_diffuse(const Scene& scene);
-/// Whether a material does, or is a sensor.
+/// Whether a material is Lambertian, or a sensor.
 [[nodiscard]] bool is_diffuse(const Material& material);
 
-/// Whether ray bundles find the light of suns and skies with smaller errors for their time than
-/// other ways do, where all organs are asked for: rules of thumb, each from a measurement
-/// (docs/develop/notebook/choosing.md).
+/// Whether ray bundles are the most efficient method for light of suns and skies if all organs are
+/// measured: rules of thumb, each from a measurement.
 /// @param gain  of equal shares of paths for each organ
 /// @param has_sun  whether a sun shines
 [[nodiscard]] bool suits_bundles(

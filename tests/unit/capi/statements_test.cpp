@@ -191,7 +191,7 @@ TEST(CStatements, WhatARunRefusesIsTakenBack) {
     ASSERT_EQ(quasimc_scene_state(scene.get(), "colour = 3\n[sweep]\n"), QUASIMC_DONE);
     EXPECT_TRUE(is_refused(*scene));
     EXPECT_TRUE(error_tells("unknown key 'colour'")) << quasimc_last_error();
-    EXPECT_TRUE(error_tells("[sweep] states several runs")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("[sweep] describes several runs")) << quasimc_last_error();
     ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_UNKNOWN_KEYS), QUASIMC_DONE);
     ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_SWEEP), QUASIMC_DONE);
     EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);

@@ -28,7 +28,8 @@ RC_GTEST_PROP(LocalMesh, FillsTheUnitCubeWhateverSizeAndPosition, ()) {
     const Vec3 position = size * random.point(-1000, 1000);
     std::vector<Triangle> triangles;
     for (const Triangle& t : test::random_soup(3, 0.5, random)) {
-        triangles.push_back({position + size * t[0], position + size * t[1], position + size * t[2]});
+        triangles.push_back(
+            {position + size * t[0], position + size * t[1], position + size * t[2]});
     }
     const LocalMesh mesh = make_local_mesh(triangles);
     RC_ASSERT(mesh.triangle_count() == 3U);
@@ -77,7 +78,8 @@ RC_GTEST_PROP(LocalMesh, KnowsHowFarRoundingTurnsItsTriangles, ()) {
     std::vector<Triangle> triangles;
     for (const Triangle& t : test::random_soup(20, 0.5, random)) {
         const Vec3 position = random.point(-1, 1);
-        triangles.push_back({position + size * t[0], position + size * t[1], position + size * t[2]});
+        triangles.push_back(
+            {position + size * t[0], position + size * t[1], position + size * t[2]});
     }
     const LocalMesh mesh = make_local_mesh(triangles);
     double most = 0;

@@ -1,4 +1,4 @@
-"""CaribuScene: scene, lights and runs by the interface of Caribu."""
+"""CaribuScene: scene, lights and runs with the interface of Caribu."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class CaribuTriangleSet:
 
 
 def _read_scene(scene):
-    """A CaribuTriangleSet from all that a scene may be."""
+    """Returns a CaribuTriangleSet from any supported scene."""
     if scene is None or isinstance(scene, CaribuTriangleSet):
         return scene
     if isinstance(scene, str):
@@ -118,7 +118,7 @@ def _read_pattern(pattern):
 
 
 class CaribuScene:
-    """A scene with its lights, by the interface of Caribu, computed by quasimc.
+    """A scene with its lights: the interface of Caribu, computed by quasimc.
 
     Parameters
     ----------
@@ -126,8 +126,8 @@ class CaribuScene:
         pid -> list of triangles, each a list of three tuples; or a .can file. An L-string of L-Py
         is drawn by its L-system.
     light : list or str
-        Of (energy on the horizontal per m2, (dx, dy, dz)); or a .light file. Default: one from
-        the zenith.
+        List of (energy on the horizontal per m2, (dx, dy, dz)), or a .light file. Default: one light
+        from the zenith.
     pattern : tuple or str
         (xmin, ymin, xmax, ymax), ((xmin, ymin), (xmax, ymax)), or a .8 file; in the unit of the
         scene.
@@ -138,12 +138,12 @@ class CaribuScene:
     soil_mesh : int
         1: two triangles over the pattern, at z_soil; None or -1: none.
     z_soil : float
-        Default: the lowest of the scene; a warning tells if triangles lie there, as these then get
-        the light of the soil.
+        Default: the lowest point of the scene; a warning is given if triangles are there, because
+        they then receive the light of the soil.
     scene_unit : str
         "mm" to "km".
     debug, filecache
-        Passed over.
+        Ignored.
     """
 
     default_material = (0.06, 0.07)
@@ -166,7 +166,7 @@ class CaribuScene:
         filecache=True,
     ):
         if scene_unit not in self.units:
-            raise ValueError(f"the unit {scene_unit!r} is none of {', '.join(self.units)}")
+            raise ValueError(f"unknown unit {scene_unit!r}; use one of {', '.join(self.units)}")
         self.conv_unit = self.units[scene_unit]
         self.debug = debug
         self.scene = _read_scene(scene)
@@ -251,8 +251,8 @@ class CaribuScene:
         heights = as_array(self.scene.allvalues())[..., 2]
         if np.any(np.all(heights == height, axis=1)):
             warnings.warn(
-                f"soil_mesh: z_soil is not stated, and the soil at {height:g} lies on the lowest "
-                "triangles, which get its light; state z_soil",
+                f"soil_mesh: z_soil is missing, and the soil at {height:g} overlaps the lowest "
+                "triangles, which receive its light; give z_soil",
                 QuasimcWarning,
                 stacklevel=4,
             )
@@ -268,7 +268,7 @@ class CaribuScene:
         return self.scene.triangle_areas() * (self.conv_unit**2 if convert else 1)
 
     def auto_screen(self, screen_resolution):
-        """Pixels of that size [m] across the scene: Caribu's; of no use here."""
+        """Number of pixels of a size [m] across the scene, as in Caribu; not used here."""
         low, high = self.bbox()
         return max(2, int(math.dist(low, high) * self.conv_unit / screen_resolution))
 
@@ -286,7 +286,7 @@ class CaribuScene:
         return abs((x1 - x0) * (y1 - y0)) * self.conv_unit**2
 
     def getSoilEnergy(self):
-        """(Qi, Einc): what falls on the soil of the first band, per m2 and on the pattern."""
+        """(Qi, Einc): light on the soil in the first band, per m2 and on the pattern."""
         if self.soil is None:
             raise ValueError("the scene has no soil")
         qi = next(iter(self.soil_aggregated.values()))["Ei"]
@@ -361,18 +361,18 @@ class CaribuScene:
         Parameters
         ----------
         direct : bool
-            Whether first hits alone count.
+            Direct light only.
         infinite : bool
-            Whether the pattern repeats without end; unless direct, over a ground of
+            Whether the scene is periodic with the pattern; unless direct, above a ground with
             soil_reflectance.
         d_sphere, layers, height, screen_size, screen_resolution
-            Passed over, with one warning: light is followed to its end, along exact paths.
+            Ignored, with one warning: paths of light need neither pixels nor layers.
         sensors : dict
-            id -> list of triangles: what falls on their upper sides; they cast no shadow.
+            id -> list of triangles: light on their upper sides; they cast no shadow.
         split_face : bool
-            Whether Ei_sup and Ei_inf are told.
+            Whether Ei_sup and Ei_inf are returned.
         simplify : bool
-            Whether the level of bands is left out if there is one.
+            Whether the level of bands is omitted for a single band.
         precision : float
             Relative standard error of the absorbed light of 95 % of the triangles, 0 to 1.
         **options
@@ -381,8 +381,8 @@ class CaribuScene:
         Returns
         -------
         raw, aggregated : dict
-            Band -> quantity -> pid -> list by triangles, and their mean. Per m2 and m2, whatever
-            the unit of the scene. Eabs_se and Ei_se are standard errors.
+            Band -> quantity -> pid -> list by triangle, and their area-weighted mean. Per m2 and in m2
+            for every scene unit. Eabs_se and Ei_se are standard errors.
         """
         if self.scene is None:
             return {}, {}

@@ -109,7 +109,7 @@ class TracedScene:
     groups : list
         What each triangle belongs to, for errors of sums; or None.
     domain : tuple
-        (xmin, ymin, xmax, ymax) of a scene that repeats without end; or None.
+        (xmin, ymin, xmax, ymax) of a periodic scene; or None.
     ground : tuple
         Height, and reflectance by band; or None.
     sensors : numpy.ndarray
@@ -167,7 +167,7 @@ class TracedScene:
 
 
 class Light:
-    """What `TracedScene.run` gives."""
+    """The result of `TracedScene.run`."""
 
     def __init__(self, traced, result):
         self._traced = traced
@@ -213,7 +213,7 @@ class Light:
         return light
 
     def sensors(self, number):
-        """Of a band: what falls on the upper side of each sensor triangle, and its error."""
+        """Light on the upper side of each sensor triangle in a band, and its error."""
         count = len(self._traced.sensor_areas)
         offset = len(self._traced.areas)
         return self._numbers(
@@ -244,7 +244,7 @@ def _error_of_incident(absorbed_se, up_se, low_se, sides):
 
 
 def _set_flags(light, materials, areas):
-    """Sides of which Caribu does not tell the light."""
+    """Sets the sides whose light Caribu does not report."""
     for i, material in enumerate(materials):
         if areas[i] == 0:
             continue

@@ -1,4 +1,4 @@
-"""The functional layer: energy of triangles, in the unit of the scene.
+"""Functions: energy of triangles, in the unit of the scene.
 
 Parameters of all functions
 ---------------------------
@@ -6,12 +6,12 @@ triangles : list of triangles of three points
 materials : list of tuples, one for each triangle; of the x_ functions a dict, band -> such a list
     (r,) opaque; (r, t); (r_up, t_up, r_low, t_low).
 lights : list of (energy on the horizontal, (dx, dy, dz))
-domain : (xmin, ymin, xmax, ymax) of a scene that repeats without end
+domain : (xmin, ymin, xmax, ymax) of a periodic scene
 sensors : list of triangles
-    Light that falls on their upper sides is told; they cast no shadow.
+    Light on their upper sides is returned; they cast no shadow.
 precision : float
-    Relative standard error of the light that 95 % of the triangles absorb; default: what 65536
-    paths give. Other keywords are options of `quasimc.Scene.run`.
+    Relative standard error of the light that 95 % of the triangles absorb; default: that of 65536
+    paths. Other keywords are options of `quasimc.Scene.run`.
 
 Each returns lists with a number for each triangle: index, label, area, Eabs, Ei, Ei_sup, Ei_inf,
 and the standard errors Eabs_se and Ei_se; the x_ functions a dict of these by band.
@@ -51,14 +51,14 @@ _warned = False
 
 
 def warn_of_ignored(**stated):
-    """One warning, in the life of a program, of arguments that mean nothing to paths of light."""
+    """Warns once per program of arguments that are ignored."""
     global _warned
     if _warned or not stated:
         return
     _warned = True
     warnings.warn(
-        f"{', '.join(stated)}: passed over; paths of light need neither pixels nor layers, "
-        "precision= says how exact they are",
+        f"{', '.join(stated)}: ignored; paths of light need neither pixels nor layers; "
+        "set precision= for a smaller error",
         QuasimcWarning,
         stacklevel=4,
     )
@@ -134,7 +134,7 @@ def x_raycasting(
     precision=None,
     **options,
 ):
-    """First hits alone, in several bands."""
+    """Direct light only, in several bands."""
     _warn_of_size(screen_size)
     return _compute(
         triangles, materials, lights, domain, None, sensors, True, precision, options
@@ -142,7 +142,7 @@ def x_raycasting(
 
 
 def raycasting(triangles, materials, lights=(default_light,), domain=None, *args, **keys):
-    """First hits alone."""
+    """Direct light only."""
     return x_raycasting(triangles, {"band": materials}, lights, domain, *args, **keys)["band"]
 
 
@@ -185,9 +185,9 @@ def x_mixed_radiosity(
     precision=None,
     **options,
 ):
-    """All light, of a scene that repeats without end over a ground, in several bands.
+    """All light, of a periodic scene above a ground, in several bands.
 
-    Diameter, layers and height mean nothing here: the light of all distances is followed.
+    Diameter, layers and height are ignored: light of all distances is computed.
     """
     _warn_of_size(screen_size)
     if diameter is not None and diameter < 0:
@@ -214,7 +214,7 @@ def mixed_radiosity(
     debug=False,
     **keys,
 ):
-    """All light, of a scene that repeats without end over a ground."""
+    """All light, of a periodic scene above a ground."""
     return x_mixed_radiosity(
         triangles,
         {"band": materials},

@@ -1,4 +1,4 @@
-"""Triangles of PlantGL scenes and MTGs, known by what they can do; nothing of them is imported."""
+"""Triangles of PlantGL scenes and MTGs (duck-typed: neither is imported)."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def triangles_of(geometry):
         return triangles_of(geometry.geometry)
     tesselator = _tesselator()
     if tesselator is None or not hasattr(geometry, "apply"):
-        raise ValueError(f"scene: no triangles can be made of a {type(geometry).__name__}")
+        raise ValueError(f"scene: a {type(geometry).__name__} can't be divided into triangles")
     geometry.apply(tesselator)
     return [] if tesselator.result is None else triangles_of(tesselator.result)
 

@@ -40,4 +40,4 @@ class GenSky:
             return lambda z: math.sin(z) ** 2
         if kind == "soc":
             return lambda z: (3 * math.sin(z) ** 2 + 4 * (1 - math.cos(z) ** 3)) / 7
-        raise ValueError(f"the sky {kind!r} is neither soc nor uoc")
+        raise ValueError(f"the sky {kind!r} is unknown: use soc or uoc")
