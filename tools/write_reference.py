@@ -41,7 +41,7 @@ def flag_table(text, options):
     for flag, meaning in rows:
         name = flag.split()[0].split(",")[-1]
         if name != "--help" and name not in options:
-            lines.append(f"| `{flag.replace(',', ', ')}` | {meaning} |")
+            lines.append(f"| `{flag.replace(',-', ', -')}` | {meaning} |")
     return "\n".join(lines) + "\n"
 
 
