@@ -28,7 +28,7 @@ std::string format_value(const OptionValue& value) {
     return text ? "'" + *text + "'" : option_toml(value);
 }
 
-/// What a value of a domain is called.
+/// The kind of values in a domain: "a whole number".
 std::string domain_kind(const OptionDomain& domain) {
     switch (domain.index()) {
         case 0:
@@ -181,7 +181,7 @@ std::string method_name(Method from) {
 
 namespace {
 
-/// What stands between commas.
+/// The items between commas.
 std::vector<std::string> split_list(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {

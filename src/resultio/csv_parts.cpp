@@ -26,7 +26,7 @@ std::string options_line(const RunSpec& spec) {
     return "# options: " + one_line(text) + "\n";
 }
 
-/// Where the light comes from; of a sweep at every point, and what the point sets.
+/// The comments on sources; in a sweep, for every point, with the values that the point sets.
 std::string source_comments(const RunFile& run) {
     std::string out;
     if (!run.sweep) {

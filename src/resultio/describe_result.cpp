@@ -32,7 +32,7 @@ std::string band_line(const BandAudit& audit, const Band& band, const std::strin
     return text;
 }
 
-/// Empty where nothing cut the run short.
+/// Empty if the run completed.
 std::string reason(const RunSpec& spec, StopReason stop) {
     switch (stop) {
         case StopReason::interrupted:

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-std::string cumulated_words(const TimeStepNotes& notes) {
+std::string describe_cumulated(const TimeStepNotes& notes) {
     const TimeStepNotes::Cumulated& times = *notes.cumulated;
     return fmt::format(
         "{} to {}, {} s: {}, {} with daylight, as {} and {}; mean on the "
@@ -24,7 +24,7 @@ std::string cumulated_words(const TimeStepNotes& notes) {
 
 std::string describe_time_step(const TimeStepNotes& notes) {
     if (notes.cumulated) {
-        return cumulated_words(notes);
+        return describe_cumulated(notes);
     }
     std::string text = notes.time;
     text += notes.seconds > 0 ? fmt::format(", {} s", shortest(notes.seconds)) : ", an instant";

@@ -51,7 +51,7 @@ std::string title_lines(const RunFile& run) {
            scene_line(run.scene);
 }
 
-/// What is computed: program, file, scene, lights.
+/// The subject of the run: program, file, scene, lights.
 std::string subject_lines(const RunFile& run) {
     std::string text = title_lines(run);
     for (const std::string& note : run.source_notes) {
@@ -74,7 +74,7 @@ std::string sampling_line(const RunSpec& spec, const Result& result) {
             "{} x {}", counted(result.paths, "path"), counted(result.replicates, "replicate")));
 }
 
-/// How light was followed, and why.
+/// The method, and the reason for its choice.
 std::string method_line(const RunSpec& spec, const Result& result) {
     const bool is_automatic = spec.method == Method::automatic;
     const bool has_reason = is_automatic || result.stop == StopReason::no_light;
@@ -145,7 +145,7 @@ std::string energy_lines(
     return text;
 }
 
-/// Adds what a flux brings in so many seconds.
+/// Adds the energy of a flux over `seconds`.
 void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
     for (Estimate BandBudget::*part :
          {&BandBudget::emitted, &BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
@@ -154,7 +154,7 @@ void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
     }
 }
 
-/// "reflectance .08 +- .001, ..."; "" of what can't be told.
+/// "reflectance 0.08 +- 0.001, ..."; unknown fractions are left out.
 std::string describe_fractions(const CanopyFractions& fractions) {
     std::string text;
     for (const FractionEntry& entry : fraction_table()) {
@@ -386,7 +386,7 @@ std::string Summary::series_quality() const {
     return text + (advice.empty() ? "" : line("advice", advice));
 }
 
-/// What a point of a sweep sets, and how well its light is known.
+/// The values that a point of a sweep sets, and its errors.
 std::string Summary::point_line() const {
     const std::string words = fmt::format(
         "{} of {}: {}", run_->point + 1, run_->sweep->size(),

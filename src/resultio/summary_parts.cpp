@@ -40,7 +40,7 @@ class PartFormat {
     }
 
   private:
-    /// What is exact differs between replicates by rounding alone.
+    /// Relative standard error below which a value is exact: replicates differ by rounding alone.
     static constexpr double kRounding = 1e-13;
 
     double rounding_;
