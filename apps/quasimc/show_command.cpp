@@ -45,7 +45,7 @@ std::optional<std::pair<double, double>> two_numbers(std::string_view text, char
 
 quasimc::ViewSpec view_of(const ShowArguments& arguments, Faults& faults) {
     quasimc::ViewSpec view;
-    view.opening_deg = arguments.opening;
+    view.fov_deg = arguments.opening;
     if (const quasimc::NamedView* named = quasimc::find_view(arguments.view)) {
         view.azimuth_deg = named->azimuth_deg;
         view.elevation_deg = named->elevation_deg;

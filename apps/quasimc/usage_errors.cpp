@@ -119,8 +119,8 @@ std::string about_extras(
         }
     }
     // A word beside an unknown flag was probably its value, and a command goes before its flags.
-    const bool tells_words = command == nullptr ? !word_lines.empty() : flag_lines.empty();
-    return tells_words ? word_lines.substr(0, word_lines.find('\n') + 1) : flag_lines;
+    const bool has_list = command == nullptr ? !word_lines.empty() : flag_lines.empty();
+    return has_list ? word_lines.substr(0, word_lines.find('\n') + 1) : flag_lines;
 }
 
 std::string flag_without_value(const Command& command, const std::vector<std::string>& words) {

@@ -1,5 +1,5 @@
-// Whether every way of tracing agrees with plain Monte Carlo tracing from the sources, organ by
-// organ, on stands of many kinds: at a level of 1e-6 for all comparisons together (Sidak 1967).
+// Compares every method with plain Monte Carlo light tracing, organ by organ, on stands of many
+// kinds: at a level of 1e-6 for all comparisons together (Sidak 1967).
 
 #include <algorithm>
 #include <array>
@@ -19,13 +19,13 @@
 namespace quasimc::bench {
 namespace {
 
-/// All but the plainest, which they are held against.
-constexpr std::span<const Way> kTried = std::span(kWays).subspan(1);
+/// All methods except the reference.
+constexpr std::span<const Way> kCompared = std::span(kWays).subspan(1);
 
 constexpr std::uint32_t kReplicates = 32;
 constexpr double kLevel = 1e-6;
-/// Light that is not known to this part of itself, from fewer than a hundred paths, has no normal
-/// errors: it is left to chi.
+/// Light with a relative standard error above this, from fewer than a hundred paths, has no normal
+/// errors: it counts for chi only.
 constexpr double kKnown = .1;
 
 bool is_known(const Estimate& e) {
@@ -47,7 +47,7 @@ struct Comparison {
     std::vector<double> errors;       ///< standard errors, relative to the mean light
 };
 
-/// The light on one side of the organs in one band.
+/// Compares the light on one side of the organs in one band.
 void compare_sides(
     const Result& plain, const Result& other, Quantity q, std::size_t band, Comparison& all) {
     const std::size_t first = all.errors.size();
@@ -96,11 +96,11 @@ void print_stand(StandKind kind, const Effort& effort) {
         "  %-16s %11s %14s %8s %10s %6s %14s %11s\n", "from, sampler", "comparisons",
         "largest diff.", "limit", "resolution", "chi", "totals differ", "resolution");
     const std::uint64_t paths = std::bit_ceil(effort.plain_paths / kReplicates / 32 + 1);
-    for (const Way& way : kTried) {
+    for (const Way& way : kCompared) {
         const Result other = trace(scene, way, paths);
         const Comparison organs = compare(plain, other);
         const double family =
-            static_cast<double>(organs.differences.size() * kTried.size() * kStandKinds.size());
+            static_cast<double>(organs.differences.size() * kCompared.size() * kStandKinds.size());
         const double limit = student_t_quantile(1 - kLevel / family / 2, kReplicates - 1);
         const double largest =
             *std::max_element(organs.differences.begin(), organs.differences.end());

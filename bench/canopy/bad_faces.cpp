@@ -11,10 +11,10 @@
 namespace quasimc::bench {
 namespace {
 
-/// An OBJ file in the making.
+/// Composes an OBJ file.
 class ObjText {
   public:
-    /// @returns the number of the vertex, from 1
+    /// @returns the index of the vertex, from 1
     int vertex(const Vec3& p) {
         text_ += fmt::format("v {:.5f} {:.5f} {:.5f}\n", p.x, p.y, p.z);
         return ++vertices_;
@@ -38,8 +38,8 @@ class ObjText {
 
 constexpr int kPetals = 6;
 
-/// A petal of three quadrilaterals, whose last is a bow-tie (its sides cross), a face that passes
-/// through the first, one that has a corner twice and one whose corners are in line.
+/// A petal of three quadrilaterals: the last is self-intersecting, one face crosses the first, one
+/// has a repeated corner and one has collinear corners.
 void add_petal(ObjText& obj, const Vec3& center, double around) {
     const Vec3 out{std::cos(around), std::sin(around), 0};
     const Vec3 across{-out.y, out.x, 0};
@@ -61,7 +61,7 @@ void add_petal(ObjText& obj, const Vec3& center, double around) {
     obj.face({middle, beyond, end});
 }
 
-/// A stalk of four sides, without ends.
+/// A stalk of four sides, with open ends.
 void add_stalk(ObjText& obj, const Vec3& center) {
     std::array<int, 4> low{}, high{};
     for (int i = 0; i < 4; ++i) {

@@ -20,7 +20,7 @@ RunSpec plain_spec(const Effort& effort) {
     return spec;
 }
 
-/// The light that falls on an organ, absorbed flux density / absorptance.
+/// Incident light of an organ: absorbed flux density / absorptance.
 Estimate incident(const Result& result, std::size_t organ, std::size_t band, double albedo) {
     Estimate e = result.at(organ, Quantity::absorbed_flux_density, band);
     e.mean /= 1 - albedo;
@@ -28,7 +28,7 @@ Estimate incident(const Result& result, std::size_t organ, std::size_t band, dou
     return e;
 }
 
-/// Mean relative variance of R:FR per replicate with a path for each band: the two are independent.
+/// Mean relative variance of R:FR per replicate with one path per band: the two are independent.
 double separate_variance(const Result& red, const Result& far, std::uint32_t replicates) {
     double sum = 0;
     for (std::size_t i = 0; i < red.organs(); ++i) {

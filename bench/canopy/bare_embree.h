@@ -12,7 +12,7 @@
 
 namespace quasimc::bench {
 
-/// Rays as the engine cast them.
+/// The rays that the intersector received.
 struct RayLog {
     std::vector<Packet> packets;
     std::vector<Ray> rays;
@@ -20,7 +20,7 @@ struct RayLog {
     [[nodiscard]] std::size_t count() const { return rays.size() + kPacket * packets.size(); }
 };
 
-/// Embree and nothing else: the floor of what tracing can cost.
+/// Embree alone: a lower bound of the cost of tracing.
 class BareEmbree {
   public:
     explicit BareEmbree(const LocalMesh& mesh);
@@ -28,7 +28,7 @@ class BareEmbree {
     BareEmbree(const BareEmbree&) = delete;
     BareEmbree& operator=(const BareEmbree&) = delete;
 
-    /// Casts all rays of the log: packets with the coherent flag, then the single rays.
+    /// Casts all rays of the log: packets with the coherent flag, then single rays.
     void trace(const RayLog& log) const;
 
   private:

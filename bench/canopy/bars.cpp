@@ -1,7 +1,7 @@
-// The marks that tracing from lit surfaces and ray bundles are held to: variance of the irradiance
-// of leaves (both sides, per one-sided area, mean over leaves) and CPU time of one replicate, one
-// thread. Seed 1 is the canopy that the numbers in solvers/direct/sampling_budget.cpp were chosen
-// on; the others were not looked at.
+// Performance targets of first_hits and ray_bundles: variance of the irradiance of leaves (both
+// sides, per one-sided area, mean over leaves) and CPU time of one replicate, one thread. The
+// constants in solvers/direct/sampling_budget.cpp were chosen on the canopy of seed 1; the other
+// seeds are independent of it.
 
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ Measured measure(
     const Scene& scene, const Sources& sources, const RunSpec& spec, double absorptance) {
     const Result result = run(scene, sources, spec);
     std::vector<double> seconds{result.solve_cpu_seconds};
-    // Short runs are timed again: the machine has other things to do.
+    // Short runs are repeated, for the machine may be busy.
     constexpr double kShort = 0.5;
     for (int i = 1; i < kTimings && result.solve_cpu_seconds < kShort; ++i) {
         seconds.push_back(run(scene, sources, spec).solve_cpu_seconds);
@@ -55,8 +55,8 @@ Measured measure(
         std::sqrt(variance) / mean};
 }
 
-/// As measure(), of ray bundles: the error of patches, which replicates have in common, counts once
-/// in the variance of one.
+/// Like measure(), for ray bundles: the error of patches, common to all replicates, counts once in
+/// the variance of one.
 Measured measure_bundles(
     const Scene& scene, const Sources& sources, const RunSpec& spec, double absorptance) {
     Measured m = measure(scene, sources, spec, absorptance);
@@ -128,7 +128,7 @@ void print_direct(
     }
 }
 
-/// Figure of merit over light tracing with a sampler.
+/// Prints the figure of merit relative to light tracing with a sampler.
 void print_merit(
     Method method,
     const char* name,
@@ -156,8 +156,8 @@ void print_merit(
     }
 }
 
-/// CPU time of one replicate until the error of a leaf is 1 % of the mean irradiance, scattering
-/// included.
+/// Prints the CPU time of one replicate until the error of a leaf is 1 % of the mean irradiance,
+/// with scattering.
 void print_time(
     Method method, const char* name, const Case& one, double most_ms, const Effort& effort) {
     constexpr double kError = 0.01;
@@ -189,7 +189,7 @@ void print_time(
     }
 }
 
-/// Time of bundles in five bands over that in one, pair by pair.
+/// Prints the ratio of times of bundles in five bands and in one, pair by pair.
 void print_bands(const char* name, const Case& one, double most, const Effort& effort) {
     constexpr std::size_t kBands = 5;
     if (!is_asked_for(name, effort)) {
@@ -213,9 +213,9 @@ void print_bands(const char* name, const Case& one, double most, const Effort& e
         met(median(ratios) <= most));
 }
 
-/// What ray bundles are held to.
+/// Prints the targets of ray bundles.
 void print_bundle_bars(const Effort& effort) {
-    std::printf("\n== What ray bundles are held to\n");
+    std::printf("\n== Targets of ray bundles\n");
     constexpr Method kBundles = Method::ray_bundles;
     constexpr double kPar = 0.2, kNir = 0.9;
     print_time(kBundles, "bundles, 500 leaves, PAR, sun", {500, kPar, Light::sun}, 5, effort);
@@ -255,7 +255,7 @@ void print_bundle_bars(const Effort& effort) {
 }  // namespace
 
 void print_bars(const Effort& effort) {
-    std::printf("\n== What tracing from lit surfaces is held to\n");
+    std::printf("\n== Targets of first_hits\n");
     constexpr Method kFirst = Method::first_hits;
     print_direct("direct sun, 500 leaves", {}, 5 << 15, 1e-7, 3, effort);
     print_direct("direct sun, 10,000 leaves", {.leaves = 10000}, 1 << 17, 1e-5, 20, effort);

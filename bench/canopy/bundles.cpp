@@ -1,6 +1,5 @@
-// What ray bundles leave of errors, and in what time: the table of
-// docs/develop/notebook/ray-bundles.md. Errors are those of one replicate: root of the mean
-// variance over leaves, over the mean.
+// Errors and times of ray bundles: the table of docs/develop/notebook/ray-bundles.md. Errors are
+// those of one replicate: root of the mean variance over leaves, over the mean.
 
 #include <algorithm>
 #include <cmath>
@@ -20,14 +19,14 @@ namespace {
 constexpr std::uint64_t kSeed = 7;
 constexpr int kTimings = 3;
 
-/// Relative to all light that leaves get.
+/// Relative to all light on leaves.
 struct Errors {
-    double all = 0, patches = 0;  ///< the error, and what of it is that of patches
+    double all = 0, patches = 0;  ///< total error, and the part due to patches
     double direct = 0, scattered = 0;
 };
 
-/// Squares over leaves of a quantity's error in one replicate, where it is known, and of the error
-/// of patches, which all replicates have in common.
+/// Sums over leaves of the squared error of a quantity in one replicate, where it is known, and of
+/// the squared error of patches, which is common to all replicates.
 struct Squares {
     double noise = 0, patches = 0;
 };

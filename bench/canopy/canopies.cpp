@@ -1,5 +1,5 @@
-// What "auto" is held to: on no canopy, under no light, may it take more than twice as long for an
-// error as the best of the methods.
+// The target of "auto": on any canopy, under any light, at most twice the time of the best method
+// at equal error.
 
 #include <algorithm>
 #include <array>
@@ -22,14 +22,14 @@ namespace quasimc::bench {
 namespace {
 
 constexpr double kMaxTimesBest = 2;
-/// Of a method that can't be: more than any costs.
+/// The cost of a method that can't be used.
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// One method's run: CPU time, and relative variances of a replicate.
+/// The cost of one method: CPU time, and relative variances of a replicate.
 struct Cost {
     double seconds = 1;
     double organ_variance = kNever;  ///< median over organs and bands of the absorbed flux
-    double total_variance = kNever;  ///< of what all organs absorb, mean over the bands
+    double total_variance = kNever;  ///< absorbed flux of all organs, mean over the bands
     [[nodiscard]] double of_organs() const { return seconds * organ_variance; }
     [[nodiscard]] double of_total() const { return seconds * total_variance; }
 };
@@ -38,8 +38,8 @@ double square(double x) {
     return x * x;
 }
 
-/// What all methods found an organ to absorb in a band, the surest counting most; 0 if none has
-/// seen it lit.
+/// Mean of all methods of the absorbed flux of an organ in a band, weighted by precision; 0 if none
+/// sampled light there.
 double agreed_mean(const std::vector<Result>& results, std::size_t organ, std::size_t band) {
     double sum = 0;
     double weights = 0;
@@ -53,7 +53,7 @@ double agreed_mean(const std::vector<Result>& results, std::size_t organ, std::s
     return weights > 0 ? sum / weights : 0;
 }
 
-/// An organ that is lit and was not seen so has an error of 100 %.
+/// A lit organ without contributions has an error of 100 %.
 double median_organ_variance(
     const Scene& scene, const Result& result, const std::vector<Result>& all) {
     std::vector<double> squares;
@@ -78,8 +78,8 @@ double total_variance(const Result& result) {
     return sum / static_cast<double>(result.bands) * result.replicates;
 }
 
-/// The run of a method; times are the least of several, for the machine has other things to do. One
-/// that takes long has fewer replicates: what is so slow need not be known well.
+/// Runs a method; times are the minimum of several, for the machine may be busy. Slow methods have
+/// fewer replicates: their cost need not be accurate.
 Result run_and_time(
     const Scene& scene,
     const Sources& sources,
@@ -125,7 +125,7 @@ std::vector<Cost> costs_of(
     return costs;
 }
 
-/// How many times the least cost that of one is.
+/// Ratio of one cost to the smallest.
 double times_best(const std::vector<Cost>& costs, std::size_t i, double (Cost::*cost)() const) {
     double best = kNever;
     for (const Cost& one : costs) {
@@ -134,7 +134,7 @@ double times_best(const std::vector<Cost>& costs, std::size_t i, double (Cost::*
     return best > 0 ? (costs[i].*cost)() / best : 1;
 }
 
-/// @returns whether auto is within the bar
+/// @returns whether auto is within the target
 bool print_case(
     const Scene& scene,
     const CropLight& light,
@@ -143,7 +143,7 @@ bool print_case(
     Simulator& simulator) {
     RunSpec spec;
     spec.paths = paths;
-    // The variance of one organ is known no better than replicates tell.
+    // The variance of a single organ is as uncertain as its replicates.
     constexpr std::size_t kFewOrgans = 20;
     constexpr std::uint32_t kOfFewOrgans = 64;
     spec.replicates =
@@ -176,8 +176,8 @@ bool print_case(
     return holds;
 }
 
-/// The lights that a choice of cases leaves of a canopy: those whose name holds the words, or all
-/// if the canopy's does.
+/// The selected lights of a canopy: those whose name contains the given text, or all if the
+/// canopy's does.
 std::vector<CropLight> chosen_lights(
     const std::string& canopy, std::vector<CropLight> lights, const std::string& words) {
     std::erase_if(lights, [&](const CropLight& light) {

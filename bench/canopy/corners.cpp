@@ -1,5 +1,5 @@
-// How often 95 % intervals hold the truth in the corners where few finds, narrow views, lobes and
-// lamps make it hard, by every method, at default settings. Each truth is a closed form.
+// Coverage of 95 % intervals in hard cases: few contributions, narrow views, lobes and lamps, by
+// every method, at default settings. Each truth is a closed form.
 
 #include <array>
 #include <cmath>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A number of the first organ that is known.
+/// One known value of the first organ.
 struct Corner {
     std::string name;
     Scene scene;
@@ -84,7 +84,7 @@ Corner deep_shade() {
     return {"deep shade", std::move(builder).build(), sun_at(0), Quantity::incident_upper, 1e-3};
 }
 
-/// The view factor of a square of side 1 to the same one at `height` over it (Howell, Menguc and
+/// The view factor of two equal parallel squares of side 1 at distance `height` (Howell, Menguc and
 /// Siegel, C-11).
 double opening_seen(double height) {
     const double x = 1 / height;
@@ -112,7 +112,7 @@ Corner tube() {
         opening_seen(kHeight)};
 }
 
-/// A sensor of half view 25 degrees above leaves.
+/// A sensor of half-angle 25 degrees above leaves.
 Corner narrow_sensor() {
     constexpr double kHalfView = 25;
     SceneBuilder builder = builder_of({sensor(), diffuse("black", 0)});
@@ -129,7 +129,7 @@ Corner narrow_sensor() {
         std::pow(std::sin(kHalfView * kPi / 180), 2)};
 }
 
-/// A small sensor above endless ground that sends half of the sun's light up again.
+/// A small sensor above infinite ground that reflects half of the sun's light.
 Corner above_ground(const std::string& name, const MaterialSpec& ground, double zenith_deg) {
     SceneBuilder builder = builder_of({sensor(), ground});
     add(builder, "sensor", plate(.4, .43, .4, .43, .3));
@@ -142,7 +142,7 @@ Corner above_ground(const std::string& name, const MaterialSpec& ground, double 
         .5 * std::cos(zenith_deg * kPi / 180)};
 }
 
-/// A lamp a tenth of its width above a leaf: the solid angle of a square from above its middle.
+/// A lamp above a leaf at a tenth of its width: the solid angle of a square from above its centre.
 Corner close_lamp() {
     constexpr double kHalf = .05, kHeight = .01;
     SceneBuilder builder = builder_of({diffuse("black", 0)});
@@ -172,33 +172,33 @@ Corner needle() {
         std::cos(kZenith * kPi / 180)};
 }
 
-/// How many of the runs' intervals hold the truth, and how wide they are beside it, on average.
-struct Held {
+/// Fraction of the runs' intervals that contain the truth, and mean half-width relative to it.
+struct Coverage {
     double part = 0, width = 0;
 };
 
-Held held_by(const Corner& corner, Method method, std::uint32_t runs) {
+Coverage coverage_of(const Corner& corner, Method method, std::uint32_t runs) {
     constexpr double kRounding = 5e-6;  // of corners, to single precision
     RunSpec spec;
     spec.method = method;
-    Held held;
+    Coverage coverage;
     for (std::uint32_t seed = 1; seed <= runs; ++seed) {
         spec.seed = seed;
         const Estimate e = run(corner.scene, corner.sources, spec).at(0, corner.quantity, 0);
         const double slack = kRounding * corner.truth;
-        held.part +=
+        coverage.part +=
             e.ci95_low - slack <= corner.truth && corner.truth <= e.ci95_high + slack ? 1 : 0;
-        held.width += (e.ci95_high - e.ci95_low) / 2 / corner.truth;
+        coverage.width += (e.ci95_high - e.ci95_low) / 2 / corner.truth;
     }
-    return {held.part / runs, held.width / runs};
+    return {coverage.part / runs, coverage.width / runs};
 }
 
 }  // namespace
 
 void print_corners(const Effort& effort) {
     std::printf(
-        "\n== Corners: %% of the 95 %% intervals of %u runs at default settings that hold what is "
-        "known exactly (half their width, %% of it)\n  %-22s%-18s%-18s%-18s%-18s\n",
+        "\n== Corners: %% of the 95 %% intervals of %u runs at default settings that contain the "
+        "truth (half their width, %% of it)\n  %-22s%-18s%-18s%-18s%-18s\n",
         effort.corner_runs, "", "light_tracing", "first_hits", "from_organs", "ray_bundles");
     const std::vector<Corner> corners{
         deep_shade(),
@@ -213,12 +213,12 @@ void print_corners(const Effort& effort) {
         std::printf("  %-22s", corner.name.c_str());
         for (const Method method : kMethods) {
             if (!can_run(method, corner.scene)) {
-                std::printf("%-18s", "not matt");
+                std::printf("%-18s", "not Lambertian");
                 continue;
             }
-            const Held held = held_by(corner, method, effort.corner_runs);
+            const Coverage coverage = coverage_of(corner, method, effort.corner_runs);
             const std::string cell =
-                fmt::format("{:.1f} ({:.2g})", 100 * held.part, 100 * held.width);
+                fmt::format("{:.1f} ({:.2g})", 100 * coverage.part, 100 * coverage.width);
             std::printf("%-18s", cell.c_str());
         }
         std::printf("\n");

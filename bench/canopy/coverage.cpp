@@ -1,4 +1,4 @@
-// How often 95 % intervals hold the truth: many runs of every way of tracing against a long one.
+// Coverage of 95 % intervals: many runs of every method against a long one.
 
 #include <array>
 #include <cmath>
@@ -26,7 +26,7 @@ RunSpec spec_of(const Way& way, std::uint64_t seed) {
     return spec;
 }
 
-/// Errors about a sixteenth of those of the runs on trial, or less.
+/// A reference with errors about a sixteenth of those of the tested runs, or less.
 Result long_run(const Scene& scene, const Sources& sources, const Way& way) {
     RunSpec spec = spec_of(way, 987654321);
     spec.paths = 64 * kPaths;
@@ -38,7 +38,7 @@ bool holds(const Estimate& interval, const Estimate& truth) {
     return interval.ci95_low <= truth.mean && truth.mean <= interval.ci95_high;
 }
 
-/// The part of the organs whose intervals hold the truth.
+/// The fraction of the organs whose intervals contain the truth.
 double organs_right(const Result& result, const Result& truth) {
     double right = 0;
     for (std::size_t i = 0; i < result.organs(); ++i) {
@@ -76,7 +76,8 @@ void print_row(
 void print_coverage(const Effort& effort) {
     constexpr std::uint32_t kLeaves = 80;
     std::printf(
-        "\n== Coverage: how many 95 %% intervals of the absorbed flux hold the truth, %u runs of 8 "
+        "\n== Coverage: intervals (95 %%) of the absorbed flux that contain the truth, %u runs of "
+        "8 "
         "replicates of %lu paths, %u leaves\n",
         effort.repetitions, kPaths, kLeaves);
     for (const Light light : {Light::sun, Light::sky}) {

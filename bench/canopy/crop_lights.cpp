@@ -10,7 +10,7 @@
 namespace quasimc::bench {
 namespace {
 
-/// Lamps side by side above the aisles, as light as the sun of 30 degrees together.
+/// Lamps in a row above the aisles, together as bright as the sun at 30 degrees.
 Sources lamps_of_greenhouse() {
     constexpr int kLamps = 4;
     Sources lamps;

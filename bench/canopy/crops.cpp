@@ -14,7 +14,7 @@
 namespace quasimc::bench {
 namespace {
 
-/// Numbers in [0, 1), the same with every standard library.
+/// Random numbers in [0, 1), equal with every standard library.
 class Draws {
   public:
     double operator()() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
@@ -59,7 +59,7 @@ void add_organ(
 struct Blade {
     Vec3 base;
     double azimuth = 0, length = 1, width = .1;
-    double rise = .8;  ///< tangent of the angle in which it sets out
+    double rise = .8;  ///< tangent of the initial angle
     int steps = 8;
 };
 
@@ -116,8 +116,8 @@ Scene make_maize(std::uint32_t triangles) {
     return std::move(builder).build();
 }
 
-/// What a tree is made of: the trunk and its limbs, and tufts of a dozen leaves of 24 triangles,
-/// close enough to pass through each other.
+/// The parts of a tree: the trunk and its limbs, and tufts of a dozen leaves of 24 triangles, close
+/// enough to intersect each other.
 std::vector<OrganPart> parts_of_tree(std::uint32_t triangles) {
     constexpr int kSteps = 12, kInTuft = 12;
     constexpr double kRadius = 1.5, kLeafAreaIndex = 2.5;
@@ -174,7 +174,7 @@ Scene make_solid_tree(std::uint32_t triangles) {
 /// A stem of 20 triangles and 30 leaves of 2, a metre and a half high.
 constexpr std::uint32_t kTallPlantTriangles = 80;
 
-/// A stem and rhombic leaves about it in golden angles.
+/// A stem with rhombic leaves at golden angles.
 struct Bush {
     Vec3 foot;
     double height = 1;
@@ -229,7 +229,7 @@ Scene make_row_crop(std::uint32_t triangles) {
     return std::move(builder).build();
 }
 
-/// A run file about flowers.obj.
+/// A run file that refers to flowers.obj.
 constexpr const char* kFlowerRun = R"(
 bands = ["PAR", "NIR"]
 [[source]]

@@ -31,13 +31,14 @@ ClearDay make_day() {
         const SunPath path = sun_path(site, {2024, 6, 21, kFirstHour + i, 0, 0, 1}, kHour, 300);
         day.parts.push_back(make_hour_parts(path, clear_light(path, {}), how));
         HourSources hour = make_hour_sources(day.parts.back());
-        day.hours.push_back({"hour", std::move(hour.sources), std::move(hour.shapes), kHour, 0});
+        day.hours.push_back(
+            {"hour", std::move(hour.sources), std::move(hour.directional_key), kHour, 0});
     }
     return day;
 }
 
-/// All hours as one moment.
-TimeStep collapsed(const ClearDay& day) {
+/// Cumulative light of all hours, as one time step.
+TimeStep cumulative(const ClearDay& day) {
     PeriodLight light(1);
     for (const HourParts& hour : day.parts) {
         for (const HourParts::Sun& sun : hour.suns) {
@@ -50,8 +51,8 @@ TimeStep collapsed(const ClearDay& day) {
     return {"day", light.sources("sky", 1.0 / kHours), "day", kHours * kHour, 0};
 }
 
-/// CPU time of the whole, building and starting included, and the median over the leaves of the
-/// relative error of what they absorb.
+/// CPU time of all, including preparation, and the median over leaves of the relative error of
+/// their absorbed flux.
 struct Cost {
     double seconds = 0, error = 0;
 };
@@ -95,8 +96,8 @@ void print_canopy(std::uint32_t leaves, Method from, const Effort& effort) {
         static_cast<unsigned long long>(spec.paths), spec.replicates);
     print_row("one hour (12 to 13 h)", hour, hour);
     print_row("15 hours", cost_of(scene, day.hours, spec), hour);
-    print_row("collapsed", cost_of(scene, {collapsed(day)}, spec), hour);
-    print_row("collapsed, 16 times the paths", cost_of(scene, {collapsed(day)}, thorough), hour);
+    print_row("cumulative", cost_of(scene, {cumulative(day)}, spec), hour);
+    print_row("cumulative, 16 times the paths", cost_of(scene, {cumulative(day)}, thorough), hour);
 }
 
 }  // namespace

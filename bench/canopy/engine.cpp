@@ -13,7 +13,7 @@
 namespace quasimc::bench {
 namespace {
 
-/// Passes rays on and keeps a copy of each.
+/// Forwards rays and stores a copy of each.
 class Recorder final : public Intersector {
   public:
     Recorder(std::unique_ptr<Intersector> engine, RayLog& log)
@@ -89,7 +89,8 @@ void print_speed(std::uint32_t leaves, double albedo, const Effort& effort) {
 
 void print_engine_speed(const Effort& effort) {
     std::printf(
-        "\n== Engine against a bare Embree loop over the same rays (first flights in packets of "
+        "\n== Rays per second against a bare Embree loop over the same rays (first flights in "
+        "packets of "
         "16, the others "
         "single), sun, one thread, all quantities tallied\n");
     std::printf(

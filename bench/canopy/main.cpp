@@ -1,13 +1,13 @@
-// The canopy benchmark: what an answer costs, in CPU time, for a given variance.
+// The canopy benchmark: CPU time of a result for a given variance.
 //
 //     ./dev bench                      everything, some minutes
 //     ./dev bench efficiency engine    some parts
-//     ./dev bench --quick              a fast look, rough numbers
+//     ./dev bench --quick              rough numbers, quickly
 //     ./dev bench agreement --paths N  against N paths of plain tracing instead of 1e9
-//     ./dev bench bars --cases bundles what ray bundles are held to
+//     ./dev bench bars --cases bundles targets of ray bundles
 //     ./dev bench bundles --cases NIR errors and times of ray bundles
-//     ./dev bench corners              how often intervals hold what is known, an hour
-//     ./dev bench canopies --files A B on the scenes of run files too; status 1 above the bar
+//     ./dev bench corners              coverage of intervals in hard cases, an hour
+//     ./dev bench canopies --files A B with scenes of run files; status 1 if a target is missed
 
 #include <algorithm>
 #include <cstdio>
@@ -23,8 +23,7 @@
 
 int main(int argc, char** argv) {
     using namespace quasimc::bench;
-    std::setvbuf(
-        stdout, nullptr, _IOLBF, BUFSIZ);  // lines are seen when they are known, in files too
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // lines appear at once, in files too
     std::vector<std::string> files;
     std::string words;
     bool is_held = true;
@@ -54,16 +53,16 @@ int main(int argc, char** argv) {
     app.add_flag("--quick", quick, "fewer replicates and smaller scenes");
     std::uint64_t plain_paths = 0;
     app.add_option("--paths", plain_paths, "agreement: paths of plain tracing, 1e9 if not given");
-    app.add_option("--files", files, "canopies: run files whose scenes are looked at too");
+    app.add_option("--files", files, "canopies: run files with further scenes");
     app.add_option(
-        "--cases", words, "bars, bundles, canopies: only cases whose name holds these words");
+        "--cases", words, "bars, bundles, canopies: only cases whose name contains this text");
     CLI11_PARSE(app, argc, argv);
 
     Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 50, 10'000'000, 5000, ""} : Effort{};
     effort.cases = words;
     effort.plain_paths = plain_paths > 0 ? plain_paths : effort.plain_paths;
     std::printf(
-        "QuasiMC %s, %u threads available. CPU times are of one thread unless stated.\n",
+        "QuasiMC %s, %u threads available. CPU times are of one thread unless noted.\n",
         std::string(quasimc::version()).c_str(), quasimc::thread_count(0));
     for (const auto& [name, print] : parts) {
         if (asked.empty() || std::find(asked.begin(), asked.end(), name) != asked.end()) {

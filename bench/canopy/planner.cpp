@@ -1,5 +1,5 @@
-// Whether method = "auto" chooses well: every way of tracing on scenes of many kinds, by the
-// variance of the light on the organs that are measured.
+// The choice of method = "auto": every method on many kinds of scenes, by the variance of the light
+// on measured organs.
 
 #include "planner/planner.h"
 
@@ -41,13 +41,13 @@ Sources make_lamp_above(const Canopy& canopy) {
 
 using Results = std::array<Result, kWays.size()>;
 
-/// What the surest of the ways says.
-double surest_mean(const Results& all, std::size_t organ, Quantity quantity) {
+/// The mean of the method with the smallest error.
+double best_mean(const Results& all, std::size_t organ, Quantity quantity) {
     double mean = 0;
     double error = std::numeric_limits<double>::infinity();
     for (const Result& result : all) {
         if (result.values.empty()) {
-            continue;  // of a way that can't be
+            continue;  // the method can't be used
         }
         const Estimate& e = result.at(organ, quantity, 0);
         if (e.mean > 0 && e.standard_error < error) {
@@ -58,14 +58,14 @@ double surest_mean(const Results& all, std::size_t organ, Quantity quantity) {
     return mean;
 }
 
-/// The variance of a number of one of the ways. Of what is lit and was not seen, that of finds as
-/// large as its interval tells, a third of its end, which are Poisson distributed; 100 % at least.
+/// The variance of a result. If it has no contributions, they are assumed Poisson distributed with
+/// a third of the interval's upper end as their size; at least 100 %.
 double variance_of(const Estimate& e, double mean) {
     return e.mean > 0 ? e.standard_error * e.standard_error
                       : mean * std::max(mean, e.ci95_high / 3);
 }
 
-/// Mean over the measured organs of the variance of the light that falls on both sides.
+/// Mean over the measured organs of the variance of the light on both sides.
 double variance_of_measured(const Scene& scene, const Result& result, const Results& all) {
     double sum = 0;
     double count = 0;
@@ -74,14 +74,14 @@ double variance_of_measured(const Scene& scene, const Result& result, const Resu
             continue;
         }
         for (const Quantity q : {Quantity::incident_upper, Quantity::incident_lower}) {
-            sum += variance_of(result.at(i, q, 0), surest_mean(all, i, q)) * result.replicates;
+            sum += variance_of(result.at(i, q, 0), best_mean(all, i, q)) * result.replicates;
         }
         ++count;
     }
     return sum / count;
 }
 
-/// @returns how many times as good as what auto chooses the best method is
+/// @returns the ratio of the best figure of merit to that of auto
 double print_case(const Case& one, const Effort& effort) {
     const Scene scene = make_canopy(one.canopy);
     RunSpec spec;
@@ -118,8 +118,8 @@ double print_case(const Case& one, const Effort& effort) {
     return best / merit[chosen];
 }
 
-/// A lamp of no size amid the leaves.
-Sources make_lamp_amid(const Canopy& canopy) {
+/// A point lamp among the leaves.
+Sources make_lamp_inside(const Canopy& canopy) {
     LampSpec lamp;
     lamp.name = "point";
     lamp.position = {5, 5, 5};
@@ -135,7 +135,7 @@ void add_lights(std::vector<Case>& cases, const std::string& name, Canopy canopy
         cases.push_back({words + ", sun", canopy, make_light(Light::sun, 1)});
         cases.push_back({words + ", sky", canopy, make_light(Light::sky, 1)});
         cases.push_back({words + ", panel", canopy, make_lamp_above(canopy)});
-        cases.push_back({words + ", point amid", canopy, make_lamp_amid(canopy)});
+        cases.push_back({words + ", point inside", canopy, make_lamp_inside(canopy)});
     }
 }
 

@@ -30,7 +30,7 @@ Triangle random_leaf(double radius, std::mt19937_64& random) {
     return leaf;
 }
 
-/// Sensors that light passes, along a diagonal of the cube.
+/// Transparent sensors along a diagonal of the cube.
 void add_sensors(const Canopy& canopy, double side, SceneBuilder& builder) {
     MaterialSpec glass{.name = "sensor", .upper = {}, .lower = {}};
     SideOptics through;

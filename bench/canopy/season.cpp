@@ -1,6 +1,6 @@
-// A year hour by hour, all hours together, over the time of one hour at the same error. So that it
-// ends, the year is a sample of its days, half of them overcast: what all hours have in common is
-// timed once, and an hour by the mean of those of the sample.
+// The time of a year of hours with daylight coefficients, relative to one hour at the same error.
+// The year is extrapolated from some of its days, half of them overcast: the basis is timed once,
+// and an hour by the mean of the sample.
 
 #include <algorithm>
 #include <cmath>
@@ -40,7 +40,7 @@ std::vector<TimeStep> sample_of_year() {
             HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
             if (!sources.sources.empty()) {
                 hours.push_back(
-                    {"hour", std::move(sources.sources), std::move(sources.shapes), kHour,
+                    {"hour", std::move(sources.sources), std::move(sources.directional_key), kHour,
                      static_cast<std::size_t>(month)});
             }
         }
@@ -61,7 +61,7 @@ TimeStep brightest(const std::vector<TimeStep>& hours) {
     });
 }
 
-/// Rms of the errors of what organs absorb, over their mean, in the band where it is largest.
+/// Root mean square of the errors of the organs' absorbed flux, over its mean, in the worst band.
 double error_of(const Result& result) {
     double worst = 0;
     for (std::size_t b = 0; b < result.bands; ++b) {
@@ -78,15 +78,14 @@ double error_of(const Result& result) {
 }
 
 struct Cost {
-    double seconds = 0, before = 0, each = 0;  ///< all, before the first hour, and of an hour
-    double error = 0;                          ///< the median of the hours'
+    double seconds = 0, before = 0, each = 0;  ///< all, before the first hour, and per hour
+    double error = 0;                          ///< median of the hours
 };
 
-/// Takes the time when what hours have in common is there, and the errors of the hours.
+/// Records the time when the basis is complete, and the errors of the hours.
 class HourErrors final : public RunListener {
   public:
-    /// Progress is reported when what hours have in common is there; hours are computed some at
-    /// once.
+    /// Called when the basis is complete; hours are computed in batches.
     void on_progress(const Progress& /*progress*/) override {
         before = errors.empty() ? watch.cpu_seconds() : before;
     }
@@ -110,8 +109,8 @@ Cost cost_of(const Scene& scene, const std::vector<TimeStep>& hours, const RunSp
     return {all, before, (all - before) / static_cast<double>(errors.size()), *middle};
 }
 
-/// The first number of paths, doubled and doubled from that of the specification on, that brings
-/// the error below the target.
+/// The first number of paths with an error below the target, by repeated doubling of the
+/// specification's.
 std::pair<std::uint64_t, Cost> cost_at_target(
     const Scene& scene, const std::vector<TimeStep>& hours, RunSpec spec) {
     constexpr std::uint64_t kLast = 1 << 18;

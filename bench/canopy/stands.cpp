@@ -15,7 +15,7 @@ namespace {
 constexpr double kSide = 1;
 constexpr double kLeafAreaIndex = 2;
 
-/// Numbers in [0, 1), the same with every standard library.
+/// Random numbers in [0, 1), equal with every standard library.
 class Numbers {
   public:
     double operator()() { return static_cast<double>(random_() >> 11U) * 0x1p-53; }
@@ -73,7 +73,7 @@ void add(SceneBuilder& builder, std::string material, const std::vector<Triangle
     builder.add_organ(std::move(organ));
 }
 
-/// Equilateral triangles anywhere in the cube, turned anyhow.
+/// Equilateral triangles uniformly distributed in the cube, with random orientation.
 std::vector<Triangle> random_leaf(std::uint32_t leaves, Numbers& numbers) {
     const double radius = std::sqrt(leaf_area(leaves) / (3 * std::numbers::sqrt3 / 4));
     const Vec3 center = numbers.point();
@@ -86,7 +86,7 @@ std::vector<Triangle> random_leaf(std::uint32_t leaves, Numbers& numbers) {
     return {leaf};
 }
 
-/// A stem of three internodes with leaves around it, in golden angles.
+/// A stem of three internodes with leaves at golden angles.
 void add_plant(SceneBuilder& builder, const Vec3& foot, std::uint32_t leaves, Numbers& numbers) {
     const double height = kSide * numbers.between(.6, .9);
     for (int i = 0; i < 3; ++i) {

@@ -6,14 +6,14 @@
 
 namespace quasimc::bench {
 
-/// A way of tracing with a point set.
+/// A method with a sampler.
 struct Way {
     Method from;
     const char* sampler;
     const char* name;
 };
 
-/// The plainest first.
+/// The reference first.
 inline constexpr std::array kWays{
     Way{Method::light_tracing, "monte_carlo", "sources monte_carlo"},
     Way{Method::light_tracing, "korobov", "sources korobov"},

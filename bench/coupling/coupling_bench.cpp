@@ -1,21 +1,21 @@
-// What a step of a coupled plant costs.
+// The cost of a step of a coupled plant.
 //
-// bench_steps: beside the tracing itself, that is reading the queries, building the scene,
-// answering. Counters are CPU seconds of all threads:
-//   beyond   of a step, outside the tracing (the scene's acceleration structure included)
-//   text     of reading the queries and writing the answers
+// bench_steps: the cost besides tracing, i.e. reading the queries, building the scene, answering.
+// Counters are CPU seconds of all threads:
+//   beyond   per step, outside the tracing (includes the scene's acceleration structure)
+//   text     for reading the queries and writing the answers
 //   share    beyond / whole step
 //
-// bench_bound: what `number of rays` bounds: steps by `auto` and by light_tracing in turn, with as
-// many rays. Counters:
-//   auto, light   CPU milliseconds of a step, the middle one
-//   ratio         of the two of a pair, the middle one
-//   method        that auto took, by its index in the catalogue
+// bench_bound: the effect of `number of rays`: steps by `auto` and by light_tracing in turn, with
+// equal numbers of rays. Counters:
+//   auto, light   CPU milliseconds of a step, median
+//   ratio         of the two of a pair, median
+//   method        that auto chose, by its index in the catalogue
 //
-// bench_pipe: all of it, as the plant simulator sees it, from the first byte of the queries written
-// to a pipe until the last byte of the answers is read. Counters are seconds by the clock:
+// bench_pipe: the whole step as the plant simulator measures it, from the first byte of the queries
+// written to a pipe until the last byte of the answers is read. Counters are wall-clock seconds:
 //   median   of the steps
-//   quickest of them, which other programs disturb the least
+//   quickest of them, least disturbed by other programs
 
 #include <algorithm>
 #include <array>
@@ -53,8 +53,7 @@ CommFile usual_format() {
         "comm.e", silent);
 }
 
-/// Leaves around a stem, spread so that they shade each other alike whatever their number; `step`
-/// lets them grow.
+/// Leaves around a stem with a mutual shading independent of their number; they grow with `step`.
 std::string leaves_message(std::size_t count, int step) {
     constexpr double kGoldenAngle = 2.399963229728653;
     const double width = std::cbrt(static_cast<double>(count));
@@ -73,7 +72,7 @@ std::string leaves_message(std::size_t count, int step) {
     return text + fmt::format("Control: 5 {}\n", step);
 }
 
-/// What shines: one light; a sky of as many cells as the original program's; sky and sun of a day.
+/// The light: one source; a sky of as many cells as the original program's; sky and sun of a day.
 enum class Shining { sun, cells, day };
 
 Specification specification(std::uint64_t paths, std::uint32_t runs, Shining shining) {
@@ -96,7 +95,7 @@ Specification specification(std::uint64_t paths, std::uint32_t runs, Shining shi
     return spec;
 }
 
-/// One step after the other, each with a changed plant.
+/// Runs steps, each with a changed plant.
 void bench_steps(benchmark::State& state) {
     const auto leaves = static_cast<std::size_t>(state.range(0));
     const auto paths = static_cast<std::uint64_t>(state.range(1));
@@ -141,7 +140,7 @@ double median_of(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-/// CPU seconds of a step.
+/// CPU seconds per step.
 double seconds_of_answer(PlantLight& light, const Pass& pass) {
     const double start = cpu_seconds();
     Answers answers;
@@ -150,7 +149,7 @@ double seconds_of_answer(PlantLight& light, const Pass& pass) {
     return cpu_seconds() - start;
 }
 
-/// A step by auto, and as many rays by light_tracing, in turn.
+/// Alternates steps by auto and by light_tracing with as many rays.
 void bench_bound(benchmark::State& state) {
     Notices silent([](const std::string&) {});
     Specification spec = specification(
@@ -202,7 +201,7 @@ BENCHMARK(bench_bound)
     ->Apply(bound_cases)
     ->Unit(benchmark::kMillisecond);
 
-/// A pipe, closed at the end.
+/// A pipe that closes itself.
 struct Pipe {
     Pipe() {
         if (pipe(ends.data()) != 0) {
@@ -242,7 +241,7 @@ double seconds_of_step(const Pipe& to, const Pipe& from, const std::string& mess
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Steps through a pair of pipes, each with a changed plant.
+/// Runs steps through a pair of pipes, each with a changed plant.
 void bench_pipe(benchmark::State& state) {
     const auto leaves = static_cast<std::size_t>(state.range(0));
     const auto paths = static_cast<std::uint64_t>(state.range(1));

@@ -13,7 +13,7 @@ namespace quasimc::bench {
 struct Copies::Scene {
     RTCDevice device = rtcNewDevice(nullptr);
     RTCScene all = rtcNewScene(device);
-    unsigned center = 0;  // the copy that is not moved
+    unsigned center = 0;  // the unmoved copy
 
     Scene() = default;
     ~Scene() {

@@ -8,10 +8,10 @@
 
 namespace quasimc::bench {
 
-/// Copies of the unit square as instances of one tree, called the way a caster would.
+/// Copies of the unit square as instances of one tree, used like a caster.
 class Copies {
   public:
-    /// `reach` copies to each side, (2 reach + 1)^2 in all.
+    /// Makes `reach` copies to each side, (2 reach + 1)^2 in all.
     Copies(const std::vector<Triangle>& triangles, int reach);
     ~Copies();
     Copies(const Copies&) = delete;
@@ -19,7 +19,7 @@ class Copies {
 
     [[nodiscard]] const LocalMesh& mesh() const { return mesh_; }
 
-    /// Whether a ray meets anything, past the triangle it starts on; its first hit is looked for.
+    /// Whether a ray hits anything except the triangle it starts on; computes its first hit.
     [[nodiscard]] bool cast(const BenchRay& ray) const;
 
   private:

@@ -1,4 +1,4 @@
-// Rays per second of the engine itself: closest hit, packets of parallel rays, any hit.
+// Rays per second of the intersector: closest hit, packets of parallel rays, any hit.
 
 #include "geometry/cast/intersector.h"
 
@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kRays = 1 << 18;
 constexpr double kLeafArea = 2.5;
 
-/// Scene and engine of one benchmark, and its rays in local coordinates.
+/// Scene and intersector of one benchmark, and its rays in local coordinates.
 struct Setting {
     RayCaster caster;
     std::vector<BenchRay> rays;

@@ -1,4 +1,4 @@
-// What a beam of a sky costs: a scene drawn into an item buffer.
+// The cost of a beam of a sky: a scene drawn into an item buffer.
 
 #include "raster/item_buffer.h"
 

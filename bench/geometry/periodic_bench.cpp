@@ -33,7 +33,7 @@ std::vector<BenchRay> rays_of(Kind kind, const std::vector<Triangle>& triangles)
     return low_rays(kPeriodicRays, kHeight);
 }
 
-/// The mesh triangle of `caster` whose source is `source` and which lies where the source does.
+/// The mesh triangle of `caster` that is the unmoved image of `source`, for each source.
 std::vector<std::uint32_t> unmoved_triangles(
     const RayCaster& caster, const std::vector<Triangle>& triangles) {
     std::vector<std::uint32_t> unmoved(triangles.size(), kNoTriangle);
@@ -80,7 +80,7 @@ void copied(benchmark::State& state) {
     state.counters["hit"] = static_cast<double>(hits) / static_cast<double>(state.iterations());
 }
 
-/// A beam in packets, its direction by the zenith angle in degrees.
+/// A beam in packets, with its zenith angle in degrees.
 void wrapped_beam(benchmark::State& state) {
     const auto triangles = plants(static_cast<std::size_t>(state.range(1)));
     const RayCaster caster(triangles, Cell{true, true, 0, 0, 1, 1}, Accelerator::embree);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kColumns = 25, kRows = 20;
 
-/// A leaf as OBJ, whose points are counted from `first`.
+/// A leaf as OBJ, with points numbered from its own first.
 void add_leaf(std::string& obj, std::size_t number) {
     const auto to = std::back_inserter(obj);
     const double shift = static_cast<double>(number) * 0.37;

@@ -8,10 +8,10 @@
 
 namespace quasimc::bench {
 
-/// Leaves of 1,000 triangles each, 21 x 26 points that their triangles share.
+/// Leaves of 1,000 triangles each, which share 21 x 26 points.
 [[nodiscard]] Scene leaves(std::size_t count);
 
-/// The triangles of a scene in a format that is written, or as OPF.
+/// The triangles of a scene in a writable format, or as OPF.
 [[nodiscard]] std::string text_of(std::string_view format, const Scene& scene);
 
 }  // namespace quasimc::bench

@@ -1,5 +1,4 @@
-// How long a million triangles take to be read and written, in OPF and in the formats that are
-// written.
+// Time for reading and writing a million triangles, in OPF and in the writable formats.
 
 #include "meshio/formats.h"
 
@@ -19,7 +18,7 @@ const Scene& scene() {
     return made;
 }
 
-/// From bytes to meshes of organs.
+/// Reads bytes into meshes of organs.
 void read_format(benchmark::State& state, const FormatEntry& format) {
     const std::string bytes = text_of(format.name, scene());
     std::size_t triangles = 0;
@@ -33,7 +32,7 @@ void read_format(benchmark::State& state, const FormatEntry& format) {
             triangles += mesh.faces.size();
         }
         if (!reporter.faults.empty()) {
-            state.SkipWithError("it has faults");
+            state.SkipWithError("it has errors");
         }
     }
     state.counters["triangles"] = static_cast<double>(triangles);

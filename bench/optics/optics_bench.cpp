@@ -1,4 +1,4 @@
-// What a hit costs: each lobe model, and scattering with 1 ... 200 bands.
+// The cost of a hit: each lobe model, and scattering with 1 ... 200 bands.
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ constexpr std::size_t kPoints = 1024;
 constexpr Vec3 kNormal{0.36, -0.48, 0.8};
 constexpr Vec3 kArriving{-0.48, 0.36, -0.8};
 
-/// Points of the unit square that evade branch prediction: an additive recurrence, scrambled.
+/// Points of the unit square that defeat branch prediction: an additive recurrence, scrambled.
 std::vector<std::array<double, 2>> points() {
     std::vector<std::array<double, 2>> result;
     std::uint64_t state = 1;
@@ -35,8 +35,8 @@ std::vector<std::array<double, 2>> points() {
     return result;
 }
 
-/// A leaf whose reflectance and transmittance vary over the bands. With `glossy` it has Phong
-/// lobes, of two exponents in turn, besides.
+/// A leaf whose reflectance and transmittance vary over the bands. With `glossy` it also has Phong
+/// lobes, of two exponents in turn.
 MaterialSpec leaf(std::size_t bands, bool glossy) {
     MaterialSpec spec{"leaf", {}, {}};
     for (std::size_t b = 0; b < bands; ++b) {
@@ -52,7 +52,7 @@ MaterialSpec leaf(std::size_t bands, bool glossy) {
     return spec;
 }
 
-/// Of every parameter the usual value, or 20 as far as the domain goes.
+/// The default value of every parameter, or 20 clamped to its domain.
 std::vector<double> values_of(const BsdfEntry& entry) {
     std::vector<double> values;
     for (const BsdfParameter& p : entry.parameters) {
@@ -84,7 +84,7 @@ void pdf_of_model(benchmark::State& state, const BsdfEntry& entry) {
     }
 }
 
-/// Calls `hit(u0, u1, weights)` over and over; the weights are set to 1 again after each.
+/// Calls `hit(u0, u1, weights)` repeatedly; the weights are reset to 1 after each.
 template <typename Hit>
 void repeat(benchmark::State& state, std::size_t bands, const Hit& hit) {
     const auto u = points();

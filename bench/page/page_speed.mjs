@@ -1,9 +1,9 @@
-// How soon the page shows a result, and how many frames a second it draws while one turns it:
+// Time until the page shows a result, and frames per second while the scene turns:
 // node page_speed.mjs QUASIMC CHROMIUM PACKAGES RESULT.json [TIMES]
 //
-// The browser draws on the processor (SwiftShader). The page is asked for twice: of a browser that has
-// just been started, which starts its graphics for it, and of one that runs, as a user's does. Times are by
-// the clock, and of processor time of all of the browser's processes; with TIMES above 1, medians.
+// The browser renders on the processor (SwiftShader). The page is loaded twice: in a new browser, which
+// must start its graphics, and in a running one. Prints wall-clock time, and processor time of all of the
+// browser's processes; with TIMES above 1, medians.
 
 import { spawn } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
@@ -13,7 +13,7 @@ import path from "node:path";
 const [quasimc, executablePath, packages, result, times = "1"] = process.argv.slice(2);
 const { chromium } = createRequire(path.resolve(packages, "package.json"))("playwright-core");
 const kSeconds = 4; // of turning
-const kTicks = 100; // of processor time a second, as Linux tells it
+const kTicks = 100; // of processor time per second, on Linux
 
 /** Processor time of this process's descendants but those of `others`, seconds. */
 function browserTime(others) {
@@ -56,13 +56,13 @@ const kWatch = () => {
   };
 };
 
-/** Whether all triangles of the scene, of which the page tells, were drawn last. */
+/** Whether the last frame has all triangles of the scene, according to the page's subtitle. */
 const kIsWhole = () =>
   globalThis.drawn === 3 * Number(/(\d+) triangles/.exec(document.querySelector("#subtitle").textContent)[1]);
 
 /**
- * Turns the scene by keys, one at each frame that the browser offers. @returns the frames that were
- * drawn a second, how many, and the mean per cent of all triangles that they had
+ * Turns the scene by key presses, one per animation frame. @returns frames per second, their number,
+ * and the mean percentage of all triangles in them
  */
 const kTurn = async (seconds) => {
   const canvas = document.querySelector("#canvas");

@@ -1,12 +1,12 @@
-// How much less variance than Monte Carlo each sampler has on functions with jumps, as light has at
-// the edges of leaves.
+// Variance of each sampler relative to Monte Carlo on discontinuous functions, like light at the
+// edges of leaves.
 //
 //     quasimc_samplers_jumps [log2 of the number of points]
 //
-// Thirty functions for each set of coordinates: half-spaces, boxes and balls drawn at random, each
-// 1 inside and 0 outside. Printed is p (1 - p) / n over the variance among replicates: geometric
-// mean and, in brackets, the least of the thirty. The coordinates are the start of a path with one
-// or two of its directions.
+// Thirty functions for each set of coordinates: random half-spaces, boxes and balls, each 1 inside
+// and 0 outside. Prints p (1 - p) / n over the variance among replicates: geometric mean and, in
+// brackets, the minimum of the thirty. The coordinates are the start of a path with one or two of
+// its directions.
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ constexpr std::uint32_t kReplicates = 48;
 using Coordinates = std::vector<std::uint32_t>;
 using Points = std::vector<std::vector<double>>;  // [coordinate][point]
 
-/// Numbers for drawing functions.
+/// Random numbers for functions.
 class Draws {
   public:
     double uniform() { return random_number({.seed = 77}, next_++, 0); }

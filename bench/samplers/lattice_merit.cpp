@@ -59,7 +59,7 @@ class Basis {
     }
 
   private:
-    /// Recomputes what belongs to rows first, first + 1, ....
+    /// Recomputes the coefficients of rows first, first + 1, ....
     void orthogonalize(std::size_t first) {
         for (std::size_t i = first; i < order_; ++i) {
             length2_[i] = dot(rows_[i], rows_[i]);
@@ -73,7 +73,7 @@ class Basis {
         }
     }
 
-    /// Takes multiples of the earlier rows off row k.
+    /// Subtracts multiples of the earlier rows from row k.
     void shorten(std::size_t k) {
         bool changed = true;
         for (int pass = 0; changed && pass < 8; ++pass) {
@@ -95,8 +95,8 @@ class Basis {
     }
 
     /// Tries all coefficients of row level - 1 that keep the vector below the best; the
-    /// coefficients of later rows are in coefficients_, and `length2` is what they cost. Of a
-    /// vector and its negative, one is tried.
+    /// coefficients of later rows are in coefficients_, and contribute `length2`. A vector and its
+    /// negative count once.
     void enumerate(std::size_t level, long double length2, bool nonzero) {
         if (level == 0) {
             if (nonzero)
@@ -145,7 +145,7 @@ std::uint64_t power(std::uint64_t a, std::uint32_t exponent) {
     return result;
 }
 
-/// The worst merit so far of the lattice whose coordinates are powers of one number.
+/// The worst merit so far of a lattice whose coordinates are powers of one number.
 class Worst {
   public:
     Worst(std::uint64_t n, std::uint64_t a, std::uint32_t dimensions, double floor)
@@ -157,8 +157,8 @@ class Worst {
 
     double merit() const { return merit_; }
 
-    /// Takes in a projection, given by its coordinates in rising order; false once the merit is
-    /// below the floor.
+    /// Includes a projection, given by ascending coordinates; false once the merit is below the
+    /// floor.
     bool take(std::span<const std::uint32_t> coordinates) {
         if (coordinates.back() >= dimensions_)
             return true;
@@ -249,8 +249,8 @@ double korobov_merit(std::uint64_t n, std::uint64_t a, std::uint32_t dimensions,
 }
 
 std::uint32_t korobov_dimensions(std::uint64_t n, std::uint64_t a) {
-    // No pair is good that has the vector (1, 1) or (1, -1), however few the points: one coordinate
-    // would follow from the other.
+    // A pair with the vector (1, 1) or (1, -1) is bad for any number of points: each coordinate
+    // determines the other.
     constexpr double kSame = 1.42;
     std::uint32_t lag = 1;
     for (; lag < kMaxLag; ++lag) {

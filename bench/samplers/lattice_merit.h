@@ -23,7 +23,7 @@ namespace quasimc {
 /// spectral_merit of coordinates 0 ... s - 1, s = 2 ... 8.
 [[nodiscard]] double korobov_serial_merit(std::uint64_t n, std::uint64_t a, std::uint32_t s);
 
-/// The least merit of a Korobov lattice over its projections on
+/// The minimum merit of a Korobov lattice over its projections on
 ///   - coordinates (0, i), i < 16, (0, i, j), i < j < 12, (0, i, j, k), i < j < k < 8, and
 ///   - coordinates 0 ... s - 1, s = 5 ... 8,
 /// as far as all of them are below `dimensions`. Lemieux and L'Ecuyer call it M with t = (8, 16,
@@ -32,7 +32,7 @@ namespace quasimc {
 [[nodiscard]] double korobov_merit(
     std::uint64_t n, std::uint64_t a, std::uint32_t dimensions, double floor = 0.0);
 
-/// How many leading coordinates of a Korobov lattice are good: the first lag whose pair merit is
+/// The number of good leading coordinates of a Korobov lattice: the first lag whose pair merit is
 /// below 0.2 or that makes two coordinates equal or opposite; at most 128.
 [[nodiscard]] std::uint32_t korobov_dimensions(std::uint64_t n, std::uint64_t a);
 

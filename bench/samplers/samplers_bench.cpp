@@ -1,6 +1,6 @@
-// Nanoseconds a number, for every sampler of the catalogue: `random_access` draws scattered points
-// and the dimensions of a path, `one_after_another` feeds each point to the next draw so that
-// nothing overlaps, and `consecutive` fills blocks of 4096 points of one dimension.
+// Nanoseconds per number, for every sampler of the catalogue: `random_access` draws scattered
+// points and the dimensions of a path, `one_after_another` makes each draw depend on the previous
+// one so that nothing overlaps, and `consecutive` fills blocks of 4096 points of one dimension.
 
 #include <array>
 #include <cstdint>

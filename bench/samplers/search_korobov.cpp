@@ -4,13 +4,13 @@
 //
 // For each n = 2^m, in two steps:
 //   1. Candidates are a = 5 mod 8, whose powers have the longest period, n / 4: all up to m = 23,
-//      2^20 drawn at random beyond. Of those with enough good dimensions, the 128 of greatest
-//      spectral figure are kept, but none below 0.8 times the greatest. The figure is the least of
-//      korobov_merit and of the merits of the coordinates that a path uses together, paths(),
+//      2^20 random ones beyond. Among those with enough good dimensions, the 128 of greatest
+//      spectral figure are kept, but none below 0.8 times the greatest. The figure is the minimum
+//      of korobov_merit and of the merits of the coordinates that a path uses together, paths(),
 //      times a weight.
-//   2. Of these, the one with the least geometric mean of P_2 over paths(). Beyond m = 22, the one
-//      of greatest figure.
-// Behind each row: korobov_merit, and the merits of coordinates (0, 1) and (0, 1, 2, 3). Some
+//   2. Of these, the one with the smallest geometric mean of P_2 over paths(). Beyond m = 22, the
+//      one of greatest figure.
+// After each row: korobov_merit, and the merits of coordinates (0, 1) and (0, 1, 2, 3). Some
 // minutes for all m; the same rows on every machine.
 
 #include <algorithm>
@@ -33,8 +33,8 @@ constexpr std::size_t kKept = 128;
 constexpr double kSlack = 0.8;
 constexpr int kLargestCounted = 22;
 
-/// Coordinates that paths use together: two for the start, two for each direction; and what one
-/// minds about their merits.
+/// Coordinates that paths use together: two for the start, two for each direction; and the weight
+/// of their merits.
 struct Projection {
     std::vector<std::uint32_t> coordinates;
     double weight;
@@ -49,15 +49,15 @@ struct Candidate {
     double figure;
 };
 
-/// The least number of good dimensions to ask for. Few points cannot have many: the pair at lag 2^r
-/// has the dual vector 2^(m - r - 2) (1, -1).
+/// The required number of good dimensions. Few points can't have many: the pair at lag 2^r has the
+/// dual vector 2^(m - r - 2) (1, -1).
 std::uint32_t wanted_dimensions(int m) {
     if (m < 6)
         return m < 3 ? 1U : 1U << (m - 2);
     return m < 11 ? 16U : m < 16 ? 32U : 64U;
 }
 
-/// The part of the figure that belongs to the paths; stops when it is not above `floor`.
+/// The figure of the path coordinates; stops when it is not above `floor`.
 double path_figure(
     const std::vector<Projection>& paths, std::uint64_t n, std::uint64_t a, double floor) {
     std::array<std::uint64_t, 8> powers{1};

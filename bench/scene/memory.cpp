@@ -1,5 +1,5 @@
-// Peak memory of a whole process (VmHWM) that makes a scene and traces a little light through it,
-// in bytes a triangle. Each case is a process of its own, so that peaks do not mix.
+// Peak memory of a process (VmHWM) that makes a scene and traces a few paths, in bytes per
+// triangle. Each case is a process of its own, so that peaks are independent.
 //
 //   quasimc_bench_scene_memory [--triangles N]
 
@@ -38,11 +38,11 @@ void trace_a_little(const Scene& scene, const Sources& sources) {
     const Result result = run(scene, sources, spec);
     const auto triangles = static_cast<double>(scene.triangle_count());
     std::cerr << fmt::format(
-        "scene {:.0f} (peak {:.0f}), engine built in {:.2f} s; ", resident / triangles,
+        "scene {:.0f} (peak {:.0f}), ray caster built in {:.2f} s; ", resident / triangles,
         read_peak / triangles, result.preparation_seconds);
 }
 
-/// A scene through the library's interface.
+/// Makes a scene through the library's interface.
 void run_api(const std::string& surface, std::size_t count, bool each) {
     SceneBuilder builder({Band{.name = "PAR"}});
     const std::vector<SideOptics> side{{.reflectance = 0.1, .transmittance = 0.1}};
@@ -90,7 +90,7 @@ void run_case(const Case& which, std::size_t count, const std::string& file) {
     }
 }
 
-/// Runs a case in a child process, and prints what it says.
+/// Runs a case in a child process, and prints its output.
 int run_child(const Case& which, std::size_t count, const std::string& file) {
     const pid_t child = fork();
     if (child == 0) {

@@ -17,9 +17,9 @@ struct Surface {
     [[nodiscard]] std::vector<Triangle> triangles() const;
 };
 
-/// Leaves apart from each other in the unit cube, no vertex shared.
+/// Separate leaves in the unit cube, without shared vertices.
 [[nodiscard]] Surface soup(std::size_t triangles);
-/// One wavy sheet: a vertex for every two triangles.
+/// One wavy sheet: one vertex per two triangles.
 [[nodiscard]] Surface sheet(std::size_t triangles);
 
 /// Writes a surface in text (OBJ) or in binary with single precision (PLY).

@@ -5,8 +5,8 @@
 
 namespace quasimc {
 
-/// Gives the point `i` of an additive recurrence in four dimensions, with the root of x^5 = x + 1
-/// (Roberts 2018): a fixed point set for pilot samples. Coordinates lie in [0, 1).
+/// Point `i` of an additive recurrence in four dimensions, with the root of x^5 = x + 1 (Roberts
+/// 2018): a fixed point set for pilot samples. Coordinates lie in [0, 1).
 [[nodiscard]] inline std::array<double, 4> additive_recurrence_point(int i) {
     constexpr double kRoot = 1.1673039782614187;
     std::array<double, 4> u{};

@@ -6,7 +6,7 @@ namespace quasimc {
 
 inline constexpr double kPi = std::numbers::pi;
 
-/// Radians of a degree.
+/// Radians per degree.
 inline constexpr double kRadians = kPi / 180;
 
 /// Radians of a full turn.

@@ -12,27 +12,27 @@ namespace quasimc {
 /// The largest number below 1.
 inline constexpr double kBelowOne = 0x1.fffffffffffffp-1;
 
-/// How far `x` is into an interval of some width that begins at `begin`: 0 to below 1, whatever was
-/// rounded; 0 in an interval of no width.
+/// Relative position of `x` in an interval of some width that begins at `begin`: 0 to below 1
+/// despite rounding; 0 in an interval of no width.
 [[nodiscard]] inline double part_of_interval(double x, double begin, double width) {
     return width > 0 ? std::clamp((x - begin) / width, 0.0, kBelowOne) : 0;
 }
 
-/// Where a number lies among intervals.
+/// Position of a number among intervals.
 struct IntervalPick {
     std::size_t index = 0;
-    double part = 0;   ///< how far into the interval, see part_of_interval
+    double part = 0;   ///< position in the interval, see part_of_interval
     double width = 0;  ///< of the interval
 };
 
-/// The width of an interval among those that begin at 0 and end at ascending `ends`.
+/// The width of an interval; the first begins at 0, and each ends at one of ascending `ends`.
 [[nodiscard]] inline double interval_width(std::span<const double> ends, std::size_t index) {
     return ends[index] - (index == 0 ? 0 : ends[index - 1]);
 }
 
-/// The interval that `x` lies in, of those that begin at 0 and end at ascending `ends`, at least
-/// one: the inverse of a cumulative distribution. The first whose end exceeds x, otherwise the
-/// last; those of no width are passed over.
+/// The interval that contains `x`; the first begins at 0, and each ends at one of ascending `ends`,
+/// at least one: the inverse of a cumulative distribution. The first whose end exceeds x, otherwise
+/// the last; intervals of no width are skipped.
 [[nodiscard]] inline IntervalPick pick_interval(std::span<const double> ends, double x) {
     const auto found = std::upper_bound(ends.begin(), ends.end() - 1, x);
     const auto index = static_cast<std::size_t>(found - ends.begin());
@@ -40,18 +40,18 @@ struct IntervalPick {
     return {index, part_of_interval(x, index == 0 ? 0 : ends[index - 1], width), width};
 }
 
-/// Between which two of ascending borders, at least two, `x` lies: at a border, the interval above
-/// it; beyond the ends, the one at the end.
+/// The index of the interval that contains `x`, between ascending borders, at least two: at a
+/// border the interval above; beyond the ends the first or last.
 [[nodiscard]] inline std::size_t interval_between(std::span<const double> borders, double x) {
     const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, x);
     return static_cast<std::size_t>(above - borders.begin()) - 1;
 }
 
-/// Cells in rows and columns, drawn in proportion to their shares: a row, then a cell of it.
+/// Draws cells of a table in proportion to their shares: a row, then a cell of it.
 class PiecewiseConstant2D {
   public:
     PiecewiseConstant2D() = default;
-    /// @param shares   [row][column], 0 or more; of a row without any the first cell is drawn
+    /// @param shares   [row][column], 0 or more; a row of zeros yields its first cell
     /// @param columns  of each row, at least one
     PiecewiseConstant2D(std::span<const double> shares, std::size_t columns) : columns_(columns) {
         EXPECT(columns > 0 && shares.size() % columns == 0);
@@ -84,7 +84,7 @@ class PiecewiseConstant2D {
         return {&column_ends_[row * columns_], columns_};
     }
 
-    /// Appends running sums, scaled so that the last is 1; all 1 if nothing is to be shared.
+    /// Appends running sums, scaled so that the last is 1; all 1 if the sum is 0.
     static double append_sums(std::span<const double> shares, std::vector<double>& ends) {
         double sum = 0;
         for (const double share : shares) {

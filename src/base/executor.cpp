@@ -57,7 +57,7 @@ void TaskRound::run(std::uint64_t tasks, Executor::Work work, FunctionRef<void()
     ++calls_;
 }
 
-/// @param begin, end  of the tasks of this call
+/// @param begin, end  range of the tasks of this call
 Pause TaskRound::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t end) const {
     Pause pause{.done = {calls_, next}};
     if (before_ + (end - begin) == tasks_) {
@@ -67,7 +67,7 @@ Pause TaskRound::pause_at(std::uint64_t next, std::uint64_t begin, std::uint64_t
     return pause;
 }
 
-/// Runs the tasks [begin, end), as other processes do theirs.
+/// Runs the tasks [begin, end) while other processes run theirs.
 void TaskRound::run_with_team(std::uint64_t begin, std::uint64_t end, Executor::Work work) {
     TaskTeam& team = *executor_.options_.team;
     executor_.has_met_ = true;
@@ -82,7 +82,7 @@ void TaskRound::run_with_team(std::uint64_t begin, std::uint64_t end, Executor::
     }
 }
 
-/// Runs the tasks [begin, end). @returns the first not done
+/// Runs the tasks [begin, end). @returns the first incomplete one
 std::uint64_t TaskRound::run_until_pause(
     std::uint64_t begin, std::uint64_t end, Executor::Work work) {
     const ExecutorOptions& options = executor_.options_;
@@ -99,7 +99,7 @@ std::uint64_t TaskRound::run_until_pause(
     return paused_at;
 }
 
-/// Of the tasks [begin, end) of this call, the first that is not done already.
+/// The first incomplete task of [begin, end) of this call.
 std::uint64_t TaskRound::first_task(std::uint64_t begin, std::uint64_t end) const {
     const TaskPosition& done = executor_.options_.done_before;
     if (calls_ < done.calls) {

@@ -10,29 +10,29 @@
 
 namespace quasimc {
 
-/// Which tasks of a round are done: those of so many calls of TaskRound::run(), and of the next
-/// call those before a task.
+/// The completed tasks of a round: those of `calls` calls of TaskRound::run(), and those before
+/// `task` of the next call.
 struct TaskPosition {
     std::uint64_t calls = 0, task = 0;
     friend bool operator==(const TaskPosition&, const TaskPosition&) = default;
 };
 
-/// No task is at work.
+/// A pause: no task is running.
 struct Pause {
     TaskPosition done;
-    /// Of the last call of the round, how many tasks are done, and how many there are; 0 while
-    /// calls before it are at work.
+    /// Number of completed tasks, and of all tasks, in the last call of the round; 0 during earlier
+    /// calls.
     std::uint64_t done_of_last = 0, last = 0;
 };
 
-/// Watches tasks. All functions are called from the thread that called TaskRound::run().
+/// Observes tasks. All functions are called from the thread that called TaskRound::run().
 class TaskWatcher {
   public:
     virtual ~TaskWatcher() = default;
-    /// Is called at the beginning of a round, and a few times a second, with the part of its tasks
-    /// that is done.
+    /// Called at the beginning of a round, and a few times a second, with the fraction of completed
+    /// tasks.
     virtual void on_progress(double /*part*/) {}
-    /// Whether no task should be at work for a while; asked after tasks.
+    /// Whether to pause; called between tasks.
     [[nodiscard]] virtual bool wants_pause() { return false; }
     virtual void on_pause(const Pause& /*pause*/) {}
 
@@ -40,33 +40,33 @@ class TaskWatcher {
     TaskWatcher() = default;
 };
 
-/// Processes that call the same functions in the same order, and run each its share of the tasks.
+/// Processes that call the same functions in the same order, and each run their share of the tasks.
 class TaskTeam {
   public:
     virtual ~TaskTeam() = default;
-    /// That of this process.
+    /// The share of this process.
     [[nodiscard]] virtual Share share() const = 0;
-    /// Says whether this process has done its tasks, or gives them up; returns whether the first
-    /// process has done its own, once all have said something.
+    /// Reports whether this process has completed or abandoned its tasks; waits for all processes,
+    /// and returns whether the first one has completed its own.
     [[nodiscard]] virtual bool meet(bool is_done) = 0;
 
   protected:
     TaskTeam() = default;
 };
 
-/// How an executor runs tasks.
+/// Options of an executor.
 struct ExecutorOptions {
-    /// Asked before every task; work that takes long should ask it as well.
+    /// Checked before every task; long tasks should check it as well.
     std::stop_token stop = {};
-    Share share = {};                ///< the tasks that are run here
-    TaskWatcher* watcher = nullptr;  ///< makes no pauses of a share or a team
-    TaskTeam* team = nullptr;        ///< whose share counts
-    TaskPosition done_before = {};   ///< of every round: it begins with the tasks after these
+    Share share = {};                ///< tasks to run here
+    TaskWatcher* watcher = nullptr;  ///< shares and teams make no pauses
+    TaskTeam* team = nullptr;        ///< replaces `share`
+    TaskPosition done_before = {};   ///< for every round: tasks before it are skipped
 };
 
 class TaskRound;
 
-/// The threads of this process, and how they run tasks.
+/// Runs tasks on the threads of this process.
 class Executor {
   public:
     using Work = FunctionRef<void(std::uint64_t task, unsigned worker)>;
@@ -77,13 +77,13 @@ class Executor {
     [[nodiscard]] unsigned workers() const { return workers_; }
     [[nodiscard]] const std::stop_token& stop() const { return options_.stop; }
 
-    /// Begins tasks whose number in all is known, which may be run in several calls.
+    /// Begins a round with a known number of tasks, which may be run in several calls.
     [[nodiscard]] TaskRound begin(std::uint64_t tasks);
-    /// A round of one call: as TaskRound::run().
+    /// Runs a round of one call, like TaskRound::run().
     void run(std::uint64_t tasks, Work work);
-    /// Tells the team, if there is one that has not met, that no task is run here.
+    /// Reports to the team, unless it has met, that this process runs no tasks.
     void give_up();
-    /// The part of the tasks of the last round that was done already (done_before).
+    /// The fraction of tasks of the last round that was skipped (done_before).
     [[nodiscard]] double part_done_before() const { return part_done_before_; }
 
   private:
@@ -92,20 +92,20 @@ class Executor {
     unsigned workers_;
     ExecutorOptions options_;
     double part_done_before_ = 0;
-    bool has_met_ = false;  // its team
+    bool has_met_ = false;  // with its team
 };
 
-/// Tasks that are run together.
+/// A group of tasks, run in one or several calls.
 class TaskRound {
   public:
     [[nodiscard]] unsigned workers() const { return executor_.workers(); }
 
-    /// Runs `work(task, worker)` once for every task in [0, tasks) that belongs to the share,
-    /// handed out in order to whoever is free. The first exception thrown stops the rest and is
-    /// rethrown here. Results must not depend on `worker`, which is below workers().
-    /// @param gather  called at every pause, before the watcher: brings together what workers keep
-    ///        for themselves
-    /// @throws StopRequested  if a stop was requested before all were done
+    /// Runs `work(task, worker)` once for every task in [0, tasks) of the share. Idle workers take
+    /// tasks in order. The first exception stops the rest and is rethrown here. Results must not
+    /// depend on `worker`, which is below workers().
+    /// @param gather  called at every pause, before the watcher: collects the private data of
+    /// workers
+    /// @throws StopRequested  if a stop was requested before all were complete
     void run(std::uint64_t tasks, Executor::Work work, FunctionRef<void()> gather);
 
   private:
@@ -122,9 +122,9 @@ class TaskRound {
 
     Executor& executor_;
     std::uint64_t tasks_of_all_, tasks_;  // of all processes; of the share
-    std::uint64_t calls_ = 0;             // of run(), that are complete
-    std::uint64_t before_ = 0;            // tasks of complete calls
-    std::uint64_t done_before_ = 0;       // of all processes, that were done already
+    std::uint64_t calls_ = 0;             // completed calls of run()
+    std::uint64_t before_ = 0;            // tasks of completed calls
+    std::uint64_t done_before_ = 0;       // skipped tasks of all processes
     std::atomic<std::uint64_t> done_{0};
     Clock::time_point last_report_;  // the first task is reported at once: rounds may be short
 };

@@ -15,9 +15,9 @@
 
 namespace quasimc {
 
-/// Gives memory that was freed between what is still used back to the system; the standard library
-/// keeps it. Takes milliseconds where many small things were freed.
-/// @param organs  of the scene: of few it is not worth while
+/// Returns free memory to the system, which the standard library retains between used blocks. Takes
+/// milliseconds where many small blocks were freed.
+/// @param organs  of the scene: with few it is not worthwhile
 inline void give_back_free_memory([[maybe_unused]] std::size_t organs) {
 #ifdef __GLIBC__
     constexpr std::size_t kMany = 1 << 16;  // some ten megabytes
@@ -27,9 +27,9 @@ inline void give_back_free_memory([[maybe_unused]] std::size_t organs) {
 #endif
 }
 
-/// Makes numbers 0. Whole pages of them are given back to the system, which has them again, as
-/// zeros, when they are asked for.
-/// @param numbers  of memory of this process alone, as the standard library has it
+/// Sets numbers to 0. Whole pages are returned to the system, which provides zeros on the next
+/// access.
+/// @param numbers  private memory, as from the standard library
 inline void clear_pages(std::span<std::int64_t> numbers) {
     std::int64_t* begin = numbers.data();
     std::int64_t* end = begin + numbers.size();

@@ -11,8 +11,8 @@ namespace quasimc {
 template <typename Signature>
 class FunctionRef;
 
-/// A function that the caller of a function passes to it: refers to a callable, which must outlive
-/// the call, and costs no allocation (std::function_ref of C++26).
+/// A non-owning reference to a callable, which must outlive the call; it does not allocate (like
+/// std::function_ref of C++26).
 template <typename Result, typename... Arguments>
 class FunctionRef<Result(Arguments...)> {
   public:

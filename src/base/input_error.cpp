@@ -21,8 +21,8 @@ std::string joined(const std::vector<Fault>& faults) {
     return text;
 }
 
-/// Faults name what strangers' files hold: their terminal escapes must not reach a terminal, nor
-/// their bytes a text of Python.
+/// Makes texts from untrusted files printable: their terminal escapes must not reach a terminal,
+/// nor their invalid bytes a text of Python.
 std::vector<Fault> shown_faults(std::vector<Fault> faults) {
     for (Fault& fault : faults) {
         for (std::string* text : {&fault.where, &fault.problem, &fault.why, &fault.suggestion}) {

@@ -5,12 +5,11 @@
 
 namespace quasimc {
 
-/// A value that is made when it is first asked for, by whichever thread asks first; others that ask
-/// meanwhile wait for it.
+/// A value that is made on first use, by the first thread that needs it; others wait meanwhile.
 template <typename T>
 class Lazy {
   public:
-    /// @param make  gives the value; the same one whoever asks
+    /// @param make  makes the value; equal for all callers
     template <typename Make>
     [[nodiscard]] const T& get(const Make& make) const {
         std::call_once(made_, [&] { value_.emplace(make()); });

@@ -18,7 +18,7 @@ inline constexpr std::array kLengthUnits{
     LengthUnit{"in", 0.0254}, LengthUnit{"inch", 0.0254}, LengthUnit{"ft", 0.3048},
     LengthUnit{"yd", 0.9144}};
 
-/// Metres of a unit of length, if its name is known.
+/// Metres per unit of length, if its name is known.
 [[nodiscard]] constexpr std::optional<double> metres_per(std::string_view unit) {
     for (const LengthUnit& known : kLengthUnits) {
         if (known.name == unit) {

@@ -5,7 +5,7 @@
 
 namespace quasimc {
 
-/// A model and all numbers that it depends on. Two of the same parameters compute the same.
+/// A model and all numbers that it depends on. Models with equal parameters give equal results.
 struct ModelParameters {
     std::string_view model;  ///< a literal
     std::vector<double> values;

@@ -47,7 +47,7 @@ void parallel_blocks(
         try {
             return start_thread([&loop, worker] { loop(worker); });
         } catch (const OutOfMemory&) {
-            next = blocks;  // for those that were started
+            next = blocks;  // for the threads that were started
             throw;
         }
     };
@@ -75,7 +75,7 @@ void ordered_blocks(
     FunctionRef<void(std::uint64_t block, unsigned worker)> use) {
     std::mutex mutex;
     std::condition_variable turned;
-    std::uint64_t turn = 0;  // the block that is used next; kFailed: none any more
+    std::uint64_t turn = 0;  // the block that is used next; kFailed: none
     constexpr std::uint64_t kFailed = ~std::uint64_t{0};
     const auto set_turn = [&](std::uint64_t to) {
         const std::lock_guard lock(mutex);

@@ -13,14 +13,14 @@ namespace quasimc {
     return static_cast<double>(now.tv_sec) + kNano * static_cast<double>(now.tv_nsec);
 }
 
-/// Tells how long it has been there.
+/// Measures time since its construction.
 class Stopwatch {
   public:
-    /// By the clock.
+    /// Wall-clock time.
     [[nodiscard]] double seconds() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     }
-    /// Of this process, all threads.
+    /// Processor time of this process, all threads.
     [[nodiscard]] double cpu_seconds() const { return process_cpu_seconds() - cpu_start_; }
 
   private:

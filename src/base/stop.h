@@ -15,7 +15,7 @@ class StopRequested : public std::exception {
     [[nodiscard]] const char* what() const noexcept override { return "a stop was requested"; }
 };
 
-/// To be called again and again by whatever may take longer than a blink: costs a read of memory.
+/// Checks for a stop. Long computations call it often: it costs a read of memory.
 /// @throws StopRequested  if a stop was requested
 inline void throw_if_stopped(const std::stop_token& stop) {
     if (stop.stop_requested()) [[unlikely]] {
@@ -33,7 +33,7 @@ class StopAlarm {
     StopAlarm(const StopAlarm&) = delete;
     StopAlarm& operator=(const StopAlarm&) = delete;
 
-    /// Goes off then, and no longer when it was set to before.
+    /// Sets the time, replacing an earlier one.
     void set(Clock::time_point at);
 
   private:
@@ -43,7 +43,7 @@ class StopAlarm {
     std::mutex mutex_;
     std::condition_variable_any changed_;
     Clock::time_point at_;  // guarded by mutex_
-    std::jthread thread_;   // once it is set; last, so that it ends first
+    std::jthread thread_;   // started by set(); last, so that it ends first
 };
 
 }  // namespace quasimc

@@ -12,7 +12,7 @@ char lower(char c) {
     return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
 }
 
-/// Optimal string alignment distance, without regard to case.
+/// Optimal string alignment distance, ignoring case.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
     for (std::size_t i = 0; i <= a.size(); ++i) {
@@ -34,8 +34,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return d[a.size()][b.size()];
 }
 
-/// How many bytes the first character of a text that is not empty has; 0 if it is not UTF-8.
-/// Overlong forms and surrogates are none (Unicode 15, table 3-7).
+/// Number of bytes of the first character of a non-empty text; 0 if it is not UTF-8. Overlong forms
+/// and surrogates are invalid (Unicode 15, table 3-7).
 std::size_t character_size(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned lead = byte(0);
@@ -67,8 +67,8 @@ bool is_control(std::string_view character) {
            (first == 0xC2 && static_cast<unsigned char>(character[1]) < 0xA0);
 }
 
-/// A text with each character, and each byte that is none, replaced.
-/// @param replace  gives what stands for a character; its second argument: whether it is UTF-8
+/// Replaces each character, and each invalid byte, of a text.
+/// @param replace  gives the replacement of a character; its second argument: whether it is UTF-8
 template <typename Replace>
 std::string replaced(std::string_view text, Replace replace) {
     std::string out;

@@ -7,8 +7,8 @@
 
 namespace quasimc {
 
-/// The candidate nearest to `word` (edit distance with transpositions, without regard to case), or
-/// "" if none is near enough to be what was meant.
+/// The candidate nearest to `word` (edit distance with transpositions, ignoring case), or "" if
+/// none is near enough.
 [[nodiscard]] std::string_view nearest_word(
     std::string_view word, std::span<const std::string_view> candidates);
 
@@ -31,14 +31,14 @@ namespace quasimc {
 /// Whether the bytes are UTF-8.
 [[nodiscard]] bool is_utf8(std::string_view text);
 
-/// A text as a terminal may show it: control characters but the end of a line become blanks, bytes
-/// that are not UTF-8 become '?'.
+/// A text for a terminal: control characters except newlines become blanks, bytes that are not
+/// UTF-8 become '?'.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// A text on one line: control characters become blanks. Bytes that are not UTF-8 stay.
 [[nodiscard]] std::string one_line(std::string_view text);
 
-/// A word as a message shows it: quoted, not too long, nothing but ASCII.
+/// A word for a message: quoted, shortened, ASCII only.
 [[nodiscard]] std::string shown(std::string_view word);
 
 /// The items joined by `separator`.

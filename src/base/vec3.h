@@ -13,7 +13,7 @@ constexpr Vec3 reflected(const Vec3& d, const Vec3& n) {
     return d - (2 * dot(d, n)) * n;
 }
 
-/// A frame about `n`, continuous but at one point (Duff et al. 2017, JCGT 6(1)).
+/// A frame about `n`, continuous except at one point (Duff et al. 2017, JCGT 6(1)).
 inline Frame frame_about(const Vec3& n) {
     const double sign = std::copysign(1.0, n.z);
     const double a = -1 / (sign + n.z);

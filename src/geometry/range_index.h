@@ -9,20 +9,19 @@
 
 namespace quasimc {
 
-/// Finds the range that a number lies in, of ranges that follow each other without a gap, in about
-/// constant time.
+/// Finds the range that contains an index, among adjacent ranges, in nearly constant time.
 class RangeIndex {
   public:
     RangeIndex() = default;
-    /// @param first  the first number of each range, ascending; ranges are not empty
-    /// @param end    behind the last number of the last range
+    /// @param first  the first index of each range, ascending; ranges are not empty
+    /// @param end    one past the last index of the last range
     RangeIndex(std::vector<std::uint32_t> first, std::uint32_t end)
         : first_(std::move(first)), end_(end) {
         if (first_.empty()) {
             return;
         }
         const std::uint32_t total = end_ - first_.front();
-        // About as many pages as ranges.
+        // Approximately one page per range.
         shift_ = std::bit_width(total / static_cast<std::uint32_t>(first_.size()));
         pages_.reserve((total >> shift_) + 2);
         std::uint32_t range = 0;
@@ -41,7 +40,7 @@ class RangeIndex {
     [[nodiscard]] std::uint32_t count(std::size_t range) const {
         return (range + 1 < first_.size() ? first_[range + 1] : end_) - first_[range];
     }
-    /// The range of a number between the first and the end.
+    /// The range of an index between the first and the end.
     [[nodiscard]] std::uint32_t find(std::uint32_t number) const {
         const std::size_t page = (number - first_.front()) >> shift_;
         const auto begin = first_.begin() + pages_[page];

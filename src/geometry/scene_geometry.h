@@ -13,7 +13,7 @@
 
 namespace quasimc {
 
-/// A copy of a mesh: its points p stand at transform.point(p).
+/// A copy of a mesh, whose points p are at transform.point(p).
 struct Instance {
     std::shared_ptr<const Mesh> mesh;
     Affine transform;
@@ -24,14 +24,13 @@ struct Instance {
     }
 };
 
-/// The triangles of a scene, counted through: those of one mesh, then those of each instance. An
-/// instance costs the memory of its transform, however large the mesh is.
+/// The triangles of a scene, numbered consecutively: those of one mesh, then those of each
+/// instance. An instance takes the memory of its transform, however large its mesh is.
 class SceneGeometry {
   public:
     SceneGeometry() = default;
-    /// @param mesh       vertices in the order in which faces name them first (order_vertices)
-    /// @param instances  of meshes that are so too, none empty. All triangles together: less than
-    ///                   2^32 - 1
+    /// @param mesh       vertices in the order of their first use by faces (order_vertices)
+    /// @param instances  of ordered meshes, none empty. All triangles together: less than 2^32 - 1
     explicit SceneGeometry(Mesh mesh, std::vector<Instance> instances = {});
 
     [[nodiscard]] std::size_t size() const { return size_; }
@@ -41,10 +40,10 @@ class SceneGeometry {
     }
     [[nodiscard]] Triangle back() const { return (*this)[size_ - 1]; }
 
-    /// The triangles that belong to no instance.
+    /// The triangles without an instance.
     [[nodiscard]] const Mesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<Instance>& instances() const { return instances_; }
-    /// The triangles of each instance, as ranges of numbers from mesh().size() on.
+    /// The triangles of each instance, as index ranges from mesh().size() on.
     [[nodiscard]] const RangeIndex& ranges() const { return ranges_; }
 
     class Iterator {
@@ -74,9 +73,9 @@ class SceneGeometry {
     [[nodiscard]] Iterator begin() const { return {*this, 0}; }
     [[nodiscard]] Iterator end() const { return {*this, size_}; }
 
-    /// Whether the triangles are the same, and the same of them belong to instances.
+    /// Whether the triangles are equal, and belong to the same instances.
     friend bool operator==(const SceneGeometry& a, const SceneGeometry& b);
-    /// Whether the triangles are these.
+    /// Whether the triangles equal a list.
     friend bool operator==(const SceneGeometry& a, const std::vector<Triangle>& b);
 
   private:

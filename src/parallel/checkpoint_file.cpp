@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::string_view kFirstCheckpointLine = "QuasiMC checkpoint, format 4\n";
 constexpr std::size_t kSha256Digits = 64;
-/// What may change when a run goes on: where it ends.
+/// Keys that may change when a run is resumed: its end.
 constexpr std::array<std::string_view, 5> kEnds{
     "run_file.run.paths", "run_file.run.target_error", "run_file.run.target_fraction",
     "run_file.run.max_paths", "run_file.run.max_seconds"};
@@ -34,8 +34,7 @@ std::string block_of(std::string_view bytes) {
     return number_bytes(bytes.size()).append(bytes);
 }
 
-/// The file itself where its name is a link: it has one lock and one second file, by whatever name
-/// a run knows it.
+/// The file behind symbolic links: it has one lock and one second file, under any name.
 std::string without_links(const std::string& path) {
     std::error_code error;
     return std::filesystem::is_symlink(path, error) ? followed(path).string() : path;
@@ -45,7 +44,7 @@ std::string done_path(const std::string& path) {
     return path + ".done";
 }
 
-/// Writes all of it. @returns false  with errno, if it can't
+/// Writes all bytes. @returns false  with errno, if it fails
 bool write_at(int descriptor, std::string_view bytes, std::uint64_t offset) {
     while (!bytes.empty()) {
         const ssize_t count =
@@ -146,7 +145,7 @@ void CheckpointFile::read_locations(ByteReader& reader) {
 
 void CheckpointFile::open_done() {
     const int create = locations_.empty() ? O_CREAT | O_TRUNC : 0;
-    constexpr mode_t kReadable = 0666;  // less the process's umask
+    constexpr mode_t kReadable = 0666;  // without the process's umask
     done_ = std::make_unique<Descriptor>(
         ::open(done_path(path_).c_str(), O_RDWR | O_CLOEXEC | create, kReadable));
     if (!done_->is_open()) {
@@ -206,7 +205,7 @@ void CheckpointFile::flush() {
     }
 }
 
-/// Runs end in the order of their numbers: what is done of those before goes to the second file.
+/// Runs end in the order of their indices: the states of completed ones go to the second file.
 void CheckpointFile::keep(std::size_t time_step, State state) {
     const auto location = locations_.find(time_step);
     if (state.is_done && location != locations_.end() &&
@@ -234,7 +233,7 @@ void CheckpointFile::move_to_done(std::size_t time_step, const std::string& byte
 }
 
 void CheckpointFile::write() {
-    // What a file system can't sync (EINVAL) it has written all the same.
+    // File systems without sync (EINVAL) have written the data.
     if (done_ && ::fsync(done_->number()) != 0 && errno != EINVAL) {
         throw InputError(
             {{done_path(path_), "can't be written", std::generic_category().message(errno), ""}});

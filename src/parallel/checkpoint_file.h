@@ -1,12 +1,11 @@
 #pragma once
 
-// The states of the runs of a file while it is computed: docs/guide/long-runs.md. Binary, of
-// one byte order.
+// The states of the runs of a file while it is computed: docs/guide/long-runs.md. Binary, in
+// native byte order.
 //
-// The file itself has what the runs are made from, the state of the run at hand, and which part of
-// a second file (its name and ".done") belongs to it: the states of the runs that were done before
-// that one. The first is written anew each time, to another name that replaces it; the second only
-// grows. Both have checksums.
+// The file contains the run's input, the state of the current run, and which part of a second file
+// (its name plus ".done") belongs to it: the states of the completed runs. The first is replaced
+// atomically each time; the second only grows. Both have checksums.
 
 #include <chrono>
 #include <cstddef>
@@ -24,15 +23,15 @@
 
 namespace quasimc {
 
-/// Takes numbers and texts out of bytes, in order.
+/// Reads numbers and texts from bytes, in order.
 class ByteReader {
   public:
     explicit ByteReader(std::string_view bytes) : rest_(bytes) {}
-    /// Nothing, from then on, once there are too few bytes.
+    /// Empty from the first time that too few bytes are left.
     [[nodiscard]] std::string_view take(std::uint64_t count);
     [[nodiscard]] std::uint64_t number();
     [[nodiscard]] std::string_view block() { return take(number()); }
-    /// Whether all was taken, and nothing missed.
+    /// Whether all bytes were read, without errors.
     [[nodiscard]] bool is_at_end() const { return rest_.empty() && !is_cut_off_; }
     [[nodiscard]] bool is_cut_off() const { return is_cut_off_; }
 
@@ -41,41 +40,41 @@ class ByteReader {
     bool is_cut_off_ = false;
 };
 
-/// Whether a run goes on from the checkpoint that is there.
+/// Whether a run resumes from an existing checkpoint.
 enum class CheckpointStart {
-    anew,    ///< it must not be there
-    resume,  ///< as far as it is there
+    anew,    ///< no checkpoint may exist
+    resume,  ///< from its state, if it exists
 };
 
-/// Keeps the states of the runs of a run file; each is known by its number, counted through the
-/// points of a sweep and their times.
+/// Stores the states of the runs of a run file; each has an index, counted through the points of a
+/// sweep and their time steps.
 class CheckpointFile {
   public:
     /// @param path  of the file, or of a symbolic link to it
     /// @param every  seconds from the end of one save to the next
-    /// @throws InputError  if the file is damaged, of another run, in use by another process, or
-    ///         there though the run begins anew
+    /// @throws InputError  if the file is damaged, belongs to another run, is in use by another
+    /// process, or exists though the run begins anew
     CheckpointFile(
         const std::string& path, const RunFile& run, double every, CheckpointStart start);
 
-    /// Whether there was one to go on from.
+    /// Whether a checkpoint existed.
     [[nodiscard]] bool was_there() const { return was_there_; }
     [[nodiscard]] std::optional<RunState> state_of(std::size_t time_step);
     [[nodiscard]] bool has_state(std::size_t time_step) const {
         return states_.contains(time_step) || locations_.contains(time_step);
     }
-    /// Whether it is time to save.
+    /// Whether a save is due.
     [[nodiscard]] bool is_due() const { return Clock::now() >= next_save_; }
-    /// Saves the state of a run on the way.
+    /// Saves the state of an incomplete run.
     void save(std::size_t time_step, const RunSnapshot& state);
-    /// Takes note of the state of a run that is done; saves it when it is time, or in flush().
+    /// Records the state of a completed run; saves it when a save is due, or in flush().
     void finish(std::size_t time_step, const RunSnapshot& state);
-    /// Saves what was not saved yet.
+    /// Saves all unsaved states.
     void flush();
 
   private:
     using Clock = std::chrono::steady_clock;
-    struct Location {  ///< in the second file
+    struct Location {  ///< position in the second file
         std::uint64_t offset = 0, size = 0;
         std::string sha256;
     };
@@ -98,11 +97,11 @@ class CheckpointFile {
     std::string head_;
     std::chrono::duration<double> every_;
     bool was_there_ = false;
-    std::map<std::size_t, Location> locations_;  // of runs that are done
-    /// Of the run at hand, and when a run goes on of two.
+    std::map<std::size_t, Location> locations_;  // of completed runs
+    /// State of the current run; between two runs also of the last one.
     std::map<std::size_t, State> states_;
     std::uint64_t done_bytes_ = 0;
-    std::unique_ptr<Descriptor> done_;  // the second file, once there is one
+    std::unique_ptr<Descriptor> done_;  // the second file, once it exists
     bool is_saved_ = false;
     Clock::time_point next_save_;
 };

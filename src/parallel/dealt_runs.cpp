@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// What is sent for a run that the first process must trace, and in the end.
+/// Sent for a run that the first process must trace, and at the end.
 constexpr const char* kNotTraced = "?";
 constexpr const char* kNoMoreRuns = "";
 
@@ -85,7 +85,7 @@ void HelpedRuns::trace(
             std::string bytes(sizeof traced.cpu_seconds, '\0');
             std::memcpy(bytes.data(), &traced.cpu_seconds, sizeof traced.cpu_seconds);
             team_.send(bytes.append(save_sums(traced.sums)));
-        } catch (const InputError&) {  // the first process finds it as well, and reports it
+        } catch (const InputError&) {  // the first process finds and reports it too
             team_.send(kNotTraced);
         }
     }

@@ -1,7 +1,7 @@
 #pragma once
 
-// Runs of a series, or of all points of a sweep, that are dealt out to the processes of a team by
-// number: each traces every so many-th of them by itself, and the first process gets their sums in
+// Distributes the runs of a series, or of all points of a sweep, to the processes of a team by
+// index: with n processes each traces every n-th run, and the first process receives their sums in
 // order.
 
 #include <cstddef>
@@ -14,21 +14,21 @@
 
 namespace quasimc {
 
-/// Whether runs can be dealt out: each is a single round of paths, and none has a limit of time.
+/// Whether runs can be distributed: each is a single round of paths, and none has a time limit.
 [[nodiscard]] bool is_dealt(const RunSpec& spec);
 
-/// The runs as the first process sees them.
+/// The distributed runs, in the first process.
 class DealtRuns {
   public:
-    /// Lets the others trace theirs, from a time of a point on.
+    /// Starts the others, from a time step of a point on.
     DealtRuns(RunTeam& team, std::uint64_t point, std::uint64_t time_step);
-    /// Ends the work of the others, whatever they are at.
+    /// Ends the work of the others.
     ~DealtRuns();
     DealtRuns(const DealtRuns&) = delete;
     DealtRuns& operator=(const DealtRuns&) = delete;
 
-    /// The sums of the next run: traced here, or waited for.
-    /// @throws Stopped  if a stop was requested before they were there
+    /// The sums of the next run: traced here, or received.
+    /// @throws Stopped  if a stop was requested before
     [[nodiscard]] GivenSums next(
         Simulator& simulator,
         const Scene& scene,
@@ -38,27 +38,27 @@ class DealtRuns {
 
   private:
     RunTeam& team_;
-    std::uint64_t number_ = 0;  // of the next run
+    std::uint64_t number_ = 0;  // index of the next run
 };
 
-/// The runs as each of the other processes sees them.
+/// The distributed runs, in each of the other processes.
 class HelpedRuns {
   public:
     explicit HelpedRuns(RunTeam& team) : team_(team) {}
-    /// Traces its own of the runs of a series, from a time on, and sends their sums.
-    /// @throws Stopped  if the first process wants no more
+    /// Traces its runs of a series, from a time step on, and sends their sums.
+    /// @throws Stopped  if the first process stopped
     void trace(
         const Scene& scene,
         const std::vector<TimeStep>& time_steps,
         const RunSpec& spec,
         std::size_t first);
-    /// Says that there are no more, and waits until the first process knows it.
+    /// Reports that no more sums follow, and waits for the first process.
     void end();
 
   private:
     RunTeam& team_;
     Simulator simulator_;
-    std::uint64_t number_ = 0;  // of the next run
+    std::uint64_t number_ = 0;  // index of the next run
 };
 
 }  // namespace quasimc

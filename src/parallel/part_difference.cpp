@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// What may differ between machines: it changes no result.
+/// Keys that may differ between machines: they change no result.
 constexpr std::array<std::string_view, 3> kFree{
     "run_file.run.threads", "run_file.run.tally_memory_mb", "run_file.output"};
 
@@ -21,8 +21,8 @@ std::string in_short(const Json& value) {
     return text.size() > kLongest ? text.substr(0, kLongest) + "..." : text;
 }
 
-/// What decides the numbers: the program, the run file but for what is free, and what the other
-/// inputs hold, wherever they are.
+/// The content that determines results: the program, the run file without free keys, and the
+/// content of the other inputs, independent of their paths.
 Json deciding(const Json& head, std::span<const std::string_view> free) {
     Json run = {{"run_file", head.value("run_file", Json())}};
     for (const auto& keys : {std::span<const std::string_view>(kFree), free}) {

@@ -6,9 +6,9 @@
 
 namespace quasimc {
 
-/// In what the runs of two heads (json_head) differ, so far as it changes results: "run.paths: 4096
-/// there, 8192 here"; "" if in nothing.
-/// @param free  keys that may differ as well
+/// The first difference between two heads (json_head) that changes results: "run.paths: 4096 there,
+/// 8192 here"; "" without one.
+/// @param free  further keys that may differ
 [[nodiscard]] std::string difference_of_runs(
     const std::string& there, const std::string& here, std::span<const std::string_view> free = {});
 

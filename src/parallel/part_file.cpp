@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kFirstLine = "QuasiMC part, format 2\n";
 constexpr std::uint64_t kMaxParts = 1'000'000;
-/// Stands for the number of a moment behind the last one.
+/// Index that marks the end.
 constexpr std::uint64_t kEnd = std::numeric_limits<std::uint64_t>::max();
 
 Fault missing_part(std::uint64_t part, std::uint64_t parts) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// A part of a run's sums as a file, which other parts are put together with. Binary, of one byte
+// A part of a run's sums as a file; all parts add up to the run. Binary, in native byte
 // order: docs/guide/long-runs.md.
 
 #include <cstddef>
@@ -26,13 +26,12 @@ struct PartNumber {
 /// @throws InputError
 [[nodiscard]] PartNumber read_part_number(const std::string& text, const std::string& where);
 
-/// Writes the sums of a part, moment by moment.
+/// Writes the sums of a part, time step by time step.
 class PartWriter {
   public:
-    /// Writes what the run is made from. Behind it, every sum and the end stands the SHA-256 of all
-    /// bytes before.
+    /// Writes the run's input. The SHA-256 of all previous bytes follows it, every sum and the end.
     PartWriter(const RunFile& run, const PartNumber& number, TextSink sink);
-    /// @param moment  counted through all points of a sweep, ascending
+    /// @param time_step  counted through all points of a sweep, ascending
     void add(std::size_t time_step, const Sums& sums);
     void finish();
 
@@ -44,20 +43,20 @@ class PartWriter {
     Sha256 digest_;
 };
 
-/// Reads them, in the same order.
+/// Reads sums in the same order.
 class PartReader {
   public:
-    /// @throws InputError  if it is no such file
+    /// @throws InputError  if the file is not a part
     explicit PartReader(std::string path);
 
     [[nodiscard]] const std::string& path() const { return path_; }
     [[nodiscard]] const PartNumber& number() const { return number_; }
-    /// What the run was made from: text that read_result_text() takes.
+    /// The run's input: text for read_result_text().
     [[nodiscard]] const std::string& head() const { return head_; }
-    /// The sums of a moment, which must be the next there.
-    /// @throws InputError  if it isn't, or the file is cut off or damaged
+    /// The sums of a time step, which must be the next in the file.
+    /// @throws InputError  if it isn't, or the file is truncated or damaged
     [[nodiscard]] Sums next(std::size_t time_step);
-    /// @throws InputError  if there are more
+    /// @throws InputError  if there are more sums
     void expect_end();
 
   private:
@@ -65,7 +64,7 @@ class PartReader {
     [[nodiscard]] std::string read_bytes(std::uint64_t count);
     [[nodiscard]] std::uint64_t read_number();
     [[nodiscard]] std::string read_block();
-    /// @throws InputError  if the bytes before are not those that were written
+    /// @throws InputError  if the previous bytes do not match their checksum
     void check_digest();
 
     std::string path_;
@@ -79,17 +78,17 @@ class PartReader {
 /// The files of all parts of one run.
 class PartFiles {
   public:
-    /// @throws InputError  if some part is missing, there twice, or of another run: each of them
+    /// @throws InputError  for each part that is missing, duplicate, or of another run
     explicit PartFiles(const std::vector<std::string>& paths);
 
-    /// The run that they are parts of.
+    /// The run of the parts.
     [[nodiscard]] StoredSweep read_runs() const;
-    /// The sums of a moment, of all parts together. Moments in their order.
+    /// The sums of a time step, of all parts together. Time steps in order.
     /// @throws InputError
     [[nodiscard]] Sums next(std::size_t time_step);
-    /// @throws InputError  if there are sums of more moments
+    /// @throws InputError  if there are sums of more time steps
     void expect_end();
-    /// The files themselves, which no output may be.
+    /// The part files; outputs must not overwrite them.
     [[nodiscard]] std::vector<InputFile> inputs() const;
 
   private:

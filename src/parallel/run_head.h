@@ -1,6 +1,6 @@
 #pragma once
 
-// What parts and checkpoints have at their beginning, and how numbers stand in them.
+// The beginning of parts and checkpoints, and the format of their numbers.
 
 #include <cstdint>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace quasimc {
 
-/// What a run is made from: text that read_result_text() takes.
+/// The run's input: text for read_result_text().
 [[nodiscard]] std::string head_of_run(const RunFile& run);
 
-/// Its 8 bytes, in the order of this machine.
+/// The 8 bytes of a number, in native byte order.
 [[nodiscard]] std::string number_bytes(std::uint64_t number);
 
 }  // namespace quasimc

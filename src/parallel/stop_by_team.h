@@ -8,8 +8,8 @@
 
 namespace quasimc {
 
-/// Requests a stop when the first process of a team wants no more. It asks whenever progress is
-/// reported to it.
+/// Requests a stop when the first process of a team has stopped; checks it at every progress
+/// report.
 class StopByTeam final : public RunListener, public TaskWatcher {
   public:
     explicit StopByTeam(RunTeam& team) : team_(team) {}

@@ -17,7 +17,7 @@
 namespace quasimc {
 namespace {
 
-/// Traces tasks of a round that the first process of the team has ordered, or prepares for it.
+/// Traces or prepares tasks of a round on an order of the first process.
 void help_round(
     RoundSolver& solver,
     const PreparedScene& prepared,

@@ -12,7 +12,7 @@ namespace quasimc {
 /// A process that helps the first one. Keeps the acceleration structure from run to run.
 class TeamHelper {
   public:
-    /// Helps with the runs of a series, until an order is for something else: returns it.
+    /// Helps with the runs of a series, until an order of another kind arrives, which it returns.
     /// @param order  the first one
     [[nodiscard]] TeamOrder help(
         const Scene& scene,

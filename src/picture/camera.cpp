@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-constexpr double kMargin = 1.06;  // of the picture over what is shown
+constexpr double kMargin = 1.06;  // of the picture around the scene
 
 }  // namespace
 
@@ -42,7 +42,7 @@ Camera::Camera(
     up_ = cross(back_, right_);
     const double radius = std::max(shown.radius(), 1e-300);
     const double longer = std::max(half_width_, half_height_);
-    const double tangent = std::tan(0.5 * view.opening_deg * kRadians);
+    const double tangent = std::tan(0.5 * view.fov_deg * kRadians);
     double extent = 0;  // largest fraction of half the picture that a corner needs, times length
     for (const Vec3& corner : corners_of(shown)) {
         const Vec3 p = seen(corner - middle_);

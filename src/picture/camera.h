@@ -7,15 +7,14 @@
 
 namespace quasimc {
 
-/// Where a scene is looked at from: always towards the middle of what is shown.
+/// Position of the camera: it always aims at the centre of the visible box.
 struct ViewSpec {
     double azimuth_deg = 200;   ///< of the camera, from north over east
     double elevation_deg = 20;  ///< of the camera, -90 to 90
-    double opening_deg = 0;     ///< angle that the longer side of the picture spans; 0: parallel
-                                ///< lines of sight, at most 150
+    double fov_deg = 0;         ///< of the longer side, at most 150; 0: orthographic
 };
 
-/// A view that has a name.
+/// A named view.
 struct NamedView {
     std::string_view name;
     double azimuth_deg, elevation_deg;
@@ -28,10 +27,10 @@ struct PixelPoint {
     double x = 0, y = 0;
 };
 
-/// Lines of sight through the pixels of a picture that shows a box whole. World, z up.
+/// Camera rays through the pixels of a picture that shows a whole box. World, z up.
 class Camera {
   public:
-    /// @param shown  not empty
+    /// @param shown  the box, not empty
     /// @param width, height  of the picture, pixels
     Camera(
         const ViewSpec& view,
@@ -41,13 +40,13 @@ class Camera {
         double height);
 
     struct CameraRay {
-        Vec3 origin, direction;  ///< unit; all the scene is ahead
+        Vec3 origin, direction;  ///< unit; the whole scene is ahead
     };
     [[nodiscard]] CameraRay through(const PixelPoint& pixel) const;
     [[nodiscard]] PixelPoint pixel_of(const Vec3& point) const;
-    /// A direction of the world as it is seen: to the right, upwards, towards the eye.
+    /// A direction of the world in camera coordinates: right, up, towards the camera.
     [[nodiscard]] Vec3 seen(const Vec3& direction) const;
-    /// Pixels to a unit of length, in the plane through the middle of what is shown.
+    /// Pixels per unit of length, in the plane through the centre of the box.
     [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] bool is_parallel() const { return distance_ == 0; }
 
@@ -55,8 +54,8 @@ class Camera {
     Vec3 middle_, right_, up_, back_;
     double half_width_, half_height_;
     double scale_ = 1;
-    double distance_ = 0;  // of the eye from the middle; 0: lines of sight are parallel
-    double start_ = 0;     // of parallel lines of sight, before the middle
+    double distance_ = 0;  // from the camera to the centre; 0: orthographic
+    double start_ = 0;     // of orthographic rays, before the centre
 };
 
 }  // namespace quasimc

@@ -8,11 +8,11 @@
 namespace quasimc {
 namespace {
 
-/// The part of a line of sight from which the scene is looked at.
+/// The part of a camera ray inside the visible box.
 struct Reach {
     double near = 0, far = std::numeric_limits<double>::infinity();
 
-    /// Cuts off where rate * t > room.
+    /// Clips where rate * t > room.
     void cut(double rate, double room) {
         if (rate > 0) {
             far = std::min(far, room / rate);
@@ -49,7 +49,7 @@ CameraRayCaster::CameraRayCaster(
       cuts_(cuts),
       caster_(data_of(scene).geometry, Cell{}, Accelerator::embree),
       box_(scene.bounds()) {
-    // Lines of sight that run in a face of the box see what lies in it.
+    // Camera rays within a face of the box hit surfaces in that face.
     const Vec3 more = 1e-6 * scene.bounds().radius() * Vec3{1, 1, 1};
     box_.add(box_.low - more);
     box_.add(box_.high + more);

@@ -9,26 +9,26 @@
 
 namespace quasimc {
 
-/// What lies on one side of a plane is shown: dot(normal, p) <= offset; world, z up.
+/// Clips a scene to one side of a plane: dot(normal, p) <= offset; world, z up.
 struct CutPlane {
     Vec3 normal;
     double offset = 0;
 };
 
-/// What a line of sight meets.
+/// The first hit of a camera ray.
 struct PrimaryHit {
     Hit hit;  ///< of the caster's mesh, local coordinates
     std::uint32_t region = 0;
-    Vec3 direction;  ///< of the line, unit
+    Vec3 direction;  ///< of the ray, unit
 };
 
-/// Casts lines of sight into a scene, of which cuts leave a part. Of a periodic scene one cell.
+/// Casts camera rays into a clipped scene. A periodic scene is reduced to one cell.
 class CameraRayCaster {
   public:
-    /// All outlive the object.
+    /// All arguments must outlive this object.
     CameraRayCaster(const Scene& scene, const Camera& camera, const std::vector<CutPlane>& cuts);
 
-    /// @param pixel  in the picture. @returns nothing where nothing is seen
+    /// @param pixel  in the picture. @returns nothing for background
     [[nodiscard]] std::optional<PrimaryHit> trace(const PixelPoint& pixel) const;
     [[nodiscard]] const RayCaster& caster() const { return caster_; }
 

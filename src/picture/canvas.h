@@ -11,15 +11,14 @@ namespace quasimc {
 /// The alignment of a text at its position.
 enum class TextAnchor { start, middle };
 
-/// How a text looks.
+/// Style of a text.
 struct TextStyle {
     double size = 12;  ///< height of a line, pixels
     TextAnchor anchor = TextAnchor::start;
     Rgb color{30, 30, 30};
 };
 
-/// An image that is drawn on. Points are in pixels from the top left corner, and may lie between
-/// pixels.
+/// An image to draw on. Points are in pixels from the top left corner, and may lie between pixels.
 class Canvas {
   public:
     Canvas(std::size_t width, std::size_t height) : image_(width, height, {255, 255, 255}) {}

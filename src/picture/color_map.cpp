@@ -28,8 +28,8 @@ constexpr Stops kMagma{0x000004, 0x030312, 0x0A0822, 0x130D34, 0x1D1147, 0x29115
                        0xEF5D5E, 0xF56B5C, 0xF9795D, 0xFC8961, 0xFD9869, 0xFEA772, 0xFEB67C,
                        0xFEC488, 0xFED395, 0xFDE2A3, 0xFCF0B2, 0xFCFDBF};
 
-// As far apart as eight colours can be for people of any colour vision: Okabe and Ito (2008), with
-// grey in place of black.
+// Eight colours that people of any colour vision can distinguish: Okabe and Ito (2008), with grey
+// instead of black.
 constexpr std::array<std::uint32_t, 8> kCategories{0x0072B2, 0xE69F00, 0x009E73, 0xD55E00,
                                                    0x56B4E9, 0xCC79A7, 0xF0E442, 0x888888};
 

@@ -53,7 +53,7 @@ const stbtt_fontinfo& font() {
     return info;
 }
 
-/// The letters of a text; U+FFFD for what is no UTF-8.
+/// The letters of a text; U+FFFD for invalid UTF-8.
 std::vector<int> code_points(std::string_view utf8) {
     std::vector<int> points;
     for (std::size_t i = 0; i < utf8.size();) {
@@ -75,13 +75,13 @@ std::vector<int> code_points(std::string_view utf8) {
     return points;
 }
 
-/// A letter, and where its left end stands.
+/// A letter, and the position of its left end.
 struct Letter {
     int glyph;
     double x;
 };
 
-/// A text in letters, and how wide it is.
+/// A text as letters, and its width.
 std::vector<Letter> set_letters(std::string_view utf8, double scale, double& width) {
     std::vector<Letter> letters;
     double x = 1;

@@ -7,14 +7,14 @@
 
 namespace quasimc {
 
-/// A text as a picture of how much of each pixel it covers, row by row.
+/// Coverage of pixels by a text, row by row.
 struct TextMask {
     std::size_t width = 0, height = 0;
-    double baseline = 0;  ///< row that letters stand on, from the top
+    double baseline = 0;  ///< row of the baseline, from the top
     std::vector<std::uint8_t> coverage;
 };
 
-/// A text in DejaVu Sans. What is no UTF-8, and letters that the font has not, are boxes.
+/// Draws a text in DejaVu Sans. Invalid UTF-8 and missing letters become boxes.
 /// @param size  height of a line, pixels
 [[nodiscard]] TextMask draw_text(std::string_view utf8, double size);
 

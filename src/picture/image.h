@@ -13,7 +13,7 @@ struct Rgb {
     friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-/// `part` of the second colour, the rest of the first.
+/// Blends two colours: `part` of the second, the rest of the first.
 [[nodiscard]] inline Rgb mixed(const Rgb& a, const Rgb& b, double part) {
     const auto channel = [part](double from, double to) {
         return static_cast<std::uint8_t>(std::lround(from + part * (to - from)));
@@ -40,7 +40,7 @@ struct Image {
 [[nodiscard]] bool has_png();
 
 /// The bytes of a PNG file. Needs has_png().
-/// @throws std::runtime_error  if libpng can't make one
+/// @throws std::runtime_error  if libpng fails
 [[nodiscard]] std::string to_png(const Image& image);
 
 }  // namespace quasimc

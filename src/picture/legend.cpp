@@ -12,7 +12,7 @@ namespace {
 constexpr double kTextSize = 13;
 constexpr double kBarWidth = 18;
 
-/// The value that 199 of 200 parts of the area do not exceed; the largest where few organs are.
+/// The 99.5 % quantile of values, weighted by area; the maximum for few organs.
 double usual_most(const std::vector<double>& values, const std::vector<double>& areas) {
     std::vector<std::size_t> order;
     double area = 0;
@@ -43,7 +43,7 @@ void draw_bar(
     const int steps = static_cast<int>(height);
     for (int i = 0; i < steps; ++i) {
         const double part = 1 - (i + 0.5) / steps;
-        // Each reaches under the next one, so that no seam shows between them.
+        // Each overlaps the next one, so that no seam shows between them.
         canvas.rectangle(
             {corner.x, corner.y + i}, kBarWidth * s, i + 1 < steps ? 2 : 1,
             color_at(*legend.map, part));

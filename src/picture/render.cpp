@@ -15,12 +15,12 @@ namespace {
 
 constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
 
-/// What a line of sight meets.
+/// The hit of a camera ray.
 struct PixelHit {
     std::uint32_t organ = kNothing;
-    float facing = 1;  // cosine between normal and line of sight
+    float facing = 1;  // cosine between normal and camera ray
 
-    /// Whether it looks like what the next pixel sees, so that nothing can be missed between them.
+    /// Whether it resembles the next pixel, so that nothing can be missed between them.
     [[nodiscard]] bool is_like(const PixelHit& other) const {
         return organ == other.organ && std::abs(facing - other.facing) < 0.1F;
     }
@@ -81,7 +81,7 @@ class Renderer {
         return mixed(spec_.colors[seen.organ], Rgb{}, spec_.shading * (1 - double{seen.facing}));
     }
 
-    /// The mean over the middle of a pixel and four points about it, a rotated grid.
+    /// The mean over the centre of a pixel and four points about it, a rotated grid.
     Rgb smooth_color(std::size_t x, std::size_t y) {
         constexpr std::array<PixelPoint, 4> kAbout{
             {{-0.375, -0.125}, {0.125, -0.375}, {0.375, 0.125}, {-0.125, 0.375}}};
@@ -93,7 +93,7 @@ class Renderer {
         return mean(colors);
     }
 
-    /// As light mixes: the square of a channel is nearly its light.
+    /// Mean in linear light: the square of a channel is nearly its light.
     static Rgb mean(std::span<const Rgb> colors) {
         std::array<double, 3> sum{};
         for (const Rgb& c : colors) {
@@ -117,7 +117,7 @@ class Renderer {
 }  // namespace
 
 Bounds shown_bounds(const Scene& scene, const std::vector<CutPlane>& cuts) {
-    // Planes along axes cut the box; others leave it as it is.
+    // Clipping planes along axes reduce the box; others do not.
     Bounds box = scene.bounds();
     const auto cut = [](double normal, double other, double offset, double& low, double& high) {
         if (other == 0 && normal > 0) {

@@ -18,9 +18,9 @@ constexpr Rgb kSunMark{225, 120, 0};
 constexpr double kLegendWidth = 170;
 constexpr double kTitleHeight = 62;
 
-/// The parts of a picture that is 900 pixels high, times `scale` for others.
+/// Layout of a picture 900 pixels high, times `scale` for others.
 struct Layout {
-    double scale, width, height;  // of all
+    double scale, width, height;  // of the picture
     double view_width, view_height, view_top;
 
     explicit Layout(const ScenePicture& picture)
@@ -57,7 +57,7 @@ void draw_arrow(
     }
 }
 
-/// The position for a letter, as near as possible to `at`, that leaves the marks of suns free.
+/// The position for a letter, as close as possible to `at`, that does not cover the marks of suns.
 PixelPoint beside_suns(PixelPoint at, const std::vector<PixelPoint>& suns, double room) {
     for (const PixelPoint& sun : suns) {
         const double dx = at.x - sun.x, dy = at.y - sun.y, far = std::hypot(dx, dy);
@@ -69,7 +69,7 @@ PixelPoint beside_suns(PixelPoint at, const std::vector<PixelPoint>& suns, doubl
     return at;
 }
 
-/// The north, the vertical and the suns as they are seen: as arrows in a circle.
+/// Draws north, the vertical and the suns as arrows in a circle.
 void draw_directions(
     Canvas& canvas,
     const Scene& scene,

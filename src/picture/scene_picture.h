@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// A scene and what is told about it, to be drawn.
+/// A picture of a scene with annotations.
 struct ScenePicture {
     std::string title, subtitle;
     ViewSpec view;

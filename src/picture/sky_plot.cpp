@@ -20,7 +20,7 @@ constexpr Rgb kInk{40, 40, 40};
 constexpr Rgb kSun{220, 30, 20};
 constexpr double kSkyMargin = 15;  // around a sky of 256 pixels
 
-/// The square root of the radiance in the middle of each pixel; NaN beyond the horizon.
+/// The square root of the radiance in the centre of each pixel; NaN beyond the horizon.
 std::vector<double> shades_of(const Source& sky, std::size_t size, double radius) {
     const double middle = 0.5 * static_cast<double>(size);
     std::vector<double> shades(size * size, std::numeric_limits<double>::quiet_NaN());

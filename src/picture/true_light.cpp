@@ -29,7 +29,7 @@ double overlap(double from, double to, double low, double high) {
     return std::max(0.0, std::min(to, high) - std::max(from, low));
 }
 
-/// What a matt surface sends back and lets through, per band and side on which the light falls.
+/// Reflectance and transmittance of a Lambertian surface, per band and side of incidence.
 struct DiffuseSide {
     std::vector<double> reflected, transmitted;
 };
@@ -46,8 +46,8 @@ DiffuseSide matt_side(const Side& side, std::size_t bands) {
     return diffuse;
 }
 
-/// Light of all sources on a plane that faces it, as red, green and blue: what a white surface
-/// would send back. 1 where there is none.
+/// Light of all sources on a plane facing it, as red, green and blue: the exitance of a white
+/// surface. 1 where there is none.
 LinearRgb white_of(const TrueLightSpec& spec) {
     LinearRgb white{};
     for (const auto& source : *spec.sources) {
@@ -63,7 +63,7 @@ LinearRgb white_of(const TrueLightSpec& spec) {
     return white;
 }
 
-/// Light as it is seen: more of it comes ever nearer to white, encoded for sRGB (IEC 61966-2-1).
+/// Tone mapping: light approaches white asymptotically, encoded for sRGB (IEC 61966-2-1).
 std::uint8_t encoded(double light) {
     const double toned = 1 - std::exp(-light);
     const double coded =
@@ -79,7 +79,7 @@ class TrueLight {
           hits_(scene, camera, spec.cuts),
           white_(white_of(spec)),
           light_(spec.width * spec.height),
-          seen_(spec.width * spec.height) {
+          coverage_(spec.width * spec.height) {
         for (const Material& material : data_of(scene).materials) {
             materials_.push_back(
                 {matt_side(material.side(SurfaceSide::upper), spec.bands.size()),
@@ -91,7 +91,7 @@ class TrueLight {
         parallel_blocks(
             spec_.height, thread_count(spec_.threads), [this](std::uint64_t y, unsigned) {
                 for (std::size_t x = 0; x < spec_.width; ++x) {
-                    look_at(x, y);
+                    sample_pixel(x, y);
                 }
             });
         const double scale = exposure();
@@ -100,14 +100,14 @@ class TrueLight {
             const LinearRgb& light = light_[i];
             const Rgb own{
                 encoded(scale * light[0]), encoded(scale * light[1]), encoded(scale * light[2])};
-            image.pixels[i] = mixed(spec_.background, own, seen_[i]);
+            image.pixels[i] = mixed(spec_.background, own, coverage_[i]);
         }
         return image;
     }
 
   private:
-    /// The mean over four points of a pixel, a rotated grid.
-    void look_at(std::size_t x, std::size_t y) {
+    /// Samples four points of a pixel, a rotated grid.
+    void sample_pixel(std::size_t x, std::size_t y) {
         constexpr std::array<PixelPoint, 4> kOffsets{
             {{.375, .125}, {.875, .375}, {.625, .875}, {.125, .625}}};
         const std::size_t pixel = y * spec_.width + x;
@@ -124,10 +124,10 @@ class TrueLight {
         for (std::size_t c = 0; c < sum.size() && count > 0; ++c) {
             light_[pixel][c] = sum[c] / count / white_[c];
         }
-        seen_[pixel] = count / kOffsets.size();
+        coverage_[pixel] = count / kOffsets.size();
     }
 
-    /// Pi times the radiance towards the eye.
+    /// Pi times the radiance towards the camera.
     [[nodiscard]] LinearRgb light_from(const PrimaryHit& seen, std::uint64_t key) const {
         const Region& region = scene_.regions()[seen.region];
         const auto& sides = materials_[region.material.value];
@@ -159,10 +159,10 @@ class TrueLight {
         return light;
     }
 
-    /// Light that falls on an organ from other surfaces: as if as much fell on both sides.
+    /// Light from other surfaces, assumed equal on both sides of an organ.
     [[nodiscard]] LinearRgb scattered_by(
         std::uint32_t organ, const std::array<DiffuseSide, 2>& sides) const {
-        constexpr double kQuarter = 0.25;  // two sides that it falls on, two that it leaves
+        constexpr double kQuarter = 0.25;  // two sides of incidence, two of exitance
         const std::size_t bands = spec_.bands.size();
         const std::span<const double> falls =
             std::span(spec_.scattered).subspan(organ * bands, bands);
@@ -187,7 +187,8 @@ class TrueLight {
         }
     }
 
-    /// Points of the unit square, spread evenly (the lattice of the plastic number), by pixel.
+    /// Uniformly distributed points of the unit square (the lattice of the plastic number), by
+    /// pixel.
     static std::pair<double, double> point_of(std::uint64_t key, int i) {
         constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
         const auto unit = [](std::uint64_t bits) {
@@ -197,11 +198,11 @@ class TrueLight {
         return {u0 - std::floor(u0), u1 - std::floor(u1)};
     }
 
-    /// Such that what a hundredth of the pixels exceeds is bright, and not white yet.
+    /// Exposure: the brightest hundredth of the pixels begins to saturate.
     [[nodiscard]] double exposure() const {
         std::vector<double> brightness;
         for (std::size_t i = 0; i < light_.size(); ++i) {
-            if (seen_[i] > 0) {
+            if (coverage_[i] > 0) {
                 // Luminance of linear sRGB (ITU-R BT.709).
                 brightness.push_back(
                     0.2126 * light_[i][0] + 0.7152 * light_[i][1] + 0.0722 * light_[i][2]);
@@ -224,7 +225,7 @@ class TrueLight {
     LinearRgb white_;
     std::vector<std::array<DiffuseSide, 2>> materials_;
     std::vector<LinearRgb> light_;
-    std::vector<double> seen_;  // part of each pixel
+    std::vector<double> coverage_;  // covered fraction of each pixel
 };
 
 }  // namespace

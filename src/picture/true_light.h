@@ -14,26 +14,26 @@ namespace quasimc {
 /// Red, green and blue light, linear.
 using LinearRgb = std::array<double, 3>;
 
-/// How much of the light of each band is red, green and blue: by the part of the band that lies at
-/// 600 to 700, 500 to 600 and 400 to 500 nm, per nm. A colour that no band reaches is the mean of
-/// those that some reach. Empty if no band is visible: if none has known wavelengths there.
+/// Contribution of each band to red, green and blue: by the part of the band in 600 to 700, 500 to
+/// 600 and 400 to 500 nm, per nm. A colour without any band is the mean of the others. Empty if no
+/// band is visible, or none has known wavelengths there.
 [[nodiscard]] std::vector<LinearRgb> colors_of_bands(const std::vector<Band>& bands);
 
 /// A scene in the light of its sources.
 struct TrueLightSpec {
     std::size_t width = 1, height = 1;
     const Sources* sources = nullptr;
-    std::vector<LinearRgb> bands;  ///< of colors_of_bands(), not empty
-    /// Scattered light that falls on both sides of an organ, per area: [organ * bands + band].
+    std::vector<LinearRgb> bands;  ///< from colors_of_bands(), not empty
+    /// Scattered light on both sides of an organ, per area: [organ * bands + band].
     std::vector<double> scattered;
     std::vector<CutPlane> cuts = {};
     Rgb background{255, 255, 255};
-    unsigned threads = 0;  ///< 0: as many as there are; never changes a pixel
+    unsigned threads = 0;  ///< 0: all available; does not change the picture
 };
 
-/// What an eye would see: light straight from the sources, by shadow rays, and light of other
-/// surfaces as the mean over each organ. Surfaces are matt. White is what a white surface would
-/// send back that faces all light (docs/guide/pictures.md).
+/// A realistic picture: direct light by shadow rays, and light from other surfaces as the mean over
+/// each organ. Surfaces are Lambertian. White is a white surface facing all light
+/// (docs/guide/pictures.md).
 [[nodiscard]] Image render_true_light(
     const Scene& scene, const Camera& camera, const TrueLightSpec& spec);
 

@@ -11,8 +11,8 @@ namespace quasimc {
 
 namespace {
 
-/// Drops points inside the polygon of those that lie furthest in sixteen directions (Akl and
-/// Toussaint 1978), which are most.
+/// Drops points inside the polygon of the extreme points in sixteen directions (Akl and Toussaint
+/// 1978), usually most of them.
 void drop_inner_points(std::vector<Point2>& points) {
     constexpr std::size_t kDirections = 16;
     std::array<Point2, kDirections> direction, furthest;
@@ -46,7 +46,7 @@ void drop_inner_points(std::vector<Point2>& points) {
     points.erase(std::remove_if(points.begin(), points.end(), is_inner), points.end());
 }
 
-/// Appends the corners of the hull that are met walking through `points`, turning left.
+/// Appends the corners of the hull found by a walk through `points`, turning left.
 template <typename Iterator>
 void append_chain(std::vector<Point2>& hull, Iterator first, Iterator last) {
     const std::size_t begin = hull.size();
@@ -57,7 +57,7 @@ void append_chain(std::vector<Point2>& hull, Iterator first, Iterator last) {
         }
         hull.push_back(*first);
     }
-    hull.pop_back();  // begins the next chain
+    hull.pop_back();  // the first point of the next chain
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ std::vector<Point2> convex_hull(std::vector<Point2> points) {
     if (points.size() < 3) {
         return points;
     }
-    // The monotone chain (Andrew 1979): the lower border to the right, the upper one back.
+    // Monotone chain (Andrew 1979): the lower border to the right, the upper one back.
     std::vector<Point2> hull;
     append_chain(hull, points.begin(), points.end());
     append_chain(hull, points.rbegin(), points.rend());
@@ -92,7 +92,7 @@ double polygon_area(const std::vector<Point2>& corners) {
 
 namespace {
 
-/// Where the border of a convex polygon lies at `s`, on one side: a chain of corners with rising s.
+/// The border of a convex polygon at `s`, on one side: a chain of corners with rising s.
 double border_at(const std::vector<Point2>& chain, double s) {
     const auto right = std::lower_bound(
         chain.begin() + 1, chain.end() - 1, s, [](const Point2& p, double x) { return p.s < x; });
@@ -120,7 +120,7 @@ Borders borders_of(const std::vector<Point2>& hull) {
     const auto right = std::max_element(turned.begin(), turned.end(), by_s);
     Borders borders{{turned.begin(), right + 1}, {right, turned.end()}};
     std::reverse(borders.upper.begin(), borders.upper.end());
-    // Upright sides at the ends belong to neither border.
+    // Vertical sides at the ends belong to neither border.
     if (borders.upper.size() > 2 && borders.upper[0].s == borders.upper[1].s) {
         borders.upper.erase(borders.upper.begin());
     }
@@ -174,8 +174,8 @@ ConvexMap::ConvexMap(const std::vector<Point2>& hull) {
 Point2 ConvexMap::point(double u0, double u1) const {
     const double area = u0 * area_;
     std::size_t i = guide_[static_cast<std::size_t>(u0 * static_cast<double>(kGuides))];
-    i += slabs_[i].area_after < area ? 1U : 0U;  // without a branch: often so, by chance
-    while (slabs_[i].area_after < area) {        // with one: hardly ever so
+    i += slabs_[i].area_after < area ? 1U : 0U;  // branchless: true in about half of the cases
+    while (slabs_[i].area_after < area) {        // with a branch: rarely true
         ++i;
     }
     const Slab& slab = slabs_[i];

@@ -10,7 +10,7 @@ Point2 between(const Point2& a, const Point2& b, double f) {
     return {a.s + f * (b.s - a.s), a.t + f * (b.t - a.t)};
 }
 
-/// What of `other` runs along `stretch`, as parts of its length.
+/// The part of `segment` that `other` runs along, as fractions of its length.
 std::optional<std::pair<double, double>> part_along(
     const PlaneSegment& segment, const PlaneSegment& other, double tolerance) {
     const double length = length_of(segment);
@@ -28,7 +28,7 @@ std::optional<std::pair<double, double>> part_along(
     if (!(begin < end)) {
         return std::nullopt;
     }
-    // Where they run beside each other, they may be no farther apart.
+    // Parallel segments must be within the tolerance.
     const double a = along(other.from);
     const double b = along(other.to);
     const auto distance = [&](double at) {

@@ -14,19 +14,19 @@ using ConvexPiece = std::vector<Point2>;
 
 [[nodiscard]] double area_of(const ConvexPiece& piece);
 
-/// How much of the line from `from` to `to` lies within a piece.
+/// Length of the line from `from` to `to` within a piece.
 [[nodiscard]] double length_within(const ConvexPiece& piece, const Point2& from, const Point2& to);
 
 /// The parts of a piece to the right and to the left of the line through two points.
 [[nodiscard]] std::pair<ConvexPiece, ConvexPiece> parts_beside(
     const ConvexPiece& piece, const Point2& from, const Point2& to);
 
-/// What two pieces that lie beside each other have in common, if it is longer than `tolerance`,
-/// the distance of sides that count as one.
+/// The common border of two adjacent pieces, if it is longer than `tolerance`; sides within this
+/// distance coincide.
 [[nodiscard]] std::optional<PlaneSegment> common_border(
     const ConvexPiece& a, const ConvexPiece& b, double tolerance);
 
-/// Of a stretch, the part that lies along any of others, 0..1.
+/// The fraction of a segment that coincides with any of others, 0..1.
 [[nodiscard]] double share_along(
     const PlaneSegment& segment, std::span<const PlaneSegment> others, double tolerance);
 

@@ -12,18 +12,18 @@
 namespace quasimc {
 namespace {
 
-/// Of a part's area: less is not cut off.
+/// Relative to a part's area: smaller pieces are not cut off.
 constexpr double kMinPiece = 1e-3;
-/// Of a part's side: lines no farther apart count as one.
+/// Relative to a part's side: lines within this distance coincide.
 constexpr double kOneLine = 2e-3;
-/// Of a part's area: smaller patches go to a neighbour, for few lines meet them.
+/// Relative to a part's area: smaller patches join a neighbour, for few lines hit them.
 constexpr double kSmallPatch = 0.25;
-/// Pieces are kept apart if so much of what is between them is a surface.
+/// Pieces stay apart if surfaces cover this fraction of their common border.
 constexpr double kSeparated = 0.25;
-/// Pieces of one part, and what crosses it of which is known, at most: the longest.
+/// Limits for one part: its pieces, and its crossing segments, the longest first.
 constexpr std::size_t kMaxPieces = 40, kMaxKnown = 64;
 
-/// Pieces that grow together, but for those that must stay apart.
+/// Disjoint sets of pieces; some pairs must stay apart.
 class Unions {
   public:
     explicit Unions(std::vector<double> areas)
@@ -61,7 +61,7 @@ class Unions {
 
 }  // namespace
 
-/// Cuts the parts of a triangle, four by four.
+/// Cuts the parts of a triangle into pieces.
 class TriangleCutter {
   public:
     TriangleCutter(int level, std::span<const SurfaceCrossing> crossings, CutTriangle& to)
@@ -85,12 +85,12 @@ class TriangleCutter {
     struct Piece {
         ConvexPiece corners;
         std::uint32_t part;
-        std::size_t link;  // that leads to it
+        std::size_t link;  // index of the link that leads here
     };
     struct Border {
         std::size_t a, b;  // pieces
         double length;
-        double separated;  // the part of it that is a surface
+        double separated;  // length covered by surfaces
     };
 
     void sort_into_parts(const SurfaceCrossing& crossing) {
@@ -139,7 +139,7 @@ class TriangleCutter {
         }
     }
 
-    /// Adds the pieces of a part: cut by the lines of all that crosses it, the longest first.
+    /// Adds the pieces of a part, cut along all crossing segments, the longest first.
     void cut_part(std::uint32_t part, std::vector<Piece>& pieces) {
         const std::size_t first = pieces.size();
         pieces.push_back({TriangleParts(level_).corners(part), part, part});
@@ -178,7 +178,7 @@ class TriangleCutter {
         pieces.push_back({std::move(left), pieces[i].part, to_.link_of(line, true)});
     }
 
-    /// Of all pieces that lie beside each other, the longest first.
+    /// The common borders of all pairs of adjacent pieces, the longest first.
     [[nodiscard]] std::vector<Border> find_borders(
         const std::vector<Piece>& pieces, std::span<const PlaneSegment> surfaces) const {
         const double tolerance = kOneLine * side_;
@@ -208,7 +208,7 @@ class TriangleCutter {
         }
     }
 
-    /// The smallest first.
+    /// Joins small pieces to neighbours, the smallest first.
     void join_small(const std::vector<Border>& borders, std::size_t pieces, Unions& unions) const {
         for (std::size_t joined = 1; joined < pieces; ++joined) {
             const Border* next = nullptr;
@@ -227,8 +227,8 @@ class TriangleCutter {
         }
     }
 
-    /// The patch of each piece: patches that hold a whole part have its number, others that of a
-    /// part that is cut, and those beyond a new one. Adds them.
+    /// Numbers the patch of each piece and adds the patches: one that holds a whole part has its
+    /// number; others have that of a part that is cut, or a new one.
     [[nodiscard]] std::vector<std::uint32_t> number(
         const std::vector<Piece>& pieces,
         const std::vector<std::uint32_t>& parts,

@@ -9,22 +9,22 @@
 
 namespace quasimc {
 
-/// A triangle that other surfaces cross, cut into patches that lie on one side of them: the parts
-/// of its level (Patches), those that are crossed cut along the lines. What no surface separates
-/// stays together, and what is small goes to a neighbour. The first 4^level patches are numbered
-/// as the parts, some of which may be empty.
+/// A triangle cut into patches that lie on one side of all surfaces crossing it: the parts of its
+/// level (Patches), each further cut along crossing segments. Pieces that no surface separates stay
+/// together, and small ones join a neighbour. The first 4^level patches are numbered like the
+/// parts; some may be empty.
 class CutTriangle {
   public:
-    /// @param crossings  of the triangle, at least one
+    /// @param crossings  with other surfaces, at least one
     CutTriangle(int level, std::span<const SurfaceCrossing> crossings);
 
     [[nodiscard]] std::uint32_t patches() const {
         return static_cast<std::uint32_t>(areas_.size());
     }
-    /// Of the triangle, the part that a patch covers; 0 of some.
+    /// The area fraction of a patch; 0 for empty ones.
     [[nodiscard]] double area(std::uint32_t patch) const { return areas_[patch]; }
-    /// Patches of the same number here make one patch of the level above, on one side of all that
-    /// crosses it.
+    /// Patches with equal numbers form one patch of the next coarser level, on one side of all
+    /// crossing surfaces.
     [[nodiscard]] std::uint32_t group(std::uint32_t patch) const { return groups_[patch]; }
 
     /// The patch that contains a point of a part.
@@ -36,7 +36,7 @@ class CutTriangle {
         }
         return at & ~kPatch;
     }
-    /// Calls visit(patch, share of the way from a to b) for a line that lies in a part.
+    /// Calls visit(patch, fraction of the line) along the line from a to b, which lies in a part.
     template <typename Visit>
     void cut(std::uint32_t part, const Point2& a, const Point2& b, const Visit& visit) const {
         cut_below(links_[part], a, b, 1, visit);
@@ -46,7 +46,7 @@ class CutTriangle {
     friend class TriangleCutter;
     static constexpr std::uint32_t kPatch = 0x80000000U;
 
-    /// Where a piece is cut in two: along 0 = c + by_u u + by_v v.
+    /// A cut through a piece, along 0 = c + by_u u + by_v v.
     struct Line {
         double c, by_u, by_v;
         [[nodiscard]] double at(double u, double v) const { return c + by_u * u + by_v * v; }
@@ -77,7 +77,7 @@ class CutTriangle {
 
     std::size_t parts_;
     std::vector<Line> lines_;
-    std::vector<std::uint32_t> links_;  // of each part, and below and above each line
+    std::vector<std::uint32_t> links_;  // for each part, and below and above each line
     std::vector<double> areas_;
     std::vector<std::uint32_t> groups_;
 };

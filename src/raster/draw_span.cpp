@@ -1,4 +1,4 @@
-// Compiled once for each vector unit: foreach_target.h includes this file again and again.
+// Compiled once for each vector unit: foreach_target.h includes this file repeatedly.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/draw_span.cpp"
 #include "raster/draw_span.h"
@@ -15,37 +15,36 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// All lanes at once: spans are too short to be worth a branch for each pixel, and a call. A
-/// product and a sum, not MulAdd, which rounds otherwise on machines that have a fused one.
+/// Draws with all lanes: spans are too short for a branch per pixel or a call. A product and a sum
+/// are used, not MulAdd, which rounds differently on machines with a fused one.
 struct Pencil {
     using Floats = hn::CappedTag<float, kSpanLanes>;
-    using Words = hn::RebindToSigned<Floats>;
+    using Ints = hn::RebindToSigned<Floats>;
     static constexpr Floats kFloats{};
-    static constexpr Words kWords{};
+    static constexpr Ints kInts{};
 
     hn::Vec<Floats> slope;
-    hn::Vec<Words> id;
+    hn::Vec<Ints> id;
 
     Pencil(float step, std::int32_t drawn)
-        : slope(hn::Set(kFloats, step)), id(hn::Set(kWords, drawn)) {}
+        : slope(hn::Set(kFloats, step)), id(hn::Set(kInts, drawn)) {}
 
     void draw(float* depths, std::int32_t* ids, std::int32_t count, float z) const {
         const auto lanes = static_cast<std::int32_t>(hn::Lanes(kFloats));
         const auto start = hn::Set(kFloats, z);
-        const auto end = hn::Set(kWords, count);
-        auto pixel = hn::Iota(kWords, 0);
+        const auto end = hn::Set(kInts, count);
+        auto pixel = hn::Iota(kInts, 0);
         for (std::int32_t i = 0; i < count; i += lanes) {
             const auto depth = hn::Add(start, hn::Mul(slope, hn::ConvertTo(kFloats, pixel)));
             const auto seen = hn::LoadU(kFloats, depths + i);
-            const auto ids_seen = hn::LoadU(kWords, ids + i);
+            const auto ids_seen = hn::LoadU(kInts, ids + i);
             const auto is_first =
                 hn::And(hn::Eq(depth, seen), hn::RebindMask(kFloats, hn::Lt(id, ids_seen)));
             const auto nearer = hn::And(
                 hn::RebindMask(kFloats, hn::Lt(pixel, end)), hn::Or(hn::Lt(depth, seen), is_first));
             hn::StoreU(hn::IfThenElse(nearer, depth, seen), kFloats, depths + i);
-            hn::StoreU(
-                hn::IfThenElse(hn::RebindMask(kWords, nearer), id, ids_seen), kWords, ids + i);
-            pixel = hn::Add(pixel, hn::Set(kWords, lanes));
+            hn::StoreU(hn::IfThenElse(hn::RebindMask(kInts, nearer), id, ids_seen), kInts, ids + i);
+            pixel = hn::Add(pixel, hn::Set(kInts, lanes));
         }
     }
 };
@@ -58,7 +57,7 @@ void draw_spans(
     }
 }
 
-/// Where the rows of a block begin, how long they are, and how deep at the first pixel.
+/// Begin, length and first depth of each row of a block.
 struct RowStarts {
     alignas(64) std::int32_t pixels[BlockSpans::kMost];
     alignas(64) std::int32_t counts[BlockSpans::kMost];
@@ -103,7 +102,7 @@ void draw_rows(const DepthBuffer& to, const BlockSpans& spans, std::int32_t firs
 /// Bits of a word.
 constexpr std::uint32_t kBits = 64;
 
-/// Bit i is set where ids[i + 1] is another than ids[i].
+/// Bit i is set where ids[i + 1] differs from ids[i].
 std::uint64_t changes_of(const std::int32_t* ids) {
     const hn::CappedTag<std::int32_t, 16> words;
     std::uint64_t changes = 0;

@@ -8,10 +8,10 @@
 
 namespace quasimc {
 
-/// So many pixels are drawn at one go: depths and ids need room for as many behind their end.
+/// Number of pixels drawn at a time: depths and ids need room for this many beyond their end.
 inline constexpr std::int32_t kSpanLanes = 8;
 
-/// Pixels of a row next to each other.
+/// Consecutive pixels of a row.
 struct PixelSpan {
     std::size_t first = 0;
     std::int32_t count = 0;
@@ -21,24 +21,23 @@ struct PixelSpan {
 /// A depth buffer, row by row.
 struct DepthBuffer {
     float* depths = nullptr;
-    std::int32_t* ids = nullptr;  ///< of what is nearest; of what is equally near the least
+    std::int32_t* ids = nullptr;  ///< of the nearest object; of equally near ones the smallest
     std::uint32_t columns = 1;
 };
 
 /// Loops over pixels, compiled for a vector unit.
 struct DrawLoops {
-    /// Draws spans of object `id`, whose depth rises by `step` from pixel to pixel, where they are
-    /// nearer than what is there.
+    /// Draws spans of object `id` with depth test; depth rises by `step` from pixel to pixel.
     void (*spans)(
         const DepthBuffer& to, std::span<const PixelSpan> spans, float step, std::int32_t id);
-    /// Draws the rows at hand of a block: its lanes are objects `first_id`, `first_id + 1`, ...
+    /// Draws the current rows of a block: its lanes are objects `first_id`, `first_id + 1`, ...
     void (*rows)(const DepthBuffer& to, const BlockSpans& spans, std::int32_t first_id);
-    /// Writes behind which of the first `count` ids another stands: the number of the other, which
-    /// ids[count] may be. There must be room for `count`. @returns how many
+    /// Writes the end of each run of equal ids among the first `count`; ids[count] may differ too.
+    /// `ends` must have room for `count`. @returns the number of runs
     std::size_t (*run_ends)(const std::int32_t* ids, std::uint32_t count, std::uint32_t* ends);
 };
 
-/// Those for the vector unit of this machine. All variants compute the same bits.
+/// The loops for the vector unit of this machine. All variants compute the same bits.
 [[nodiscard]] DrawLoops best_draw_loops();
 
 }  // namespace quasimc

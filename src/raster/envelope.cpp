@@ -7,8 +7,8 @@
 namespace quasimc {
 namespace {
 
-/// Where `behind`, which is not nearer than `front` at `x`, is as near as it: it is nearer by
-/// `lead` at `end`.
+/// The position where `behind` becomes as near as `front`: at `x` it is not nearer, at `end` it is
+/// nearer by `lead`.
 double crossing_of(
     const VisibleSegment& front, const VisibleSegment& behind, double x, double end, double lead) {
     const double lag = std::max(0.0, behind.depth(x) - front.depth(x));
@@ -37,7 +37,7 @@ void Envelope::find(
         check_stop();
         const double x = segment.low;
         while (front_ != nullptr && until_ <= x) {
-            go_on();
+            advance();
         }
         if (front_ == nullptr) {
             begin(segment);
@@ -47,16 +47,16 @@ void Envelope::find(
         if (lag < 0 || (lag == 0 && segment.slope < front_->slope)) {
             take_over(segment, x);
         } else {
-            watch(segment, x);
+            add_behind(segment, x);
         }
     }
     while (front_ != nullptr) {
         check_stop();
-        go_on();
+        advance();
     }
 }
 
-/// A segment where there is no other.
+/// Starts with a segment where there is no other.
 void Envelope::begin(const VisibleSegment& segment) {
     front_ = &segment;
     crossing_ = nullptr;
@@ -64,24 +64,24 @@ void Envelope::begin(const VisibleSegment& segment) {
     until_ = segment.high;
 }
 
-/// A segment begins in front.
+/// A segment starts in front of the current one.
 void Envelope::take_over(const VisibleSegment& segment, double x) {
     put(x);
     behind_.push_back(front_);
     front_ = &segment;
-    look_behind(x);
+    update_front(x);
 }
 
-/// A segment begins behind the one in front.
-void Envelope::watch(const VisibleSegment& segment, double x) {
-    if (look_at(segment, x)) {
+/// A segment starts behind the front.
+void Envelope::add_behind(const VisibleSegment& segment, double x) {
+    if (note_crossing(segment, x)) {
         behind_.push_back(&segment);
     }
 }
 
-/// Notes if a segment behind the front passes it before all others. False if it will not be seen.
-/// Slopes tell what passes what, so that rounding makes no circles.
-bool Envelope::look_at(const VisibleSegment& segment, double x) {
+/// Records a segment behind the front if it is the first to cross it. Returns false if it stays
+/// hidden. Slopes decide the order, so that rounding can't cause an infinite loop.
+bool Envelope::note_crossing(const VisibleSegment& segment, double x) {
     const double end = std::min(segment.high, front_->high);
     const double lead = front_->depth(end) - segment.depth(end);
     if (lead > 0 && segment.slope < front_->slope) {
@@ -95,21 +95,21 @@ bool Envelope::look_at(const VisibleSegment& segment, double x) {
     return segment.high > front_->high;
 }
 
-/// Finds how far the new front is seen, and forgets what will not be seen again.
-void Envelope::look_behind(double x) {
+/// Finds the end of the new front, and drops segments that stay hidden.
+void Envelope::update_front(double x) {
     until_ = front_->high;
     crossing_ = nullptr;
     std::size_t kept = 0;
     for (const VisibleSegment* other : behind_) {
-        if (other != front_ && other->high > x && look_at(*other, x)) {
+        if (other != front_ && other->high > x && note_crossing(*other, x)) {
             behind_[kept++] = other;
         }
     }
     behind_.resize(kept);
 }
 
-/// The front ends or is passed.
-void Envelope::go_on() {
+/// The front ends or is crossed.
+void Envelope::advance() {
     put(until_);
     const double x = until_;
     if (crossing_ != nullptr) {
@@ -124,7 +124,7 @@ void Envelope::go_on() {
         }
     }
     if (front_ != nullptr) {
-        look_behind(x);
+        update_front(x);
     }
 }
 

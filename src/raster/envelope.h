@@ -7,13 +7,13 @@
 
 namespace quasimc {
 
-/// A segment that a scan line cuts out of a surface, or a part of it: from `low` to `high` along
-/// the line, in any unit; smaller depths are nearer.
+/// A segment of a scan line on a surface, or a part of it: from `low` to `high` along the line, in
+/// any unit; smaller depths are nearer.
 struct VisibleSegment {
     double low = 0, high = 0;   ///< along the line
-    double at_low = 0;          ///< depth there
+    double at_low = 0;          ///< depth at `low`
     double slope = 0;           ///< of the depth along the line
-    std::uint32_t surface = 0;  ///< its number, of the caller's
+    std::uint32_t surface = 0;  ///< index assigned by the caller
 
     [[nodiscard]] double depth(double x) const { return at_low + (x - low) * slope; }
     [[nodiscard]] double length() const { return high - low; }
@@ -22,23 +22,23 @@ struct VisibleSegment {
     }
 };
 
-/// The pieces of segments that are seen from depth -infinity: the lower envelope of segments, which
-/// may cross each other. Pieces come in order along the line and do not overlap. Where two segments
-/// are at the same depth either is seen.
+/// The lower envelope of segments, which may cross each other: their parts that are visible from
+/// depth -infinity. Parts are ordered along the line and do not overlap. Where two segments have
+/// equal depth either may be visible.
 ///
-/// A walk along the line that knows which segment is in front, and those behind it that may be seen
-/// further on: O(n k), k of n segments lying over each other.
+/// A sweep along the line that knows the segment in front, and those behind it that may become
+/// visible: O(n k) for n segments with k of them over each other.
 class Envelope {
   public:
-    /// Sets `out` to what is seen of segments in order of `low`; those without length are passed
-    /// over.
-    /// @throws StopRequested  if `stop`, where there is one, says so
+    /// Sets `out` to the visible parts of segments in order of `low`; segments without length are
+    /// ignored.
+    /// @throws StopRequested  if a stop was requested through `stop`
     void find(
         std::span<const VisibleSegment> segments,
         std::vector<VisibleSegment>& out,
         const std::stop_token* stop = nullptr);
 
-    /// Appends to `out` what is seen of `segment` in front of pieces in order; nothing if it has no
+    /// Appends to `out` the parts of `segment` in front of ordered `pieces`; nothing if it has no
     /// length.
     static void seen_before(
         const VisibleSegment& segment,
@@ -48,16 +48,16 @@ class Envelope {
   private:
     void begin(const VisibleSegment& segment);
     void take_over(const VisibleSegment& segment, double x);
-    void watch(const VisibleSegment& segment, double x);
-    [[nodiscard]] bool look_at(const VisibleSegment& segment, double x);
-    void look_behind(double x);
-    void go_on();
+    void add_behind(const VisibleSegment& segment, double x);
+    [[nodiscard]] bool note_crossing(const VisibleSegment& segment, double x);
+    void update_front(double x);
+    void advance();
     void put(double until);
 
     const VisibleSegment* front_ = nullptr;      // the nearest at the current position
-    double from_ = 0, until_ = 0;                // where it is known to be so
-    const VisibleSegment* crossing_ = nullptr;   // what passes it at until_; none: it ends there
-    std::vector<const VisibleSegment*> behind_;  // what may yet come to the front
+    double from_ = 0, until_ = 0;                // the interval in which it stays so
+    const VisibleSegment* crossing_ = nullptr;   // crosses the front at until_, if any
+    std::vector<const VisibleSegment*> behind_;  // may become the front later
     std::vector<VisibleSegment>* out_ = nullptr;
 };
 

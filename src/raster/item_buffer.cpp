@@ -18,7 +18,7 @@ std::int32_t ceil_to_int(double x) {
     return whole + (whole < x ? 1 : 0);
 }
 
-/// How the rays of one coordinate stand.
+/// Spacing and number of rays along one coordinate.
 struct Rays {
     double pitch = 1;
     std::uint32_t count = 1;
@@ -87,9 +87,9 @@ class ItemDrawing {
         const ProjectionPlane plane(
             image_.scene_, view_.direction, view_.rotation, AlongPeriods::straight);
         if (!(plane.size_s > 0 && plane.size_t > 0)) {
-            return;  // seen edge-on
+            return;  // edge-on
         }
-        // Squares, unless the scene is so narrow that there would be no end of them.
+        // Square pixels, unless the scene is so narrow that there would be too many.
         const double pitch = std::max(
             std::sqrt(plane.size_s * plane.size_t / view_.pixels),
             std::max(plane.size_s, plane.size_t) / view_.pixels);
@@ -155,7 +155,7 @@ class ItemDrawing {
         const double bx = c.x[2] - c.x[0];
         const double by = c.y[2] - c.y[0];
         const double twice_area = ax * by - ay * bx;
-        // Corners are told apart in single precision: what is thinner is seen edge-on.
+        // Corners have single precision: thinner triangles count as edge-on.
         constexpr double kEdgeOn = 0x1p-24;
         if (std::abs(twice_area) <= kEdgeOn * (ax * ax + ay * ay + bx * bx + by * by)) {
             return;
@@ -213,8 +213,8 @@ class ItemDrawing {
         });
     }
 
-    /// Draws triangles from `first` on side by side, where nothing repeats itself: the same pixels
-    /// as draw_opaque() finds.
+    /// Draws triangles from `first` on as a block, in scenes without periods: the same pixels as
+    /// draw_opaque().
     void draw_block(std::uint32_t first) {
         const TriangleBlock block = block_of(image_.scene_, first);
         BlockSpans& found = scratch_.spans_of_block_;
@@ -253,14 +253,13 @@ class ItemDrawing {
     void find_runs() {
         std::vector<std::uint32_t>& ends = scratch_.ends_;
         const auto count = static_cast<std::uint32_t>(pixels());
-        scratch_.ids_[count] = -1;  // ends the last
+        scratch_.ids_[count] = -1;  // ends the last run
         ends.resize(std::max<std::size_t>(ends.size(), count));
         const std::size_t runs = draw_.run_ends(scratch_.ids_.data(), count, ends.data());
         image_.run_ends_ = std::span(ends).first(runs);
     }
 
-    /// Lists the images that are seen, without a branch for each: which of them are can't be
-    /// foreseen.
+    /// Lists the visible images, without a branch for each: their visibility is unpredictable.
     void list_items() {
         const std::vector<Image>& images = scratch_.images_;
         std::vector<std::uint32_t>& counts = scratch_.counts_;

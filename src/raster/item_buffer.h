@@ -16,13 +16,13 @@ namespace quasimc {
 
 class ItemScratch;
 
-/// An image of what a beam lights first: which triangle each pixel of a regular grid of its rays
-/// sees. With a uniform shift of the grid, pixels x pixel_area() of a triangle is an unbiased
-/// estimate of the area of the beam that it catches; its variance falls with about the power 1.5 of
-/// the number of pixels. That suits many beams with a rough view along each, as those of a sky;
-/// ScanLines tell more of one beam.
+/// An item buffer (Weghorst, Hooper and Greenberg 1984): the triangle that each ray of a beam hits
+/// first, for rays on a regular grid. With a uniform shift of the grid, pixels x pixel_area() of a
+/// triangle is an unbiased estimate of its lit area across the beam; its variance falls with about
+/// the power 1.5 of the number of pixels. That suits many beams with a coarse view along each, as
+/// those of a sky; ScanLines are more accurate for a single beam.
 ///
-/// An image lies in the scratch of draw(), which serves one image at a time.
+/// An image refers to the scratch of draw(), which holds one image at a time.
 class ItemBuffer {
   public:
     /// A view along a beam.
@@ -30,27 +30,27 @@ class ItemBuffer {
         Vec3 direction;                   ///< unit, in which the light travels
         double rotation = 0;              ///< see ProjectionPlane
         double shift_s = 0, shift_t = 0;  ///< of the grid, 0..1 of a pixel
-        double pixels = 1;                ///< about as many over the scene, or a period of it
-        bool with_points = false;         ///< see points()
+        double pixels = 1;  ///< approximate number over the scene, or over one of its periods
+        bool with_points = false;  ///< see points()
     };
 
-    /// A triangle that is seen. In a periodic scene each of its images that is.
+    /// A visible triangle; in a periodic scene, each of its visible images.
     struct Item {
         std::uint32_t triangle = 0;  ///< of the mesh
-        std::uint32_t id = 0;        ///< of its pixels; sensors, which hide nothing, have none: 0
+        std::uint32_t id = 0;        ///< value of its pixels; 0 for sensors, which occlude nothing
         std::uint32_t pixels = 0;
         double cosine = 0;  ///< dot(unit normal of the upper side, direction of the beam)
     };
 
-    /// Area across the beam that a pixel stands for, local units squared.
+    /// Area across the beam per pixel, local units squared.
     [[nodiscard]] double pixel_area() const { return pixel_area_; }
-    /// What is seen, sensors last.
+    /// Visible items, sensors last.
     [[nodiscard]] std::span<const Item> items() const { return items_; }
 
-    /// Pixels next to each other that see the same.
+    /// Consecutive pixels that show the same item.
     struct Run {
         std::uint32_t first = 0, count = 0;
-        std::uint32_t id = 0;  ///< of what is seen; 0: nothing
+        std::uint32_t id = 0;  ///< of the visible item; 0: none
     };
     /// Calls visit(run) for all pixels, row by row.
     template <typename Visit>
@@ -61,13 +61,13 @@ class ItemBuffer {
             first = end;
         }
     }
-    /// Pixels next to each other in a row that see the same.
+    /// Consecutive pixels of a row that show the same item.
     struct RowRun {
         std::uint32_t row = 0, x = 0, count = 0;
         std::uint32_t id = 0;
     };
-    /// Calls visit(run) for the pixels of each few rows, one of `of`.
-    /// @param first  of these, less than `of`
+    /// Calls visit(run) for the pixels of every `of`-th group of rows.
+    /// @param first  the first group, less than `of`
     template <typename Visit>
     void for_each_run_of_rows(std::uint32_t first, std::uint32_t of, const Visit& visit) const {
         std::uint32_t row = 0, row_begin = 0, wanted = first;
@@ -88,19 +88,19 @@ class ItemBuffer {
             }
         });
     }
-    /// Ids are less than that.
+    /// Upper limit of ids.
     [[nodiscard]] std::size_t id_count() const { return images_.size(); }
-    /// The point at which the ray of a pixel that sees something ends.
+    /// The point where the ray of a pixel hits its item.
     [[nodiscard]] Barycentric point(std::uint32_t pixel) const;
 
-    /// Barycentric coordinates of the points at which rays of pixels end that see one id.
+    /// Barycentric coordinates of the points where the rays of one id hit.
     struct Points {
         PlaneGradient u, v;
         [[nodiscard]] Point2 of(double x, double row) const {
             return {u.at + u.by_x * x + u.by_y * row, v.at + v.by_x * x + v.by_y * row};
         }
     };
-    /// The points of an item, in a view with points. @param id  of the item
+    /// The hit points of an item, in a view with points. @param id  of the item
     [[nodiscard]] const Points& points(std::uint32_t id) const { return points_[id]; }
 
   private:
@@ -113,7 +113,7 @@ class ItemBuffer {
         std::int32_t periods_x, periods_y;
     };
 
-    /// On the grid, where ray (i, j) passes at x = i, y = j.
+    /// The projection onto the grid; ray (i, j) is at x = i, y = j.
     [[nodiscard]] ProjectedTriangle seen(std::uint32_t triangle) const;
     [[nodiscard]] ProjectedTriangle moved(ProjectedTriangle seen, const Image& image) const;
 
@@ -123,7 +123,7 @@ class ItemBuffer {
     double pixel_area_ = 0;
     std::span<const std::int32_t> ids_;  // by pixel: in images_
     std::span<const std::uint32_t> run_ends_;
-    std::span<const Image> images_;   // the first stands for nothing
+    std::span<const Image> images_;   // the first means no item
     std::span<const Points> points_;  // by image
     std::span<const Item> items_;
 };
@@ -136,7 +136,7 @@ class ItemScratch {
     std::vector<PixelSpan> spans_;  // of one triangle
     std::vector<float> depths_;     // by pixel
     std::vector<std::int32_t> ids_;
-    std::vector<std::uint32_t> ends_;  // of runs, and room for more
+    std::vector<std::uint32_t> ends_;  // of runs, and spare room
     std::vector<ItemBuffer::Image> images_;
     std::vector<double> cosines_;        // by image
     std::vector<std::uint32_t> counts_;  // of pixels, by image
@@ -144,7 +144,7 @@ class ItemScratch {
     std::vector<ItemBuffer::Item> items_;
 };
 
-/// Draws what a beam lights first.
+/// Finds the surfaces that a beam hits first.
 [[nodiscard]] ItemBuffer draw(
     const ProjectedScene& scene, const ItemBuffer::View& view, ItemScratch& scratch);
 

@@ -7,9 +7,9 @@
 namespace quasimc {
 namespace {
 
-/// Lines of a beam, at most: they are numbered, and no scene needs more.
+/// Largest number of lines of a beam: they are numbered, and no scene needs more.
 constexpr double kMaxLines = 1U << 30U;
-/// Where lines are so many for each fragment, they are not counted one by one.
+/// Above this number of lines per hit, lines are not counted one by one.
 constexpr std::size_t kSparse = 16;
 
 /// Whether a direction lies within the field of view of a sensor.
@@ -23,8 +23,8 @@ bool is_in_view(
     return std::abs(dot(across, direction)) >= least_cosine * length(across);
 }
 
-/// What a line passes in the first patch of a triangle, if light along it comes to the upper side.
-LineHits::Hit first_passed(const LineTriangle& triangle) {
+/// The hit of a line on the first patch of a triangle, if light along it comes to the upper side.
+LineHits::Hit first_hit(const LineTriangle& triangle) {
     return (triangle.is_sensor ? LineHits::kSensor : 0) | 2 * triangle.first_patch;
 }
 
@@ -37,14 +37,14 @@ std::int64_t wrapped(std::int64_t i, std::int64_t n) {
     return rest < 0 ? rest + n : rest;
 }
 
-/// Puts the smaller one first, without a branch: which one it is can't be foreseen.
+/// Puts the smaller one first, without a branch: the order is unpredictable.
 void put_in_order(std::uint64_t& a, std::uint64_t& b) {
     const std::uint64_t smaller = std::min(a, b);
     b = std::max(a, b);
     a = smaller;
 }
 
-/// Sorts what a line passes: mostly few.
+/// Sorts the hits of a line: usually few.
 void sort_keys(std::uint64_t* keys, std::uint32_t count) {
     constexpr std::uint32_t kMany = 32;
     switch (count) {
@@ -106,7 +106,7 @@ LineTriangles line_triangles(
              .cut = patches.cut_of(i)});
         const LineTriangle& triangle = triangles.each.back();
         triangles.patches.back().parts[lane] = std::ldexp(1.0, triangle.level);
-        triangles.patches.back().passed[lane] = first_passed(triangle);
+        triangles.patches.back().hit[lane] = first_hit(triangle);
         const bool is_plain = triangle.cut == nullptr && !(triangle.least_cosine > 0);
         triangles.plain.back() |= static_cast<std::uint8_t>(is_plain ? 1U << lane : 0);
     }
@@ -144,12 +144,12 @@ class LineHitFinder {
   private:
     using Hit = LineHits::Hit;
 
-    /// Across an open scene lines stand on squares. Along the periods of a periodic one there is a
-    /// whole number of them.
+    /// Across an open scene lines form squares. Each period of a periodic scene has a whole number
+    /// of them.
     void set_grid(const ProjectedScene& scene, const LineHits::Spec& spec) {
         const ProjectionPlane plane(scene, spec.direction, spec.rotation, AlongPeriods::straight);
         if (!(plane.size_s > 0 && plane.size_t > 0)) {
-            return;  // seen edge-on
+            return;  // edge-on
         }
         grid_.repeats_x = plane.repeats_s;
         grid_.repeats_y = plane.repeats_t;
@@ -177,10 +177,10 @@ class LineHitFinder {
         found_.line_area_ = pitch_x * pitch_y * plane.area;
     }
 
-    /// Of a layer without end: as many columns as make squares across the beam, not on the
-    /// horizontal, and each row so far beside the last that these are squares, not rhombs.
+    /// In a layer: the number of columns that makes squares across the beam, not on the horizontal,
+    /// and an offset of each row from the last that avoids rhombs.
     void set_square_rows(const ProjectionPlane& plane, const LineHits::Spec& spec, double lines) {
-        // Steps along s and t on the horizontal, as seen across the beam.
+        // Steps along s and t on the horizontal, as projected across the beam.
         const Vec3 s{plane.s.x, plane.s.y, 0};
         const Vec3 t{plane.t.x, plane.t.y, 0};
         const double along_s = dot(s, spec.direction);
@@ -209,10 +209,10 @@ class LineHitFinder {
         }
         std::uint32_t* counts = &scratch_.counts_[block * kBlockLanes];
         const LineTriangle* each = &triangles_.each[block * kBlockLanes];
-        // Light comes to the lower side if the corners turn to the left, seen along it.
+        // Light comes to the lower side if the corners turn left as seen along it.
         BlockPatches patches = triangles_.patches[block];
         for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
-            patches.passed[lane] |= (spans.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
+            patches.hit[lane] |= (spans.twice_area[lane] > 0) != is_turned_ ? 1U : 0U;
         }
         const std::uint32_t plain = triangles_.plain[block];
         while (loops_.next(grid_, spans)) {
@@ -250,9 +250,9 @@ class LineHitFinder {
         const double u = of_u.at + of_u.by_y * y;
         const double v = of_v.at + of_v.by_y * y;
         const double low = spans.low_depth[lane], high = spans.high_depth[lane];
-        // Light comes to the lower side if the corners turn to the left, seen along it.
+        // Light comes to the lower side if the corners turn left as seen along it.
         const Hit lower = (spans.twice_area[lane] > 0) != is_turned_ ? 1 : 0;
-        const Hit passed = first_passed(triangle) | lower;
+        const Hit hit = first_hit(triangle) | lower;
         const auto first = static_cast<std::int64_t>(spans.first[span]);
         const auto last = static_cast<std::int64_t>(spans.last[span]);
         const auto row_begin = static_cast<std::int64_t>(spans.in_row[span]) * grid_.columns;
@@ -272,7 +272,7 @@ class LineHitFinder {
                 part = triangle.cut == nullptr ? part : triangle.cut->patch(part, at_u, at_v);
             }
             *next_line++ = static_cast<std::uint32_t>(row_begin + line);
-            *next_key++ = depth_key(static_cast<float>(depth), passed + 2 * part);
+            *next_key++ = depth_key(static_cast<float>(depth), hit + 2 * part);
             ++line;
             line = line == grid_.columns && grid_.repeats_x ? 0 : line;
         }
@@ -343,7 +343,7 @@ class LineHitFinder {
     LineHitScratch& scratch_;
     SpanLoops loops_ = best_span_loops();
     RasterGrid grid_;
-    bool is_turned_ = false;  // grid and direction are no right-handed frame
+    bool is_turned_ = false;  // grid and direction form a left-handed frame
     LineHits found_;
 };
 

@@ -12,16 +12,16 @@
 
 namespace quasimc {
 
-/// A triangle as lines meet it.
+/// A triangle as lines intersect it.
 struct LineTriangle {
     std::uint32_t first_patch = 0;
     std::uint8_t level = 0;  ///< see Patches
     bool is_sensor = false;
-    float least_cosine = 0;            ///< seen at less, it is left out
-    const CutTriangle* cut = nullptr;  ///< where others cross it: how it is cut into patches
+    float least_cosine = 0;            ///< smaller cosines are ignored
+    const CutTriangle* cut = nullptr;  ///< where others cross it: its patches
 };
 
-/// Triangles in blocks, the last one filled up with what nobody sees.
+/// Triangles in blocks, the last one padded with triangles that no line hits.
 struct LineTriangles {
     std::vector<TriangleBlock> corners;
     std::vector<BlockPatches> patches;
@@ -29,7 +29,7 @@ struct LineTriangles {
     std::vector<LineTriangle> each;
 };
 
-/// The triangles of a scene that have patches, which must outlive them.
+/// The triangles of a scene that have patches; scene and patches must outlive them.
 /// @param least_cosines  by triangle; empty: 0
 [[nodiscard]] LineTriangles line_triangles(
     const ProjectedScene& scene, const Patches& patches, std::span<const float> least_cosines = {});
@@ -51,24 +51,24 @@ class LineHits {
         Vec3 direction;                   ///< unit
         double rotation = 0;              ///< see ProjectionPlane
         double shift_s = 0, shift_t = 0;  ///< of the grid, 0..1 of a step
-        double line_area = 1;             ///< wanted, across the beam: local units squared
+        double line_area = 1;  ///< requested area per line across the beam: local units squared
     };
 
-    /// A patch that a line meets: 2 * patch, and 1 more if light that travels along the direction
-    /// comes to its lower side. Sensors have kSensor on top.
+    /// A patch that a line hits: 2 * patch, plus 1 if light that travels along the direction comes
+    /// to its lower side. Sensors have kSensor on top.
     using Hit = std::uint32_t;
     static constexpr Hit kSensor = 0x80000000U;
 
     [[nodiscard]] double line_area() const { return line_area_; }
-    /// How many hits all lines have.
+    /// Number of hits of all lines.
     [[nodiscard]] std::size_t size() const { return size_; }
-    /// How many lines meet each of the triangles, in their order.
+    /// Number of lines that hit each triangle, in their order.
     [[nodiscard]] std::span<const std::uint32_t> counts() const { return counts_; }
 
-    /// So many hits of further lines may be read beyond the end of one; beyond the last one they
-    /// are of some patch, or 0.
+    /// Number of hits that may be read beyond the end of a line: hits of further lines, or of some
+    /// patch or 0 beyond the last line.
     static constexpr std::size_t kReadAhead = 16;
-    /// Calls visit(span of Hit) for each line that meets something, in order along the direction.
+    /// Calls visit(span of Hit) for each line with hits, in order along the direction.
     template <typename Visit>
     void for_each_line(const Visit& visit) const {
         for (std::size_t i = 0; i + 1 < first_.size(); ++i) {
@@ -88,7 +88,7 @@ class LineHits {
 };
 
 /// Finds the hits of a beam.
-/// @param scene  where it lies, and how it repeats
+/// @param scene  its bounds and periods
 /// @param triangles  line_triangles() of the scene
 [[nodiscard]] LineHits find_line_hits(
     const ProjectedScene& scene,
@@ -100,12 +100,12 @@ class LineHits {
 class LineHitScratch {
     friend class LineHitFinder;
 
-    BlockSpans spans_{};  // of the triangles at hand
-    // By hit, in no order: the line, and depth_key(). More than there are.
+    BlockSpans spans_{};  // of the current triangles
+    // For each hit, unordered: the line, and depth_key(). The size exceeds the number of hits.
     std::vector<std::uint32_t> lines_;
     std::vector<std::uint64_t> keys_;
     std::vector<std::uint64_t> sorted_;  // keys line by line
-    std::vector<std::uint32_t> first_;   // hit of each line
+    std::vector<std::uint32_t> first_;   // first hit of each line
     std::vector<LineHits::Hit> hits_;
     std::vector<std::uint32_t> counts_;
 };

@@ -13,22 +13,22 @@
 
 namespace quasimc {
 
-/// Parts of triangles over which light that leaves them is taken as constant: a triangle of level k
-/// is cut into 4^k similar ones. Parts of level k - 1 hold four of them each. Where surfaces cross,
-/// parts are cut once more, so that none lies on both sides of another surface (CutTriangle).
+/// Patches: parts of triangles with constant exitance. A triangle of level k is cut into 4^k
+/// similar parts, four to each part of level k - 1. Where surfaces cross, parts are cut once more,
+/// so that none lies on both sides of another surface (CutTriangle).
 class Patches {
   public:
-    /// More would number a triangle's parts beyond what is of use.
+    /// The finest useful level.
     static constexpr int kFinest = 7;
-    static constexpr std::uint8_t kNone = 255;  ///< a triangle that has no patches
+    static constexpr std::uint8_t kNone = 255;  ///< a triangle without patches
 
     Patches() = default;
-    /// @param levels  by triangle, to kFinest, or kNone
+    /// @param levels  by triangle, up to kFinest, or kNone
     /// @param crossings  in the order of their triangles, whose levels are at least 1
     explicit Patches(
         std::vector<std::uint8_t> levels, std::span<const SurfaceCrossing> crossings = {});
 
-    /// Of all triangles.
+    /// Number of patches of all triangles.
     [[nodiscard]] std::uint32_t count() const { return first_.back(); }
     [[nodiscard]] std::uint32_t triangles() const {
         return static_cast<std::uint32_t>(levels_.size());
@@ -37,11 +37,11 @@ class Patches {
     [[nodiscard]] int level(std::uint32_t triangle) const { return levels_[triangle]; }
     /// The patches of a triangle are [first(triangle), first(triangle + 1)).
     [[nodiscard]] std::uint32_t first(std::uint32_t triangle) const { return first_[triangle]; }
-    /// How a triangle is cut where others cross it; null if none does.
+    /// The cuts of a triangle that others cross; null if none does.
     [[nodiscard]] const CutTriangle* cut_of(std::uint32_t triangle) const {
         return cut_of_.empty() || cut_of_[triangle] == 0 ? nullptr : &cuts_[cut_of_[triangle] - 1];
     }
-    /// How many are cut.
+    /// Number of cut triangles.
     [[nodiscard]] std::size_t cut_triangles() const { return cuts_.size(); }
     /// The patch that contains a point of a triangle.
     [[nodiscard]] std::uint32_t at(std::uint32_t triangle, double u, double v) const {
@@ -49,11 +49,11 @@ class Patches {
         const CutTriangle* cut = cut_of(triangle);
         return first(triangle) + (cut == nullptr ? part : cut->patch(part, u, v));
     }
-    /// Of the area of a triangle, what its patch number `i` covers.
+    /// The area fraction of patch number `i` of a triangle.
     [[nodiscard]] double share(std::uint32_t triangle, std::uint32_t i) const;
 
-    /// Calls visit(patch, share) for what of a line on a triangle lies in which patch.
-    /// @param scratch  what the call may use
+    /// Calls visit(patch, fraction) for the parts of a line on a triangle.
+    /// @param scratch  temporary memory
     template <typename Visit>
     void cut(
         std::uint32_t triangle,
@@ -84,7 +84,7 @@ class Patches {
     std::vector<std::uint8_t> levels_;
     std::vector<std::uint32_t> first_{0};
     std::vector<CutTriangle> cuts_;
-    std::vector<std::uint32_t> cut_of_;  // 1 + that of cuts_, by triangle; 0: none
+    std::vector<std::uint32_t> cut_of_;  // 1 + index in cuts_, by triangle; 0: none
 };
 
 }  // namespace quasimc

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// Where the scene is seen along one coordinate, and how far.
+/// Position and extent of the scene along one coordinate.
 std::pair<double, double> extent_of(const ProjectedScene& scene, const Vec3& coordinate) {
     double low = std::numeric_limits<double>::infinity();
     double high = -low;
@@ -31,8 +31,8 @@ std::pair<double, double> extent_of(const ProjectedScene& scene, const Vec3& coo
     return {low, high - low};
 }
 
-/// The part of `v` along the beam taken away, so that the coordinate `v` is that at which the ray
-/// through a point meets the plane where dot(across, p) = 0.
+/// Projects `v` along the beam, so that it is the coordinate where the ray through a point meets
+/// the plane dot(across, p) = 0.
 Vec3 sheared(const Vec3& v, const Vec3& across, const Vec3& direction) {
     return v - (dot(v, direction) / dot(across, direction)) * across;
 }
@@ -97,8 +97,8 @@ ProjectionPlane::ProjectionPlane(
     }
 }
 
-/// Seen on the horizontal plane, which the cell tiles. Slanted, t is sheared by a whole number of
-/// periods to a period of s.
+/// Projects onto the horizontal plane, which the cell tiles. Slanted, t is sheared by a whole
+/// number of periods to a period of s.
 void ProjectionPlane::set_layer(
     const Cell& cell, const Vec3& direction, double rotation, AlongPeriods periods) {
     constexpr Vec3 kUp{0, 0, 1};
@@ -124,7 +124,8 @@ void ProjectionPlane::set_layer(
     low_t += shear * low_s;
 }
 
-/// Seen on the upright plane along the row, across the rest of the beam; lines run across the row.
+/// Projects onto the vertical plane along the row, across the rest of the beam; lines run across
+/// the row.
 void ProjectionPlane::set_row(
     const ProjectedScene& scene, const Vec3& direction, double rotation, AlongPeriods periods) {
     const Cell& cell = scene.cell;

@@ -14,11 +14,11 @@
 
 namespace quasimc {
 
-/// How a beam meets a triangle.
+/// Role of a triangle for visibility.
 enum class VisibilityRole : std::uint8_t {
     opaque,
-    sensor,   ///< receives light and lets it pass
-    omitted,  ///< another image of the same triangle stands for it (RayCaster::source)
+    sensor,   ///< receives light and transmits it undisturbed
+    omitted,  ///< another image of the same triangle represents it (RayCaster::source)
 };
 
 /// The point v0 + u (v1 - v0) + v (v2 - v0) of a triangle.
@@ -35,7 +35,7 @@ struct ProjectedTriangle {
         int low = 0;
         int middle = 1;
         int high = 2;
-        // Without branches, which no processor could predict.
+        // Branchless: the order is unpredictable.
         const auto order = [this](int& i, int& j) {
             const bool swap = y[j] < y[i];
             const int smaller = swap ? j : i;
@@ -51,7 +51,7 @@ struct ProjectedTriangle {
     [[nodiscard]] Barycentric barycentric(double at_x, double at_y) const;
 };
 
-/// One coordinate of the plane of a beam: point p is seen at dot(along, p) + offset.
+/// One coordinate of the plane of a beam: point p has the value dot(along, p) + offset.
 struct BeamAxis {
     Vec3 along;
     double offset = 0;
@@ -59,15 +59,15 @@ struct BeamAxis {
 
 struct StoredBlock;
 
-/// A scene as beams see it.
+/// A scene as input of projections.
 struct ProjectedScene {
     const LocalMesh* mesh = nullptr;
     Cell cell;                                   ///< local coordinates
     std::span<const VisibilityRole> roles = {};  ///< by triangle of the mesh; empty: all are opaque
-    std::span<const Vec3> outline = {};  ///< points whose hull holds the scene; empty: vertices
-    /// Asked while a beam is prepared, which of a million triangles takes long.
+    std::span<const Vec3> outline = {};  ///< points whose hull contains the scene; empty: vertices
+    /// Checked while a beam is prepared, which takes long for a million triangles.
     const std::stop_token* stop = nullptr;
-    std::span<const StoredBlock> blocks = {};  ///< stored_blocks() of it, where they are worth it
+    std::span<const StoredBlock> blocks = {};  ///< stored_blocks(), where they are worthwhile
 
     /// @throws StopRequested  if a stop was requested
     void check_stop() const {
@@ -87,27 +87,27 @@ struct ProjectedScene {
         std::uint32_t triangle, const BeamAxis& x, const BeamAxis& y, const BeamAxis& z) const;
 };
 
-/// Whether s and t run along the periods of a scene, or t slantwise, so that lines are not lost on
-/// what stands in line with the cell.
+/// Whether s and t run along the periods of a scene, or t slantwise, so that structures aligned
+/// with the cell do not waste lines.
 enum class AlongPeriods { straight, slanted };
 
-/// The plane on which a beam sees a scene: points of one ray have the same (s, t), and their
-/// depth grows along the beam. In an open scene s and t are perpendicular to the beam and turned by
-/// a chosen angle. In a periodic one they are such that the scene repeats itself along s, t or
-/// both, so that one period holds an image of every ray.
+/// The plane onto which a beam projects a scene: points of one ray have the same (s, t), and depth
+/// grows along the beam. In an open scene s and t are perpendicular to the beam and rotated by a
+/// chosen angle. In a periodic one the projection is periodic along s, t or both, so that one
+/// period contains an image of every ray.
 struct ProjectionPlane {
     /// @param scene  with at least one triangle
     /// @param direction  unit, in which the light travels; in a periodic scene one that has a
-    ///        window (SceneProjection::window)
-    /// @param rotation  0..1 for half a turn of s and t; in a periodic scene it picks one of the
-    ///        directions in which lines of equal t close, or run across a row
-    /// @param periods  how s and t stand in a periodic scene
+    /// cross-section (SceneProjection::cross_section)
+    /// @param rotation  0..1 for half a turn of s and t; in a periodic scene it selects one of the
+    /// directions in which lines of equal t close, or run across a row
+    /// @param periods  direction of s and t in a periodic scene
     ProjectionPlane(
         const ProjectedScene& scene, const Vec3& direction, double rotation, AlongPeriods periods);
 
-    Vec3 s, t, depth;             ///< a point p is seen at (dot(s, p), dot(t, p)), dot(depth, p)
+    Vec3 s, t, depth;             ///< coordinates of a point p: dot(s, p), dot(t, p), dot(depth, p)
     double area = 1;              ///< across the beam, per unit of s and t
-    double low_s = 0, low_t = 0;  ///< where the scene, or a period, begins
+    double low_s = 0, low_t = 0;  ///< lower end of the scene, or of a period
     double size_s = 0, size_t = 0;
     bool repeats_s = false, repeats_t = false;
 
@@ -117,23 +117,22 @@ struct ProjectionPlane {
         const ProjectedScene& scene, const Vec3& direction, double rotation, AlongPeriods periods);
 };
 
-/// The least and the largest x of the part of a triangle where y lies from `low` to `high`; none if
-/// there is none.
+/// The x range of the part of a triangle with y from `low` to `high`; none if it is empty.
 [[nodiscard]] std::optional<std::pair<double, double>> extent_within(
     const double (&x)[3], const double (&y)[3], double low, double high);
 
-/// The periods that a stretch reaches into, counted from where the first begins.
+/// The periods that a segment overlaps, relative to the first.
 struct Periods {
     std::int32_t first = 0, last = 0;
 };
-/// @param low, high  of the stretch, from the beginning of the first period
-/// @param period  > 0. Not more than 100,000 to either side are counted: light that flies past as
-///        many is lost (RayCaster::kMaxCells)
+/// @param low, high  range of the segment, from the beginning of the first period
+/// @param period  > 0. At most 100,000 to either side are counted, like the cells that a ray may
+/// cross (RayCaster::kMaxCells)
 [[nodiscard]] Periods periods_of(double low, double high, double period, bool repeats);
 
-/// The periods of x that a triangle reaches into within one period of y; the last before the first
-/// if none. Where light comes in low, a triangle is seen long and slanted: of all periods about it
-/// most lie beside it.
+/// The periods of x that a triangle overlaps within one period of y; the last before the first if
+/// none. At low incidence a projected triangle is long and slanted, and misses most of the periods
+/// in its bounding box.
 [[nodiscard]] Periods periods_in_row(
     const ProjectedTriangle& seen,
     std::int32_t period_y,

@@ -12,8 +12,8 @@ bool begins_before(const VisibleSegment& a, const VisibleSegment& b) {
     return a.low < b.low;
 }
 
-/// Sorts what is nearly sorted; what turns out not to be, as where light comes in low and lines are
-/// far apart, in the same order, in n log n.
+/// Sorts an almost sorted range; if it is not, as at low incidence with distant lines, into the
+/// same order in n log n.
 void sort_again(std::vector<VisibleSegment>& cuts) {
     constexpr std::size_t kMaxMovesEach = 16;
     std::size_t moves_left = kMaxMovesEach * cuts.size();
@@ -48,8 +48,8 @@ ScanLines::ScanLines(const ProjectedScene& scene, const Spec& spec)
     sort_into_strips();
 }
 
-/// Finds the triangles, and in a scene that repeats itself their images, that touch the lines, with
-/// the strips that they may touch.
+/// Finds the triangles, and their periodic images, that touch the lines, and the strips that they
+/// may touch.
 void ScanLines::find_images() {
     images_.reserve(scene_.mesh->triangle_count());
     for (std::uint32_t i = 0; i < scene_.mesh->triangle_count(); ++i) {
@@ -71,8 +71,8 @@ void ScanLines::find_images() {
     }
 }
 
-/// Adds the images along s of one that is known across the lines. Where light comes in low, a
-/// triangle is seen long and slanted: of the periods that it reaches into most lie beside it.
+/// Adds the images along s of an image with a known position across the lines. At low incidence a
+/// projected triangle is long and slanted, and misses most of the periods in its bounding box.
 void ScanLines::add_images_along(Image image) {
     constexpr double kRounding = 1e-9;
     const double margin_s = kRounding * plane_.size_s;
@@ -103,7 +103,7 @@ void ScanLines::add_image(Image image, double from, double to) {
     if (!may_be_cut(from, to)) {
         return;
     }
-    // Lines stand at most one pitch from where they would be without shift.
+    // The shift moves lines by at most one pitch.
     const double last = strips(spec_.lines) - 1;
     const auto strip_of = [&](double t) {
         const double strip = (t - line_at(0)) / (pitch_ * kStrip);
@@ -118,7 +118,7 @@ double ScanLines::line_at(double number) const {
     return plane_.low_t + (number + spec_.shift) * pitch_;
 }
 
-/// Whether a line may run between two coordinates across the lines.
+/// Whether a line may run between two positions across the lines.
 bool ScanLines::may_be_cut(double from, double to) const {
     const double below = std::floor((from - plane_.low_t) / pitch_ - spec_.shift);
     return line_at(below) > from || line_at(below + 1) <= to;
@@ -163,7 +163,7 @@ LineScratch::Slice LineScratch::slice_of(const ProjectedTriangle& seen) {
     return {whole, edge(low, middle), edge(middle, high), seen.y[high], seen.x[middle] > opposite};
 }
 
-/// Triangles are read in the order in which they are in memory, and sorted then.
+/// Triangles are read in memory order, then sorted.
 LineStrip::LineStrip(const ScanLines& lines, std::uint32_t strip, LineScratch& scratch)
     : lines_(lines),
       scratch_(scratch),
@@ -175,8 +175,8 @@ LineStrip::LineStrip(const ScanLines& lines, std::uint32_t strip, LineScratch& s
     scratch_.order_.clear();
     std::uint32_t triangles = 0;
     for (std::size_t i = lines.first_in_strip_[strip]; i < lines.first_in_strip_[strip + 1]; ++i) {
-        // A triangle of a smaller cosine, or without area, is seen edge-on: corners are told apart
-        // in single precision.
+        // Triangles with a smaller cosine, or without area, count as edge-on: corners have single
+        // precision.
         constexpr double kEdgeOn = 0x1p-24;
         lines.scene_.check_stop();
         const ScanLines::Image& image = lines.images_[lines.in_strip_[i]];
@@ -211,7 +211,7 @@ void LineStrip::clear_cuts() const {
     scratch_.next_in_order_ = 0;
 }
 
-/// Cuts the line after the last one.
+/// Intersects the next line with the triangles.
 LineStrip::Line LineStrip::cut_line(std::uint32_t number) const {
     const double t = lines_.line_at(number);
     cut_again(t, scratch_.opaque_);
@@ -232,7 +232,7 @@ LineStrip::Line LineStrip::cut_line(std::uint32_t number) const {
     return {number, t, segments};
 }
 
-/// Moves cuts of the last line to this one, without those of triangles that it has passed.
+/// Copies the segments of the last line to this one, without triangles that end before it.
 void LineStrip::cut_again(double t, std::vector<VisibleSegment>& cuts) const {
     std::size_t left = 0;
     for (const VisibleSegment& segment : cuts) {
@@ -274,8 +274,8 @@ void LineStrip::add_new_cuts(double t) const {
     merge_in(new_sensors, scratch_.sensors_);
 }
 
-/// Cuts a line out of a triangle. In a scene that repeats itself along the line, out of the one
-/// period that the line is long.
+/// Intersects a line with a triangle. In a scene that is periodic along the line, the line is one
+/// period long.
 VisibleSegment LineStrip::cut(double t, std::uint32_t triangle) const {
     const LineScratch::Slice& slice = scratch_.slices_[triangle];
     const LineScratch::Edge& other = t > slice.upper.t ? slice.upper : slice.lower;

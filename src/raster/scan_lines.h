@@ -15,9 +15,9 @@ namespace quasimc {
 /// Parallel scan lines across a beam, and which triangles each strip of them may meet.
 ///
 /// Visible segments of the lines (LineStrip) are exact, so that length x area() summed over lines
-/// is the area of the beam that a triangle catches. With a uniform shift of the lines that is
-/// unbiased; its variance falls with about the third power of the number of lines, the rotation
-/// taking care of edges along the lines.
+/// estimates the lit area of a triangle across the beam. A uniform shift of the lines makes it
+/// unbiased; its variance falls with about the third power of the number of lines. The rotation
+/// prevents edges parallel to the lines.
 class ScanLines {
   public:
     /// Lines of one beam.
@@ -37,7 +37,7 @@ class ScanLines {
     /// @param scene  with at least one triangle; its mesh and roles must outlive the lines
     ScanLines(const ProjectedScene& scene, const Spec& spec);
 
-    /// Area across the beam that a line stands for, local units squared per unit of its length.
+    /// Area across the beam per unit length of a line, local units squared.
     [[nodiscard]] double area() const { return pitch_ * plane_.area; }
 
   private:
@@ -62,8 +62,8 @@ class ScanLines {
     Spec spec_;
     ProjectionPlane plane_;
     double pitch_;
-    std::vector<Image> images_;                // that touch the lines
-    std::vector<std::size_t> first_in_strip_;  // of strip i: in_strip_[first[i]] to first[i + 1]
+    std::vector<Image> images_;                // images that touch the lines
+    std::vector<std::size_t> first_in_strip_;  // strip i: in_strip_[first[i]] to first[i + 1]
     std::vector<std::uint32_t> in_strip_;      // images
 };
 
@@ -88,7 +88,7 @@ class LineStrip {
     /// The visible segments of a triangle on all lines of the strip.
     struct Visible {
         std::uint32_t segments = 0;
-        double length = 0;  ///< of all of them
+        double length = 0;  ///< sum over the lines
     };
 
     /// @param strip  less than ScanLines::strips()
@@ -96,7 +96,7 @@ class LineStrip {
 
     [[nodiscard]] std::span<const Triangle> triangles() const;
     /// Calls visit(line) for each line of the strip, in order.
-    /// @returns what is visible of each of the triangles; valid as long as the strip
+    /// @returns the visible segments of each triangle; valid as long as the strip
     template <typename Visit>
     std::span<const Visible> for_visible_segments(const Visit& visit) const {
         clear_cuts();
@@ -126,12 +126,13 @@ class LineStrip {
 class LineScratch {
     friend class LineStrip;
 
-    /// A side of a triangle, walked from its lower end (in t) up, so that triangles which share one
-    /// are cut at the same points.
+    /// A side of a triangle, followed from its lower end (in t) up, so that triangles sharing a
+    /// side are cut at the same points.
     struct Edge {
         double s, t, z, s_by_t, z_by_t;
     };
-    /// A triangle ready to be cut: from its lowest corner to the highest, and by way of the middle.
+    /// A triangle prepared for cutting: from its lowest corner to the highest directly, and via the
+    /// middle one.
     struct Slice {
         Edge whole, lower, upper;
         double top;
@@ -145,10 +146,11 @@ class LineScratch {
     std::vector<ProjectedTriangle> seen_;
     std::vector<Slice> slices_;
     std::vector<LineStrip::Visible> visible_;
-    std::vector<std::pair<double, std::uint32_t>> order_;  // in which lines meet them: t, triangle
+    std::vector<std::pair<double, std::uint32_t>>
+        order_;  // order in which lines meet triangles: t, triangle
 
     std::size_t next_in_order_ = 0;
-    std::vector<VisibleSegment> opaque_, sensors_;  // all that a line cuts, in order of `low`
+    std::vector<VisibleSegment> opaque_, sensors_;  // all segments of a line, in order of `low`
     std::vector<VisibleSegment> new_opaque_, new_sensors_, merged_;
     std::vector<VisibleSegment> segments_, before_;
     Envelope envelope_;

@@ -13,18 +13,18 @@ namespace quasimc {
 
 namespace {
 
-/// The margin of windows and boxes about the scene, local units: points are rounded to single
-/// precision when they are traced.
+/// Margin of cross-sections and boxes around the scene, local units: rays are traced in single
+/// precision.
 constexpr double kMargin = 0x1p-20;
-/// A beam nearer than this to a periodic axis, or to the layer's plane, never meets the scene.
+/// A beam within this sine of a periodic axis, or of the layer's plane, never meets the scene.
 constexpr double kGrazing = 0x1p-30;
 
 /// Axes across a beam: s and t span the plane, the beam travels along d.
 struct AcrossBeam {
     Vec3 s, t, d;
 
-    /// s along the world's x as far as may be (or y, for beams along x), so that the map of a beam
-    /// along an axis runs along the other two.
+    /// s is as parallel to the world's x axis as possible (y for beams along x), so that the map of
+    /// a beam along an axis runs along the other two.
     explicit AcrossBeam(const Vec3& direction) : d(direction) {
         const Vec3 axis = std::abs(d.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
         s = normalized(axis - dot(axis, d) * d);
@@ -35,7 +35,7 @@ struct AcrossBeam {
     }
 };
 
-/// Radius of the sphere about the local origin that holds all points.
+/// Radius of the sphere about the local origin that contains all points.
 double radius_of(const std::vector<Vec3>& points) {
     double square = 0;
     for (const Vec3& p : points) {
@@ -44,10 +44,10 @@ double radius_of(const std::vector<Vec3>& points) {
     return std::sqrt(square) + kMargin;
 }
 
-/// A sphere that holds all points, hardly larger than the smallest: steps towards the furthest
-/// point, each shorter (Badoiu and Clarkson 2003): after n of them the radius is within 1/sqrt(n)
-/// of the smallest, in practice within 1/n.
-BoundingSphere small_ball(const std::vector<Vec3>& points) {
+/// A nearly minimal bounding sphere: the centre moves towards the furthest point in decreasing
+/// steps (Badoiu and Clarkson 2003). After n steps the radius is within 1/sqrt(n) of the smallest,
+/// in practice within 1/n.
+BoundingSphere small_bounding_sphere(const std::vector<Vec3>& points) {
     constexpr int kSteps = 1000;
     BoundingSphere best{{}, radius_of(points)};
     Vec3 center;
@@ -65,21 +65,21 @@ BoundingSphere small_ball(const std::vector<Vec3>& points) {
     return best;
 }
 
-/// A window that makes several points at once by its own point(), called directly.
+/// A cross-section whose points() calls its own point() directly.
 template <typename Derived>
 class CrossSectionOf : public BeamCrossSection {
   public:
     void points(std::span<const double> u0, std::span<const double> u1, std::span<Vec3> points)
         const final {
         EXPECT(u0.size() == points.size() && u1.size() == points.size());
-        const auto& window = static_cast<const Derived&>(*this);
+        const auto& derived = static_cast<const Derived&>(*this);
         for (std::size_t i = 0; i < points.size(); ++i) {
-            points[i] = window.Derived::point(u0[i], u1[i]);
+            points[i] = derived.Derived::point(u0[i], u1[i]);
         }
     }
 };
 
-/// Nothing of the scene is seen along the beam.
+/// Cross-section of a scene of no projected area.
 class EmptyCrossSection final : public CrossSectionOf<EmptyCrossSection> {
   public:
     explicit EmptyCrossSection(const Vec3& point) : point_(point) {}
@@ -92,7 +92,7 @@ class EmptyCrossSection final : public CrossSectionOf<EmptyCrossSection> {
 
 class SilhouetteCrossSection final : public CrossSectionOf<SilhouetteCrossSection> {
   public:
-    /// @param hull  about `center`, which lies before the scene
+    /// @param hull  about `center`, which lies in front of the scene
     SilhouetteCrossSection(
         const AcrossBeam& plane, const Vec3& center, const std::vector<Point2>& hull)
         : s_(plane.s), t_(plane.t), center_(center), map_(hull) {}
@@ -123,7 +123,7 @@ class ParallelogramCrossSection final : public CrossSectionOf<ParallelogramCross
 };
 
 /// The rectangle along s and t around a convex polygon.
-std::unique_ptr<BeamCrossSection> rectangle_window(
+std::unique_ptr<BeamCrossSection> rectangle_cross_section(
     const AcrossBeam& plane, double distance, const std::vector<Point2>& hull) {
     Point2 low = hull.front(), high = hull.front();
     for (const Point2& p : hull) {
@@ -136,7 +136,7 @@ std::unique_ptr<BeamCrossSection> rectangle_window(
         corner, width * plane.s, height * plane.t, width * height);
 }
 
-std::unique_ptr<BeamCrossSection> silhouette_window(
+std::unique_ptr<BeamCrossSection> silhouette_cross_section(
     const std::vector<Vec3>& outline, const Vec3& direction) {
     const AcrossBeam plane(direction);
     const double distance = radius_of(outline);
@@ -146,7 +146,7 @@ std::unique_ptr<BeamCrossSection> silhouette_window(
         points.push_back({dot(plane.s, p), dot(plane.t, p)});
     }
     const std::vector<Point2> hull = convex_hull(std::move(points));
-    // Seen edge-on: of no area, but for rounding.
+    // Edge-on: of no area, except for rounding.
     constexpr double kNoArea = 0x1p-44;
     if (polygon_area(hull) <= kNoArea) {
         return std::make_unique<EmptyCrossSection>(-distance * plane.d);
@@ -158,33 +158,34 @@ std::unique_ptr<BeamCrossSection> silhouette_window(
         grown.push_back({p.s + kMargin, p.t - kMargin});
         grown.push_back({p.s + kMargin, p.t + kMargin});
     }
-    const std::vector<Point2> window = convex_hull(std::move(grown));
-    std::unique_ptr<BeamCrossSection> rectangle = rectangle_window(plane, distance, window);
-    // Its map is simpler: it pays although a few more rays miss the scene.
+    const std::vector<Point2> border = convex_hull(std::move(grown));
+    std::unique_ptr<BeamCrossSection> rectangle = rectangle_cross_section(plane, distance, border);
+    // The map of a rectangle is simpler, which outweighs a few more rays that miss the scene.
     constexpr double kNearlyAll = 0.9;
-    if (polygon_area(window) > kNearlyAll * rectangle->area()) {
+    if (polygon_area(border) > kNearlyAll * rectangle->area()) {
         return rectangle;
     }
-    return std::make_unique<SilhouetteCrossSection>(plane, -distance * plane.d, window);
+    return std::make_unique<SilhouetteCrossSection>(plane, -distance * plane.d, border);
 }
 
-/// The disc across the bounding sphere, as a polygon around it of hardly larger area: the map of a
-/// silhouette tears neighbours apart less than one about the disc's centre.
-std::unique_ptr<BeamCrossSection> sphere_window(const BoundingSphere& ball, const Vec3& direction) {
+/// The disc across the bounding sphere, as a circumscribed polygon of hardly larger area: this map
+/// separates fewer neighbours than a polar one.
+std::unique_ptr<BeamCrossSection> sphere_cross_section(
+    const BoundingSphere& sphere, const Vec3& direction) {
     constexpr int kCorners = 1024;
     const AcrossBeam plane(direction);
-    const double radius = ball.radius / std::cos(std::numbers::pi / kCorners);
+    const double radius = sphere.radius / std::cos(std::numbers::pi / kCorners);
     std::vector<Point2> corners;
     for (int i = 0; i < kCorners; ++i) {
         const double angle = 2 * std::numbers::pi * i / kCorners;
         corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     return std::make_unique<SilhouetteCrossSection>(
-        plane, ball.center - ball.radius * plane.d, convex_hull(std::move(corners)));
+        plane, sphere.center - sphere.radius * plane.d, convex_hull(std::move(corners)));
 }
 
-/// The cell of a layer, on the side that the beam comes from.
-std::unique_ptr<BeamCrossSection> layer_window(const Bounds& box, const Vec3& direction) {
+/// The cell of a layer, on the side where the beam comes from.
+std::unique_ptr<BeamCrossSection> layer_cross_section(const Bounds& box, const Vec3& direction) {
     if (std::abs(direction.z) < kGrazing) {
         return nullptr;
     }
@@ -194,9 +195,9 @@ std::unique_ptr<BeamCrossSection> layer_window(const Bounds& box, const Vec3& di
         corner, Vec3{size.x, 0, 0}, Vec3{0, size.y, 0}, size.x * size.y * std::abs(direction.z));
 }
 
-/// One period of a row that runs along `axis` (x or y): u0 goes along the row, u1 across. A sheared
-/// rectangle, on the side of the row that the beam comes from.
-std::unique_ptr<BeamCrossSection> row_window(
+/// One period of a row along `axis` (x or y): u0 runs along the row, u1 across. A sheared
+/// rectangle, on the side of the row where the beam comes from.
+std::unique_ptr<BeamCrossSection> row_cross_section(
     const std::vector<Vec3>& outline,
     const Vec3& axis,
     double low,
@@ -262,24 +263,24 @@ SceneProjection::SceneProjection(
       origin_(mesh.origin),
       scale_(mesh.scale) {
     if (!cell.periodic() && start_area == StartArea::bounding_sphere) {
-        ball_ = small_ball(outline_);
+        bounding_sphere_ = small_bounding_sphere(outline_);
     }
 }
 
-std::unique_ptr<BeamCrossSection> SceneProjection::window(const Vec3& direction) const {
+std::unique_ptr<BeamCrossSection> SceneProjection::cross_section(const Vec3& direction) const {
     if (cell_.along_x && cell_.along_y) {
-        return layer_window(box_.bounds, direction);
+        return layer_cross_section(box_.bounds, direction);
     }
     if (cell_.along_x) {
-        return row_window(outline_, {1, 0, 0}, cell_.low_x, cell_.size_x, direction);
+        return row_cross_section(outline_, {1, 0, 0}, cell_.low_x, cell_.size_x, direction);
     }
     if (cell_.along_y) {
-        return row_window(outline_, {0, 1, 0}, cell_.low_y, cell_.size_y, direction);
+        return row_cross_section(outline_, {0, 1, 0}, cell_.low_y, cell_.size_y, direction);
     }
     if (start_area_ == StartArea::bounding_sphere) {
-        return sphere_window(ball_, direction);
+        return sphere_cross_section(bounding_sphere_, direction);
     }
-    return silhouette_window(outline_, direction);
+    return silhouette_cross_section(outline_, direction);
 }
 
 }  // namespace quasimc

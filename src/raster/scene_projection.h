@@ -13,14 +13,14 @@
 
 namespace quasimc {
 
-/// A region of a plane across a beam, through which every ray of the beam that can meet the scene
-/// passes (in a periodic scene: one image of every such ray).
+/// A region of a plane across a beam that every ray of the beam through the scene crosses (in a
+/// periodic scene: one image of every such ray).
 class BeamCrossSection {
   public:
     virtual ~BeamCrossSection() = default;
     /// Area perpendicular to the beam, local units squared.
     [[nodiscard]] virtual double area() const = 0;
-    /// A point in the window, outside the scene on the beam's side: an area-preserving, continuous
+    /// A point of the region, outside the scene on the beam's side: an area-preserving, continuous
     /// map of the unit square. Local coordinates.
     [[nodiscard]] virtual Vec3 point(double u0, double u1) const = 0;
     /// point() of several points of the unit square, faster.
@@ -28,15 +28,14 @@ class BeamCrossSection {
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> points) const = 0;
 };
 
-/// The faces of the box around the scene that light from far away enters through. Of a periodic
-/// scene only the faces across the open axes count: those of the layer (x and y periodic: top and
-/// bottom).
+/// The faces of the box around the scene where distant light enters. In a periodic scene only the
+/// faces across the open axes count: those of the layer (x and y periodic: top and bottom).
 struct EntryBox {
     Bounds bounds;   ///< local coordinates; along periodic axes: the cell
     Vec3 face_area;  ///< area of the faces across x, y, z; 0 where the scene is periodic along that
                      ///< axis
 
-    /// Area of the scene's box seen along direction `d` (unit).
+    /// Projected area of the scene's box along direction `d` (unit).
     [[nodiscard]] double projected_area(const Vec3& d) const {
         return face_area.x * std::abs(d.x) + face_area.y * std::abs(d.y) +
                face_area.z * std::abs(d.z);
@@ -49,24 +48,24 @@ struct BoundingSphere {
     double radius = 0;
 };
 
-/// Where light from far away enters a scene.
+/// Bounds a scene for light from infinity.
 class SceneProjection {
   public:
     /// @param mesh  the scene in local coordinates
     /// @param cell  world coordinates, as given to the RayCaster of the same mesh
     SceneProjection(const LocalMesh& mesh, const Cell& cell, StartArea start_area);
-    /// The same of a scene that is ready to trace, whose outline it takes over.
+    /// Constructs from a scene that is ready to trace, and reuses its outline.
     SceneProjection(const RayCaster& caster, StartArea start_area);
 
-    /// The window of a beam that travels along `direction` (unit). Null if a periodic scene is
-    /// never met by it: the beam runs along a periodic axis, or in the layer's plane.
+    /// The cross-section of a beam that travels along `direction` (unit). Null if it never meets a
+    /// periodic scene: the beam runs along a periodic axis, or in the layer's plane.
     ///
-    /// Open scenes: as `shape` says; of area 0 if the scene is seen edge-on. Periodic along x and
-    /// y: the cell, on the side that the beam comes from. Periodic along one axis: one period of
-    /// the strip that the row of cells is seen as.
-    [[nodiscard]] std::unique_ptr<BeamCrossSection> window(const Vec3& direction) const;
+    /// Open scenes: as `start_area` specifies; of area 0 if the scene is edge-on. Periodic along x
+    /// and y: the cell, on the side where the beam comes from. Periodic along one axis: one period
+    /// of the projected strip of the row of cells.
+    [[nodiscard]] std::unique_ptr<BeamCrossSection> cross_section(const Vec3& direction) const;
 
-    /// Points whose convex hull holds the scene; none of a scene periodic along x and y.
+    /// Points whose convex hull contains the scene; empty in a scene periodic along x and y.
     [[nodiscard]] const std::vector<Vec3>& outline() const { return outline_; }
     [[nodiscard]] const EntryBox& entry_box() const { return box_; }
     /// Square world units per square local unit.
@@ -74,16 +73,16 @@ class SceneProjection {
     /// Local units per world unit.
     [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale_ * (world - origin_); }
-    /// Along which axes the scene repeats; local coordinates.
+    /// The periodic axes of the scene; local coordinates.
     [[nodiscard]] const Cell& cell() const { return cell_; }
 
   private:
     SceneProjection(
         const LocalMesh& mesh, const Cell& cell, std::vector<Vec3> outline, StartArea start_area);
 
-    std::vector<Vec3> outline_;  // the points that windows must cover; none in a layer
-    BoundingSphere ball_;        // holds the scene; for windows of that shape only
-    Cell cell_;                  // local coordinates
+    std::vector<Vec3> outline_;       // points that cross-sections must cover; none in a layer
+    BoundingSphere bounding_sphere_;  // contains the scene; only for StartArea::bounding_sphere
+    Cell cell_;                       // local coordinates
     StartArea start_area_;
     EntryBox box_;
     Vec3 origin_;  // of the local coordinates, in the world

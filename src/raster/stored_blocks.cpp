@@ -5,7 +5,7 @@
 namespace quasimc {
 namespace {
 
-/// 36 bytes each; where there are more, what they take at once is not worth it.
+/// 36 bytes each; for more triangles the memory is not worthwhile.
 constexpr std::uint32_t kMaxTriangles = 1U << 17U;
 constexpr std::size_t kNumbers = std::size_t{3} * 3 * kBlockLanes;
 

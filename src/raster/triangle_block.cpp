@@ -1,4 +1,4 @@
-// Compiled once for each vector unit: foreach_target.h includes this file again and again.
+// Compiled once for each vector unit: foreach_target.h includes this file repeatedly.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/triangle_block.cpp"
 #include "raster/triangle_block.h"
@@ -11,13 +11,13 @@ namespace quasimc {
 namespace HWY_NAMESPACE {
 namespace {
 
-// Products and sums, not MulAdd, which rounds otherwise on machines that have a fused one.
+// Products and sums, not MulAdd, which rounds differently on machines with a fused one.
 namespace hn = hwy::HWY_NAMESPACE;
 using Numbers = hn::CappedTag<double, kBlockLanes>;
 using Vector = hn::Vec<Numbers>;
 constexpr Numbers kNumbers;
 
-/// The coordinate of a corner of some lanes.
+/// One coordinate of a corner, for some lanes.
 Vector coordinate(
     const TriangleBlock& corners, std::size_t corner, const BeamAxis& axis, std::size_t lane) {
     const auto times = [&](std::size_t i, double along) {
@@ -28,7 +28,7 @@ Vector coordinate(
     return hn::Add(sum, hn::Set(kNumbers, axis.offset));
 }
 
-/// A corner on the grid.
+/// A corner in grid coordinates.
 struct Corner {
     Vector x, y;
 };
@@ -58,7 +58,7 @@ void set_sides(Corner low, Corner middle, Corner high, std::size_t lane, BlockSp
     hn::Store(slope(middle, high), kNumbers, spans.slope_high + lane);
 }
 
-/// Two sides of a triangle from its first corner, on the grid: as TrianglePlane.
+/// Two sides of a triangle from its first corner, in grid coordinates: like TrianglePlane.
 struct Plane {
     Vector ax, ay, bx, by, x, y, per_area;
 
@@ -90,7 +90,7 @@ void set_barycentric(const Plane& plane, std::size_t lane, BlockSpans& spans) {
     plane.store(zero, zero, one, lane, spans.v);
 }
 
-/// Some lanes of set(). @returns whether any of them touches a row
+/// set() for some lanes. @returns whether any of them touches a row
 bool set_lanes(
     const TriangleBlock& corners, const RasterGrid& grid, std::size_t lane, BlockSpans& spans) {
     Corner at[3];
@@ -110,7 +110,7 @@ bool set_lanes(
     const auto bx = hn::Sub(at[2].x, at[0].x);
     const auto by = hn::Sub(at[2].y, at[0].y);
     const auto twice_area = hn::Sub(hn::Mul(ax, by), hn::Mul(ay, bx));
-    // Corners are told apart in single precision: what is thinner is seen edge-on.
+    // Corners have single precision: thinner triangles count as edge-on.
     const auto squares = hn::Add(
         hn::Add(hn::Add(hn::Mul(ax, ax), hn::Mul(ay, ay)), hn::Mul(bx, bx)), hn::Mul(by, by));
     const auto is_wide = hn::Gt(hn::Abs(twice_area), hn::Mul(hn::Set(kNumbers, 0x1p-24), squares));
@@ -185,7 +185,7 @@ Vector wrapped(Vector x, double n) {
     return hn::Sub(x, hn::Mul(hn::Floor(hn::Div(x, size)), size));
 }
 
-/// Sets the spans of the next row of some lanes, as row `i` of those at hand.
+/// Sets the spans of the next row of some lanes, as row `i` of the current rows.
 void set_row(const RasterGrid& grid, std::size_t i, std::size_t lane, BlockSpans& spans) {
     const auto load = [lane](const double* from) { return hn::Load(kNumbers, from + lane); };
     const auto row = load(spans.row);
@@ -238,7 +238,7 @@ bool next_rows(const RasterGrid& grid, BlockSpans& spans) {
     return most > 0;
 }
 
-/// A number on the lines of a row, at these columns of the grid.
+/// A quantity along a row, at given columns of the grid.
 struct OnRow {
     Vector start, by_x;
 
@@ -251,7 +251,7 @@ struct OnRow {
     [[nodiscard]] Vector at(Vector x) const { return hn::Add(start, hn::Mul(by_x, x)); }
 };
 
-/// The part of a triangle in which a point lies, as TriangleParts::at().
+/// The part of a triangle that contains a point, like TriangleParts::at().
 /// @param n  parts along a side
 Vector part_at(Vector u, Vector v, Vector n) {
     const auto zero = hn::Zero(kNumbers);
@@ -272,30 +272,30 @@ Vector part_at(Vector u, Vector v, Vector n) {
 
 using Depths = hn::Rebind<float, Numbers>;
 using Wholes = hn::Rebind<std::int32_t, Numbers>;
-using Words = hn::Rebind<std::uint32_t, Numbers>;
+using Uints = hn::Rebind<std::uint32_t, Numbers>;
 
-/// As depth_key() has it, the upper half.
-hn::Vec<Words> ordered_bits(Vector depth) {
-    const auto bits = hn::BitCast(Words(), hn::DemoteTo(Depths(), depth));
-    const auto sign = hn::Set(Words(), 0x80000000U);
+/// The upper half of depth_key().
+hn::Vec<Uints> ordered_bits(Vector depth) {
+    const auto bits = hn::BitCast(Uints(), hn::DemoteTo(Depths(), depth));
+    const auto sign = hn::Set(Uints(), 0x80000000U);
     const auto is_negative = hn::Eq(hn::And(bits, sign), sign);
     return hn::IfThenElse(is_negative, hn::Not(bits), hn::Or(bits, sign));
 }
 
-hn::Vec<Words> to_words(Vector whole) {
-    return hn::BitCast(Words(), hn::DemoteTo(Wholes(), whole));
+hn::Vec<Uints> to_uints(Vector whole) {
+    return hn::BitCast(Uints(), hn::DemoteTo(Wholes(), whole));
 }
 
 /// The hits of one line on each of some lanes.
 struct SpanHits {
-    alignas(64) std::uint32_t lines[kBlockLanes], depths[kBlockLanes], passed[kBlockLanes];
+    alignas(64) std::uint32_t lines[kBlockLanes], depths[kBlockLanes], hit[kBlockLanes];
 
-    /// Appends those of the lanes whose bit is set.
+    /// Appends the hits of the lanes whose bit is set.
     std::size_t append(std::uint32_t lanes, std::size_t size, const LineHitArrays& to) const {
         for (; lanes != 0; lanes &= lanes - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
             to.lines[size] = lines[lane];
-            to.keys[size] = std::uint64_t{depths[lane]} << 32U | passed[lane];
+            to.keys[size] = std::uint64_t{depths[lane]} << 32U | hit[lane];
             ++size;
         }
         return size;
@@ -314,7 +314,7 @@ class RowHits {
 
     [[nodiscard]] std::size_t size() const { return size_; }
 
-    /// Those on one row of some lanes. @param lanes  those wanted, bit 0 the first of these
+    /// Adds the hits on one row of some lanes. @param lanes  requested lanes, bit 0 for `lane`
     void add(std::size_t row, std::size_t lane, std::uint32_t lanes) {
         if (lanes == 0) {
             return;
@@ -327,7 +327,7 @@ class RowHits {
         const auto low = hn::Load(kNumbers, spans_.low_depth + lane);
         const auto high = hn::Load(kNumbers, spans_.high_depth + lane);
         const auto n = hn::Load(kNumbers, patches_.parts + lane);
-        const auto first_passed = hn::Load(Words(), patches_.passed + lane);
+        const auto first_hit = hn::Load(Uints(), patches_.hit + lane);
         const auto columns = static_cast<double>(grid_.columns);
         const auto begin =
             hn::Mul(hn::Load(kNumbers, spans_.in_row + at), hn::Set(kNumbers, columns));
@@ -337,12 +337,11 @@ class RowHits {
             const auto x = hn::Add(column, shift);
             const auto part = part_at(u.at(x), v.at(x), n);
             const auto in_grid = grid_.repeats_x ? wrapped(column, columns) : column;
-            hn::Store(to_words(hn::Add(begin, in_grid)), Words(), hits.lines + lane);
+            hn::Store(to_uints(hn::Add(begin, in_grid)), Uints(), hits.lines + lane);
             hn::Store(
-                ordered_bits(hn::Min(hn::Max(depth.at(x), low), high)), Words(),
+                ordered_bits(hn::Min(hn::Max(depth.at(x), low), high)), Uints(),
                 hits.depths + lane);
-            hn::Store(
-                hn::Add(first_passed, to_words(hn::Add(part, part))), Words(), hits.passed + lane);
+            hn::Store(hn::Add(first_hit, to_uints(hn::Add(part, part))), Uints(), hits.hit + lane);
             size_ = hits.append(lanes << lane, size_, to_);
             column = hn::Add(column, hn::Set(kNumbers, 1.0));
             std::uint8_t bits[8] = {};

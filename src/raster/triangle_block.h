@@ -8,12 +8,12 @@
 
 namespace quasimc {
 
-/// Triangles that are drawn side by side, whatever the vector unit.
+/// Number of triangles drawn together, on any vector unit.
 inline constexpr std::size_t kBlockLanes = 8;
-/// Rows of a block that are drawn at one go.
+/// Number of rows of a block that are drawn together.
 inline constexpr std::size_t kBlockRows = 8;
 
-/// Corners of a block of triangles, local coordinates: [corner][x, y or z][lane]. Lanes that are 0
+/// Corners of a block of triangles, local coordinates: [corner][x, y or z][lane]. Lanes of zeros
 /// cover nothing.
 struct alignas(64) TriangleBlock {
     double at[3][3][kBlockLanes];
@@ -33,36 +33,36 @@ struct RasterGrid {
     BeamAxis x, y, z;  ///< position on the grid, and depth
     std::int64_t columns = 0, rows = 0;
     bool repeats_x = false, repeats_y = false;
-    double row_shift = 0;         ///< how far a row stands beside the last, in columns
-    bool has_barycentric = true;  ///< whether `u` and `v` of a block are asked for
+    double row_shift = 0;         ///< offset of each row from the last, in columns
+    bool has_barycentric = true;  ///< whether `u` and `v` of a block are needed
 };
 
-/// A number as it changes over the grid, by triangle: at + by_x x + by_y y.
+/// A linear function on the grid, by triangle: at + by_x x + by_y y.
 struct alignas(64) BlockGradient {
     double at[kBlockLanes], by_x[kBlockLanes], by_y[kBlockLanes];
 };
 
-/// What of a grid a block of triangles covers, some rows at a time.
+/// The grid positions that a block of triangles covers, some rows at a time.
 struct alignas(64) BlockSpans {
     static constexpr std::size_t kMost = kBlockLanes * kBlockRows;
 
-    /// Rows [row, end_row) that a triangle touches; unwrapped.
+    /// Rows [row, end_row) of a triangle; unwrapped.
     double row[kBlockLanes], end_row[kBlockLanes];
-    /// Its sides, as SidesByRow has them.
+    /// The sides of a triangle, as in SidesByRow.
     double low_x[kBlockLanes], low_y[kBlockLanes], middle_x[kBlockLanes], middle_y[kBlockLanes];
     double slope_long[kBlockLanes], slope_low[kBlockLanes], slope_high[kBlockLanes];
-    BlockGradient depth, u, v;  ///< barycentric coordinates, if they are asked for
+    BlockGradient depth, u, v;  ///< depth and barycentric coordinates, if needed
     double low_depth[kBlockLanes], high_depth[kBlockLanes];
     double first_x[kBlockLanes], first_y[kBlockLanes], first_depth[kBlockLanes];  ///< a corner
-    double twice_area[kBlockLanes];  ///< above 0 if corners turn to the left
+    double twice_area[kBlockLanes];  ///< above 0 if corners turn left
 
-    /// Spans of columns [first, last) of a row, which stands so far beside its columns: of row i of
-    /// those at hand and a lane at i * kBlockLanes + lane, where bit `lane` of covered[i] is set.
+    /// Spans of columns [first, last) of a row, before its shift: row i of the current rows and a
+    /// lane are at i * kBlockLanes + lane, if bit `lane` of covered[i] is set.
     std::size_t rows = 0;
     std::uint32_t covered[kBlockRows];
     alignas(64) double y[kMost], in_row[kMost], first[kMost], last[kMost], shift[kMost];
 
-    /// Calls visit(lane, index of the span) row by row, and in each triangle by triangle.
+    /// Calls visit(lane, index of the span) row by row, and within a row by triangle.
     template <typename Visit>
     void for_each(const Visit& visit) const {
         for (std::size_t i = 0; i < rows; ++i) {
@@ -74,39 +74,39 @@ struct alignas(64) BlockSpans {
     }
 };
 
-/// How the triangles of a block are cut into patches, by lane.
+/// The subdivision of a block's triangles into patches, by lane.
 struct alignas(64) BlockPatches {
-    double parts[kBlockLanes];          ///< along each side: 2^level
-    std::uint32_t passed[kBlockLanes];  ///< what a line passes in the first of them
+    double parts[kBlockLanes];       ///< along each side: 2^level
+    std::uint32_t hit[kBlockLanes];  ///< LineHits::Hit of the first patch
 };
 
-/// Hits of lines on triangles, in no order: the line, and a key that grows with depth and holds the
-/// surface that is hit (depth_key()).
+/// Unordered hits of lines on triangles: the line, and a key that grows with depth and contains the
+/// surface (depth_key()).
 struct LineHitArrays {
     std::uint32_t* lines;
     std::uint64_t* keys;
 };
 
-/// Larger for what is deeper, and then for what is passed later.
-[[nodiscard]] inline std::uint64_t depth_key(float depth, std::uint32_t passed) {
+/// Sorts by depth, then by surface.
+[[nodiscard]] inline std::uint64_t depth_key(float depth, std::uint32_t hit) {
     constexpr std::uint32_t kSign = 0x80000000U;
     const auto bits = std::bit_cast<std::uint32_t>(depth);
     const std::uint32_t ordered = (bits & kSign) != 0 ? ~bits : bits | kSign;
-    return std::uint64_t{ordered} << 32U | passed;
+    return std::uint64_t{ordered} << 32U | hit;
 }
 
 /// The loops over a block, compiled for a vector unit.
 struct SpanLoops {
-    /// Sets all but the spans. False if no triangle touches a row.
+    /// Sets all members except the spans. False if no triangle touches a row.
     bool (*set)(const TriangleBlock& corners, const RasterGrid& grid, BlockSpans& spans);
-    /// dot(unit normal of the upper side of each triangle, direction), 0 if it has no area: as
-    /// ProjectedScene::cosine() has it.
+    /// dot(unit normal of the upper side of each triangle, direction), 0 if it has no area: like
+    /// ProjectedScene::cosine().
     void (*cosines)(const TriangleBlock& corners, const Vec3& direction, double* to);
     /// Finds the spans of the next kBlockRows rows of each triangle; false if there are no more
     /// rows.
     bool (*next)(const RasterGrid& grid, BlockSpans& spans);
     /// Writes the hits on the current spans of the lanes whose bit is set in `wanted`. There must
-    /// be room for all. @returns how many
+    /// be room for all. @returns their number
     std::size_t (*write_hits)(
         const RasterGrid& grid,
         const BlockSpans& spans,
@@ -115,7 +115,7 @@ struct SpanLoops {
         const LineHitArrays& to);
 };
 
-/// Those for the vector unit of this machine. All variants compute the same bits.
+/// The loops for the vector unit of this machine. All variants compute the same bits.
 [[nodiscard]] SpanLoops best_span_loops();
 
 }  // namespace quasimc

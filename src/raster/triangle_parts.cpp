@@ -31,8 +31,8 @@ std::pair<double, double> center_of(int level, std::uint32_t part) {
     return {(position.column + third) / n, (position.row + third) / n};
 }
 
-/// Where a coordinate that goes from a to b passes whole numbers, one after the other, as parts of
-/// the way.
+/// The positions where a coordinate from a to b crosses whole numbers, in order, as fractions of
+/// the interval.
 class WholeNumbers {
   public:
     WholeNumbers(double a, double b)
@@ -41,7 +41,7 @@ class WholeNumbers {
           next_(a == b ? kNever : first_ * step_) {}
 
     [[nodiscard]] double next() const { return next_; }
-    /// Goes past `at`.
+    /// Advances past `at`.
     void pass(double at) {
         while (next_ <= at) {
             next_ = (first_ + ++passed_) * step_;

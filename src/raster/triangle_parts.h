@@ -36,8 +36,8 @@ class TriangleParts {
         double begin = 0, end = 1;  ///< as fractions of the line
         [[nodiscard]] double share() const { return end - begin; }
     };
-    /// The segments of a line from `a` to `b`; all shares add up to 1.
-    /// @param scratch  in which they lie
+    /// The segments of a line from `a` to `b`; all fractions sum to 1.
+    /// @param scratch  memory of the result
     [[nodiscard]] std::span<const Segment> segments(
         const Barycentric& a, const Barycentric& b, std::vector<Segment>& scratch) const;
 

@@ -8,8 +8,8 @@
 
 namespace quasimc {
 
-/// Where rows cut the sides of a triangle. Each side is walked from its lower end up, so that
-/// triangles which share one cut it at the same points.
+/// Intersections of rows with the sides of a triangle. Each side is followed from its lower end up,
+/// so that triangles sharing it are cut at the same points.
 class SidesByRow {
   public:
     explicit SidesByRow(const ProjectedTriangle& seen) {
@@ -37,12 +37,12 @@ class SidesByRow {
     double low_x_, low_y_, middle_x_, middle_y_, slope_long_, slope_low_, slope_high_;
 };
 
-/// A number as it changes over the plane of a beam: at + by_x x + by_y y.
+/// A linear function on the plane of a beam: at + by_x x + by_y y.
 struct PlaneGradient {
     double at = 0, by_x = 0, by_y = 0;
 };
 
-/// How depth and barycentric coordinates change over the picture of a triangle.
+/// Gradients of depth and barycentric coordinates over the projection of a triangle.
 class TrianglePlane {
   public:
     explicit TrianglePlane(const ProjectedTriangle& c)
@@ -55,14 +55,15 @@ class TrianglePlane {
           twice_area_(ax_ * by_ - ay_ * bx_),
           per_area_(1 / twice_area_) {}
 
-    /// Whether it is seen edge-on: corners are told apart in single precision.
+    /// Whether the triangle is edge-on: corners have single precision.
     [[nodiscard]] bool is_edge_on() const {
         constexpr double kFlat = 0x1p-24;
         return std::abs(twice_area_) <= kFlat * (ax_ * ax_ + ay_ * ay_ + bx_ * bx_ + by_ * by_);
     }
-    /// Whether the corners follow each other to the left, x to the right and y up.
+    /// Whether the corners turn left, with x to the right and y up.
     [[nodiscard]] bool turns_left() const { return twice_area_ > 0; }
-    /// Of a number that is `first` at the first corner, and more by a and b at the others.
+    /// The gradient of a quantity that is `first` at the first corner, and more by a and b at the
+    /// others.
     [[nodiscard]] PlaneGradient gradient(double first, double a, double b) const {
         const double by_x = (a * by_ - b * ay_) * per_area_;
         const double by_y = (b * ax_ - a * bx_) * per_area_;

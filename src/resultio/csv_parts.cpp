@@ -222,8 +222,8 @@ std::string csv_light_columns(const RunFile& run, LightAmount amount) {
 
 std::string csv_organ_columns(const RunFile& run) {
     return fmt::format(
-        "# column id, name, labels: of the organ, as given\n"
-        "# column area [{}2]: of one side\n",
+        "# column id, name, labels: of the organ\n"
+        "# column area [{}2]: one-sided area of the organ\n",
         one_line(run.scene.length_unit()));
 }
 

@@ -20,7 +20,7 @@ class DetectorTable final : public OutputWriter {
   public:
     explicit DetectorTable(const OutputInput& input) : run_(&input.run), sink_(input.sink) {}
 
-    void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
+    void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
         run_ = &run;
     }
 

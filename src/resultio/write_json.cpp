@@ -287,12 +287,12 @@ void JsonWriter::on_day(std::size_t day, const SeriesSum& sum) {
     state_->add_day(day, sum);
 }
 
-void JsonWriter::finish(const SeriesSummary& of_the_last) {
-    state_->finish(of_the_last);
+void JsonWriter::finish(const SeriesSummary& series_summary) {
+    state_->finish(series_summary);
 }
 
-void JsonWriter::next_run(const RunFile& run, const SeriesSummary& of_the_last) {
-    state_->next_run(run, of_the_last);
+void JsonWriter::next_run(const RunFile& run, const SeriesSummary& series_summary) {
+    state_->next_run(run, series_summary);
 }
 
 bool JsonWriter::wants(SeriesPart part) const {

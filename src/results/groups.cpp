@@ -18,7 +18,7 @@
 namespace quasimc {
 namespace {
 
-/// Whether light passes an organ as if it were not there.
+/// Whether light passes an organ undisturbed.
 bool is_sensor(const Scene& scene, const Organ& organ) {
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
         if (!data_of(scene).material(scene.regions()[organ.first_region + i]).is_transparent()) {
@@ -33,7 +33,7 @@ bool is_counted(const Organ& organ) {
     return organ.measured && !organ.is_ground;
 }
 
-/// Whether an organ is part of the canopy: of all organs, and of layers.
+/// Whether an organ is part of the canopy, and so of layers.
 bool is_plant(const Scene& scene, const Organ& organ) {
     return is_counted(organ) && !is_sensor(scene, organ);
 }
@@ -44,7 +44,7 @@ const std::string* label_of(const Organ& organ, std::string_view key) {
     return found == organ.labels.end() ? nullptr : &found->second;
 }
 
-/// The keys that "plant+kind" joins; a key that has a '+' itself stands alone.
+/// The keys that "plant+kind" joins. A key that itself contains '+' is a single key.
 std::vector<std::string_view> joined_keys(
     std::string_view text, const std::vector<std::string_view>& known) {
     std::vector<std::string_view> keys;
@@ -111,7 +111,7 @@ void add_groups_of_labels(
     }
 }
 
-/// How high an organ stands.
+/// Height of an organ.
 struct OrganHeight {
     double centroid = 0;  ///< of its area
     double low = std::numeric_limits<double>::infinity();
@@ -138,7 +138,7 @@ OrganHeight height_of(const Scene& scene, const Organ& organ) {
     return height;
 }
 
-/// The heights between layers of equal height; they do not ascend where the organs have none.
+/// The boundaries of layers of equal height; they do not ascend where the organs have no height.
 std::vector<double> equal_layers(const Scene& scene, std::uint32_t layers) {
     OrganHeight all;
     for (const Organ& organ : scene.organs()) {

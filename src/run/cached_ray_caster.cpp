@@ -12,7 +12,7 @@ std::shared_ptr<const RayCaster> CachedRayCaster::caster_for(
     const bool same = caster_ && accelerator == accelerator_ && scene.cell() == cell_ &&
                       (triangles == triangles_ || *triangles == *triangles_);
     if (!same) {
-        forget();  // before as much is taken again
+        forget();  // releases the old one before the new one is allocated
 
         constexpr double kBytesOfTriangle = 150;  // docs/develop/architecture.md
         caster_ = make_big(

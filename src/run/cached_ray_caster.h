@@ -9,17 +9,17 @@
 
 namespace quasimc {
 
-/// The ray caster of the scene that was asked for last: it is built anew when triangles, cell or
-/// accelerator are others.
+/// Caches the ray caster of the last scene. It is rebuilt when triangles, cell or accelerator
+/// change.
 class CachedRayCaster {
   public:
-    /// @throws StopRequested  if it was stopped while it was built
+    /// @throws StopRequested  if a stop is requested during the construction
     /// @throws InputError  if there is not enough memory for it
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
         const Scene& scene, Accelerator accelerator, const std::stop_token& stop);
-    /// Gives its memory back.
+    /// Releases the cached ray caster.
     void forget();
-    /// How many were built.
+    /// Number of ray casters built.
     [[nodiscard]] std::size_t builds() const { return builds_; }
 
   private:

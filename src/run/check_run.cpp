@@ -106,7 +106,7 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
     }
 }
 
-/// Labels that are called as other groups of the result are: their rows would look alike.
+/// Checks for labels with the name of other groups of the result, whose rows would be ambiguous.
 void check_group_names(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const bool has_layers = spec.layers > 0 || !spec.layer_heights.empty();
     for (const std::string& key : spec.groups) {
@@ -166,7 +166,8 @@ void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     }
 }
 
-/// An infinity of lamps, of which points on the organs would have to pick one.
+/// Checks for lamps in periodic scenes: points on organs would have to sample an infinite number of
+/// them.
 void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
     const bool has_lamp = std::any_of(
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
@@ -178,7 +179,7 @@ void check_lamps(const Scene& scene, const Sources& sources, const RunSpec& spec
     }
 }
 
-/// A method that does not follow light that escapes, which some detector waits for.
+/// Checks for methods that do not trace escaping light, where some detector needs it.
 void check_detected_light(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const SolverEntry* solver = find_solver(spec.method);
     if (solver != nullptr && solver->escaped == EscapedLight::remainder &&

@@ -8,7 +8,7 @@ namespace quasimc {
 namespace {
 
 Deadline::Clock::duration duration_of(double seconds) {
-    constexpr double kForever = 1e9;  // more may not be a time of the clock
+    constexpr double kForever = 1e9;  // later times may overflow the clock
     return std::chrono::duration_cast<Deadline::Clock::duration>(
         std::chrono::duration<double>(std::min(seconds, kForever)));
 }

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// Mixes numbers into one, in order.
+/// Hashes numbers in order.
 class Mixer {
   public:
     void add(std::uint64_t x) { hash_ = mix64(hash_ ^ x) + 0x9E3779B97F4A7C15U; }

@@ -6,10 +6,9 @@
 
 namespace quasimc {
 
-/// A number that tells runs apart whose sums must not be added: a hash of the geometry as it is
-/// traced, the parameters of optics, sources and detectors, and all of the specification that
-/// changes sums (not the number of paths, replicates, threads or a target). Takes time in
-/// proportion to the triangles.
+/// A hash that differs between runs whose sums must not be added: of the geometry as it is traced,
+/// the parameters of optics, sources and detectors, and every option that changes sums (not the
+/// number of paths, replicates, threads or a target). Takes time in proportion to the triangles.
 [[nodiscard]] std::uint64_t digest_of(const PreparedScene& prepared, const RunSpec& spec);
 
 }  // namespace quasimc

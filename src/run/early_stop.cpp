@@ -6,7 +6,7 @@
 namespace quasimc {
 
 void EarlyStop::stop_at(Deadline::Clock::time_point at) {
-    constexpr std::chrono::hours kForever{1 << 18U};  // more may not be a time to wait for
+    constexpr std::chrono::hours kForever{1 << 18U};  // longer waits may overflow
     if (!has_limit_ && at == Deadline::Clock::time_point::max()) {
         return;
     }

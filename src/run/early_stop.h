@@ -8,20 +8,20 @@
 
 namespace quasimc {
 
-/// What ends a run before its time: its caller, or a point in time.
+/// Stops a run early: on a request of its caller, or at a point in time.
 class EarlyStop {
   public:
-    /// @param asked  the caller's
+    /// @param asked  the caller's stop token
     explicit EarlyStop(std::stop_token asked)
         : asked_(std::move(asked)), forward_(asked_, Forward{&source_}) {}
 
-    /// Stops then, and no longer when it was to stop before. The largest time point: never.
+    /// Sets the time of the stop, replacing an earlier one. The largest time point: never.
     void stop_at(Deadline::Clock::time_point at);
 
     [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-    /// Whether a stop may come.
+    /// Whether a stop is possible.
     [[nodiscard]] bool is_possible() const { return has_limit_ || asked_.stop_possible(); }
-    /// Why it came.
+    /// Reason of the stop.
     [[nodiscard]] StopReason why() const {
         return asked_.stop_requested() ? StopReason::interrupted : StopReason::time_limit;
     }

@@ -13,7 +13,7 @@
 namespace quasimc {
 namespace {
 
-/// Irradiance on the horizontal, per band, of all sources; empty where it is not known.
+/// Irradiance on the horizontal, per band, of all sources; empty where it is unknown.
 std::vector<double> horizontal_irradiance_of(const Scene& scene, const Sources& sources) {
     std::vector<double> sums(sources.empty() ? 0 : scene.bands().size());
     for (const auto& source : sources) {

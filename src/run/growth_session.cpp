@@ -31,8 +31,9 @@ Fault twice(std::int64_t id) {
     return fault_of(id, "is given twice", "ids must be unique", "");
 }
 
-/// Refuses ids of which the session has no organ, or which are stated twice.
-/// @param has  whether the session has an organ. @param of_frame  ids of its frame
+/// Reports unknown ids and ids that appear twice.
+/// @param has  whether the session has an organ
+/// @param of_frame  ids of its frame
 void check_known(
     std::span<const std::int64_t> ids,
     FunctionRef<bool(std::int64_t)> has,
@@ -77,13 +78,13 @@ struct GrowthSession::State {
 
     SceneBuilder frame;
     std::unordered_set<std::int64_t> frame_ids;
-    std::map<std::uint64_t, OrganSpec> organs;             // in the order in which they were added
-    std::unordered_map<std::int64_t, std::uint64_t> keys;  // of ids among them
+    std::map<std::uint64_t, OrganSpec> organs;             // in the order of insertion
+    std::unordered_map<std::int64_t, std::uint64_t> keys;  // index of ids in `organs`
     std::uint64_t next = 0;
     std::int64_t largest_id = 0;
-    std::shared_ptr<const Scene> scene;            // null: something changed
-    std::optional<std::vector<Warning>> warnings;  // of the scene, if they were asked for
-    KnownOverlaps overlaps;                        // of the scene before
+    std::shared_ptr<const Scene> scene;            // null after a change
+    std::optional<std::vector<Warning>> warnings;  // of the scene, once requested
+    KnownOverlaps overlaps;                        // of the previous scene
     std::size_t scene_builds = 0;
     Simulator simulator;
 };

@@ -10,9 +10,9 @@
 
 namespace quasimc {
 
-/// plan_method(), which asks the caster whether so many surfaces cross that bundles can't be used,
-/// and what lines across an endless stand cost under its suns.
-/// @throws StopRequested, InputError  as CachedRayCaster does
+/// plan_method() with data from the caster: whether too many surfaces cross for bundles, and what
+/// lines across an infinite stand cost under its suns.
+/// @throws StopRequested, InputError  like CachedRayCaster
 [[nodiscard]] ChosenMethod plan_run(
     const Scene& scene,
     const Sources& sources,

@@ -15,8 +15,8 @@
 namespace quasimc {
 namespace {
 
-/// Gives the first process the processor time of the others; 0 in those.
-/// @param own  of this process
+/// Sums the processor time of the other processes in the first one; 0 in the others.
+/// @param own  processor time of this process
 double cpu_seconds_of_others(RunTeam& team, double own) {
     constexpr double kNano = 1e-9;
     std::vector<std::int64_t> numbers{
@@ -58,7 +58,7 @@ Sums RoundSolver::empty_sums(std::uint64_t first_paths) {
         [&] { return quasimc::empty_sums(prepared_, *solved_spec_); });
 }
 
-/// The first process lets the others trace their tasks.
+/// Orders the other processes to trace their tasks.
 void RoundSolver::order(const RoundStart& start) const {
     if (team_.team != nullptr && team_.team->is_first()) {
         static_cast<void>(team_.team->order(

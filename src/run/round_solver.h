@@ -16,24 +16,24 @@
 
 namespace quasimc {
 
-/// What is to be traced of a round.
+/// A round, and where it starts.
 struct RoundStart {
     Round round;
-    std::uint64_t first_paths = 0;  ///< of the first round of the run
-    TaskPosition tasks = {};        ///< of the round, that are done already
+    std::uint64_t first_paths = 0;  ///< of the run's first round
+    TaskPosition tasks = {};        ///< completed tasks of the round
 };
 
-/// How a round was solved.
+/// Statistics of a solved round.
 struct SolvedRound {
-    double part_done_before = 0;       ///< of its tasks
-    double cpu_seconds_of_others = 0;  ///< that other processes took, all of their threads
+    double part_done_before = 0;       ///< fraction of its tasks
+    double cpu_seconds_of_others = 0;  ///< all threads of other processes
 };
 
-/// Solves the rounds of a run, alone or together with other processes. What a solver makes for the
-/// first round serves the others.
+/// Solves the rounds of a run, alone or together with other processes. All rounds share the solver
+/// of the first.
 class RoundSolver {
   public:
-    /// @param spec  its paths do not matter: those of the first round do
+    /// @param spec  its paths are ignored: those of the first round apply
     RoundSolver(
         const PreparedScene& prepared,
         const Sampler& sampler,
@@ -41,13 +41,13 @@ class RoundSolver {
         std::stop_token stop,
         const TeamRun& team = {});
 
-    /// The solver of a run whose first round has so many paths.
+    /// The solver of a run with this number of paths in its first round.
     Solver& solver_for(std::uint64_t first_paths);
-    /// Sums of no paths yet of such a run.
+    /// Empty sums of such a run.
     [[nodiscard]] Sums empty_sums(std::uint64_t first_paths);
-    /// Adds the light of a round to sums, those of this process alone.
+    /// Adds the light of a round to sums, that of this process alone.
     /// @param watcher  may be null
-    /// @throws StopRequested  if it was stopped: the sums are then of no use
+    /// @throws StopRequested  if it was stopped: the sums are then invalid
     SolvedRound solve(const RoundStart& start, Sums& sums, TaskWatcher* watcher);
 
   private:
@@ -58,7 +58,7 @@ class RoundSolver {
     const RunSpec& spec_;
     std::stop_token stop_;
     TeamRun team_;
-    std::optional<RunSpec> solved_spec_;  // of the solver
+    std::optional<RunSpec> solved_spec_;  // specification of the solver
     std::unique_ptr<Solver> solver_;
 };
 

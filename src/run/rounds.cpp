@@ -5,20 +5,20 @@
 namespace quasimc {
 namespace {
 
-/// Points a replicate may have when nothing else ends a run.
+/// Largest number of points per replicate without other limits.
 constexpr std::uint64_t kMaxPoints = std::uint64_t{1} << 30U;
-/// A trial has so many times the paths of the one before.
-constexpr std::uint64_t kTrialGrowth = 4;
-/// What is begun anew should be done by this part of the time left: predictions have errors.
-constexpr double kSureOfTime = 0.85;
-/// So many times the paths of a trial may be begun straight after it if that seems to take half of
-/// the time left. More may cost more than a trial of few can tell, and a round that is not done in
-/// time is lost.
-constexpr std::uint64_t kFarthestLeap = 16;
-constexpr double kSureOfLeap = 0.5;
+/// Ratio of paths between consecutive pilot rounds.
+constexpr std::uint64_t kPilotGrowth = 4;
+/// Fraction of the remaining time that a restart may be predicted to take: predictions have errors.
+constexpr double kSafeFraction = 0.85;
+/// Largest ratio of all paths to those of a pilot round before them, if they are predicted to take
+/// at most half of the remaining time. The cost of more paths is hard to predict from few, and an
+/// incomplete round is lost.
+constexpr std::uint64_t kMaxLeap = 16;
+constexpr double kSafeLeapFraction = 0.5;
 
-/// A round is huge from so many paths on; trials before it have so many at first, and in the end at
-/// most this part of it.
+/// Number of paths from which a round is huge; before it, pilot rounds start with kFirstInsured
+/// paths and end with 1 / kInsuredPart of it.
 constexpr std::uint64_t kHugeRound = std::uint64_t{1} << 22U;
 constexpr std::uint64_t kFirstInsured = std::uint64_t{1} << 14U;
 constexpr std::uint64_t kInsuredPart = 64;
@@ -38,8 +38,8 @@ double CostModel::seconds_for(std::uint64_t paths) const {
     if (before.paths == 0 || before.paths >= last.paths) {
         return mean * static_cast<double>(paths);
     }
-    // What has taken less than this tells little of the cost of a round: half of it is left to
-    // the paths.
+    // A shorter time does not show the cost per path well: it is assumed to be at least half of the
+    // mean.
     constexpr double kLongEnough = 0.2;
     const double slope = (last.seconds - before.seconds) / (last.paths - before.paths);
     const double least = last.seconds < kLongEnough ? mean / 2 : 0;
@@ -48,17 +48,17 @@ double CostModel::seconds_for(std::uint64_t paths) const {
 }
 
 bool Rounds::fits(std::uint64_t paths) const {
-    return state_.cost.seconds_for(paths) <= kSureOfTime * seconds_left();
+    return state_.cost.seconds_for(paths) <= kSafeFraction * seconds_left();
 }
 
-/// Whether all paths may be begun straight after a trial.
+/// Whether all paths may follow directly after a pilot round.
 bool Rounds::may_leap() const {
-    return spec_.paths <= kFarthestLeap * state_.done &&
-           state_.cost.seconds_for(spec_.paths) <= kSureOfLeap * seconds_left();
+    return spec_.paths <= kMaxLeap * state_.done &&
+           state_.cost.seconds_for(spec_.paths) <= kSafeLeapFraction * seconds_left();
 }
 
 Round Rounds::begin(std::uint64_t paths) {
-    state_.is_trial = paths < spec_.paths;
+    state_.is_pilot = paths < spec_.paths;
     state_.done = 0;
     count_ = paths;
     return {0, paths};
@@ -68,7 +68,7 @@ std::optional<Round> Rounds::next() {
     if (state_.done == 0) {
         return begin(first_paths());
     }
-    return state_.is_trial ? after_trial() : as_many_again();
+    return state_.is_pilot ? after_pilot() : as_many_again();
 }
 
 std::uint64_t Rounds::first_paths() const {
@@ -79,17 +79,17 @@ std::uint64_t Rounds::first_paths() const {
     return is_huge ? std::clamp(limits_.fewest, kFirstInsured, spec_.paths) : spec_.paths;
 }
 
-/// All paths if they fit; if not, a larger trial as long as that fits; if not, as many again. Each
-/// trial is the result if the next one is not done in time.
-std::optional<Round> Rounds::after_trial() {
-    const std::uint64_t next = std::min(kTrialGrowth * state_.done, spec_.paths);
+/// All paths if they fit; else a larger pilot round while that fits; else as many again. Each pilot
+/// round is the result if the next one is not complete in time.
+std::optional<Round> Rounds::after_pilot() {
+    const std::uint64_t next = std::min(kPilotGrowth * state_.done, spec_.paths);
     if (!has_limit()) {
         return begin(next <= spec_.paths / kInsuredPart ? next : spec_.paths);
     }
     if (may_leap() || fits(next)) {
         return begin(may_leap() ? spec_.paths : next);
     }
-    state_.is_trial = false;
+    state_.is_pilot = false;
     return as_many_again();
 }
 
@@ -97,7 +97,8 @@ std::optional<Round> Rounds::as_many_again() {
     if (state_.done >= spec_.paths && !asks_for_more()) {
         return std::nullopt;
     }
-    // A run that goes on to a larger first round looks at its target after that, as it would have.
+    // A resumed run with a larger first round checks its target after that round, like a run that
+    // began with it.
     const bool is_first_done = state_.done >= spec_.paths || has_limit();
     if (is_first_done && spec_.target_error > 0 && at_target_ >= spec_.target_fraction) {
         stop_ = StopReason::target_reached;

@@ -13,78 +13,77 @@
 
 namespace quasimc {
 
-/// How long rounds have taken, and from that how long others will: so much for each, and so much
-/// for each path.
+/// Predicts the time of a round from previous ones: a constant plus a time per path.
 struct CostModel {
     void add(std::uint64_t paths, double seconds);
-    /// For a round of so many paths. At least one must have been added.
+    /// Predicted time of a round. Requires at least one add().
     [[nodiscard]] double seconds_for(std::uint64_t paths) const;
 
     struct Timed {
         double paths = 0, seconds = 0;
     };
-    Timed last, before;  ///< before: fewer paths; 0 if there is none
+    Timed last, before;  ///< before: fewer paths; 0 if none
 };
 
-/// How far the rounds of a run are, between two of them.
+/// State of a run between two rounds.
 struct RoundsState {
     std::uint64_t done = 0;  ///< paths
-    bool is_trial = false;   ///< what is done
+    bool is_pilot = false;   ///< whether these are paths of a pilot round
     CostModel cost;
 };
 
-/// When rounds end, and how they begin.
+/// Limits of rounds, and their beginning.
 struct RoundLimits {
     Deadline deadline = {};
-    std::uint64_t fewest = 1;  ///< paths to begin with if there is a deadline: a power of two
+    std::uint64_t fewest = 1;  ///< paths of the first round before a deadline: a power of two
     Deadline::Clock::time_point start = Deadline::Clock::now();  ///< of the first round
-    bool may_be_stopped = false;                                 ///< by others than the deadline
+    bool may_be_stopped = false;  ///< by other means than the deadline
 };
 
 /// Decides how many points to trace next: the specification's first, then, while a target or a
-/// limit of paths asks for more, as many again as before (so that point sets are whole at every
+/// limit of paths requires more, as many again as before (so that point sets are complete at every
 /// stop).
 ///
-/// With a limit of time that is known to be long enough only once something was traced, a run
-/// begins with trials of few paths, each larger than the one before. Once the specification's paths
-/// fit into what is left, they are traced as if there were no limit; if they never do, the run goes
-/// on from the last trial (docs/develop/decisions/time-limits.md).
+/// With a time limit, the cost of paths is unknown until something was traced. Then a run begins
+/// with pilot rounds of few paths, each larger than the last. Once the specification's paths fit
+/// into the remaining time, they are traced as if there were no limit; if they never fit, the run
+/// continues from the last pilot round (docs/develop/decisions/time-limits.md).
 ///
-/// A run that somebody may stop, and whose first round is huge, begins with trials as well: they
-/// are what is left if it is stopped, and cost 2 % at most.
+/// A run that may be stopped, and whose first round is huge, begins with pilot rounds too: they are
+/// the result if it is stopped, and cost at most 2 %.
 class Rounds {
   public:
     explicit Rounds(const RunSpec& spec, const RoundLimits& limits = {})
         : spec_(spec), limits_(limits), now_(limits.start) {}
 
-    /// The next round; nothing when the run is over. One whose first point is number 0 begins the
-    /// run, or begins it anew with other paths: what was traced before is then left out.
+    /// The next round; nothing when the run is complete. A round whose first point is number 0
+    /// begins the run, or restarts it with other paths and discards the earlier ones.
     [[nodiscard]] std::optional<Round> next();
-    /// Takes note of the round just traced.
+    /// Records that a round was traced.
     void finish(Deadline::Clock::time_point now, double fraction_at_target);
-    /// Between two rounds.
+    /// The state between two rounds.
     [[nodiscard]] const RoundsState& state() const { return state_; }
-    /// Goes on where other rounds were.
-    /// @param fraction_at_target  of what they have traced
+    /// Continues from a stored state.
+    /// @param fraction_at_target  organs at the target in that state
     void restore(const RoundsState& state, double fraction_at_target) {
         state_ = state;
         at_target_ = fraction_at_target;
     }
-    /// The round just begun was given up.
+    /// Abandons the current round.
     void interrupt(StopReason why) { stop_ = why; }
 
     [[nodiscard]] StopReason stop() const { return stop_; }
     [[nodiscard]] double at_target() const { return at_target_; }
-    /// Share of the work known so far that was done before this round, and that this round is.
+    /// Fraction of the known work that was complete before this round, and fraction of this round.
     [[nodiscard]] double fraction_before() const {
         return static_cast<double>(state_.done) / static_cast<double>(state_.done + count_);
     }
     [[nodiscard]] double share() const {
-        const std::uint64_t known = state_.is_trial ? spec_.paths : state_.done + count_;
+        const std::uint64_t known = state_.is_pilot ? spec_.paths : state_.done + count_;
         return static_cast<double>(count_) / static_cast<double>(known);
     }
 
-    /// Than the specification's paths.
+    /// Whether more than the specification's paths may be traced.
     [[nodiscard]] bool asks_for_more() const {
         return spec_.target_error > 0 || spec_.max_paths > 0;
     }
@@ -96,13 +95,13 @@ class Rounds {
     [[nodiscard]] bool may_leap() const;
     [[nodiscard]] Round begin(std::uint64_t paths);
     [[nodiscard]] std::uint64_t first_paths() const;
-    [[nodiscard]] std::optional<Round> after_trial();
+    [[nodiscard]] std::optional<Round> after_pilot();
     [[nodiscard]] std::optional<Round> as_many_again();
 
     const RunSpec& spec_;
     RoundLimits limits_;
     RoundsState state_;
-    std::uint64_t count_ = 0;          // paths of the round at hand
+    std::uint64_t count_ = 0;          // paths of the current round
     Deadline::Clock::time_point now_;  // the end of the last round
     double at_target_ = 0;
     StopReason stop_ = StopReason::finished;

@@ -36,7 +36,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// The plainest run there is, with random numbers of its own.
+/// An audit: plain light tracing with independent random numbers.
 TracePlan audit_plan(const RunSpec& spec, std::uint64_t paths_done) {
     constexpr double kMinPaths = 64;
     return {
@@ -62,7 +62,7 @@ void order_to_prepare(const SumsOrigin& origin, std::size_t time_step, const Run
     }
 }
 
-/// @throws InputError  if sums from elsewhere are not those of the run
+/// @throws InputError  if external sums do not match the run
 void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec& spec) {
     const bool is_this_run = sums.digest() == digest_of(prepared, spec) &&
                              sums.paths() == spec.paths &&
@@ -74,7 +74,7 @@ void check_given(const Sums& sums, const PreparedScene& prepared, const RunSpec&
     }
 }
 
-/// Reports sums from elsewhere as one round.
+/// Reports external sums as one round.
 void report_given(const Sums& sums, const RunFacts& facts, const RunControl& control) {
     RoundsState state;
     state.done = sums.paths();
@@ -150,7 +150,7 @@ void Simulator::State::add_audit(
     const RunSpec& spec,
     const RunControl& control,
     Result& result) {
-    EarlyStop early(control.stop);  // that of the run may have been used up
+    EarlyStop early(control.stop);  // the run's own may be used up
     early.stop_at(control.deadline.at());
     try {
         const RunSpec plain = planned_spec(spec, audit_plan(spec, result.paths));

@@ -14,8 +14,8 @@ namespace quasimc {
 
 namespace {
 
-/// Why a run that has traced some paths can't become one with other `paths`, with the same bits as
-/// if it had begun so; "" if it can.
+/// Why a resumed run can't get `paths` with the same bits as a run that began with them; "" if it
+/// can.
 std::string refusal_of_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
     const std::uint64_t first = position.first_paths;
     if (spec.paths < position.rounds.done) {
@@ -38,7 +38,7 @@ std::string refusal_of_paths(const RunPosition& position, const Scene& scene, co
     return "";
 }
 
-/// @throws InputError  if the run that is kept can't become the one asked for
+/// @throws InputError  if the stored run can't become the requested one
 void check_other_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
     const std::string why = refusal_of_paths(position, scene, spec);
     if (!why.empty()) {
@@ -48,7 +48,7 @@ void check_other_paths(const RunPosition& position, const Scene& scene, const Ru
     }
 }
 
-/// Why a run with these options might have ended before the rounds that are kept; "" if it can't.
+/// Why a run with these options might have ended before the stored rounds; "" if it can't.
 std::string refusal_of_ends(const RunPosition& position, const RunSpec& spec) {
     if (position.rounds.done <= spec.paths) {
         return "";
@@ -67,7 +67,7 @@ std::string refusal_of_ends(const RunPosition& position, const RunSpec& spec) {
     return !has_target || is_no_weaker ? "" : "the target may need fewer";
 }
 
-/// @throws InputError  if the run asked for might have ended before
+/// @throws InputError  if the requested run might have ended earlier
 void check_ends(const RunPosition& position, const RunSpec& spec) {
     const std::string why = refusal_of_ends(position, spec);
     if (!why.empty()) {
@@ -96,7 +96,7 @@ std::optional<RunState> state_to_go_on_from(StoredStates* states, const RunFacts
             {{"checkpoint", "it belongs to another run",
               "scene, sources, options or version differ", ""}});
     }
-    const bool is_begun = stored->done && !stored->position.rounds.is_trial;
+    const bool is_begun = stored->done && !stored->position.rounds.is_pilot;
     if (is_begun && stored->position.asked_paths != facts.spec.paths) {
         check_other_paths(stored->position, facts.prepared.scene(), facts.spec);
     }

@@ -7,9 +7,9 @@
 
 namespace quasimc {
 
-/// The state from which a run goes on, if one was kept.
-/// @param states  null: none were
-/// @throws InputError  if the state is of another run, or of one that would have ended before
+/// The state from which a run resumes, if one is stored.
+/// @param states  null: none are stored
+/// @throws InputError  if the state belongs to another run, or to one that would have ended earlier
 [[nodiscard]] std::optional<RunState> state_to_go_on_from(
     StoredStates* states, const RunFacts& facts);
 

@@ -21,7 +21,7 @@ void append_block(std::string& bytes, const Sums* sums) {
 
 std::string_view take(std::string_view& bytes, std::uint64_t size) {
     if (size > bytes.size()) {
-        throw std::invalid_argument("the state of a run is cut off");
+        throw std::invalid_argument("the state of a run is truncated");
     }
     const std::string_view taken = bytes.substr(0, size);
     bytes.remove_prefix(size);
@@ -44,7 +44,7 @@ std::optional<Sums> read_block(std::string_view& bytes) {
 template <typename Visit, typename PositionOrConst>
 void visit_numbers(const Visit& visit, PositionOrConst& position) {
     auto& rounds = position.rounds;
-    visit(rounds.done), visit(rounds.is_trial);
+    visit(rounds.done), visit(rounds.is_pilot);
     visit(rounds.cost.last.paths), visit(rounds.cost.last.seconds);
     visit(rounds.cost.before.paths), visit(rounds.cost.before.seconds);
     visit(position.first_paths), visit(position.asked_paths);

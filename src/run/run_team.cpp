@@ -10,18 +10,18 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Numbers that 2^31 processes could add up: a bin as two halves.
+/// Splits a bin into two halves, so that sums over 2^31 processes do not overflow.
 constexpr unsigned kHalf = 32;
 constexpr std::int64_t kLowHalf = (std::int64_t{1} << kHalf) - 1;
-/// Bins that are sent at a time.
+/// Number of bins per message.
 constexpr std::size_t kBinsAtOnce = std::size_t{1} << 18U;
 
 void put_steps(const ExactBins& bins, std::size_t first, std::vector<std::int64_t>& numbers) {
     for (std::size_t i = 0; 3 * i < numbers.size(); ++i) {
-        const ExactBins::Steps steps = bins.steps(first + i);
-        numbers[3 * i] = steps.carries;
-        numbers[3 * i + 1] = steps.low >> kHalf;
-        numbers[3 * i + 2] = steps.low & kLowHalf;
+        const ExactBins::Quanta quanta = bins.quanta(first + i);
+        numbers[3 * i] = quanta.carries;
+        numbers[3 * i + 1] = quanta.low >> kHalf;
+        numbers[3 * i + 2] = quanta.low & kLowHalf;
     }
 }
 
@@ -29,7 +29,7 @@ void take_steps(const std::vector<std::int64_t>& numbers, std::size_t first, Exa
     for (std::size_t i = 0; 3 * i < numbers.size(); ++i) {
         const Wide low = (Wide{numbers[3 * i + 1]} << kHalf) + numbers[3 * i + 2];
         bins.add(
-            first + i, ExactBins::Steps{
+            first + i, ExactBins::Quanta{
                            numbers[3 * i] + static_cast<std::int64_t>(low / ExactBins::kCarry),
                            static_cast<std::int64_t>(low % ExactBins::kCarry)});
     }
@@ -48,7 +48,7 @@ void add_up(RunTeam& team, Sums& sums) {
                 take_steps(numbers, first, total);
             }
         }
-        bins = std::as_const(total);  // in place: workers may hold on to the bins
+        bins = std::as_const(total);  // in place: workers may refer to the bins
     }
 }
 

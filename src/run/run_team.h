@@ -1,7 +1,7 @@
 #pragma once
 
-// Processes that trace a run together: the first has the run, the others help it. What each traces
-// is exact and depends on tasks alone, so that any number of them gives the same bits.
+// Processes that trace a run together: the first owns the run, the others help. The work of each is
+// exact and depends on tasks alone, so that any number of processes gives the same bits.
 
 #include <cstdint>
 #include <stop_token>
@@ -15,58 +15,58 @@
 
 namespace quasimc {
 
-/// What the first process asks of the others.
+/// An order of the first process to the others.
 struct TeamOrder {
-    /// To trace their tasks of a round with it; their own of all runs from here on (dealt_runs.h);
-    /// nothing more.
+    /// Trace their tasks of a round together; trace their own tasks of all further runs
+    /// (dealt_runs.h); end.
     static constexpr std::uint64_t kTrace = 0, kDealt = 1, kEnd = 2;
     std::uint64_t kind = kTrace;
-    std::uint64_t is_prepare = 0;  ///< orders for this moment and these first paths follow
-    std::uint64_t point = 0;       ///< of a sweep
-    std::uint64_t time_step = 0;   ///< of its times
+    std::uint64_t is_prepare = 0;  ///< the number of the time step and the first paths follow
+    std::uint64_t point = 0;       ///< sweep point
+    std::uint64_t time_step = 0;   ///< index in its series
     std::uint64_t first_paths = 0;
     Round round = {};
-    TaskPosition tasks = {};  ///< done before
+    TaskPosition tasks = {};  ///< already completed
 };
 
-/// The team as one process sees it.
+/// The team from the view of one process.
 class RunTeam : public TaskTeam {
   public:
-    /// Number of this process; 0: the first.
+    /// Index of this process; 0: the first.
     [[nodiscard]] virtual std::uint64_t rank() const = 0;
-    /// Processes.
+    /// Number of processes.
     [[nodiscard]] virtual std::uint64_t size() const = 0;
-    /// Of the first process: tells the others. Of the others: waits for it.
+    /// First process: sends an order to the others. Others: wait for it.
     virtual TeamOrder order(const TeamOrder& order) = 0;
-    /// Adds to the numbers of the first process those of the others. All call it.
+    /// Adds the numbers of the other processes to those of the first. All processes call it.
     virtual void add_up(std::vector<std::int64_t>& numbers) = 0;
-    /// Gives the others bytes of the first process. All call it.
+    /// Broadcasts bytes of the first process. All processes call it.
     virtual void share_bytes(std::string& bytes) = 0;
-    /// Of the others: sends bytes to the first process, and waits until they are received.
+    /// Others only: sends bytes to the first process, and waits until they are received.
     virtual void send(std::string_view bytes) = 0;
-    /// Of the first process: waits for what one of the others sends.
-    /// @throws Stopped  if a stop was requested before
+    /// First process only: waits for a message of one of the others.
+    /// @throws Stopped  if a stop is requested meanwhile
     [[nodiscard]] virtual std::string receive(std::uint64_t rank, const std::stop_token& stop) = 0;
-    /// Of the first process: asks the others to give up what they are at.
+    /// First process only: asks the others to abandon their work.
     virtual void stop() = 0;
-    /// Of the others: whether it did.
+    /// Others only: whether stop() was called.
     [[nodiscard]] virtual bool is_stopped() = 0;
-    /// Of the others: waits until it does, which ends this.
+    /// Others only: waits for stop(), which ends this process's work.
     virtual void await_stop() = 0;
 
     [[nodiscard]] bool is_first() const { return rank() == 0; }
     [[nodiscard]] Share share() const override { return share_of(rank() + 1, size()); }
 };
 
-/// A run that a team traces together, as all of them know it.
+/// A run that a team traces together.
 struct TeamRun {
-    RunTeam* team = nullptr;  ///< null: this process traces alone
-    std::uint64_t point = 0;  ///< of a sweep
+    RunTeam* team = nullptr;  ///< null: this process works alone
+    std::uint64_t point = 0;  ///< sweep point
     std::uint64_t time_step = 0;
 };
 
-/// Adds up the bins of all processes, which are of one layout: they are those of the first process
-/// then, and nothing in the others. All call it.
+/// Sums the bins of all processes, which share a layout, into the first process; those of the
+/// others become empty. All processes call it.
 void add_up(RunTeam& team, Sums& sums);
 
 }  // namespace quasimc

@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-/// The result of the sums of a run that goes on.
+/// The result of the sums of an unfinished run.
 Result preview_of(const Sums& sums, const RunFacts& facts) {
     Result result = make_result(sums, facts.prepared.scene(), facts.asked);
     result.chosen.method = facts.spec.method;
@@ -52,8 +52,8 @@ void report(
     }
 }
 
-/// Later rounds add to replicates that are reported already: the first of them alone would have
-/// fewer paths than all have.
+/// Later rounds add to replicates that are reported already: one of them alone would have fewer
+/// paths than all.
 std::size_t RunWithinRound::replicates() const {
     const bool is_first = round_.start.round.first == 0;
     return is_first && pause_.last > 0
@@ -90,12 +90,12 @@ RoundWatch::RoundWatch(
 }
 
 bool RoundWatch::wants_pause() {
-    bool is_wanted = false;
+    bool is_requested = false;
     for (Listening& each : listeners_) {
         each.waits = each.waits || each.listener->wants_pause();
-        is_wanted = is_wanted || each.waits;
+        is_requested = is_requested || each.waits;
     }
-    return is_wanted;
+    return is_requested;
 }
 
 void RoundWatch::on_pause(const Pause& pause) {

@@ -13,7 +13,7 @@
 
 namespace quasimc {
 
-/// What stays the same while the rounds of a run are traced.
+/// Constant data of a run while its rounds are traced.
 struct RunFacts {
     const PreparedScene& prepared;
     const RunSpec& spec;  ///< planned
@@ -24,13 +24,13 @@ struct RunFacts {
     [[nodiscard]] std::uint64_t digest() const;
 };
 
-/// The sums of the rounds that are complete.
+/// The sums of the completed rounds.
 struct DoneRounds {
     Sums sums;
     RoundsState state;
-    std::uint64_t first_paths = 0;     ///< of the first of them
-    double paths_before = 0;           ///< traced by the run that this one goes on from
-    double cpu_seconds_of_others = 0;  ///< of other processes
+    std::uint64_t first_paths = 0;     ///< of the first round
+    double paths_before = 0;           ///< traced before the run was resumed
+    double cpu_seconds_of_others = 0;  ///< processor time
 };
 
 /// A run between two rounds.
@@ -57,20 +57,20 @@ class RunBetweenRounds final : public RunSoFar {
     std::uint64_t first_paths_;
 };
 
-/// Calls a function of all listeners.
+/// Calls a function for all listeners.
 void report(
     const RunControl& control,
     void (RunListener::*event)(const RunSoFar& run),
     const RunBetweenRounds& run);
 
-/// A round that is being traced.
+/// A round in progress.
 struct RoundAtHand {
     const RoundStart& start;
-    const DoneRounds* done = nullptr;  ///< the rounds before; null: no round is complete
-    const Sums& sums;                  ///< of all, so far
+    const DoneRounds* done = nullptr;  ///< the previous rounds; null: no round is complete
+    const Sums& sums;                  ///< of all rounds, so far
 };
 
-/// A run in a pause of a round.
+/// A run at a pause within a round.
 class RunWithinRound final : public RunSoFar {
   public:
     /// @param samples  of the round (Solver::samples_of)
@@ -90,10 +90,10 @@ class RunWithinRound final : public RunSoFar {
     std::uint64_t samples_;
 };
 
-/// Reports a round to the listeners of its run while it is traced.
+/// Reports a round in progress to the listeners of its run.
 class RoundWatch final : public TaskWatcher {
   public:
-    /// @param work  the round, as a part of all
+    /// @param work  the round's part of all work
     RoundWatch(
         const RunFacts& facts,
         const std::vector<RunListener*>& listeners,

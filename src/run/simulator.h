@@ -16,17 +16,17 @@
 
 namespace quasimc {
 
-/// What a run is within a series, and of its simulator.
+/// The role of a run within a series and its simulator.
 struct RunRole {
     std::size_t time_step = 0;
-    /// Seconds that the run may still take after a stop if none of its rounds was complete: a few
-    /// paths are then traced, so that there is a result. 0: there is none (Stopped).
+    /// Seconds that the run may take after a stop before its first round is complete: a few paths
+    /// are then traced for a result. 0: no result (Stopped).
     double seconds_after_stop = 0;
-    const Sums* given = nullptr;  ///< all paths, traced elsewhere; null: they are traced
-    bool is_last = false;         ///< of the simulator: what rays need is given back early
+    const Sums* given = nullptr;  ///< all paths, traced elsewhere; null: traced here
+    bool is_last = false;         ///< last run of the simulator: data for rays is released early
 };
 
-/// What a Simulator keeps from run to run, and what it does with it.
+/// Data that a Simulator keeps between runs.
 class Simulator::State {
   public:
     [[nodiscard]] Result run(
@@ -43,7 +43,7 @@ class Simulator::State {
         const Share& share,
         const RunControl& control);
     [[nodiscard]] std::size_t builds() const { return caster_.builds(); }
-    /// Kept for the next run: as CachedRayCaster::caster_for().
+    /// Cached for the next run: see CachedRayCaster::caster_for().
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
         const Scene& scene, Accelerator accelerator, const std::stop_token& stop) {
         return caster_.caster_for(scene, accelerator, stop);
@@ -51,7 +51,7 @@ class Simulator::State {
     [[nodiscard]] const Sampler& sampler_for(const std::string& name);
 
   private:
-    /// A run that was checked and planned.
+    /// A checked and planned run.
     struct TraceInput {
         const Scene& scene;
         const Sources& sources;
@@ -62,7 +62,7 @@ class Simulator::State {
         RunRole role;
         Deadline::Clock::time_point start;
     };
-    /// @throws StopRequested  if it was stopped before there was a result
+    /// @throws StopRequested  if it was stopped before it had a result
     [[nodiscard]] Result trace(const TraceInput& input, EarlyStop& early);
     /// Compares a result with that of an audit.
     void add_audit(
@@ -76,7 +76,7 @@ class Simulator::State {
     std::map<std::string, std::unique_ptr<Sampler>> samplers_;
 };
 
-/// The way of the engine to what a simulator keeps.
+/// Internal access to the state of a Simulator.
 struct SimulatorAccess {
     static Simulator::State& state(Simulator& simulator) { return *simulator.state_; }
 };

@@ -15,7 +15,7 @@
 namespace quasimc {
 namespace {
 
-/// Whether paths from `first` on are a round that run() could trace.
+/// Checks that paths from `first` on are a round of run().
 void check_first_path(const Sampler& sampler, const RunSpec& spec, std::uint64_t first) {
     const bool is_whole = first % spec.paths == 0;
     if (!is_whole || (sampler.needs_power_of_two() && first > spec.paths)) {

@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// In what a trace differs from the specification of its run or series.
+/// Differences of a trace from the specification of its run or series.
 struct TracePlan {
     std::optional<Method> method = {};
     std::optional<std::uint64_t> seed = {}, paths = {}, max_paths = {};

@@ -13,20 +13,20 @@ namespace {
 
 using Clock = Deadline::Clock;
 
-/// Paths with which a run begins that has a deadline; a power of two. From organs there are so many
-/// that each organ gets a point; with bundles so many that the time goes by them.
-std::uint64_t fewest_paths(const Scene& scene, const RunSpec& spec) {
-    constexpr std::uint64_t kFewest = 256;
+/// Paths of the first round before a deadline; a power of two. Sampling from organs needs one point
+/// per organ; with bundles the time must depend on the paths.
+std::uint64_t min_paths(const Scene& scene, const RunSpec& spec) {
+    constexpr std::uint64_t kMinPaths = 256;
     if (spec.method == Method::ray_bundles) {
         constexpr std::uint64_t kTrianglesPerPath = 8;
-        return std::max(kFewest, std::bit_ceil(scene.triangle_count() / kTrianglesPerPath));
+        return std::max(kMinPaths, std::bit_ceil(scene.triangle_count() / kTrianglesPerPath));
     }
     if (spec.method != Method::from_organs) {
-        return kFewest;
+        return kMinPaths;
     }
     const auto measured = static_cast<std::uint64_t>(std::count_if(
         scene.organs().begin(), scene.organs().end(), [](const Organ& o) { return o.measured; }));
-    return std::max(kFewest, std::bit_ceil(measured));
+    return std::max(kMinPaths, std::bit_ceil(measured));
 }
 
 RoundErrors errors_of(const RoundsInput& input, const Sums& sums) {
@@ -34,22 +34,23 @@ RoundErrors errors_of(const RoundsInput& input, const Sums& sums) {
         sums, input.facts.prepared.scene(), input.facts.asked, input.facts.spec.target_error);
 }
 
-/// The rounds from which a run goes on. The state keeps what was done of the next round.
-std::optional<DoneRounds> take_done(std::optional<RunState>& kept) {
-    if (!kept || !kept->done) {
+/// The rounds from which a run resumes. The state retains the completed part of the next round.
+std::optional<DoneRounds> take_done(std::optional<RunState>& stored) {
+    if (!stored || !stored->done) {
         return std::nullopt;
     }
-    DoneRounds done{std::move(*kept->done), kept->position.rounds, kept->position.first_paths};
+    DoneRounds done{
+        std::move(*stored->done), stored->position.rounds, stored->position.first_paths};
     done.paths_before = static_cast<double>(done.sums.paths());
     return done;
 }
 
-/// Rounds that go on where others were, or begin.
+/// New rounds, or rounds that continue from others.
 Rounds make_rounds(const RoundsInput& input, const std::optional<DoneRounds>& done) {
     const RunSpec& spec = input.facts.spec;
     Rounds rounds(
         spec, {.deadline = input.deadline,
-               .fewest = fewest_paths(input.facts.prepared.scene(), spec),
+               .fewest = min_paths(input.facts.prepared.scene(), spec),
                .start = input.first_round,
                .may_be_stopped = input.control.stop.stop_possible()});
     if (done) {
@@ -60,11 +61,11 @@ Rounds make_rounds(const RoundsInput& input, const std::optional<DoneRounds>& do
     return rounds;
 }
 
-/// Sums of a few paths, of a run that was stopped before its first round was complete.
+/// Sums of a few paths for a run that was stopped before its first round was complete.
 /// @throws StopRequested  if there is no time for them, or not enough
 TracedRounds trace_few(const RoundsInput& input) {
     const RunFacts& facts = input.facts;
-    const std::uint64_t paths = fewest_paths(facts.prepared.scene(), facts.spec);
+    const std::uint64_t paths = min_paths(facts.prepared.scene(), facts.spec);
     const bool may = input.control.stop.stop_requested() && input.seconds_after_stop > 0;
     if (!may || paths >= facts.spec.paths) {
         throw StopRequested();
@@ -77,28 +78,27 @@ TracedRounds trace_few(const RoundsInput& input) {
     return few;
 }
 
-/// A round before it is traced.
+/// The input of a round.
 struct RoundInput {
     RoundStart start;
-    Sums sums;                ///< that it adds to
-    double paths_before = 0;  ///< of these, as DoneRounds
+    Sums sums;                ///< to which it adds
+    double paths_before = 0;  ///< of these sums, as in DoneRounds
 };
 
-/// @param done  the rounds before, if there were any. Their sums are taken if they are not needed
-///        beside those of the round
-/// @param kept  the state of the run that this one goes on from, if this is its first round
+/// @param done  the previous rounds, if any. Their sums are moved if they are not needed any more
+/// @param stored  the state from which the run resumes, if this is its first round
 RoundInput begin_round(
     const RoundsInput& input,
     RoundSolver& solver,
     const Round& round,
     std::optional<DoneRounds>& done,
-    std::optional<RunState> kept) {
+    std::optional<RunState> stored) {
     const bool is_first = round.first == 0;
     const std::uint64_t first_paths = is_first ? round.count : done->first_paths;
     const double paths_before = is_first ? 0 : done->paths_before;
-    if (kept && kept->partial && kept->position.round == round) {
-        const RoundStart start{round, first_paths, kept->position.tasks};
-        return {start, std::move(*kept->partial), paths_before};
+    if (stored && stored->partial && stored->position.round == round) {
+        const RoundStart start{round, first_paths, stored->position.tasks};
+        return {start, std::move(*stored->partial), paths_before};
     }
     if (is_first) {
         return {{round, first_paths}, solver.empty_sums(first_paths), paths_before};
@@ -108,15 +108,15 @@ RoundInput begin_round(
 }
 
 /// Traces a round. @returns nothing  if it was stopped
-/// @param done, kept  as of begin_round()
+/// @param done, stored  see begin_round()
 std::optional<DoneRounds> trace_round(
     const RoundsInput& input,
     RoundSolver& solver,
     const Rounds& rounds,
     const Round& next,
     std::optional<DoneRounds>& done,
-    std::optional<RunState> kept) try {
-    RoundInput round = begin_round(input, solver, next, done, std::move(kept));
+    std::optional<RunState> stored) try {
+    RoundInput round = begin_round(input, solver, next, done, std::move(stored));
     RoundWatch watch(
         input.facts, input.control.listeners, {round.start, done ? &*done : nullptr, round.sums},
         solver, input.work.part(rounds.fraction_before(), rounds.share()), rounds.at_target());
@@ -133,10 +133,10 @@ std::optional<DoneRounds> trace_round(
     return std::nullopt;
 }
 
-/// Takes note of a round just traced. @returns its errors, if somebody asks for them
+/// Records a traced round. @returns its errors, if some listener needs them
 std::optional<RoundErrors> finish_round(
     const RoundsInput& input, Rounds& rounds, const Sums& sums) {
-    const bool is_reported = rounds.asks_for_more() && !rounds.state().is_trial;
+    const bool is_reported = rounds.asks_for_more() && !rounds.state().is_pilot;
     const bool is_judged = is_reported || input.facts.spec.target_error > 0;
     RoundErrors errors = is_judged ? errors_of(input, sums) : RoundErrors{};
     const Clock::time_point now = Clock::now();
@@ -149,8 +149,8 @@ std::optional<RoundErrors> finish_round(
 
 TracedRounds trace_rounds(const RoundsInput& input) {
     const SumsOrigin& origin = input.control.origin;
-    std::optional<RunState> kept = state_to_go_on_from(origin.states, input.facts);
-    std::optional<DoneRounds> done = take_done(kept);
+    std::optional<RunState> stored = state_to_go_on_from(origin.states, input.facts);
+    std::optional<DoneRounds> done = take_done(stored);
     Rounds rounds = make_rounds(input, done);
     RoundSolver solver(
         input.facts.prepared, input.sampler, input.facts.spec, input.early.token(),
@@ -159,7 +159,7 @@ TracedRounds trace_rounds(const RoundsInput& input) {
     std::optional<Round> round = rounds.next();
     while (round) {
         std::optional<DoneRounds> traced =
-            trace_round(input, solver, rounds, *round, done, std::exchange(kept, std::nullopt));
+            trace_round(input, solver, rounds, *round, done, std::exchange(stored, std::nullopt));
         if (!traced) {
             rounds.interrupt(input.early.why());
             break;

@@ -9,7 +9,7 @@
 
 namespace quasimc {
 
-/// How the rounds of a run are traced.
+/// Input of trace_rounds().
 struct RoundsInput {
     const RunFacts& facts;
     const Sampler& sampler;
@@ -17,23 +17,23 @@ struct RoundsInput {
     Work work;  ///< all rounds
     Deadline deadline;
     EarlyStop& early;               ///< stops at the latest time of the deadline
-    double seconds_after_stop = 0;  ///< as RunRole
-    /// When the run began, and when its first round begins.
+    double seconds_after_stop = 0;  ///< see RunRole
+    /// Start of the run, and of its first round.
     Deadline::Clock::time_point start, first_round;
 };
 
-/// What the rounds of a run have brought.
+/// The outcome of the rounds of a run.
 struct TracedRounds {
     Sums sums;
     StopReason stop = StopReason::finished;
-    double at_target = 0;     ///< fraction of the organs
-    double paths_before = 0;  ///< traced by the run that this one went on from
+    double at_target = 0;     ///< fraction of organs at the target
+    double paths_before = 0;  ///< traced before the run was resumed
     double cpu_seconds_of_others = 0;
-    std::vector<RoundErrors> errors = {};  ///< after each round, where several are asked for
+    std::vector<RoundErrors> errors = {};  ///< after each round, where several are requested
 };
 
-/// Traces rounds until the run is over.
-/// @throws StopRequested  if it was stopped before there was a result
+/// Traces rounds until the run is complete.
+/// @throws StopRequested  if it was stopped before it had a result
 [[nodiscard]] TracedRounds trace_rounds(const RoundsInput& input);
 
 }  // namespace quasimc

@@ -27,7 +27,7 @@ void Work::report(double fraction, double at_target) const {
     if (!whole_) {
         return;
     }
-    // A run that is begun anew does not go back.
+    // Progress does not decrease when a run restarts.
     whole_->fraction = std::max(whole_->fraction, begin_ + share_ * fraction);
     const double done = whole_->fraction;
     const double seconds =

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// Whether some source is a sun that shines, be it past the scene.
+/// Whether some source is a sun with light, even if it misses the scene.
 bool has_bright_sun(const Sources& sources) {
     return std::any_of(sources.begin(), sources.end(), [](const auto& source) {
         const auto spectrum = source->spectrum();

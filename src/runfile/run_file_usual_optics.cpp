@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kSoil = "soil";
 
-/// Of all bands the value of their region; nothing after a fault.
+/// The value of each band's spectral region; empty after a fault.
 std::optional<std::vector<double>> by_band(
     TableReader& table, const RunFileContext& context, const OpticsByRegion& optics) {
     constexpr double kBorder = 700;

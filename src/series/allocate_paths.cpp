@@ -1,9 +1,9 @@
-// Which part of a day's paths each of its hours gets.
+// Allocates the paths of a day to its time steps.
 //
 // A sum of independent estimates has the smallest variance for a given number of samples if each
 // has samples in proportion to its standard deviation for one sample (Neyman 1934, Journal of the
-// Royal Statistical Society 97, 558-625). For light that is nearly the light itself: relative
-// errors of hours that are lit alike differ little.
+// Royal Statistical Society 97, 558-625). For light the standard deviation is nearly proportional
+// to the light itself: relative errors of similarly lit hours differ little.
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ namespace {
 
 constexpr int kMinExponent = -6;
 
-/// What sources bring to a square unit of the horizontal, per band. Lamps: their flux over the
-/// horizontal extent of the scene, a rough guess.
+/// Irradiance of sources on the horizontal, per band. Lamps: their flux over the horizontal extent
+/// of the scene, a rough estimate.
 std::vector<double> light_of(const Scene& scene, const Sources& sources) {
     const double radius = scene.bounds().radius();
     const double disc = std::numbers::pi * radius * radius;
@@ -34,9 +34,9 @@ std::vector<double> light_of(const Scene& scene, const Sources& sources) {
     return light;
 }
 
-using Energies = std::map<std::size_t, std::vector<double>>;  // per band, by the moment traced
+using Energies = std::map<std::size_t, std::vector<double>>;  // per band, by the computed time step
 
-/// A trace's part of a day, as the mean of the bands.
+/// A trace's share of a day, mean over the bands.
 double share_of(const std::vector<double>& part, const std::vector<double>& whole) {
     double sum = 0;
     double bands = 0;
@@ -49,9 +49,9 @@ double share_of(const std::vector<double>& part, const std::vector<double>& whol
     return bands > 0 ? sum / bands : 0;
 }
 
-/// What a trace gets of the days that it counts for.
+/// The paths of a trace, relative to the days that it counts for.
 struct Claim {
-    double effort = 0;  ///< share x number of traces
+    double path_factor = 0;  ///< share x number of traces
     double share = 0;
 };
 
@@ -66,7 +66,8 @@ void claim_day(const Energies& energies, std::map<std::size_t, Claim>& claims) {
     for (const auto& [traced, part] : energies) {
         const double share = share_of(part, whole);
         Claim& claim = claims[traced];
-        claim.effort = std::max(claim.effort, share * static_cast<double>(energies.size()));
+        claim.path_factor =
+            std::max(claim.path_factor, share * static_cast<double>(energies.size()));
         claim.share = std::max(claim.share, share);
     }
 }
@@ -93,7 +94,7 @@ void allocate_paths(
     }
     for (const auto& [traced, claim] : claims) {
         const double least = std::ldexp(1, kMinExponent);
-        const double exponent = std::round(std::log2(std::max(claim.effort, least)));
+        const double exponent = std::round(std::log2(std::max(claim.path_factor, least)));
         plans[traced].path_factor = std::exp2(exponent);
         plans[traced].target = 1 / std::sqrt(std::max(claim.share, least * least));
     }

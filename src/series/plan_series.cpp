@@ -20,7 +20,7 @@ double sum_of_spectra(const TimeStep& time_step) {
     return sum;
 }
 
-/// The factor from the light of `a` to that of `b`, if it is one for all sources and bands.
+/// The factor from the light of `a` to that of `b`, if it is common to all sources and bands.
 std::optional<double> factor_between(const TimeStep& a, const TimeStep& b) {
     constexpr double kRounding = 1e-12;
     const double factor = sum_of_spectra(b) / sum_of_spectra(a);
@@ -51,7 +51,7 @@ std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps) {
         if (plans[i].factor == 0) {
             continue;
         }
-        const auto [first, last] = traced.equal_range(time_steps[i].shapes);
+        const auto [first, last] = traced.equal_range(time_steps[i].directional_key);
         const auto same = std::find_if(first, last, [&](const auto& entry) {
             const auto factor = factor_between(time_steps[entry.second], time_steps[i]);
             if (factor) {
@@ -60,7 +60,7 @@ std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps) {
             return factor.has_value();
         });
         if (same == last) {
-            traced.emplace(time_steps[i].shapes, i);
+            traced.emplace(time_steps[i].directional_key, i);
         }
     }
     return plans;

@@ -1,8 +1,7 @@
-// A series: the light of many moments on one scene.
+// A series: the light of many time steps on one scene.
 //
-// Moments that are lit alike, but for one factor, share a trace. A result is kept until no later
-// moment needs it and the sums it counts for are done, so that a season takes no more memory than a
-// day.
+// Time steps whose light differs by a factor share a trace. A result is released when no later time
+// step needs it and its sums are complete, so that a season takes no more memory than a day.
 
 #include "quasimc/series.h"
 
@@ -28,7 +27,7 @@
 namespace quasimc {
 namespace {
 
-/// @throws InputError  if moments are not in the order of their days
+/// @throws InputError  if time steps are not in the order of their days
 void check_order(const std::vector<TimeStep>& time_steps) {
     Faults faults;
     for (std::size_t i = 1; i < time_steps.size(); ++i) {
@@ -44,7 +43,7 @@ void check_order(const std::vector<TimeStep>& time_steps) {
     faults.throw_if_any();
 }
 
-/// Traces a series, moment by moment.
+/// Computes a series, one time step after the other.
 class SeriesRun final : public SeriesSteps {
   public:
     explicit SeriesRun(const SeriesInput& input)
@@ -53,14 +52,14 @@ class SeriesRun final : public SeriesSteps {
         groups_.bands = in_.scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
         for (std::size_t i = 0; i < in_.time_steps.size(); ++i) {
-            effort_left_ +=
+            path_factors_left_ +=
                 plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].path_factor : 0;
             if (plans_[i].factor > 0) {
                 last_traced_ = std::max(last_traced_, plans_[i].traced);
                 last_use_[plans_[i].traced] = i;
             }
         }
-        effort_ = effort_left_;
+        path_factors_ = path_factors_left_;
     }
 
     SeriesSummary run() {
@@ -78,8 +77,8 @@ class SeriesRun final : public SeriesSteps {
     }
 
   private:
-    /// A trace that is still needed, and what it counts for.
-    struct Kept {
+    /// A trace that is still needed, and its weights in sums.
+    struct CachedTrace {
         Result result;
         double day_weight = 0, total_weight = 0;
     };
@@ -108,34 +107,37 @@ class SeriesRun final : public SeriesSteps {
             report_time_step(in_.control, {i, *dark_, i});
             return;
         }
-        Kept& kept = cached_[plan.traced];
-        kept.day_weight += plan.factor * time_step.seconds;
-        kept.total_weight += plan.factor * time_step.seconds;
+        CachedTrace& cached = cached_[plan.traced];
+        cached.day_weight += plan.factor * time_step.seconds;
+        cached.total_weight += plan.factor * time_step.seconds;
         if (plan.traced == i) {
-            report_time_step(in_.control, {i, kept.result, i});
-        } else if (is_wanted(SeriesPart::time_steps, in_.control)) {
-            report_time_step(in_.control, {i, scaled(kept.result, plan.factor), plan.traced});
+            report_time_step(in_.control, {i, cached.result, i});
+        } else if (is_requested(SeriesPart::time_steps, in_.control)) {
+            report_time_step(in_.control, {i, scaled(cached.result, plan.factor), plan.traced});
         }
     }
 
-    /// A trace takes as long as its effort, and dark times take none. Its first paths may take all
-    /// of the time that is left.
+    /// A trace takes time in proportion to its path factor, and time steps without light take none.
+    /// Its first paths may take all of the remaining time.
     [[nodiscard]] RunControl control_of(const TimeStepPlan& plan) const {
         const bool is_only = in_.time_steps.size() == 1;
         return {
             .stop = in_.control.stop,
-            .deadline = is_only ? deadline_
-                                : deadline_.share(
-                                      plan.path_factor / std::max(plan.path_factor, effort_left_)),
+            .deadline =
+                is_only ? deadline_
+                        : deadline_.share(
+                              plan.path_factor / std::max(plan.path_factor, path_factors_left_)),
             .listeners = in_.control.listeners,
             .origin = in_.control.origin,
-            .work = work_.part((effort_ - effort_left_) / effort_, plan.path_factor / effort_)};
+            .work = work_.part(
+                (path_factors_ - path_factors_left_) / path_factors_,
+                plan.path_factor / path_factors_)};
     }
 
     Result trace_one(std::size_t i) {
         const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.computed);
         Result result = run_one(i, spec, control_of(plans_[i]));
-        effort_left_ -= plans_[i].path_factor;
+        path_factors_left_ -= plans_[i].path_factor;
         ++summary_.computed;
         if (result.stop == StopReason::time_limit || result.stop == StopReason::interrupted) {
             ++summary_.with_fewer_paths;
@@ -156,11 +158,11 @@ class SeriesRun final : public SeriesSteps {
         return result;
     }
 
-    /// The run of a moment. One that is stopped before it has a result has taken time as well.
+    /// The run of a time step. One that is stopped before it has a result has taken time as well.
     Result run_one(std::size_t i, const RunSpec& spec, RunControl control) {
         const Stopwatch watch;
         try {
-            // Without any time there would be no result at all.
+            // Without any time there would be no result.
             constexpr double kForFirst = 1;
             std::optional<GivenSums> given;
             if (control.origin.given != nullptr) {
@@ -194,10 +196,10 @@ class SeriesRun final : public SeriesSteps {
     }
 
     void finish_day(std::size_t last) override {
-        for (auto& [i, kept] : cached_) {
-            if (wants_days_ && kept.day_weight > 0) {
-                day_.add(kept.result, kept.day_weight);
-                kept.day_weight = 0;
+        for (auto& [i, cached] : cached_) {
+            if (wants_days_ && cached.day_weight > 0) {
+                day_.add(cached.result, cached.day_weight);
+                cached.day_weight = 0;
             }
         }
         add_to_total(last);
@@ -207,13 +209,13 @@ class SeriesRun final : public SeriesSteps {
         day_ = {};
     }
 
-    /// Forgets the traces that no moment after `last` needs, once the total has them.
+    /// Releases the traces that no time step after `last` needs, once they are in the total.
     void add_to_total(std::size_t last) {
         for (auto it = cached_.begin(); it != cached_.end();) {
-            const Kept& kept = it->second;
+            const CachedTrace& cached = it->second;
             const bool is_needed = last_use_[it->first] > last;
-            if (wants_total_ && !is_needed && kept.total_weight > 0) {
-                total_.add(kept.result, kept.total_weight);
+            if (wants_total_ && !is_needed && cached.total_weight > 0) {
+                total_.add(cached.result, cached.total_weight);
             }
             it = is_needed ? std::next(it) : cached_.erase(it);
         }
@@ -223,18 +225,18 @@ class SeriesRun final : public SeriesSteps {
     Stopwatch watch_;
     Deadline deadline_ = deadline_of(in_.control, in_.spec);
     Work work_ = work_of(in_.control);
-    bool wants_days_ = is_wanted(SeriesPart::days, in_.control);
-    bool wants_total_ = is_wanted(SeriesPart::total, in_.control);
+    bool wants_days_ = is_requested(SeriesPart::days, in_.control);
+    bool wants_total_ = is_requested(SeriesPart::total, in_.control);
     std::vector<TimeStepPlan> plans_;
     std::size_t last_traced_ = 0;
-    std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the moment traced
-    std::map<std::size_t, Kept> cached_;
+    std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the computed time step
+    std::map<std::size_t, CachedTrace> cached_;
     SeriesAdder day_, total_;
-    GroupResults groups_;         // of no_light_policy
-    std::optional<Result> dark_;  // once it was needed
-    double least_chance_ = 1;     // of an audit
-    double effort_ = 0;           // of all traces
-    double effort_left_ = 0;      // of those still to be done
+    GroupResults groups_;           // for NoLightPolicy
+    std::optional<Result> dark_;    // made when it is first needed
+    double least_chance_ = 1;       // over all audits
+    double path_factors_ = 0;       // sum over all traces
+    double path_factors_left_ = 0;  // sum over the remaining traces
     SeriesSummary summary_;
 };
 

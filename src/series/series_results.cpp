@@ -1,4 +1,4 @@
-// The result of a time of a series whose light is another's times a factor.
+// The result of a time step whose light is a multiple of another's.
 
 #include "quasimc/series.h"
 #include "results/evaluate.h"

@@ -43,7 +43,7 @@ Estimate SeriesAdder::estimate_of(const Cell& cell) {
         return {cell.mean, kNan, kNan, kNan};
     }
     if (cell.variance == 0) {
-        // Known exactly, or never seen.
+        // Exactly known, or without contributions.
         const double error = cell.unseen > 0 ? kNan : 0;
         return {cell.mean, error, cell.mean, cell.mean + cell.unseen};
     }

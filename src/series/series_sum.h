@@ -7,27 +7,28 @@
 
 namespace quasimc {
 
-/// Adds up results with independent errors.
+/// Sums results with independent errors.
 class SeriesAdder {
   public:
-    /// Adds `seconds` times a result. Results of one trace are added once, with the sum of their
-    /// weights: their errors are the same.
+    /// Adds `weight` times a result. Results of one trace are added once, with the sum of their
+    /// weights: their errors are equal.
     void add(const Result& result, double weight);
     void add_seconds(double seconds) { seconds_ += seconds; }
     /// The sum. Its interval is Student's t with the degrees of freedom of Welch (1947) and
-    /// Satterthwaite (1946); where nothing was seen, the bounds are added to its upper end.
-    /// @param values  of the result, in case nothing was added
-    /// @param groups  whose values are to be filled in
+    /// Satterthwaite (1946); upper bounds of values without contributions are added to its upper
+    /// end.
+    /// @param values  number of values, in case nothing was added
+    /// @param groups  gets the values
     [[nodiscard]] SeriesSum sum(
         std::size_t bands, std::size_t values, const GroupResults& groups = {}) const;
 
   private:
-    /// Of one value.
+    /// Sum of one value.
     struct Cell {
         double mean = 0, variance = 0;
         double spread = 0;        ///< sum of variance^2 / degrees of freedom
-        double unseen = 0;        ///< upper bounds of what was not seen
-        bool is_unknown = false;  ///< some part has no error that could be told
+        double unseen = 0;        ///< sum of upper bounds of values without contributions
+        bool is_unknown = false;  ///< some part has an unknown error
     };
     using Cells = std::vector<Cell>;
 

@@ -29,7 +29,7 @@ void end_series(StopReason why, SeriesSummary& summary) {
     }
 }
 
-bool is_wanted(SeriesPart part, const RunControl& control) {
+bool is_requested(SeriesPart part, const RunControl& control) {
     const auto& listeners = control.listeners;
     return (listeners.empty() && part == SeriesPart::total) ||
            std::any_of(listeners.begin(), listeners.end(), [&](const RunListener* listener) {

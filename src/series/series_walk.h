@@ -7,40 +7,40 @@
 
 namespace quasimc {
 
-/// What run_series() was asked for; all of it outlives the series.
+/// Input of run_series(); all of it outlives the series.
 struct SeriesInput {
     Simulator& simulator;
     const Scene& scene;
     const std::vector<TimeStep>& time_steps;
     const RunSpec& spec;
     const RunControl& control;
-    bool is_last = false;  ///< of the simulator
+    bool is_last = false;  ///< the last series of the simulator
 };
 
-/// Computes the times of a series and their sums.
+/// Computes the time steps of a series and their sums.
 class SeriesSteps {
   public:
     virtual ~SeriesSteps() = default;
-    /// Computes a time and reports it. Throws Stopped if there is no result of it.
+    /// Computes a time step and reports it. Throws Stopped if it has no result.
     virtual void compute(std::size_t time_step) = 0;
-    /// The last time of a day is done.
+    /// Called after the last time step of a day.
     virtual void finish_day(std::size_t last) = 0;
 
   protected:
     SeriesSteps() = default;
 };
 
-/// Goes through the times of a series until all are done, or one was stopped: SeriesSummary::done,
-/// and why it ended.
-/// @throws Stopped  if the first time was
+/// Computes the time steps of a series until all are complete, or one was stopped: sets
+/// SeriesSummary::completed, and why it ended.
+/// @throws Stopped  if the first time step was stopped
 void walk_series(const SeriesInput& input, SeriesSteps& steps, SeriesSummary& summary);
 
-/// The series ends before all is done; what its caller asked for counts more than its time.
+/// Ends a series before it is complete; a stop by the caller takes precedence over the time limit.
 void end_series(StopReason why, SeriesSummary& summary);
 
-/// Whether a part of a series is to be computed.
-[[nodiscard]] bool is_wanted(SeriesPart part, const RunControl& control);
-/// Reports a time, or the sum over a day, to the listeners that want it.
+/// Whether some listener requests a part of a series.
+[[nodiscard]] bool is_requested(SeriesPart part, const RunControl& control);
+/// Reports a time step, or the sum over a day, to the listeners that request it.
 void report_time_step(const RunControl& control, const TimeStepResult& step);
 void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum);
 

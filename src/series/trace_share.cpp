@@ -7,7 +7,7 @@
 namespace quasimc {
 namespace {
 
-/// A share of a run does not see the others: it can't know when all of them together are done.
+/// A share of a run does not know the others: it can't decide when all of them together are done.
 void check_share(const RunSpec& spec, Faults& faults) {
     const auto refuse = [&](bool is_stated, std::string_view key, std::string_view why) {
         if (is_stated) {

@@ -48,7 +48,7 @@ RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_
             const double part = plan.path_factor * static_cast<double>(paths);
             return std::max(static_cast<std::uint64_t>(part), std::min(paths, kMinPaths));
         };
-        // Halves of a power of two are one, as some samplers need it.
+        // Halves of a power of two remain one, as some samplers require.
         std::uint64_t paths = shared(series.paths);
         for (; paths > most; paths /= 2) {
         }

@@ -8,20 +8,20 @@
 
 namespace quasimc {
 
-/// What is traced of a series, and how much effort each trace gets.
+/// The traces of a series, and the paths of each.
 [[nodiscard]] std::vector<TimeStepPlan> plan_traces(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec);
 
-/// A time that is traced, and how.
+/// A traced time step, and its specification.
 struct Trace {
     std::size_t time_step = 0;
     RunSpec spec;
 };
-/// The traces of a series, in the order of times.
+/// The traces of a series, in the order of time steps.
 [[nodiscard]] std::vector<Trace> traces_of(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec);
 
-/// How one of the traces of a series is run.
+/// The specification of one trace of a series.
 /// @param trace  its number, counted from 0
 [[nodiscard]] RunSpec trace_spec(
     const RunSpec& series, const TimeStepPlan& plan, std::uint64_t trace);

@@ -12,19 +12,19 @@
 
 namespace quasimc {
 
-/// How far the pieces of a ray in neighbouring cells overlap, so that nothing on the border is
-/// missed through rounding. Smaller than the margin of wrap_into_cell.
+/// Overlap of the pieces of a ray in neighbouring cells, so that rounding can't miss anything on
+/// the border. Smaller than the margin of wrap_into_cell.
 inline constexpr double kOverlap = 0x1p-20;
 
-/// What a ray is walked through: the cell along periodic axes, the scene's bounds along the others.
+/// The region of a walk: the cell along periodic axes, the scene's bounds along the others.
 struct Tile {
     Bounds box;  ///< local coordinates
     bool along_x = false, along_y = false;
 };
 
-/// A ray's way through a scene that is periodic along x, y or both: its pieces in one cell after
-/// another, each moved into the one cell that the mesh covers. Lengths and positions are kept in
-/// double precision, so that long rays lose nothing.
+/// The pieces of a ray in a scene that is periodic along x, y or both, cell by cell, each moved
+/// into the one cell of the mesh. Lengths and positions have double precision, so that long rays
+/// stay accurate.
 class CellWalk {
   public:
     CellWalk(const Tile& tile, const Vec3& origin, const Vec3& direction)
@@ -48,13 +48,13 @@ class CellWalk {
 
     /// False once the ray has left the scene.
     [[nodiscard]] bool inside() const { return start_ < leave_; }
-    /// Distance from the ray's origin to the start of the present piece.
+    /// Distance from the ray's origin to the start of the current piece.
     [[nodiscard]] double start() const { return start_; }
-    /// By how many periods the present piece was moved.
+    /// Number of periods by which the current piece was moved.
     [[nodiscard]] double shift_x() const { return x_.index; }
     [[nodiscard]] double shift_y() const { return y_.index; }
 
-    /// The present piece, in the coordinates of the mesh.
+    /// The current piece, in the coordinates of the mesh.
     [[nodiscard]] Ray piece() const {
         const Vec3 p = origin_ + start_ * direction_;
         return {
@@ -64,7 +64,7 @@ class CellWalk {
             static_cast<float>(border_ - start_ + kOverlap)};
     }
 
-    /// On to the next cell.
+    /// Advances to the next cell.
     void step() {
         if (border_ >= leave_) {
             start_ = leave_;
@@ -85,9 +85,9 @@ class CellWalk {
     /// Progress along one periodic axis.
     struct Axis {
         double size = 0;             ///< the period
-        double index = 0;            ///< of the present cell; the mesh's is 0
+        double index = 0;            ///< of the current cell; that of the mesh is 0
         double next = kInfinity;     ///< distance to the border of the next cell
-        double forward = 0;          ///< 1 or -1, by which the index changes there
+        double forward = 0;          ///< 1 or -1, change of the index there
         double spacing = kInfinity;  ///< between borders
 
         Axis() = default;
@@ -105,7 +105,7 @@ class CellWalk {
         }
     };
 
-    /// Keeps what lies between two planes.
+    /// Clips to the slab between two planes.
     void clip(double low, double high, double origin, double direction) {
         if (direction == 0) {
             if (origin < low || origin > high) {

@@ -43,8 +43,8 @@ using Device = std::unique_ptr<RTCDeviceTy, ReleaseDevice>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, ReleaseScene>;
 using Geometry = std::unique_ptr<RTCGeometryTy, ReleaseGeometry>;
 
-/// Throws if a call of this thread to Embree has failed. `device` may be null: then the making of
-/// one did.
+/// Throws if a call of this thread to Embree has failed. `device` may be null: then its
+/// construction failed.
 void throw_if_failed(RTCDevice device) {
     const RTCError error = rtcGetDeviceError(device);
     if (error == RTC_ERROR_OUT_OF_MEMORY) {
@@ -53,7 +53,7 @@ void throw_if_failed(RTCDevice device) {
     if (error == RTC_ERROR_CANCELLED) {
         throw StopRequested();
     }
-    if (error == RTC_ERROR_UNKNOWN) {  // of the system: a thread of its own that could not start
+    if (error == RTC_ERROR_UNKNOWN) {  // by the system: a thread could not start
         throw OutOfMemory::for_threads();
     }
     if (error != RTC_ERROR_NONE) {
@@ -70,7 +70,7 @@ Device make_device() {
     return device;
 }
 
-/// @param vertices  3 numbers each, and kVertexPadding
+/// @param vertices  3 numbers each, plus kVertexPadding
 Geometry make_triangles(
     RTCDevice device, std::span<const float> vertices, std::span<const Face> faces) {
     Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
@@ -84,8 +84,7 @@ Geometry make_triangles(
     return geometry;
 }
 
-/// What a query for any hit carries to the filter below; Embree hands back a pointer to its first
-/// part.
+/// Context of an any-hit query for the filter below; Embree returns a pointer to its first member.
 struct OcclusionContext {
 #if QUASIMC_EMBREE_MAJOR >= 4
     RTCRayQueryContext embree;
@@ -97,15 +96,15 @@ struct OcclusionContext {
     std::uint32_t except;
 };
 
-/// Instances are the geometries of the scene that come before that of the other triangles, so that
-/// their numbers are those of LocalMesh::instances.
+/// Instances precede the geometry of the other triangles in the scene, so that their indices are
+/// those of LocalMesh::instances.
 std::uint32_t triangle_number(const LocalMesh& mesh, unsigned instance, unsigned primitive) {
     return instance == RTC_INVALID_GEOMETRY_ID ? primitive
                                                : mesh.ranges.first(instance) + primitive;
 }
 
-/// Refuses the hit with the triangle that is excepted, and hits that are there only because of
-/// rounding. We trace single rays here, so N is 1.
+/// Rejects the hit with the excepted triangle, and hits due to rounding. Rays are traced singly
+/// here, so N is 1.
 void refuse_excepted(const RTCFilterFunctionNArguments* arguments) {
     const auto* context = reinterpret_cast<const OcclusionContext*>(arguments->context);
     const std::uint32_t triangle = triangle_number(
@@ -134,12 +133,12 @@ RTCRay to_embree(const Ray& ray) {
     return r;
 }
 
-/// Lets Embree go on with a tree, or give it up. @param stop  a std::stop_token
+/// Continues or stops the construction of a tree. @param stop  a std::stop_token
 bool goes_on(void* stop, double /*part done*/) {
     return !static_cast<const std::stop_token*>(stop)->stop_requested();
 }
 
-/// Builds the tree of a scene to which all was attached.
+/// Builds the tree of a complete scene.
 void commit(RTCDevice device, RTCScene scene, std::stop_token stop) {
     rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
     if (stop.stop_possible()) {
@@ -232,12 +231,12 @@ class EmbreeIntersector final : public Intersector {
         }
     }
 
-    /// Embree gives the normal of a triangle of an instance before it is moved.
+    /// Embree gives normals of instanced triangles before the transform.
     [[nodiscard]] std::array<float, 3> normal_of(std::uint32_t triangle) const {
         const Vec3 n = mesh_.across(triangle);
         return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
     }
-    /// Numbers and normals of the hits with instances.
+    /// Sets indices and normals of the hits with instances.
     void resolve_instances(const RTCHit16& hits, Packet& packet) const;
 
     const LocalMesh& mesh_;

@@ -24,11 +24,11 @@ struct Ray {
     float far = std::numeric_limits<float>::infinity();
 };
 
-/// What a ray met first.
+/// The first hit of a ray.
 struct Hit {
     std::uint32_t triangle = kNoTriangle;
     float t = 0;
-    float u = 0, v = 0;  ///< of LocalMesh::point(triangle, u, v)
+    float u = 0, v = 0;  ///< coordinates of LocalMesh::point(triangle, u, v)
     std::array<float, 3>
         normal{};  ///< area_vector of the triangle (not normalized), local coordinates
 
@@ -37,7 +37,7 @@ struct Hit {
 
 inline constexpr std::size_t kPacket = 16;
 
-/// Sixteen rays and what they met; a lane with far < near is idle.
+/// Sixteen rays and their hits; a lane with far < near is inactive.
 struct alignas(64) Packet {
     std::array<float, kPacket> origin_x, origin_y, origin_z;
     std::array<float, kPacket> direction_x, direction_y, direction_z;
@@ -80,8 +80,8 @@ struct alignas(64) Packet {
     }
 };
 
-/// Finds where rays meet the triangles of a mesh. Const and free of locks after construction.
-/// The mesh outlives the intersector.
+/// Intersects rays with the triangles of a mesh. Const and free of locks after construction. The
+/// mesh outlives the intersector.
 class Intersector {
   public:
     virtual ~Intersector() = default;
@@ -91,20 +91,20 @@ class Intersector {
 
     /// The hit with the smallest t in (near, far).
     [[nodiscard]] virtual Hit closest(const Ray& ray) const = 0;
-    /// The same for sixteen rays that start near each other in about the same direction.
+    /// The closest hits of sixteen rays with nearby origins and similar directions.
     virtual void closest(Packet& packet) const = 0;
-    /// Whether there is any hit in (near, far), but for triangle `except`. Unlike closest(), which
-    /// may report the rounding of the origin as a hit just beyond `near`, this looks at t in double
-    /// precision.
+    /// Whether there is any hit in (near, far), except with triangle `except`. Unlike closest(),
+    /// which may report the rounding of the origin as a hit just beyond `near`, this compares t in
+    /// double precision.
     [[nodiscard]] virtual bool occluded(const Ray& ray, std::uint32_t except) const = 0;
 };
 
-/// The engine for production: Embree.
+/// The default accelerator: Embree.
 /// @throws StopRequested  if a stop is requested while the tree is built
 [[nodiscard]] std::unique_ptr<Intersector> make_embree_intersector(
     const LocalMesh& mesh, const std::stop_token& stop = {});
 
-/// Tries every triangle in double precision: the oracle of the tests, and for scenes of a few
+/// Tests every triangle in double precision: the reference of the tests, and for scenes of a few
 /// triangles.
 [[nodiscard]] std::unique_ptr<Intersector> make_brute_force_intersector(const LocalMesh& mesh);
 

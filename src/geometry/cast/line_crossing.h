@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// A triangle by its first corner and the edges from there to the others.
+/// A triangle as its first corner and the edges from there to the others.
 struct CornerAndEdges {
     Vec3 corner, edge1, edge2;
 };
@@ -18,13 +18,14 @@ inline CornerAndEdges corner_and_edges(const LocalMesh& mesh, std::uint32_t tria
     return {corner, mesh.vertex(triangle, 1) - corner, mesh.vertex(triangle, 2) - corner};
 }
 
-/// Where a ray's line meets the plane of a triangle.
+/// Intersection of a ray's line with the plane of a triangle.
 struct LineCrossing {
     double t = std::numeric_limits<double>::quiet_NaN(), u = 0, v = 0;
-    bool is_inside = false;  ///< of the triangle, to which its borders belong
+    bool is_inside = false;  ///< of the triangle, including its border
 };
 
-/// Moeller and Trumbore 1997, in double precision. A line along the plane does not meet it.
+/// Moeller and Trumbore 1997, in double precision. A line parallel to the plane has no
+/// intersection.
 inline LineCrossing cross_plane(const CornerAndEdges& triangle, const Ray& ray) {
     const Vec3 p = cross(ray.direction, triangle.edge2);
     const double determinant = dot(triangle.edge1, p);

@@ -16,13 +16,13 @@ namespace quasimc {
 
 namespace {
 
-/// Whether `hit` is with the triangle that the ray starts on, or with another in its plane.
+/// Whether `hit` is with the triangle that the ray starts on, or with a coplanar one.
 bool is_start(const LocalMesh& mesh, const Ray& ray, std::uint32_t self, const Hit& hit) {
     return hit.found() && (hit.triangle == self || is_rounding(mesh, ray, hit.triangle, hit.t));
 }
 
-/// The first hit of a ray that starts on `self`: past hits with self, or with others in its plane,
-/// the ray is started again.
+/// The first hit of a ray that starts on `self`: after hits with self, or with coplanar triangles,
+/// the ray is restarted.
 Hit closest_past(
     const Intersector& engine, const LocalMesh& mesh, const Ray& ray, std::uint32_t self) {
     Hit hit = engine.closest(ray);
@@ -36,8 +36,8 @@ Hit closest_past(
     return hit;
 }
 
-/// Whether a lamp at `origin` lies in the plane of a triangle, as well as single precision, in
-/// which the corners are kept, can tell.
+/// Whether a lamp at `origin` lies in the plane of a triangle, within the single precision of its
+/// corners.
 bool is_in_plane(const LocalMesh& mesh, const Vec3& origin, std::uint32_t triangle) {
     constexpr double kPrecision = 0x1p-25;
     const Vec3 corner = mesh.vertex(triangle, 0);
@@ -45,8 +45,8 @@ bool is_in_plane(const LocalMesh& mesh, const Vec3& origin, std::uint32_t triang
     return std::abs(dot(corner - origin, normal)) <= kPrecision * length(normal);
 }
 
-/// The first hit of `ray` that is neither with `self` nor with what the lamp at `lamp` lies in, and
-/// beyond exact.near in double precision. Both rays are the same but for where they begin to count.
+/// The first hit of `ray` that is neither with `self` nor with a triangle in whose plane the lamp
+/// at `lamp` lies, and beyond exact.near in double precision. Both rays are equal except for near.
 Hit closest_from_lamp(
     const Intersector& engine,
     const LocalMesh& mesh,
@@ -64,8 +64,8 @@ Hit closest_from_lamp(
     return hit;
 }
 
-/// What light from a lamp meets before `end`, at most kTouch away, looked at in double precision:
-/// the ray is started behind the lamp, further than rounding moves it.
+/// The hit of a ray from a lamp before `end`, at most kTouch away, in double precision: the ray
+/// starts behind the lamp, further than rounding moves it.
 Hit touching(
     const Intersector& engine,
     const LocalMesh& mesh,
@@ -104,7 +104,7 @@ Tile make_tile(const LocalMesh& mesh, const Cell& cell) {
 
 struct RayCaster::Impl {
     LocalMesh mesh;
-    WrappedGeometry wrapped;  // of a periodic scene: what its triangles are images of
+    WrappedGeometry wrapped;  // in a periodic scene: the sources of its triangles
     Cell cell;                // local coordinates
     Lazy<std::vector<Vec3>> outline;
     Tile tile;
@@ -118,7 +118,7 @@ struct RayCaster::Impl {
             ray,
             self == kNoTriangle ? engine->closest(ray) : closest_past(*engine, mesh, ray, self));
     }
-    /// The hit, placed better if it may be on a sliver.
+    /// The hit, recomputed if it may be on a sliver.
     [[nodiscard]] Hit placed(const Ray& ray, const Hit& hit) const {
         return mesh.has_slivers && hit.found() ? snapped_to_sliver(mesh, ray, hit) : hit;
     }
@@ -129,8 +129,8 @@ struct RayCaster::Impl {
     void cast_periodic(Packet& packet, std::size_t count, std::array<RayEnd, kPacket>& ends) const;
 };
 
-/// The triangle of the mesh that is `self` seen from the cell `shift` periods away: the image moved
-/// back by as much. kNoTriangle if self does not reach into that cell.
+/// The triangle of the mesh that is `self` as seen from the cell `shift` periods away: the image
+/// moved back by as much. kNoTriangle if self does not extend into that cell.
 std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, double shift_y) const {
     if (self == kNoTriangle || (shift_x == 0 && shift_y == 0)) {
         return self;
@@ -144,9 +144,9 @@ std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, doub
     };
     const std::vector<std::uint32_t>& sources = wrapped.source;
     if (self >= sources.size()) {
-        return kNoTriangle;  // of an instance, which lies in one cell
+        return kNoTriangle;  // instances lie in one cell
     }
-    // Images of one triangle stand next to each other.
+    // Images of one triangle are adjacent.
     for (std::uint32_t i = self; i-- > 0 && sources[i] == sources[self];) {
         if (is_it(i)) {
             return i;
@@ -160,7 +160,7 @@ std::uint32_t RayCaster::Impl::image_of(std::uint32_t self, double shift_x, doub
     return kNoTriangle;
 }
 
-/// Follows a ray from cell to cell up to its first hit; the walk is used up.
+/// Follows a ray from cell to cell up to its first hit; consumes the walk.
 CastHit RayCaster::Impl::follow(CellWalk& walk, std::uint32_t self) const {
     for (int cells = 0; walk.inside(); ++cells, walk.step()) {
         if (cells == kMaxCells) {
@@ -210,7 +210,7 @@ RayCaster::RayCaster(
         impl_->wrapped = wrap_into_cell(*geometry, cell);
     }
     impl_->mesh = make_local_mesh(cell.periodic() ? impl_->wrapped.geometry : geometry);
-    if (cell.periodic()) {  // the images' corners in double precision are needed no more
+    if (cell.periodic()) {  // corners in double precision are not needed any more
         impl_->mesh.copy_faces();
         impl_->wrapped.geometry.reset();
     }
@@ -320,7 +320,7 @@ void RayCaster::Impl::snap_to_slivers(Packet& packet, std::size_t count) const {
     }
 }
 
-/// The rays' first pieces go as a packet; those that leave the cell sideways go on one by one.
+/// The rays' first pieces form a packet; those that leave the cell sideways continue singly.
 void RayCaster::Impl::cast_periodic(
     Packet& packet, std::size_t count, std::array<RayEnd, kPacket>& ends) const {
     std::array<std::optional<CellWalk>, kPacket> walks;

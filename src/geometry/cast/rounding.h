@@ -6,21 +6,20 @@
 
 namespace quasimc {
 
-/// Hits nearer than this, in local units, do not count: the origin of a ray is rounded to
-/// single precision when it is traced.
+/// Hits closer than this, in local units, do not count: the origin of a ray is rounded to single
+/// precision.
 inline constexpr float kNear = 0x1p-22F;
 
-/// What is nearer to a lamp than this, in local units, is looked for from the lamp: seen from
-/// elsewhere at a small angle, a surface in whose plane the lamp lies may seem to stand in its way.
+/// Surfaces closer to a lamp than this, in local units, are tested from the lamp: seen from
+/// elsewhere at a small angle, a surface in whose plane the lamp lies may appear to occlude it.
 inline constexpr float kTouch = 0x1p-14F;
 
-/// Hits nearer than this are looked at again in double precision. A ray that starts in a triangle's
-/// plane and leaves it at a small angle can meet it only because it starts a rounding error behind
-/// it.
+/// Hits closer than this are checked in double precision. A ray that starts in a triangle's plane
+/// and leaves it at a small angle may hit it only because its origin is a rounding error behind it.
 inline constexpr float kDoubtful = 0x1p-10F;
 
-/// Whether the hit at `t` on `triangle` is there only because of rounding: in double precision the
-/// ray meets the triangle's plane no further than ray.near.
+/// Whether the hit at `t` on `triangle` is due to rounding: in double precision the ray meets the
+/// triangle's plane no further than ray.near.
 inline bool is_rounding(const LocalMesh& mesh, const Ray& ray, std::uint32_t triangle, float t) {
     if (t > kDoubtful) {
         return false;

@@ -13,7 +13,7 @@ namespace quasimc {
 
 namespace {
 
-/// The point of a triangle's border that is nearest to `offset` from the first corner, as u and v.
+/// The point of a triangle's border closest to `offset` from the first corner, as u and v.
 Point2 nearest_on_border(const CornerAndEdges& triangle, const Vec3& offset) {
     constexpr std::array<Point2, 3> kCorners{{{0, 0}, {1, 0}, {0, 1}}};
     const std::array<Vec3, 3> corners{{{0, 0, 0}, triangle.edge1, triangle.edge2}};
@@ -44,7 +44,7 @@ Hit snapped_to_sliver(const LocalMesh& mesh, const Ray& ray, const Hit& hit) {
         return hit;
     }
     const LineCrossing at = cross_plane(triangle, ray);
-    // A ray in the plane, as near as can be told, is left where the engine has it.
+    // The hit of a ray within the plane is not changed.
     constexpr double kApart = 0x1p-10;
     if (!(std::abs(at.t - hit.t) < kApart)) {
         return hit;

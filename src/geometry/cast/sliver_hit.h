@@ -5,9 +5,8 @@
 
 namespace quasimc {
 
-/// Where `ray` meets the triangle of `hit`, which was found: the same, or of slivers looked for
-/// again in double precision. What the ray passes just beside, within the engine's rounding, it
-/// meets on the border.
+/// Returns `hit`, recomputed in double precision on slivers. A ray that misses a sliver by less
+/// than the intersector's rounding hits its border.
 [[nodiscard]] Hit snapped_to_sliver(const LocalMesh& mesh, const Ray& ray, const Hit& hit);
 
 }  // namespace quasimc

@@ -23,7 +23,7 @@ struct Shifts {
     [[nodiscard]] double count() const { return std::max(0.0, last - first + 1); }
 };
 
-/// The cell, a little enlarged: what the images must touch to be kept.
+/// The cell, slightly enlarged: images that do not touch it are dropped.
 class Frame2 {
   public:
     Frame2(const Cell& cell, double margin)
@@ -40,7 +40,7 @@ class Frame2 {
         return cell_.along_y ? shifts(b.low.y, b.high.y, low_y_, high_y_, cell_.size_y) : Shifts{};
     }
 
-    /// The moves by whole periods that make the triangle's bounds touch the cell.
+    /// The translations by whole periods for which the triangle's bounds touch the cell.
     [[nodiscard]] std::vector<Vec3> shifts_of(const Triangle& t) const {
         const Bounds b = bounds_of(t);
         const Shifts x = along_x(b), y = along_y(b);
@@ -57,12 +57,11 @@ class Frame2 {
         return shifts;
     }
 
-    /// Whether the triangle, whose bounds are known to touch the cell, touches it itself: no side
-    /// of the triangle, seen from above, has the cell wholly outside (the theorem of the separating
-    /// axis).
+    /// Whether the triangle, whose bounds touch the cell, touches it itself: no side of the
+    /// triangle, in plan view, has the whole cell outside (separating axis theorem).
     [[nodiscard]] bool touches(const Triangle& t) const {
         if (!cell_.along_x || !cell_.along_y) {
-            return true;  // of a strip, the bounds say all
+            return true;  // for a strip, the bounds are sufficient
         }
         for (int i = 0; i < 3; ++i) {
             const Vec3& a = t[i];
@@ -79,7 +78,7 @@ class Frame2 {
         return {std::ceil((low - to) / size), std::floor((high - from) / size)};
     }
 
-    /// Whether all of the triangle lies further along `axis` than all of the cell.
+    /// Whether all of the triangle lies beyond all of the cell along `axis`.
     [[nodiscard]] bool separates(const Vec3& axis, const Triangle& t) const {
         const double cell_reach =
             axis.x * (axis.x > 0 ? high_x_ : low_x_) + axis.y * (axis.y > 0 ? high_y_ : low_y_);
@@ -91,8 +90,8 @@ class Frame2 {
     double low_x_, low_y_, high_x_, high_y_;
 };
 
-/// A few rounding errors of the local coordinates that the images will be traced in: their unit is
-/// at most the largest extent of the scene.
+/// A few rounding errors of the local coordinates of the images: their unit is at most the largest
+/// extent of the scene.
 template <typename Triangles>
 double rounding_margin(const Triangles& triangles, const Cell& cell) {
     Bounds all;
@@ -114,8 +113,8 @@ double rounding_margin(const Triangles& triangles, const Cell& cell) {
     return kOfExtent * extent + kOfPosition * position;
 }
 
-/// Refuses scenes that would make more images than any sensible one: more than a million and more
-/// than eight for each triangle.
+/// Rejects scenes with an excessive number of images: more than a million and more than eight for
+/// each triangle.
 template <typename Triangles>
 void refuse_too_many(const Triangles& triangles, const Frame2& frame) {
     double total = 0, most = 0;
@@ -139,7 +138,7 @@ void refuse_too_many(const Triangles& triangles, const Frame2& frame) {
     }
 }
 
-/// Adds the images of triangles to `images`, and which they are images of to `source`.
+/// Adds the images of triangles to `images`, and their input triangles to `source`.
 template <typename Triangles, typename Images>
 void add_images(
     const Triangles& triangles,
@@ -161,8 +160,8 @@ void add_images(
     }
 }
 
-/// Along one axis: the move by whole periods that brings [from, to] into the cell, away from its
-/// borders by far more than rounding. Nothing if there is none.
+/// The translation by whole periods along one axis that moves [from, to] into the cell, away from
+/// its borders by far more than rounding. Nothing if there is none.
 std::optional<double> move_inside(double from, double to, double low, double size) {
     const double shift = -std::floor((0.5 * (from + to) - low) / size) * size;
     constexpr double kOfSize = 0x1p-14, kOfPosition = 0x1p-46;
@@ -172,7 +171,7 @@ std::optional<double> move_inside(double from, double to, double low, double siz
     return fits ? std::optional(shift) : std::nullopt;
 }
 
-/// The instance moved into the cell; nothing if it reaches over a border.
+/// The instance moved into the cell; nothing if it extends over a border.
 std::optional<Instance> moved_inside(
     const Instance& instance, const Bounds& bounds, const Cell& cell) {
     std::optional<double> x = 0, y = 0;
@@ -212,7 +211,7 @@ WrappedGeometry wrap_into_cell(const SceneGeometry& geometry, const Cell& cell) 
         add_images(geometry.mesh(), cell, images, sources);
         return {std::make_shared<const SceneGeometry>(std::move(images)), std::move(sources), {}};
     }
-    // The triangles that are no longer of an instance, and their numbers in the input.
+    // Former triangles of instances, and their indices in the input.
     std::vector<Triangle> loose(
         geometry.begin(), SceneGeometry::Iterator(geometry, geometry.mesh().size()));
     std::vector<std::uint32_t> numbers(loose.size());

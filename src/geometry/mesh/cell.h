@@ -9,28 +9,28 @@
 
 namespace quasimc {
 
-/// Triangles that cover every point of the cell as the infinite scene does: triangles that
-/// reach over a border, or lie outside, appear once for each image of them that touches the cell
-/// (with a margin of a few rounding errors). `source[i]` is the input triangle that triangle i is
-/// an image of; images of one triangle stand next to each other.
+/// Triangles that cover every point of the cell like the infinite scene: triangles that extend over
+/// a border, or lie outside, appear once for each image that touches the cell (with a margin of a
+/// few rounding errors). `source[i]` is the input triangle of which triangle i is an image; images
+/// of one triangle are adjacent.
 struct WrappedTriangles {
     std::vector<Triangle> triangles;
     std::vector<std::uint32_t> source;
 };
 
-/// Throws InputError if a triangle is so much larger than the cell that images would fill the
-/// memory.
+/// Throws InputError if a triangle is so large compared with the cell that its images would exhaust
+/// the memory.
 [[nodiscard]] WrappedTriangles wrap_into_cell(
     const std::vector<Triangle>& triangles, const Cell& cell);
 
-/// The same of a scene with instances. Those that lie in one image of the cell, away from its
-/// borders, remain instances, moved into the cell; the others are cut up into triangles.
+/// A periodic scene with instances. Those in one image of the cell, away from its borders, remain
+/// instances, moved into the cell; the others become triangles.
 struct WrappedGeometry {
     std::shared_ptr<const SceneGeometry> geometry;
-    std::vector<std::uint32_t> source;           ///< of the triangles that belong to no instance
+    std::vector<std::uint32_t> source;           ///< of triangles without an instance
     std::vector<std::uint32_t> instance_source;  ///< of the first triangle of each instance
 
-    /// The input triangle that triangle `i` is an image of.
+    /// The input triangle of which triangle `i` is an image.
     /// @param ranges  of the geometry
     [[nodiscard]] std::uint32_t source_of(std::uint32_t i, const RangeIndex& ranges) const {
         if (i < source.size()) {

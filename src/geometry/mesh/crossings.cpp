@@ -22,9 +22,10 @@ using Box = bg::model::box<BoxPoint>;
 using BoxedTriangle = std::pair<Box, std::uint32_t>;
 using BoxTree = bg::index::rtree<BoxedTriangle, bg::index::linear<16>>;
 
-/// A corner so near to a plane, in local coordinates, lies in it: some roundings of the corners.
+/// A corner within this distance of a plane, in local coordinates, lies in it: some roundings of
+/// the corners.
 constexpr double kInPlane = 0x1p-22;
-/// Of the side of a triangle: what runs so near to its border is the border.
+/// Relative to the side of a triangle: segments within this distance of its border are the border.
 constexpr double kOnBorder = 1e-5;
 
 /// A triangle and its plane.
@@ -57,7 +58,7 @@ std::array<double, 3> distances(const PlaneTriangle& of, const PlaneTriangle& pl
     return d;
 }
 
-/// What a triangle and a plane have in common, if it is a stretch of a line.
+/// The intersection of a triangle and a plane, if it is a segment.
 std::optional<std::pair<Vec3, Vec3>> cut_by_plane(
     const PlaneTriangle& t, const std::array<double, 3>& d) {
     std::array<Vec3, 3> found;
@@ -71,14 +72,13 @@ std::optional<std::pair<Vec3, Vec3>> cut_by_plane(
             found[count++] = t.corners[i] + f * (t.corners[next] - t.corners[i]);
         }
     }
-    if (count != 2) {  // it lies in the plane, or touches it with a corner, or not at all
+    if (count != 2) {  // it is in the plane, touches it with a corner, or misses it
         return std::nullopt;
     }
     return std::pair{found[0], found[1]};
 }
 
-/// The part of a line from `from` to `to` that lies on a triangle, if it is not a part of its
-/// border.
+/// The part of a line from `from` to `to` on a triangle, unless it is part of its border.
 std::optional<PlaneSegment> clip(const Point2& from, const Point2& to) {
     const auto heights = [](const Point2& p) { return std::array{p.s, p.t, 1 - p.s - p.t}; };
     const std::array<double, 3> a = heights(from);
@@ -112,7 +112,7 @@ std::optional<PlaneSegment> clip(const Point2& from, const Point2& to) {
     return length_of(crossing) > kOnBorder ? std::optional(crossing) : std::nullopt;
 }
 
-/// Where `other` crosses or touches `own`.
+/// The segment where `other` crosses or touches `own`.
 std::optional<PlaneSegment> crossing_of(const PlaneTriangle& own, const PlaneTriangle& other) {
     const auto cut = cut_by_plane(other, distances(other, own));
     return cut ? clip(own.coordinates(cut->first), own.coordinates(cut->second)) : std::nullopt;

@@ -9,27 +9,27 @@
 
 namespace quasimc {
 
-/// Where another triangle crosses or touches a triangle: a part of a straight line on it, in its
-/// barycentric coordinates u and v.
+/// Segment on a triangle where another one crosses or touches it, in barycentric coordinates u and
+/// v.
 struct SurfaceCrossing {
     std::uint32_t triangle = 0, other = 0;
     Point2 from, to;
 };
 
-/// What crosses in a mesh.
+/// The crossings in a mesh.
 struct SurfaceCrossings {
-    std::vector<SurfaceCrossing> found;  ///< in the order of the triangles
-    bool gave_up = false;  ///< too many triangles cross, or their boxes overlap: nothing is told
+    std::vector<SurfaceCrossing> found;  ///< sorted by triangle
+    bool gave_up = false;  ///< too many triangles cross, or their boxes overlap: `found` is empty
 };
 
-/// Triangles whose boxes overlap are compared, up to so many pairs.
+/// Upper limit of compared pairs of triangles with overlapping boxes.
 [[nodiscard]] std::size_t most_compared_for_crossings(std::size_t triangles);
-/// So many crossings are found at most: what they cut triangles into takes time with each.
+/// Upper limit of crossings: each increases the time for cutting triangles.
 [[nodiscard]] std::size_t most_crossings(std::size_t triangles);
 
-/// Where triangles of a mesh cross each other, or end on each other, within their borders: two that
-/// share a side do not. Those that lie in one plane don't cross. Takes some n log n comparisons
-/// where the boxes of triangles overlap few others.
+/// Finds where triangles of a mesh cross each other, or end on each other, inside their borders:
+/// triangles that share a side do not, nor do coplanar ones. Takes some n log n comparisons where
+/// few boxes of triangles overlap.
 /// @throws StopRequested  if a stop was requested
 [[nodiscard]] SurfaceCrossings find_crossings(
     const LocalMesh& mesh, const std::stop_token& stop = {});

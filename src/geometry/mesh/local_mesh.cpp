@@ -23,7 +23,7 @@ double scale_to_unit(double half_extent) {
     if (std::frexp(half_extent, &exponent) == 0.5) {
         --exponent;
     }
-    constexpr int kLargest = 1000;  // keeps the scale and its square root's neighbours finite
+    constexpr int kLargest = 1000;  // keeps the scale and the neighbours of its square root finite
     return std::ldexp(1.0, std::clamp(-exponent, -kLargest, kLargest));
 }
 
@@ -36,7 +36,7 @@ Bounds bounds_of(std::span<const Vec3> points) {
     return bounds;
 }
 
-/// (points - origin) * scale in single precision, and the padding.
+/// (points - origin) * scale in single precision, plus padding.
 std::vector<float> to_floats(std::span<const Vec3> points, const Vec3& origin, double scale) {
     std::vector<float> floats;
     floats.reserve(3 * points.size() + kVertexPadding);
@@ -50,7 +50,7 @@ std::vector<float> to_floats(std::span<const Vec3> points, const Vec3& origin, d
     return floats;
 }
 
-/// Makes prototypes and instances of the local mesh of a scene.
+/// Makes the prototypes and instances of a scene's local mesh.
 class InstanceMaker {
   public:
     explicit InstanceMaker(LocalMesh& mesh) : mesh_(mesh) {}
@@ -60,7 +60,8 @@ class InstanceMaker {
         if (is_new) {
             add_prototype(instance.mesh);
         }
-        // (A (c + v / s) + shift - origin) * scale, of a vertex v about the prototype's centre c
+        // (A (c + v / s) + shift - origin) * scale, for a vertex v relative to the prototype's
+        // centre c
         const Frame& frame = frames_[known->second];
         const Affine& a = instance.transform;
         const double factor = mesh_.scale / frame.scale;
@@ -101,8 +102,8 @@ class InstanceMaker {
     std::unordered_map<const Mesh*, std::size_t> known_;
 };
 
-/// Lists the triangles that rounding changes, and sees how much it changes the others and whether
-/// there are slivers.
+/// Lists the triangles that rounding changes, measures the change of the others, and checks for
+/// slivers.
 void list_thin(const Mesh& mesh, LocalMesh& local) {
     constexpr double kMaxBlur = 1e-3;
     double most = 0;  // squared
@@ -125,7 +126,7 @@ void list_thin(const Mesh& mesh, LocalMesh& local) {
     local.most_turned = std::sqrt(most);
 }
 
-/// The part of a local mesh that belongs to no instance.
+/// The part of a local mesh without instances.
 /// @param bounds  of the whole scene
 LocalMesh make_own_part(const Mesh& mesh, const Bounds& bounds) {
     LocalMesh local;

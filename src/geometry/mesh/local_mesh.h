@@ -17,12 +17,12 @@
 
 namespace quasimc {
 
-/// Floats for the ray engine: three numbers a vertex, and padding at the end that it may read.
+/// Vertices for Embree: three floats each, and padding at the end that it may read.
 inline constexpr std::size_t kVertexPadding = 4;
 
-/// A mesh that stands in the scene several times, in single precision about its own centre.
+/// A mesh with several copies in the scene, in single precision about its own centre.
 struct LocalPrototype {
-    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    std::vector<float> vertices;  ///< 3 numbers per vertex, plus kVertexPadding
     std::shared_ptr<const Mesh> mesh;
     std::vector<Vec3> outline;  ///< vertices whose convex hull is the mesh's
 };
@@ -42,17 +42,17 @@ struct LocalInstance {
     }
 };
 
-/// Triangles as the ray engine sees them: single precision about a local origin, scaled by a power
-/// of two so that every coordinate lies in [-1, 1]. Neither the unit of length nor the distance
-/// from the world's origin changes the digits that are traced.
+/// Triangles in the coordinates of the intersectors: single precision about a local origin, scaled
+/// by a power of two so that every coordinate lies in [-1, 1]. Neither the unit of length nor the
+/// distance from the world's origin affects the precision.
 ///
 /// "Local coordinates" below and in the intersectors are (world - origin) * scale.
 ///
-/// Triangles are counted as in SceneGeometry: those of one mesh, then those of the instances.
+/// Triangles are numbered as in SceneGeometry: those of one mesh, then those of the instances.
 struct LocalMesh {
     Vec3 origin;
     double scale = 1;             ///< a power of two
-    std::vector<float> vertices;  ///< 3 numbers a vertex, and kVertexPadding
+    std::vector<float> vertices;  ///< 3 numbers per vertex, plus kVertexPadding
     std::span<const Face> faces;
     std::shared_ptr<const void> owner_of_faces;
 
@@ -74,26 +74,26 @@ struct LocalMesh {
         const Vec3 p = vertex(triangle, 0);
         return p + u * (vertex(triangle, 1) - p) + v * (vertex(triangle, 2) - p);
     }
-    /// A vector across the triangle on its upper side, as long as twice its area.
+    /// A normal of a triangle on its upper side, with twice its area as length.
     [[nodiscard]] Vec3 across(std::uint32_t triangle) const {
         const Vec3 p = vertex(triangle, 0);
         return cross(vertex(triangle, 1) - p, vertex(triangle, 2) - p);
     }
-    /// How much light along `direction` falls on a triangle, over what falls on its rounded
-    /// corners: 1 but for `thin` ones.
+    /// Ratio of the light along `direction` on a triangle to that on its rounded corners: 1 except
+    /// for `thin` ones.
     [[nodiscard]] double exact_share(std::uint32_t triangle, const Vec3& direction) const {
         return thin.empty() ? 1 : share_of_thin(triangle, direction);
     }
-    /// The area of a triangle as given over that of its rounded corners: 1 but for `thin` ones.
+    /// Ratio of the area of a triangle to that of its rounded corners: 1 except for `thin` ones.
     [[nodiscard]] double exact_area_share(std::uint32_t triangle) const {
         return thin.empty() ? 1 : area_share_of_thin(triangle);
     }
-    /// A vector across the triangle as given, not as rounded, on its upper side.
+    /// across() of the triangle before rounding.
     [[nodiscard]] Vec3 exact_across(std::uint32_t triangle) const;
     [[nodiscard]] Vec3 to_local(const Vec3& world) const { return scale * (world - origin); }
     [[nodiscard]] Vec3 to_world(const Vec3& local) const { return origin + local / scale; }
 
-    /// How many vertices belong to no instance, and one of them.
+    /// Number of vertices without an instance, and one of them.
     [[nodiscard]] std::size_t vertex_count() const {
         return vertices.empty() ? 0 : (vertices.size() - kVertexPadding) / 3;
     }
@@ -101,20 +101,19 @@ struct LocalMesh {
         const float* v = &vertices[3 * i];
         return {v[0], v[1], v[2]};
     }
-    /// Copies the faces, so that the scene that they are of need not be kept.
+    /// Copies the faces, so that the scene need not be retained.
     void copy_faces() {
         const auto own = std::make_shared<const std::vector<Face>>(faces.begin(), faces.end());
         faces = *own;
         owner_of_faces = own;
     }
     std::uint32_t instance_triangles = 0;  ///< of all instances together
-    /// Triangles whose area rounding changes by more than a thousandth, and what across() would be
-    /// without it. None of an instance.
+    /// Triangles without an instance whose area rounding changes by more than a thousandth, and
+    /// their exact across().
     std::unordered_map<std::uint32_t, Vec3> thin;
-    /// How far rounding turns or segments any other triangle of no instance: by how much across()
-    /// is off, over its length.
+    /// Largest relative change of across() by rounding of any other triangle without an instance.
     double most_turned = 0;
-    bool has_slivers = false;  ///< whether is_sliver() holds for any triangle of no instance
+    bool has_slivers = false;  ///< whether is_sliver() holds for any triangle without an instance
     Bounds bounds;             ///< of the triangles, local coordinates
 
   private:
@@ -123,19 +122,19 @@ struct LocalMesh {
     [[nodiscard]] Vec3 instance_vertex(std::uint32_t triangle, int corner) const;
 };
 
-/// What local coordinates of a scene of such bounds are scaled by.
+/// The scale of local coordinates for a scene with these bounds.
 [[nodiscard]] double local_scale(const Bounds& bounds);
 
-/// The local mesh of `triangles` about the center of their bounds; at least one triangle, all
+/// The local mesh of `triangles` about the centre of their bounds; at least one triangle, all
 /// finite.
 [[nodiscard]] LocalMesh make_local_mesh(const std::vector<Triangle>& triangles);
-/// The same of a scene, whose faces it shares.
+/// The local mesh of a scene, whose faces it shares.
 [[nodiscard]] LocalMesh make_local_mesh(const std::shared_ptr<const SceneGeometry>& geometry);
 
 /// A cell in the local coordinates of a mesh.
 [[nodiscard]] Cell local_cell(const LocalMesh& mesh, const Cell& world);
 
-/// Calls visit(p) for points p, local coordinates, whose convex hull is that of the mesh.
+/// Calls visit(p) for points p, local coordinates, with the convex hull of the mesh.
 template <typename Visit>
 void for_each_outer_vertex(const LocalMesh& mesh, const Visit& visit) {
     for (std::size_t i = 0; i < mesh.vertex_count(); ++i) {
@@ -148,7 +147,7 @@ void for_each_outer_vertex(const LocalMesh& mesh, const Visit& visit) {
     }
 }
 
-/// The vertices that may be corners of the mesh's convex hull, as outline_of().
+/// The vertices that may be corners of the mesh's convex hull, see outline_points().
 [[nodiscard]] std::vector<Vec3> outline_points(const LocalMesh& mesh);
 
 }  // namespace quasimc

@@ -4,8 +4,7 @@
 
 namespace quasimc {
 
-/// Renumbers the vertices in the order in which the faces name them first; those that no face names
-/// are left out.
+/// Renumbers the vertices in the order of their first use by faces; unused ones are dropped.
 void order_vertices(Mesh& mesh);
 
 }  // namespace quasimc

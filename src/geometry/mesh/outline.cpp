@@ -21,7 +21,7 @@ OctantGrid::OctantGrid(const Bounds& bounds, std::size_t points) : low_(bounds.l
     const Vec3 size = bounds.size();
     const std::array<double, 3> sizes{size.x, size.y, size.z};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        // Along an axis without extent there is one cell, which counts as beyond itself.
+        // An axis without extent has one cell, which is its own neighbour.
         count_[axis] = sizes[axis] > 0 ? static_cast<int>(cells) : 1;
         per_unit_[axis] = sizes[axis] > 0 ? count_[axis] / sizes[axis] : 0;
     }
@@ -61,7 +61,7 @@ OctantGrid::Cell3 OctantGrid::cell_of(const Vec3& p) const {
     return cell;
 }
 
-/// A cell's octant, itself included, holds a point if its own cell does or a neighbour's octant
+/// A cell's octant, itself included, contains a point if its own cell does or a neighbour's octant
 /// does.
 void OctantGrid::spread(std::size_t octant) {
     Cell3 order{};

@@ -10,14 +10,14 @@
 
 namespace quasimc {
 
-/// A grid over the bounds of points that knows which of its cells lie inside their convex hull.
+/// A grid over the bounds of points that finds the cells inside their convex hull.
 ///
-/// A point lies in the hull if each of the eight octants about it holds a point: a plane that
-/// parted it from all points would leave one octant wholly on its far side. So a cell lies in the
-/// hull if each of the octants of cells beyond it holds a cell with a point in it.
+/// A point lies in the hull if each of the eight octants about it contains a point: a plane that
+/// separated it from all points would leave one octant wholly on its far side. So a cell lies in
+/// the hull if each of the octants of cells beyond it contains a cell with a point.
 class OctantGrid {
   public:
-    /// The grid of the points that `for_each` visits. @param points  about how many there are
+    /// The grid of the points that `for_each` visits. @param points  approximate number
     template <typename ForEach>
     OctantGrid(const ForEach& for_each, const Bounds& bounds, std::size_t points)
         : OctantGrid(bounds, points) {
@@ -25,7 +25,7 @@ class OctantGrid {
         spread();
     }
 
-    /// Whether the cell of `p` lies in the hull; false if in doubt.
+    /// Whether the cell of `p` lies in the hull; false if uncertain.
     [[nodiscard]] bool is_inside(const Vec3& p) const;
 
   private:
@@ -39,7 +39,7 @@ class OctantGrid {
     [[nodiscard]] bool holds(const Cell3& c, std::size_t octant) const {
         return ((octants_[index(c)] >> octant) & 1U) != 0;
     }
-    /// Spreads each cell's points to the cells before it.
+    /// Propagates each cell's points to the previous cells.
     void spread();
     void spread(std::size_t octant);
     void mark(const Cell3& cell, std::size_t octant);
@@ -47,12 +47,12 @@ class OctantGrid {
     Vec3 low_;
     std::array<int, 3> count_{};
     std::array<double, 3> per_unit_{};
-    std::vector<std::uint8_t> octants_;  // a bit for each octant: whether it holds a point
+    std::vector<std::uint8_t> octants_;  // one bit per octant: whether it contains a point
 };
 
-/// The points that `for_each` visits that may be corners of their convex hull, in their order: all
-/// but those that certainly are not. Of a large mesh few remain.
-/// @param cells  how finely to look: about the number of corners of the triangles
+/// The points visited by `for_each` that may be corners of their convex hull, in order: all except
+/// those that certainly are not. Few points of a large mesh remain.
+/// @param cells  resolution: approximate number of corners of the triangles
 template <typename ForEach>
 std::vector<Vec3> outline_of(const ForEach& for_each, const Bounds& bounds, std::size_t cells) {
     const OctantGrid grid(for_each, bounds, cells);
@@ -65,7 +65,7 @@ std::vector<Vec3> outline_of(const ForEach& for_each, const Bounds& bounds, std:
     return outline;
 }
 
-/// The same of a set of points.
+/// outline_points() of a set of points.
 [[nodiscard]] std::vector<Vec3> outline_points(std::span<const Vec3> points, std::size_t cells);
 
 }  // namespace quasimc

@@ -14,7 +14,7 @@ struct Point2 {
     return (b.s - a.s) * (c.t - a.t) - (b.t - a.t) * (c.s - a.s);
 }
 
-/// A straight line from one point to another one.
+/// A straight segment between two points.
 struct PlaneSegment {
     Point2 from, to;
 };

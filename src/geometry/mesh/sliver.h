@@ -6,9 +6,9 @@
 
 namespace quasimc {
 
-/// Whether single precision blurs where a ray meets a triangle by more than some 2^-20 along it,
-/// local coordinates. The products of edges that it is found from are rounded by 2^-24 of the
-/// square of the longest, which is divided by the area.
+/// Whether single precision blurs the hit of a ray on a triangle by more than some 2^-20 along it,
+/// local coordinates. The products of edges in its computation are rounded by 2^-24 of the square
+/// of the longest edge, and divided by the area.
 /// @param edge1, edge2  from the first corner to the others
 inline bool is_sliver(const Vec3& edge1, const Vec3& edge2) {
     constexpr double kMost = 64;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMaxSteps = 1024;
 
-/// Largest second differences of a patch's control points: bounds of how it curves.
+/// Upper bounds of a patch's curvature: largest second differences of its control points.
 struct Curving {
     double uu = 0, uv = 0, vv = 0;  ///< bounds of the second derivatives
 };
@@ -43,9 +43,9 @@ struct Steps {
     int u = 1, v = 1;
 };
 
-/// The fewest cells for which the triangles stay within `deviation` of the patch. On a cell of du x
-/// dv they deviate by at most (du^2 S_uu + 2 du dv S_uv + dv^2 S_vv) / 8 (Filip, Magedson and
-/// Markot 1986).
+/// The smallest number of cells for which the triangles stay within `deviation` of the patch. On a
+/// cell of du x dv they deviate by at most (du^2 S_uu + 2 du dv S_uv + dv^2 S_vv) / 8 (Filip,
+/// Magedson and Markot 1986).
 Steps steps_of(const BezierPatch& patch, double deviation) {
     const Curving c = curving_of(patch);
     const double uu = c.uu / (8 * deviation), uv = c.uv / (8 * deviation);
@@ -67,8 +67,8 @@ Steps steps_of(const BezierPatch& patch, double deviation) {
     return best;
 }
 
-/// The control points of a side, rounded so that rounding errors don't part neighbours, the same in
-/// both directions.
+/// The control points of a side, rounded so that rounding errors do not separate neighbours; equal
+/// in both directions.
 using SideKey = std::array<long long, 12>;
 
 SideKey key_of(std::array<Vec3, 4> side, double grain) {
@@ -86,9 +86,8 @@ SideKey key_of(std::array<Vec3, 4> side, double grain) {
     return std::min(one_way, key());
 }
 
-/// Numbers of steps for all patches, such that sides that patches share have the same number in
-/// both. Directions that must agree are joined into sets; direction 2 p is u of patch p, 2 p + 1 is
-/// v.
+/// Numbers of steps for all patches; shared sides of patches have equal numbers. Directions that
+/// must agree are joined into sets; direction 2 p is u of patch p, 2 p + 1 is v.
 class SharedSteps {
   public:
     SharedSteps(std::span<const BezierPatch> patches, double deviation, double grain)
@@ -164,7 +163,7 @@ void add_patch(std::vector<Triangle>& triangles, const BezierPatch& patch, Steps
     const std::vector<Vec3> points = patch_points(patch, steps);
     const auto row = static_cast<std::size_t>(steps.v) + 1;
     const auto add = [&](const Triangle& t) {
-        // A side drawn together into one point makes triangles with two equal corners.
+        // A degenerate side makes triangles with two equal corners.
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) {
             triangles.push_back(t);
         }

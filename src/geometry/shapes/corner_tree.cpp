@@ -9,8 +9,8 @@ namespace {
 constexpr std::uint32_t kMaxInLeaf = 8;
 constexpr std::size_t kDeepest = 64;  // every level halves the corners
 
-/// Whether no point of a box is to the left of a line or on it, as turn() computes it: rounding
-/// keeps the order of its results, so that of one corner of the box is the largest.
+/// Whether no point of a box is to the left of a line or on it, according to turn(): rounding
+/// preserves the order of its results, so that one corner of the box gives the largest.
 bool is_right_of(const Point2& a, const Point2& b, const Point2& low, const Point2& high) {
     const Point2 leftmost{b.t > a.t ? low.s : high.s, b.s > a.s ? high.t : low.t};
     return turn(a, b, leftmost) < 0;
@@ -66,9 +66,9 @@ void CornerTree::remove(std::uint32_t corner) {
     is_removed_[corner] = true;
     std::uint32_t i = leaf_of_[corner];
     for (; i != 0; i = nodes_[i].parent) {
-        --nodes_[i].left_over;
+        --nodes_[i].remaining;
     }
-    --nodes_.front().left_over;
+    --nodes_.front().remaining;
 }
 
 std::optional<std::uint32_t> CornerTree::find_blocking(
@@ -78,7 +78,7 @@ std::optional<std::uint32_t> CornerTree::find_blocking(
     std::size_t size = 1;  // the root
     while (size > 0) {
         const Node& node = nodes_[stack[--size]];
-        const bool is_outside = node.left_over == 0 || is_right_of(a, b, node.low, node.high) ||
+        const bool is_outside = node.remaining == 0 || is_right_of(a, b, node.low, node.high) ||
                                 is_right_of(b, c, node.low, node.high) ||
                                 is_right_of(c, a, node.low, node.high);
         if (is_outside) {

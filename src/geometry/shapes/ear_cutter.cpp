@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array kBlockings{Blocking::inside_or_on_border, Blocking::inside};
 
-/// Whether the triangle at corner `i` can be cut off: it turns left and no other corner lies in it.
+/// Whether the triangle at corner `i` is an ear: it turns left and contains no other corner.
 bool is_ear(const std::vector<FlatCorner>& rest, std::size_t i, Blocking blocking) {
     const std::size_t n = rest.size();
     const FlatCorner &a = rest[(i + n - 1) % n], &b = rest[i], &c = rest[(i + 1) % n];
@@ -51,10 +51,10 @@ Face face_of(const FlatCorner& a, const FlatCorner& b, const FlatCorner& c) {
         static_cast<std::uint32_t>(c.index)};
 }
 
-/// Corners that may be ears, and those that wait for another one to be cut off.
+/// Corners that may be ears, and blocked ones that wait for another corner to be cut off.
 struct Candidates {
     std::set<std::uint32_t> open;
-    std::vector<std::vector<std::uint32_t>> waiting;  // by the corner that is in the way
+    std::vector<std::vector<std::uint32_t>> waiting;  // by the blocking corner
 };
 
 class EarCutter {
@@ -96,7 +96,7 @@ class EarCutter {
         return turn(corners_[before_[i]], corners_[i], corners_[after_[i]]);
     }
 
-    /// What a corner is by its neighbours.
+    /// Classifies a corner by its neighbours.
     void note(std::uint32_t i) {
         turn_at(i) == 0 ? static_cast<void>(flat_.insert(i)) : static_cast<void>(flat_.erase(i));
         for (Candidates& candidates : candidates_) {
@@ -116,7 +116,7 @@ class EarCutter {
         return std::nullopt;
     }
 
-    /// The first of the open corners that is an ear; those before it are none as things stand.
+    /// The first of the candidates that is an ear; the ones before it are not at present.
     std::optional<std::uint32_t> find_ear_among(Candidates& candidates, Blocking blocking) {
         while (!candidates.open.empty()) {
             const std::uint32_t i = *candidates.open.begin();
@@ -156,7 +156,7 @@ class EarCutter {
 
     const std::vector<FlatCorner>& corners_;
     CornerTree tree_;
-    std::vector<std::uint32_t> before_, after_;  // neighbours of those that are left
+    std::vector<std::uint32_t> before_, after_;  // neighbours of the remaining corners
     std::vector<bool> is_cut_ = std::vector<bool>(corners_.size());
     std::set<std::uint32_t> flat_;
     std::array<Candidates, kBlockings.size()> candidates_;

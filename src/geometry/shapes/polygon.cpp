@@ -17,7 +17,7 @@ namespace quasimc {
 
 namespace {
 
-/// Twice the vector area: the normal that fits corners best that are not quite in a plane (Newell).
+/// Twice the vector area: the best normal of corners that are not exactly coplanar (Newell).
 Vec3 newell_normal(std::span<const Vec3> corners) {
     Vec3 sum;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
@@ -26,7 +26,7 @@ Vec3 newell_normal(std::span<const Vec3> corners) {
     return sum;
 }
 
-/// The corners seen along `normal`, without repetitions, counter-clockwise.
+/// The corners projected along `normal`, without repetitions, counter-clockwise.
 std::vector<FlatCorner> flatten(std::span<const Vec3> corners, const Vec3& normal) {
     const Frame frame = frame_about(normalized(normal));
     std::vector<FlatCorner> flat;
@@ -68,7 +68,7 @@ bool sides_cross(const std::vector<FlatCorner>& corners) {
     return false;
 }
 
-/// The triangles from the first corner, without those of no area.
+/// The triangles from the first corner, without those of zero area.
 CutPolygon cut_fan(std::span<const Vec3> corners) {
     CutPolygon fan;
     for (std::uint32_t i = 2; i < corners.size(); ++i) {
@@ -86,10 +86,10 @@ CutPolygon cut_polygon(std::span<const Vec3> corners) {
     EXPECT(corners.size() >= 3);
     const Vec3 normal = newell_normal(corners);
     if (!(length(normal) > 0)) {
-        CutPolygon fan = cut_fan(corners);  // a bow-tie with equal wings
+        CutPolygon fan = cut_fan(corners);  // a self-intersecting quadrilateral with equal wings
         return fan.faces.empty() ? CutPolygon{{{0, 1, 2}}} : fan;
     }
-    // All pairs of sides of very many take long; where ears are left over, some sides cross too.
+    // All pairs of many sides take long; where ears remain, some sides cross too.
     constexpr std::size_t kFew = 32, kMaxPairedSides = 1024;
     const std::vector<FlatCorner> flat = flatten(corners, normal);
     if (flat.size() <= kMaxPairedSides && sides_cross(flat)) {

@@ -36,15 +36,14 @@ std::vector<Vec3> make_ring(const Vec3& center, const Frame& frame, double radiu
     return ring;
 }
 
-/// Adds the convex polygon `ring`, upper side the one from which it runs counter-clockwise.
+/// Adds the convex polygon `ring`; its upper side is that on which it runs counter-clockwise.
 void add_fan(std::vector<Triangle>& triangles, const std::vector<Vec3>& ring) {
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
         triangles.push_back({ring[0], ring[i], ring[i + 1]});
     }
 }
 
-/// By how much the corners of a cone's side lie further out than the cone, for the side to keep its
-/// area.
+/// Factor on the radius of a cone's corners that preserves the area of its side.
 ///
 /// With n corners at k times the radius, the side has n equal trapeziums of area
 /// k sin(pi/n) (r0 + r1) sqrt(h^2 + k^2 cos^2(pi/n) (r0 - r1)^2); their sum is to be
@@ -142,7 +141,7 @@ std::vector<Triangle> make_icosahedron() {
     return faces;
 }
 
-/// Every triangle of the unit sphere cut into four.
+/// Every triangle of the unit sphere divided into four.
 std::vector<Triangle> halved_on_sphere(const std::vector<Triangle>& triangles) {
     std::vector<Triangle> halved;
     for (const auto& [a, b, c] : triangles) {

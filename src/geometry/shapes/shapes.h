@@ -7,14 +7,14 @@
 
 namespace quasimc {
 
-/// A polygon cut into triangles, as numbers of its corners.
+/// A polygon cut into triangles, as indices of its corners.
 struct CutPolygon {
     std::vector<Face> faces;
     bool sides_cross = false;
 };
 
-/// Cuts a polygon, convex or not, by clipping ears. One whose sides cross has no inside; it becomes
-/// the fan from its first corner, which is what most programs draw.
+/// Triangulates a polygon, convex or not, by ear clipping. A self-intersecting one has no inside;
+/// it becomes the fan from its first corner, as in most programs.
 [[nodiscard]] CutPolygon cut_polygon(std::span<const Vec3> corners);
 
 }  // namespace quasimc

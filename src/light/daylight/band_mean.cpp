@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kPhotopicLow = 380, kPhotopicHigh = 780, kPhotopicGrid = 10;
 
-/// The wavelengths within a span at which one of the factors bends, and its ends.
+/// The wavelengths within a span where one of the factors has a kink, and its ends.
 std::vector<double> bends_within(
     const Spectrum& property, const Spectrum& light, const SpectralSpan& span) {
     std::vector<double> nm{span.from_nm, span.to_nm};

@@ -32,7 +32,7 @@ Daylight clear_sky(double elevation_deg, double facing, const ClearAir& air) {
     const double a1 = 5.09e-5 * h + 0.868;
     const double a2 = 3.92e-5 * h + 0.0387;
     const double global = a1 * facing * sine * std::exp(-a2 * mass * (f1 + f2 * (turbidity - 1)));
-    // The beam, and a bound on it: some light always comes from the sky.
+    // Beam, and an upper bound of it: some light always comes from the sky.
     const double b = 0.664 + 0.163 / f1;
     const double beam = b * facing * std::exp(-0.09 * mass * (turbidity - 1));
     const double bound =

@@ -14,10 +14,11 @@ struct ClearAir {
 /// Solar radiation above the atmosphere at 1 au: 1360.8 W m-2 (Kopp and Lean 2011).
 inline constexpr double kSolarConstant = 1360.8;
 
-/// Length of the sun's way through the air relative to the vertical (Kasten and Young 1989, Applied
-/// Optics 28: 4735), at sea level. @param elevation_deg  of the sun, refracted, -1 to 90
+/// Length of the sun's path through the air relative to the vertical (Kasten and Young 1989,
+/// Applied Optics 28: 4735), at sea level.
+/// @param elevation_deg  of the sun, refracted, -1 to 90
 [[nodiscard]] double relative_air_mass(double elevation_deg);
-/// The same for who knows the sine of the elevation already.
+/// Overload for callers that already have the sine of the elevation.
 [[nodiscard]] double relative_air_mass(double elevation_deg, double sine);
 
 /// Daylight under a sky without clouds (Ineichen and Perez 2002, Solar Energy 73: 151-157).

@@ -14,9 +14,9 @@ namespace {
 
 constexpr SpectralSpan kAll{280, 4000, SpectralSpan::Count::energy};
 
-/// The standard's sky: what the tilted plane receives besides the beam. The plane is tilted by 37
-/// degrees towards a sun at zenith angle 48.19 degrees (air mass 1.5); some of the light came from
-/// the ground.
+/// The sky of the standard: the light of the tilted plane except the beam. The plane is tilted by
+/// 37 degrees towards a sun at zenith angle 48.19 degrees (air mass 1.5); some of the light came
+/// from the ground.
 Spectrum reference_sky() {
     const double incidence = (48.19 - 37) * std::numbers::pi / 180;
     const Spectrum& global = reference_global();

@@ -2,7 +2,7 @@
 
 namespace quasimc {
 
-// The share of sky light in global light on the horizontal, when only the latter is known.
+// The fraction of sky light in global light on the horizontal, where only the latter is known.
 // @param clearness    global light over extraterrestrial light on the horizontal, 0 or more
 // @param sine         of the sun's elevation, above 0
 
@@ -18,7 +18,7 @@ namespace quasimc {
 [[nodiscard]] double diffuse_fraction_spitters(double clearness, double sine);
 
 enum class DiffuseModel { erbs, reindl, spitters };
-/// By the model's hourly equation.
+/// The hourly equation of the given model.
 [[nodiscard]] double diffuse_fraction(DiffuseModel model, double clearness, double sine);
 
 }  // namespace quasimc

@@ -6,23 +6,23 @@
 namespace quasimc {
 namespace {
 
-/// Direct and diffuse light on the horizontal as a reading has it, in its unit.
+/// Direct and diffuse light on the horizontal in the unit of a reading.
 struct Parts {
     double direct = 0, diffuse = 0;
 };
 
-/// What the beam brings to the horizontal, if it was measured.
+/// Irradiance of the beam on the horizontal, if it was measured.
 std::optional<double> beam_on_horizontal(const Reading& reading, double sine) {
     return reading.beam_normal ? std::optional(*reading.beam_normal * sine) : std::nullopt;
 }
 
-/// Direct light on the horizontal, if the reading tells it.
+/// Direct light on the horizontal, if the reading defines it.
 std::optional<double> direct_of(const Reading& reading, double sine) {
     return reading.direct_horizontal ? reading.direct_horizontal
                                      : beam_on_horizontal(reading, sine);
 }
 
-/// The parts, if the reading tells them.
+/// The parts, if the reading defines them.
 std::optional<Parts> parts_of(const Reading& reading, double sine) {
     const std::optional<double> direct = direct_of(reading, sine);
     if (direct && reading.diffuse) {
@@ -37,7 +37,7 @@ std::optional<Parts> parts_of(const Reading& reading, double sine) {
     return std::nullopt;
 }
 
-/// Whether readings that say the same differ by more than a tenth and what instruments are off.
+/// Whether redundant readings differ by more than a tenth and the error of instruments.
 bool disagree(const Reading& reading, double sine, LightUnit unit, const DaylightSpectra& spectra) {
     constexpr double kPart = 0.1;
     constexpr double kInstruments = 20;  // W m-2
@@ -52,12 +52,12 @@ bool disagree(const Reading& reading, double sine, LightUnit unit, const Dayligh
             differ(*reading.global, *direct + *reading.diffuse));
 }
 
-/// All of it sky light.
+/// Daylight that is all from the sky.
 Daylight all_diffuse(double global, LightUnit unit, const DaylightSpectra& spectra) {
     return spectra.from_parts(0, global, unit);
 }
 
-/// The beam that brings the direct light, the same at all steps with the sun up.
+/// A constant beam while the sun is up, with the given mean on the horizontal.
 std::vector<double> even_beam(const SunPath& path, double direct) {
     std::vector<double> facing;
     const double sine = path.mean_sine();
@@ -67,20 +67,20 @@ std::vector<double> even_beam(const SunPath& path, double direct) {
     return facing;
 }
 
-/// What thermopiles and their zeros are off at most where there is hardly any light, W m-2: they
-/// read -1 to -5 in clear nights, some -10 and more.
+/// Largest offset of thermopiles where there is hardly any light, W m-2: they read -1 to -5 in
+/// clear nights, some -10 and less.
 constexpr double kOffset = 20;
-/// The same of the difference of two of them.
+/// Largest offset of the difference of two thermopiles.
 constexpr double kDifference = 5;
 
-/// With the sun so high all light from above is more than nothing.
+/// From this elevation on all light from above is positive.
 constexpr double kDayDeg = 5;
 
-/// Of a reading slightly below zero 0.
+/// A reading whose slightly negative values are set to 0.
 struct Settled {
     Reading reading;
-    bool is_far_below = false;     ///< one was further below than instruments are off
-    bool is_below_by_day = false;  ///< light from above was below zero with the sun up
+    bool is_far_below = false;     ///< a value was below the offset of instruments
+    bool is_below_by_day = false;  ///< light from above was negative with the sun up
 };
 
 Settled settle_offsets(
@@ -96,7 +96,7 @@ Settled settle_offsets(
         settled.is_below_by_day = settled.is_below_by_day || (is_day && below > offset_by_day);
         part = 0;
     };
-    // A beam may be dark by day.
+    // A beam may be 0 by day.
     settle(settled.reading.global, 0);
     settle(settled.reading.diffuse, 0);
     settle(settled.reading.direct_horizontal, kDifference);
@@ -104,7 +104,7 @@ Settled settle_offsets(
     return settled;
 }
 
-/// Turns a reading into light, step by step.
+/// Turns a reading into light, position by position.
 class ReadingLight {
   public:
     ReadingLight(
@@ -141,7 +141,7 @@ class ReadingLight {
   private:
     [[nodiscard]] double watts(double amount) const { return spectra_.from_global(amount, unit_); }
 
-    /// Whether it is night, of which sensors read a little: more than that is a fault.
+    /// Whether it is night. Sensors may read a little then; more is an error.
     bool is_dark(double global) {
         constexpr double kNightLight = 50;
         constexpr double kDuskDeg = -2, kNightDeg = -6;
@@ -154,7 +154,7 @@ class ReadingLight {
         return is_night;
     }
 
-    /// Parts of which neither is below zero, with the same light in all.
+    /// Non-negative parts with the same sum.
     Parts settle_parts(const Parts& given) {
         if (given.direct >= 0 && given.diffuse >= 0) {
             return given;
@@ -177,7 +177,7 @@ class ReadingLight {
         light_.daylight = spectra_.from_parts(parts.direct, parts.diffuse, unit_);
     }
 
-    /// By the model of the diffuse fraction; all diffuse without a sun.
+    /// Splits global light by the model of the diffuse fraction; all is diffuse without a sun.
     void split(double global, DiffuseModel model) {
         if (sine_ > 0) {
             const double clearness = watts(global) / (path_.outside() * sine_);
@@ -188,7 +188,7 @@ class ReadingLight {
         }
     }
 
-    /// Counts as diffuse what of the beam can't be. @param is_measured  or of the model
+    /// Counts the impossible excess of the beam as diffuse. @param is_measured  or of the model
     void bound_beam(double global, bool is_measured) {
         constexpr double kMaxOfClear = 2;
         constexpr double kHighDeg = 10;
@@ -201,7 +201,7 @@ class ReadingLight {
         const double most =
             std::min(outside, kMaxOfClear * clear_light(path_, air_).daylight.direct);
         if (light_.daylight.direct > most) {
-            constexpr double kWorthANote = 5;  // W m-2: weak beams are measured with large errors
+            constexpr double kWorthANote = 5;  // W m-2: weak beams have large measurement errors
             const bool is_noted = is_measured && light_.daylight.direct - most > kWorthANote;
             light_.note = is_noted ? ReadingNote::beam_too_strong : light_.note;
             const double kept = most * spectra_.direct(span_of(unit_));

@@ -23,7 +23,7 @@ bool has_light(std::span<const double> spectrum) {
     return std::any_of(spectrum.begin(), spectrum.end(), [](double value) { return value > 0; });
 }
 
-/// How far the shares of the bands are from each other: 0 to 2.
+/// Distance between the normalized band values: 0 to 2.
 double distance(const BandValues& a, const BandValues& b) {
     const double sum_a = sum_of(a);
     const double sum_b = sum_of(b);
@@ -34,17 +34,17 @@ double distance(const BandValues& a, const BandValues& b) {
     return apart;
 }
 
-/// The spectrum that is farthest from `other`.
+/// The spectrum with the largest distance from `other`.
 const BandValues& farthest(const std::vector<BandValues>& spectra, const BandValues& other) {
     return *std::max_element(spectra.begin(), spectra.end(), [&](const auto& a, const auto& b) {
         return distance(a, other) < distance(b, other);
     });
 }
 
-/// The parts of one and another spectrum that add up to a third; nothing if it is no mixture.
+/// The parts of two spectra that add up to a third; nothing if it is no mixture of them.
 std::optional<std::array<double, 2>> parts_of(
     const BandValues& mixture, const BandValues& one, const BandValues& other) {
-    // By least squares.
+    // Least squares.
     double oo = 0, ot = 0, tt = 0, mo = 0, mt = 0;
     for (std::size_t b = 0; b < mixture.size(); ++b) {
         oo += one[b] * one[b];
@@ -69,13 +69,13 @@ std::optional<std::array<double, 2>> parts_of(
     return std::array{std::max(0.0, parts[0]), std::max(0.0, parts[1])};
 }
 
-/// Spectra of which all others are sums, and what each is of them: parts[i][k] of the k-th.
+/// Basis spectra, and their amounts in each spectrum: parts[i][k] of the k-th.
 struct Mixing {
     std::vector<BandValues> pure;
     std::vector<std::vector<double>> parts;
 };
 
-/// Of one spectrum, of two, or of each band alone.
+/// A basis of one spectrum, of two, or of one for each band.
 Mixing unmix(const std::vector<BandValues>& spectra) {
     Mixing mixing;
     const BandValues& one = farthest(spectra, spectra.front());

@@ -8,7 +8,7 @@
 namespace quasimc {
 namespace {
 
-/// A line of data/astm_g173_03.csv.
+/// One row of data/astm_g173_03.csv.
 struct ReferenceRow {
     double wavelength_nm, global, direct;
 };

@@ -11,8 +11,8 @@ namespace quasimc {
 [[nodiscard]] const Spectrum& reference_global();
 [[nodiscard]] const Spectrum& reference_direct();
 
-/// A measured spectrum, and beyond its ends a reference spectrum, scaled so that both have the same
-/// energy over the wavelengths measured. Beyond an end whose value is 0 there is no light.
+/// A measured spectrum, continued beyond its ends by a reference spectrum, scaled to the same
+/// energy over the measured wavelengths. Beyond an end with value 0 there is no light.
 /// @param measured  has wavelengths in common with the reference
 [[nodiscard]] Spectrum continued(const Spectrum& measured, const Spectrum& reference);
 

@@ -25,7 +25,7 @@ constexpr std::array<double, 41> kPhotopic{
 constexpr std::array kCounts{
     SpectralSpan::Count::energy, SpectralSpan::Count::photons, SpectralSpan::Count::lumens};
 
-/// The factor on the irradiance at a wavelength.
+/// The weight of irradiance at a wavelength.
 double weight(SpectralSpan::Count count, double nm) {
     switch (count) {
         case SpectralSpan::Count::photons:
@@ -37,7 +37,7 @@ double weight(SpectralSpan::Count count, double nm) {
     }
 }
 
-/// The integral over [a, b] of a product that is at most of third degree there (Simpson's rule).
+/// The integral over [a, b] of a product of at most third degree (Simpson's rule).
 template <typename Function>
 double simpson(const Function& f, double a, double b) {
     return (b - a) / 6 * (f(a) + 4 * f(0.5 * (a + b)) + f(b));
@@ -67,7 +67,7 @@ double Spectrum::piece(SpectralSpan::Count count, double from_nm, double to_nm) 
     return simpson([&](double nm) { return at(nm) * weight(count, nm); }, from_nm, to_nm);
 }
 
-/// Between its borders spectrum and weight are both smooth.
+/// Between consecutive bounds spectrum and weight are both smooth.
 Spectrum::Integral Spectrum::make_integral(SpectralSpan::Count count) const {
     Integral integral{nm_, {0}};
     for (std::size_t i = 0; count == SpectralSpan::Count::lumens && i < kPhotopic.size(); ++i) {

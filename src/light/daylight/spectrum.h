@@ -5,7 +5,7 @@
 
 namespace quasimc {
 
-/// A part of the spectrum, nanometres, and what is counted in it.
+/// A part of the spectrum in nanometres, and the unit that it is counted in.
 struct SpectralSpan {
     double from_nm = 0, to_nm = 0;
     enum class Count {
@@ -20,24 +20,24 @@ struct SpectralSpan {
 class Spectrum {
   public:
     /// @param nm      ascending
-    /// @param values  0 or more, as many
+    /// @param values  0 or more, one per wavelength
     Spectrum(std::vector<double> nm, std::vector<double> values);
 
     [[nodiscard]] double at(double nm) const;
-    /// What the span holds, in the unit of its count. Exact, since V is taken as linear too.
+    /// The light in the span, in its unit. Exact, since V is piecewise linear too.
     [[nodiscard]] double within(const SpectralSpan& span) const;
-    /// The points given.
+    /// The wavelengths of the points.
     [[nodiscard]] const std::vector<double>& wavelengths() const { return nm_; }
     [[nodiscard]] double low_nm() const { return nm_.front(); }
     [[nodiscard]] double high_nm() const { return nm_.back(); }
 
   private:
-    /// What is counted from the low end up to each of some wavelengths.
+    /// Cumulative light from the low end up to each of some wavelengths.
     struct Integral {
         std::vector<double> nm, until;
     };
     [[nodiscard]] Integral make_integral(SpectralSpan::Count count) const;
-    /// What lies between two wavelengths with no point of the spectrum between them.
+    /// The light between two wavelengths with no point of the spectrum between them.
     [[nodiscard]] double piece(SpectralSpan::Count count, double from_nm, double to_nm) const;
 
     std::vector<double> nm_, values_;

@@ -1,5 +1,5 @@
-// The skies of the CIE: of CIE 110 (1994) and the fifteen of CIE S 011 / ISO 15469. All are a
-// gradation from zenith to horizon times an indicatrix around the sun.
+// Skies of the CIE: of CIE 110 (1994) and the fifteen of CIE S 011 / ISO 15469. All are a gradation
+// from zenith to horizon times an indicatrix around the sun.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// Angle between two unit vectors, exact also when they are near.
+/// Angle between two unit vectors, accurate for small angles too.
 double angle_between(const Vec3& a, const Vec3& b) {
     return 2 * std::asin(std::min(1.0, 0.5 * length(a - b)));
 }

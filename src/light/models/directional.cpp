@@ -1,7 +1,7 @@
 // Parallel light: the sun as a point of the sky, or one direction of a table.
 //
-// Paths start in the window of the beam, the scene's silhouette: every one carries the same light.
-// Its spectrum is the irradiance on a plane that faces the light.
+// Paths start in the start area of the beam, the scene's silhouette; all carry the same light. The
+// spectrum is the irradiance on a plane facing the light.
 
 #include <algorithm>
 #include <utility>
@@ -46,7 +46,7 @@ class Directional final : public SourceModel {
     }
     [[nodiscard]] std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const override {
-        std::unique_ptr<BeamCrossSection> window = projection.window(travel_);
+        std::unique_ptr<BeamCrossSection> window = projection.cross_section(travel_);
         if (!window || window->area() <= 0) {
             return nullptr;
         }

@@ -15,7 +15,7 @@ Vec3 entry_point(const EntryBox& box, const Vec3& direction, double u0, double u
     const Vec3& high = box.bounds.high;
     const Vec3 size = box.bounds.size();
     const double pick = u0 * (across_z + across_x + across_y);
-    // Light that travels towards +x enters at the low face, and so on.
+    // Light that travels towards +x enters at the low face; other axes likewise.
     const auto entered = [](double d, double near, double far) { return d > 0 ? near : far; };
     const auto rest = [](double value, double width) {
         return std::clamp(value / width, 0.0, kBelowOne);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kColumns = 64;
 constexpr int kElevationRows = 32;
 
-/// Sorted, those nearer to the one before than `least` left out (never the first nor the last).
+/// Sorted values without those closer than `least` to their predecessor (the first and last stay).
 std::vector<double> distinct(std::vector<double> values, double least) {
     std::sort(values.begin(), values.end());
     std::vector<double> kept{values.front()};

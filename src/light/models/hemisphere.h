@@ -13,10 +13,10 @@ namespace quasimc {
 /// A function on the upper hemisphere, of the unit direction towards a point of it.
 using HemisphereFunction = std::function<double(const Vec3&)>;
 
-/// A direction of the cosine law about +z: u0 is the square of the sine of the angle from it, the
+/// A cosine-distributed direction about +z: u0 is the square of the sine of the polar angle, the
 /// azimuth 2 pi u1.
 [[nodiscard]] Vec3 upward_cosine_direction(double u0, double u1);
-/// The same about the unit vector `axis`.
+/// A cosine-distributed direction about the unit vector `axis`.
 [[nodiscard]] Vec3 cosine_direction_about(const Vec3& axis, double u0, double u1);
 
 /// The upper hemisphere cut into cells by circles of equal elevation and of equal azimuth.
@@ -48,8 +48,8 @@ struct HemisphereGrid {
 [[nodiscard]] std::vector<double> radiance_of_cells(
     const HemisphereGrid& grid, const HemisphereFunction& f);
 
-/// What the three planes of the axes see of the cells of a grid in none of which a coordinate
-/// changes its sign.
+/// Projections of the cells of a grid onto the three planes of the axes; no coordinate changes its
+/// sign within a cell.
 class ProjectedCells {
   public:
     explicit ProjectedCells(const HemisphereGrid& grid);
@@ -75,11 +75,11 @@ class ProjectedCells {
 };
 
 /// Draws directions cell by cell: a cell in proportion to its share, uniformly inside (in solid
-/// angle). The map of the unit square is continuous along each row of cells, and keeps the
-/// regularity of a point set: nothing is rejected.
+/// angle). The map of the unit square is continuous along each row of cells, and preserves the
+/// uniformity of a point set: nothing is rejected.
 class HemisphereSampler {
   public:
-    /// @param shares  of the cells, not negative, not all 0
+    /// @param shares  one per cell, not negative, not all 0
     HemisphereSampler(HemisphereGrid grid, std::span<const double> shares);
 
     struct Sample {
@@ -88,7 +88,7 @@ class HemisphereSampler {
     };
     /// @param u0  picks the elevation, u1 the azimuth
     [[nodiscard]] Sample sample(double u0, double u1) const;
-    /// The density, per steradian, with which `direction` (unit) is drawn; 0 below the horizon.
+    /// The probability density, per steradian, of `direction` (unit); 0 below the horizon.
     [[nodiscard]] double pdf(const Vec3& direction) const;
 
   private:

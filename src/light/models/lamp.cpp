@@ -1,11 +1,11 @@
 // Lamps: sources at a finite distance.
 //
-// The flux that leaves an opening is drawn as a point on it and a direction. Paths of light tracing
-// start either by the lamp's pattern, or, when the lamp stands outside the sphere about an open
-// scene, uniformly in the cone that the sphere fills as seen from the point. A fixed lattice of
-// trial starts tells which of the two has the smaller second moment; it also gives flux(), which
-// only scales the weights, so that its error cancels. Outside the scene's box, a path is moved on
-// to where it enters it: the ray engine works in single precision about the scene.
+// The flux of an opening is sampled as a point on it and a direction. Paths of light tracing start
+// either by the lamp's pattern, or, for a lamp outside the bounding sphere of an open scene,
+// uniformly in the cone that the sphere subtends at the point. Pilot starts on a fixed lattice show
+// which of the two has the smaller variance; they also give flux(), which only scales the
+// weights, so that its error cancels. Outside the scene's box, a path is moved on to its entry
+// point: rays are cast in single precision about the scene.
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,7 @@ class LampStarts {
         choose(can_aim);
     }
 
-    /// Of the lamp's flux, that which paths carry; 0: no trial start met the scene.
+    /// The fraction of the lamp's flux that paths carry; 0: no pilot start hits the scene.
     [[nodiscard]] double fraction() const { return fraction_; }
     [[nodiscard]] Emission emit(const std::array<double, 4>& u) const {
         const Start start = is_aimed_ ? aimed(u) : by_pattern(u);
@@ -50,7 +50,7 @@ class LampStarts {
     }
 
   private:
-    /// The numbers that choose the direction: the first two where the opening is a point.
+    /// The numbers that select the direction: the first two where the opening is a point.
     [[nodiscard]] std::array<double, 2> direction_numbers(const std::array<double, 4>& u) const {
         return body_.opening.kind == Opening::Kind::point ? std::array{u[0], u[1]}
                                                           : std::array{u[2], u[3]};
@@ -74,8 +74,8 @@ class LampStarts {
         return {start.position, direction, intensity * 4 * std::numbers::pi * t};
     }
 
-    /// Where a path enters the box of the scene, or its origin if it starts there; nothing if it
-    /// passes by. Along periodic axes the box has no end.
+    /// The point where a path enters the box of the scene, or its origin if it starts inside;
+    /// nothing if it misses. Along periodic axes the box is infinite.
     [[nodiscard]] std::optional<Vec3> entry(const Start& start) const {
         double enter = 0;
         double leave = std::numeric_limits<double>::infinity();
@@ -101,11 +101,11 @@ class LampStarts {
         return leave < enter ? std::nullopt : std::optional(o + enter * d);
     }
 
-    /// What trial starts of one kind tell.
+    /// Estimates from the pilot starts of one kind.
     struct Pilot {
         double fraction = 0;  ///< mean weight
-        double hits = 0;      ///< mean weight of those that meet the box
-        double second = 0;    ///< mean square of that
+        double hits = 0;      ///< mean weight of those that hit the box
+        double second = 0;    ///< mean square of these weights
     };
     template <typename Draw>
     [[nodiscard]] Pilot trial_of(const Draw& draw) const {
@@ -121,7 +121,7 @@ class LampStarts {
         return pilot;
     }
 
-    /// Decides how paths start.
+    /// Selects how paths start.
     void choose(bool can_aim) {
         const Pilot wide = trial_of([this](const auto& u) { return by_pattern(u); });
         fraction_ = wide.hits > 0 ? 1 : 0;
@@ -129,7 +129,7 @@ class LampStarts {
             return;
         }
         const Pilot narrow = trial_of([this](const auto& u) { return aimed(u); });
-        // Where the two disagree, the one with fewer finds has missed the light.
+        // Where the two disagree, the one with fewer hits has missed the light.
         constexpr double kAgree = 0.8;
         const bool is_missed = narrow.hits < kAgree * wide.hits;
         if (wide.hits == 0 || (!is_missed && narrow.second < wide.second)) {
@@ -174,7 +174,7 @@ class Lamp final : public SourceModel {
               std::numeric_limits<double>::quiet_NaN()),
           body_{spec.position, spec.axes, spec.opening},
           pattern_(std::move(spec.pattern)),
-          by_area_(has_endless_radiance()) {}
+          by_area_(has_unbounded_radiance()) {}
 
     [[nodiscard]] ModelParameters parameters() const override {
         ModelParameters lamp{"lamp", pattern_.parameters()};
@@ -219,8 +219,8 @@ class Lamp final : public SourceModel {
   private:
     [[nodiscard]] Vec3 axis_back() const { return -body_.axes.n; }
 
-    /// Whether a flat opening shines sideways, so that its radiance there has no bound.
-    [[nodiscard]] bool has_endless_radiance() const {
+    /// Whether a flat opening emits sideways, so that its radiance there has no upper bound.
+    [[nodiscard]] bool has_unbounded_radiance() const {
         constexpr int kAzimuths = 16;
         const double peak = pattern_.intensity({0, 0, 1});
         for (int i = 0; i < kAzimuths; ++i) {

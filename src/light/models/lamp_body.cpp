@@ -9,8 +9,8 @@ namespace {
 
 using std::numbers::pi;
 
-/// The direction to a point of the opening; its weight is `weight` over the squared distance.
-LampBody::LampSample sight_of(
+/// A sample towards a point of the opening; its factor is `weight` over the squared distance.
+LampBody::LampSample sample_towards(
     const Vec3& point, const LampBody::SurfacePoint& start, double weight = 1) {
     const Vec3 towards = start.position - point;
     const double square = dot(towards, towards);
@@ -21,19 +21,20 @@ LampBody::LampSample sight_of(
     return {towards / distance, distance, start.axes, weight / square};
 }
 
-/// Uniform in the angle under which the line is seen (Kulla and Fajardo 2012, section 4.1).
+/// Uniform in the angle that the line subtends (Kulla and Fajardo 2012, section 4.1).
 LampBody::LampSample line_seen_from(const LampBody& body, const Vec3& point, double u) {
     const Vec3 offset = point - body.center;
     const double foot = dot(offset, body.axes.n);
     const double away = length(offset - foot * body.axes.n);
     if (away == 0) {
-        return {};  // a thin tube has no end to shine from
+        return {};  // the ends of a thin tube do not emit
     }
     const double half = 0.5 * body.opening.length;
     const double low = std::atan((-half - foot) / away);
     const double high = std::atan((half - foot) / away);
     const double along = foot + away * std::tan(low + u * (high - low));
-    LampBody::LampSample sample = sight_of(point, {body.center + along * body.axes.n, body.axes});
+    LampBody::LampSample sample =
+        sample_towards(point, {body.center + along * body.axes.n, body.axes});
     sample.factor = (high - low) / (body.opening.length * away);
     return sample;
 }
@@ -60,8 +61,8 @@ LampBody::LampSample sphere_seen_from(
         cosine > 0 ? solid_angle / (4 * pi * radius * radius * cosine) : 0};
 }
 
-/// A rectangle as seen from a point, which is the origin: x0..x1, y0..y1 at z < 0 (Urena, Fajardo
-/// and King 2013, "An area-preserving parametrization for spherical rectangles").
+/// A rectangle as seen from a point, the origin: x0..x1, y0..y1 at z < 0 (Urena, Fajardo and King
+/// 2013, "An area-preserving parametrization for spherical rectangles").
 class SphericalRectangle {
   public:
     SphericalRectangle(double x0, double x1, double y0, double y1, double z)
@@ -105,7 +106,8 @@ LampBody::LampSample rectangle_seen_from(
     const Opening& opening = body.opening;
     const Vec3 offset = to_axes(body.axes, body.center - point);
     const double area = opening.length * opening.width;
-    // From far off, area is as good, and the solid angle a small difference of large angles.
+    // At large distances sampling by area is as good, and the solid angle a small difference of
+    // large angles.
     constexpr double kFar = 1e4;
     if (offset.z >= 0) {
         return {};  // behind it
@@ -164,7 +166,7 @@ LampBody::SurfacePoint LampBody::draw_point(double u0, double u1) const {
 }
 
 LampBody::LampSample LampBody::seen_by_area(const Vec3& point, double u0, double u1) const {
-    return sight_of(point, draw_point(u0, u1));
+    return sample_towards(point, draw_point(u0, u1));
 }
 
 LampBody::LampSample LampBody::seen_from(const Vec3& point, double u0, double u1) const {

@@ -23,17 +23,17 @@ struct LampBody {
         Vec3 to_light;  ///< unit
         double distance = 0;
         Frame axes;         ///< of the pattern there
-        double factor = 0;  ///< times the intensity towards the point: irradiance facing it over
-                            ///< the density of the draw; 0: nothing can be seen
+        double factor = 0;  ///< irradiance facing the point per intensity towards it, over the
+                            ///< density; 0: not visible
     };
     /// Samples the opening from `point`: rectangles and spheres uniformly in solid angle, lines
-    /// uniformly in the angle at the point (their irradiance is bounded as near as one likes),
-    /// disks by area.
+    /// uniformly in the angle at the point (their irradiance is bounded at any distance), disks by
+    /// area.
     [[nodiscard]] LampSample seen_from(const Vec3& point, double u0, double u1) const;
-    /// The same by area, for rectangles.
+    /// Samples a rectangle by area.
     [[nodiscard]] LampSample seen_by_area(const Vec3& point, double u0, double u1) const;
 
-    /// Of the sphere about the center that holds the opening.
+    /// Radius of the sphere about the centre that contains the opening.
     [[nodiscard]] double radius() const;
 };
 

@@ -46,7 +46,7 @@ double versine(double theta) {
 
 }  // namespace
 
-/// A pattern and the table that directions are drawn from.
+/// A pattern and the table for sampling directions.
 struct Pattern::Cells {
     Intensity intensity;
     std::vector<double> rows;  // (1 - cos theta) / 2 at the borders of the rows of cells
@@ -138,7 +138,7 @@ Pattern cosine_pattern() {
 }
 
 Pattern power_cosine_pattern(double exponent) {
-    // Rows of equal light: 1 - cos^(n+1) theta grows in equal steps.
+    // Rows of equal light: equal steps of 1 - cos^(n+1) theta.
     constexpr int kRows = 64;
     std::vector<double> thetas;
     for (int k = 0; k < kRows; ++k) {

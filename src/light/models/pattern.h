@@ -6,7 +6,7 @@
 
 namespace quasimc {
 
-/// `borders` with each interval cut into pieces no longer than `longest`, at least `least` of them.
+/// `borders` with each interval divided into at least `least` pieces of at most `longest`.
 [[nodiscard]] std::vector<double> refined(
     const std::vector<double>& borders, double longest, int least);
 

@@ -99,9 +99,9 @@ SkyShape perez_shape(const SkyState& state) {
     while (weather.clearness >= kBins[bin].until) {
         ++bin;
     }
-    // The fits hold for the brightness that skies have, 0.01 to 0.6. Thin veils make b positive,
-    // and the horizon infinitely bright: for intermediate skies the brightness counts as at least
-    // 0.2 (both limits as in gendaylit, Delaunay 1994), and what is left of a positive b as 0.
+    // The fits hold for usual brightnesses of skies, 0.01 to 0.6. Thin veils make b positive, and
+    // the horizon infinitely bright: for intermediate skies the brightness counts as at least 0.2
+    // (both limits as in gendaylit, Delaunay 1994), and a b that is still positive as 0.
     const bool is_intermediate = bin >= 1 && bin <= 4;
     const double delta = std::clamp(weather.brightness, is_intermediate ? 0.2 : 0.01, 0.6);
     const CoefficientRow& row = kBins[bin].row;
@@ -116,8 +116,8 @@ SkyShape perez_shape(const SkyState& state) {
         x[3] = -std::exp(delta * (d[0] + d[1] * zenith)) + d[2] + delta * d[3];
     }
     const double b = std::min(0.0, x[1]);
-    // The fits have skies darker than any that was measured black but for a rim above the horizon:
-    // these are taken to have no gradation.
+    // Extrapolated to skies darker than any that was measured, the fits are black except for a rim
+    // above the horizon: these skies get no gradation.
     constexpr double kSineOfRim = 0.1;
     const double a = 1 + x[0] * std::exp(b / kSineOfRim) <= 0 ? 0 : x[0];
     const PerezFormula formula{a, b, x[2], x[3], x[4]};

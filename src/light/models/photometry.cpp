@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Where x lies between ascending values: the interval, and how far in it.
+/// Position of x between ascending values: the interval, and the fraction in it.
 struct AngleBetween {
     std::size_t interval = 0;
     double part = 0;
@@ -25,8 +25,8 @@ AngleBetween angle_between(const std::vector<double>& values, double x) {
     return {i, std::clamp((x - values[i]) / (values[i + 1] - values[i]), 0.0, 1.0)};
 }
 
-/// The azimuth of the file that stands for `phi_deg`, 0 to 360 about the aim. Those of files count
-/// counterclockwise as seen from above a lamp that is aimed down: about the opposite of its aim.
+/// The azimuth in the file for `phi_deg`, 0 to 360 about the aim. Files count counterclockwise as
+/// seen from above a lamp aimed down: about the opposite of its aim.
 double folded(double phi_deg, double last_deg) {
     if (last_deg == 0) {
         return 0;
@@ -49,7 +49,7 @@ double intensity_of(const PhotometricWeb& web, double theta, double phi) {
     return h.part > 0 ? low + h.part * (at(h.interval + 1) - low) : low;
 }
 
-/// All azimuths, radians, at which the intensity has a bend.
+/// All azimuths, radians, where the intensity has a kink.
 std::vector<double> bends(const std::vector<double>& horizontal_deg) {
     const double last = horizontal_deg.back();
     std::vector<double> all{0, 2 * pi};

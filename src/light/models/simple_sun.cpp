@@ -1,5 +1,5 @@
-// The sun of the original program's specifications, with its errors mended: time zones are
-// multiples of 15 degrees (not 12), and solar time runs ahead in the east (not in the west).
+// The sun of the original program's specifications, without its errors: time zones are multiples of
+// 15 degrees (not 12), and solar time is ahead in the east (not in the west).
 
 #include <algorithm>
 #include <cmath>

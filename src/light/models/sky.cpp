@@ -1,12 +1,12 @@
-// A sky of any radiance L, scaled so that its irradiance on the horizontal is what was asked for:
-// the scale is an integral over the shape itself, good to 1e-7, not the sum of a table.
+// A sky of any radiance L, scaled to the requested irradiance on the horizontal. The scale is an
+// integral over the shape itself, with a relative error of 1e-7, not the sum of a table.
 //
-// Light enters a scene through its box: along direction d through the area A(d) that the box shows
-// there. A path draws its direction cell by cell of the hemisphere, in proportion to the integral
-// of A times the radiance in the middle of the cell, uniformly inside the cell, then a point of the
-// box as seen along it. Its weight is L A / (density x flux): the cells steer where paths start,
-// never how much light they bring, so that their shares may be rough. The flux is exact: A is a sum
-// of |d.x|, |d.y| and d.z, and so the flux one of the three integrals that give the scale.
+// Light enters a scene through its box: along direction d through the projected area A(d) of the
+// box. A path draws a cell of the hemisphere in proportion to the integral of A times the radiance
+// in the middle of the cell, a direction uniformly inside the cell, then a point of the box as seen
+// along it. Its weight is L A / (density x flux): the cells only guide where paths start, so
+// approximate shares suffice. The flux is exact: A is a sum of |d.x|, |d.y| and d.z, so the three
+// integrals that give the scale give the flux too.
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@
 namespace quasimc {
 namespace {
 
-/// Radiances of cells by which directions are drawn. Cells of a smooth sky that are dark in the
-/// middle may have light at a corner: none gets less than a thousandth of the mean.
+/// Radiances of cells for sampling directions. Cells of a smooth sky that are dark in the middle
+/// may have light at a corner: each gets at least a thousandth of the mean.
 std::vector<double> steering_radiance(const HemisphereGrid& grid, const SkyShape& shape) {
     std::vector<double> radiance = radiance_of_cells(grid, shape.radiance);
     if (shape.inside == InsideCells::smooth) {
@@ -36,7 +36,7 @@ std::vector<double> steering_radiance(const HemisphereGrid& grid, const SkyShape
     return radiance;
 }
 
-/// Draws directions in proportion to radiance times what `factor` (row, column) says of the cell.
+/// Draws directions in proportion to radiance times `factor` (row, column).
 template <typename Factor>
 HemisphereSampler make_sampler(HemisphereGrid grid, const SkyShape& shape, const Factor& factor) {
     std::vector<double> shares = steering_radiance(grid, shape);
@@ -65,7 +65,7 @@ HemisphereSampler make_point_sampler(const SkyShape& shape) {
 
 class SkySampler final : public SourceSampler {
   public:
-    /// @param integrals  of L |d.x|, L |d.y|, L d.z, L the radiance of the shape
+    /// @param integrals  of L |d.x|, L |d.y|, L d.z, where L is the radiance of the shape
     SkySampler(const SkyShape& shape, const Vec3& integrals, const EntryBox& box)
         : SourceSampler(dot(box.face_area, integrals) / integrals.z),
           radiance_(shape.radiance),
@@ -92,7 +92,7 @@ class SkySampler final : public SourceSampler {
   private:
     Radiance radiance_;
     EntryBox box_;
-    double unscaled_flux_;  // of the shape as it stands
+    double unscaled_flux_;  // of the shape before scaling
     HemisphereSampler sampler_;
 };
 
@@ -125,7 +125,7 @@ class Sky final : public SourceModel {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return to_light.z > 0 ? shape_.radiance(to_light) / integrals().z : 0;
     }
-    /// By the triangle inequality, of the light that each component of its direction brings.
+    /// Triangle inequality over the components of the light's direction.
     [[nodiscard]] double most_irradiance(const Vec3& normal) const override {
         const Vec3 facing{std::abs(normal.x), std::abs(normal.y), std::max(0.0, normal.z)};
         return dot(facing, integrals()) / integrals().z;
@@ -138,10 +138,10 @@ class Sky final : public SourceModel {
 
     SkyShape shape_;
     Lazy<Vec3> integrals_;
-    Lazy<HemisphereSampler> sampler_;  // of illuminate()
+    Lazy<HemisphereSampler> sampler_;  // for illuminate()
 };
 
-/// Whether there is light anywhere: most skies show it at the first look.
+/// Whether there is light anywhere: most skies have some in the first direction.
 bool has_light(const SkyShape& shape) {
     const HemisphereGrid grid = make_hemisphere_grid(shape.azimuths, shape.sines);
     for (std::size_t row = 0; row < grid.rows(); ++row) {

@@ -14,11 +14,11 @@ namespace quasimc {
 namespace {
 
 constexpr double kQuarterTurn = kFullTurn / 4;
-/// Steps of the fit to a sky: the first gives the mean radiance under each hat, the others sharpen
-/// what that has blurred.
+/// Iterations of the fit to a sky: the first gives the mean radiance under each basis function, the
+/// others remove the blur of that mean.
 constexpr int kFits = 5;
 /// The grid on which skies are sampled, in equal steps of elevation and azimuth.
-constexpr std::uint32_t kLookRows = 60, kLookColumns = 96;
+constexpr std::uint32_t kSampleRows = 60, kSampleColumns = 96;
 
 double elevation_of(const Vec3& direction) {
     return std::asin(std::clamp(direction.z, 0.0, 1.0));
@@ -44,12 +44,12 @@ double SkyBasis::elevation(std::uint32_t ring) const {
 void SkyBasis::set_samples() {
     sampled_weight_.resize(nodes());
     sine_.resize(nodes());
-    for (std::uint32_t row = 0; row < kLookRows; ++row) {
-        for (std::uint32_t column = 0; column < kLookColumns; ++column) {
-            const double elevation = kQuarterTurn * (row + 0.5) / kLookRows;
+    for (std::uint32_t row = 0; row < kSampleRows; ++row) {
+        for (std::uint32_t column = 0; column < kSampleColumns; ++column) {
+            const double elevation = kQuarterTurn * (row + 0.5) / kSampleRows;
             const double sine = std::sin(elevation);
             const Vec3 direction =
-                hemisphere_direction(kFullTurn * (column + 0.5) / kLookColumns, sine);
+                hemisphere_direction(kFullTurn * (column + 0.5) / kSampleColumns, sine);
             samples_.push_back({direction, std::cos(elevation), shares(direction)});
             for (const Share& share : samples_.back().shares) {
                 const double weight = samples_.back().weight * share.weight;

@@ -6,16 +6,16 @@
 namespace quasimc {
 namespace {
 
-// To add a sky: a function that makes its shape, in a file of its own with its paper on top; a row
-// here; a page in docs/theory. The tests of skies and those of both directions of tracing find it
-// by this table.
+// To add a sky: a function that makes its shape, in a file of its own that cites its paper; a row
+// here; a page in docs/theory. Tests of skies and of both directions of tracing cover all rows of
+// this table.
 constexpr std::array kSkies{
     SkyEntry{
         "uniform", "the same radiance from everywhere", SkyNeeds::nothing,
         [](const SkyState&) { return uniform_sky_shape(); }},
     SkyEntry{
         "cie_overcast",
-        "CIE 110 standard overcast sky, three times as bright above as at the horizon",
+        "CIE 110 standard overcast sky, three times as bright at the zenith as at the horizon",
         SkyNeeds::nothing, [](const SkyState&) { return cie_overcast_shape(); }},
     SkyEntry{
         "cie_clear", "CIE 110 standard clear sky", SkyNeeds::sun,

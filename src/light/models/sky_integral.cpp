@@ -1,11 +1,11 @@
 // Integrals of a sky by adaptive cubature in azimuth and elevation: the piece of the hemisphere
 // with the largest error is halved, across the direction in which it is less smooth, until the
-// errors of all pieces are small. What has a cusp at the sun or falls off at the horizon is
-// refined there alone: some hundreds of pieces, where a grid would need millions.
+// errors of all pieces are small. A cusp at the sun or a gradient at the horizon is refined
+// locally: some hundreds of pieces suffice, where a grid would need millions.
 //
-// The rule and its error: Genz and Malik (1980), "Remarks on algorithm 006: an adaptive algorithm
+// Rule and error estimate: Genz and Malik (1980), "Remarks on algorithm 006: an adaptive algorithm
 // for numerical integration over an n-dimensional rectangular region", J. Comput. Appl. Math. 6,
-// 295-302: 17 points, of degree 7, that hold a rule of degree 5.
+// 295-302: 17 points, of degree 7, with an embedded rule of degree 5.
 
 #include "light/models/sky_integral.h"
 
@@ -20,8 +20,8 @@ namespace quasimc {
 namespace {
 
 constexpr double kQuarter = std::numbers::pi / 2;
-/// Of the sum of the pieces' estimated errors. These are those of the rule of degree 5: true errors
-/// are fifty times smaller.
+/// Tolerance of the sum of the pieces' estimated errors. These belong to the rule of degree 5: true
+/// errors are fifty times smaller.
 constexpr double kTolerance = 2e-6;
 constexpr std::size_t kMaxPieces = 20000;
 
@@ -57,7 +57,7 @@ struct Abscissas {
     }
 };
 
-/// A piece of the hemisphere and what the rule says of it.
+/// A piece of the hemisphere and its integral.
 struct Piece {
     Interval azimuth, elevation;
     Vec3 integral;
@@ -88,7 +88,7 @@ Piece integrate(const Radiance& radiance, const Interval& azimuth, const Interva
     const Vec3 degree_five = (-971.0 / 729) * middle + (245.0 / 486) * near + (65.0 / 1458) * far +
                              (25.0 / 729) * corners;
     const double area = 4 * azimuth.half * elevation.half;
-    // Fourth differences tell which direction is less smooth.
+    // Fourth differences show which direction is less smooth.
     const auto roughness = [&](const Vec3& close, const Vec3& distant) {
         return sum_of(close - 2 * middle - (distant - 2 * middle) / 7);
     };
@@ -97,8 +97,8 @@ Piece integrate(const Radiance& radiance, const Interval& azimuth, const Interva
         roughness(near_across, far_across) >= roughness(near_up, far_up)};
 }
 
-/// Where to begin: between the borders of a shape, and between those where a coordinate changes its
-/// sign.
+/// The initial pieces: between the borders of a shape, and between directions where a coordinate
+/// changes its sign.
 std::vector<Piece> first_pieces(const SkyShape& shape) {
     std::vector<double> azimuths{0, kQuarter, 2 * kQuarter, 3 * kQuarter, 4 * kQuarter};
     for (const double azimuth : shape.azimuths) {

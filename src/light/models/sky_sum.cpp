@@ -9,19 +9,19 @@
 namespace quasimc {
 namespace {
 
-/// Looks that are taken at a sky along a cell, where `cells` of them make up the whole.
-std::size_t looks_along(std::size_t cells, std::size_t whole) {
+/// Number of samples along a cell, where `cells` cells make up the whole.
+std::size_t samples_along(std::size_t cells, std::size_t whole) {
     return std::max<std::size_t>(2, (whole + cells - 1) / cells);
 }
 
-/// The cells of a table, each divided into as many as looks are taken at it.
+/// The cells of a table, subdivided into one cell per sample.
 struct FineCells {
     std::size_t columns, rows;  ///< of a cell
     HemisphereGrid grid;
 };
 
 FineCells divide(std::size_t azimuths, std::size_t elevations) {
-    FineCells fine{looks_along(azimuths, 192), looks_along(elevations, 96), {}};
+    FineCells fine{samples_along(azimuths, 192), samples_along(elevations, 96), {}};
     const std::size_t columns = azimuths * fine.columns;
     for (std::size_t i = 0; i <= columns; ++i) {
         fine.grid.azimuths.push_back(
@@ -54,7 +54,7 @@ void SkySum::add_sky(const SkyShape& shape, double horizontal_irradiance) {
     const FineCells fine = divide(table_.azimuths, table_.elevations);
     const HemisphereGrid& grid = fine.grid;
     const std::vector<double> radiances = radiance_of_cells(grid, shape.radiance);
-    // The mean of a cell is weighted as the horizontal sees it.
+    // The mean of a cell is weighted by the projection onto the horizontal.
     std::vector<double> seen(table_.radiance.size());
     std::vector<double> whole(table_.elevations);
     double sum = 0;

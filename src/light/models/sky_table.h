@@ -6,18 +6,18 @@
 
 namespace quasimc {
 
-/// Skies added up in the cells of one table.
+/// Sum of skies in the cells of one table.
 class SkySum {
   public:
     /// @param azimuths, elevations  cells of the table that sums the skies
     explicit SkySum(std::size_t azimuths = 96, std::size_t elevations = 48);
 
-    /// Adds a sky of a shape that brings `horizontal_irradiance` on the horizontal: the mean
-    /// radiance of each cell counts, from some 18,000 looks at the sky (under 2 ms), and the sum is
-    /// exact on the horizontal.
+    /// Adds a sky of a shape with `horizontal_irradiance` on the horizontal. The table holds the
+    /// mean radiance of each cell, from some 18,000 samples of the sky (under 2 ms); the irradiance
+    /// on the horizontal is exact.
     void add_sky(const SkyShape& shape, double horizontal_irradiance);
 
-    /// Adds `factor` times another sum of as many cells.
+    /// Adds `factor` times another sum with equal cells.
     void add(const SkySum& other, double factor);
 
     /// All skies added so far. Their irradiance on the horizontal is horizontal_irradiance().

@@ -33,12 +33,11 @@ struct LampExtent {
     BoundingSphere body;  ///< about its centre, holds its opening
     /// Whether the samples of illuminate() are bounded at any distance.
     bool has_bounded_irradiance = false;
-    /// Of a line, from its centre to an end: its irradiance grows as 1 / distance. 0 for others.
+    /// From the centre to the end of a line, whose irradiance grows as 1 / distance; 0 for others.
     Vec3 half_line = {};
 };
 
-/// A source that has been told what scene it lights: draws the starts of paths. Const, shared by
-/// all threads.
+/// Samples the starts of paths of a source in one scene. Const, shared by all threads.
 class SourceSampler {
   public:
     virtual ~SourceSampler() = default;
@@ -54,25 +53,24 @@ class SourceSampler {
     /// The start of a path for a point of the unit cube. u[0] and u[1] choose its position (nearby
     /// values give nearby starts), u[2] and u[3] the direction if the source has many.
     [[nodiscard]] virtual Emission emit(const std::array<double, 4>& u) const = 0;
-    /// A direction in which light may enter, drawn from a point of the unit square; nearby points
-    /// give nearby directions. u0 grows from the edge of the sky (of the disk) to the zenith (its
+    /// A direction of incoming light, drawn from a point of the unit square; nearby points give
+    /// nearby directions. u0 grows from the edge of the sky (of the disk) to the zenith (its
     /// centre), about which u1 runs once around. Every source at infinity draws all directions in
-    /// which it has light.
-    /// The density is 0 for a beam, which has one direction, and for a lamp, whose directions
-    /// depend on the point.
+    /// which it has light. The density is 0 for beams, which have one direction, and for lamps,
+    /// whose directions depend on the point.
     [[nodiscard]] virtual DirectionSample draw_direction(double u0, double u1) const;
     /// The density per steradian with which draw_direction() draws `direction` (unit, in which the
-    /// light travels) from evenly spread points; its integral over the sphere is 1.
+    /// light travels) from uniform points; its integral over the sphere is 1.
     [[nodiscard]] virtual double density(const Vec3& direction) const;
-    /// The direction in which every path starts, if it is the same for all; their weight is then 1
-    /// and u[2], u[3] are not used. Rays of a beam are cast in packets. That of a source of one
-    /// direction (SourceTraits::delta) has one.
+    /// The common direction of all paths, if there is one; their weight is then 1 and u[2], u[3]
+    /// are not used. Rays of a beam are cast in packets. Every source of one direction
+    /// (SourceTraits::delta) has one.
     [[nodiscard]] const std::optional<Vec3>& beam_direction() const { return beam_direction_; }
-    /// Of a beam: the origins of emit({u0[i], u1[i]}), faster.
+    /// Beams only: the origins of emit({u0[i], u1[i]}), faster.
     virtual void beam_origins(
         std::span<const double> u0, std::span<const double> u1, std::span<Vec3> origins) const;
 
-    /// Of a lamp: where it is.
+    /// Lamps only: position and size.
     [[nodiscard]] virtual std::optional<LampExtent> lamp_extent() const;
 
   private:
@@ -80,7 +78,7 @@ class SourceSampler {
     std::optional<Vec3> beam_direction_;
 };
 
-/// Light that reaches a point from a source, before anything stands in its way.
+/// Light that reaches a point from a source, without occlusion.
 struct Illumination {
     Vec3 to_light;      ///< unit
     double weight = 0;  ///< irradiance on a plane facing it for a spectrum of 1, divided by the
@@ -88,10 +86,10 @@ struct Illumination {
     double distance = std::numeric_limits<double>::infinity();  ///< of the source, world units
 };
 
-/// A source as the engine knows it.
+/// A source as used inside the engine.
 class SourceModel : public Source {
   public:
-    /// @param spectrum  see spectrum(); a value below kMinIrradiance is no light and becomes 0
+    /// @param spectrum  see spectrum(); values below kMinIrradiance become 0
     /// @param horizontal_irradiance  see horizontal_irradiance()
     SourceModel(
         std::string name,
@@ -100,10 +98,10 @@ class SourceModel : public Source {
         double horizontal_irradiance)
         : Source(std::move(name), std::move(spectrum), traits, horizontal_irradiance) {}
 
-    /// The model of the light and its parameters, but for name and spectrum. A parameter that is a
-    /// function is given by its values in the cells from which directions are drawn.
+    /// The model of the light and its parameters, except name and spectrum. A parameter that is a
+    /// function is represented by its values in the cells for sampling directions.
     [[nodiscard]] virtual ModelParameters parameters() const = 0;
-    /// Null when no light of this source meets the scene.
+    /// A sampler for a scene; null when no light of this source meets the scene.
     [[nodiscard]] virtual std::unique_ptr<SourceSampler> make_sampler_in(
         const SceneProjection& projection) const = 0;
     /// Draws a direction from which light reaches `point` (world coordinates).
@@ -111,15 +109,15 @@ class SourceModel : public Source {
         const Vec3& point, double u0, double u1) const = 0;
     /// Radiance [spectrum/sr] seen in direction `to_light`; 0 for a source of one direction.
     [[nodiscard]] virtual double radiance(const Vec3& to_light) const = 0;
-    /// What a side with this unit normal would get at most, for a spectrum of 1, if nothing stood
-    /// in its way: an upper bound of its irradiance, for suns the irradiance itself or nearly.
-    /// Infinite where there is none, as next to a lamp.
+    /// Upper bound of the unoccluded irradiance of a surface with this unit normal, for a spectrum
+    /// of 1; for suns the irradiance itself or nearly. Infinite where there is no bound, as close
+    /// to a lamp.
     [[nodiscard]] virtual double most_irradiance(const Vec3& /*normal*/) const {
         return std::numeric_limits<double>::infinity();
     }
 };
 
-/// Returns the same source as the engine knows it.
+/// Returns the SourceModel of a source.
 [[nodiscard]] inline const SourceModel& model_of(const Source& source) {
     return static_cast<const SourceModel&>(source);  // Source has no other classes
 }

@@ -1,6 +1,6 @@
 // The sun as a disk: uniform radiance 1 / (pi sin^2 r) inside a cone of half-angle r, for an
-// irradiance of 1 on a plane that faces its centre. Paths draw a direction uniformly in the cone
-// and enter the scene's box as those of a sky do.
+// irradiance of 1 on a plane facing its centre. Paths draw a direction uniformly in the cone and
+// enter the scene's box like those of a sky.
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ class Cone {
     [[nodiscard]] double solid_angle() const { return 2 * pi * depth_; }
     /// Integral of the cosine to the axis.
     [[nodiscard]] double projected() const { return pi * std::sin(radius_) * std::sin(radius_); }
-    /// Uniform in solid angle.
+    /// A direction, uniform in solid angle.
     [[nodiscard]] Vec3 direction(double u0, double u1) const {
         const double off = u0 * depth_;  // 1 - cosine to the axis
         const double sine = std::sqrt(off * (2 - off));
@@ -42,10 +42,10 @@ class Cone {
     [[nodiscard]] bool contains(const Vec3& d) const {
         return length(d - axis_) <= 2 * std::sin(0.5 * radius_);
     }
-    /// Integral over the cone of max(0, d.n), n a unit vector of which a = axis.n is given.
+    /// Integral over the cone of max(0, d.n) for a unit vector n, where a = axis.n.
     [[nodiscard]] double positive_part(double a) const;
-    /// An upper bound of it that needs no quadrature: of a cone that is cut, all of it seen at the
-    /// largest cosine.
+    /// An upper bound of positive_part() without quadrature: a cone cut by the plane counts as a
+    /// whole, at its largest cosine.
     [[nodiscard]] double most_positive_part(double a) const {
         if (std::abs(a) >= std::sin(radius_)) {
             return std::max(0.0, a) * projected();
@@ -59,9 +59,9 @@ class Cone {
     double depth_ = 0;  // 1 - cos(radius)
 };
 
-/// A cone that the plane does not cut sees all or nothing of it: the vector sum of its directions
-/// lies along the axis. One that is cut: d.n = x is seen on arcs of half-angle
-/// acos((cos r - x a) / (sqrt(1 - x^2) sqrt(1 - a^2))) about n, each dx of them covering as much of
+/// A cone on one side of the plane counts whole or not at all: the vector sum of its directions
+/// lies along the axis. In a cone that the plane cuts, d.n = x holds on arcs of half-angle
+/// acos((cos r - x a) / (sqrt(1 - x^2) sqrt(1 - a^2))) about n, and equal dx cover equal areas of
 /// the sphere (Archimedes).
 double Cone::positive_part(double a) const {
     const double sine = std::sin(radius_);
@@ -74,7 +74,7 @@ double Cone::positive_part(double a) const {
         const double cosine = (1 - depth_ - x * a) / (std::sqrt((1 - x) * (1 + x)) * flat);
         return 2 * x * std::acos(std::clamp(cosine, -1.0, 1.0));
     };
-    // x = highest sin(v), v to pi/2: smooth at the cone's edge; midpoints.
+    // x = highest sin(v), v up to pi/2: smooth at the cone's edge; midpoint rule.
     constexpr int kSteps = 2000;
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {

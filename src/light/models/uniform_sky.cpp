@@ -1,10 +1,9 @@
-// A sky of uniform radiance L = E / pi, E the irradiance on the horizontal.
+// A sky of uniform radiance L = E / pi, where E is the irradiance on the horizontal.
 //
-// Light enters an open scene through the top and the four sides of its box. A path picks a face in
+// Light enters an open scene through the top and the four sides of its box. A path draws a face in
 // proportion to the flux through it (E times the area of the top, E/2 times that of a side, which
-// sees half of the sky), a point on the face, and a direction of the cosine law about the face's
-// normal: every path carries the same light. Of a periodic scene only the faces across open axes
-// count.
+// faces half of the sky), a point on the face, and a cosine-distributed direction about the face's
+// normal: all paths carry the same light. A periodic scene has only the faces across open axes.
 
 #include <algorithm>
 #include <numbers>
@@ -19,7 +18,7 @@ namespace {
 
 constexpr std::size_t kFaces = 5;  // top, low x, high x, low y, high y
 
-/// Flux through the faces up to each of them, for an irradiance of 1.
+/// Cumulative flux through the faces, for an irradiance of 1.
 std::array<double, kFaces> summed_flux(const EntryBox& box) {
     const Vec3& area = box.face_area;
     std::array<double, kFaces> flux{area.z, 0.5 * area.x, 0.5 * area.x, 0.5 * area.y, 0.5 * area.y};
@@ -42,7 +41,7 @@ class UniformSkySampler final : public SourceSampler {
                                : from_side(face.index, face.part, u[1], u[2], u[3]);
     }
 
-    /// Evenly over the sky; through the top alone, as light comes through it.
+    /// Uniform over the sky; with the top face alone, cosine-distributed.
     [[nodiscard]] DirectionSample draw_direction(double u0, double u1) const override {
         const Vec3 to_light = has_sides() ? hemisphere_direction(2 * std::numbers::pi * u1, u0)
                                           : upward_cosine_direction(1 - u0, u1);
@@ -98,7 +97,7 @@ class UniformSky final : public SourceModel {
         auto sampler = std::make_unique<UniformSkySampler>(projection.entry_box());
         return sampler->flux() > 0 ? std::move(sampler) : nullptr;
     }
-    /// Uniform over the upper half of the sphere: bounded for a surface of any slope.
+    /// Uniform over the upper half of the sphere: bounded for surfaces of any slope.
     [[nodiscard]] Illumination illuminate(const Vec3&, double u0, double u1) const override {
         const double radius = std::sqrt(std::max(0.0, 1 - u0 * u0));
         const double around = 2 * std::numbers::pi * u1;

@@ -1,5 +1,5 @@
 // Espenak and Meeus (2006), "Five millennium canon of solar eclipses", NASA/TP-2006-214141: one
-// polynomial for each era, of those from 1900 to 2150.
+// polynomial for each era, here those from 1900 to 2150.
 
 #include <array>
 #include <span>
@@ -42,7 +42,7 @@ double delta_t_seconds(const CivilTime& time) {
     }
     const Era& e = kEras[era];
     const double value = polynomial((year - e.origin) / e.unit, e.coefficients);
-    // From 2050 on the parabola is joined to what is extrapolated from today.
+    // From 2050 on the parabola is blended with the extrapolation of present values.
     return year >= 2050 ? value - 0.5628 * (2150 - year) : value;
 }
 

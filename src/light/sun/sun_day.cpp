@@ -1,6 +1,6 @@
-// Rise, transit and set. Where the report interpolates the sun between three days, the sun is
-// computed anew at every step: the day asked for is that of the site's clock, not that of
-// Greenwich, and may lie up to a day and a half from it.
+// Rise, transit and set. The report interpolates the sun between three days; here every iteration
+// computes the sun anew, for the day is that of the site's clock, not that of Greenwich, and may
+// lie up to a day and a half from it.
 
 #include <algorithm>
 #include <cmath>
@@ -15,24 +15,24 @@ namespace {
 /// True elevation of the sun's centre at rise and set: refraction 34', radius 16'.
 constexpr double kRiseElevation = -0.8333;
 
-/// The sun at a site in the course of time.
+/// The sun at a site as a function of time.
 class SunTrack {
   public:
     SunTrack(const Site& site, double delta_t_s) : site_(site), delta_t_s_(delta_t_s) {}
 
-    /// The transit nearest to a moment (Julian days).
-    [[nodiscard]] double transit(double time_step) const {
+    /// The transit nearest to a time (Julian days).
+    [[nodiscard]] double transit(double julian_day) const {
         constexpr int kSteps = 5;  // the first leaves less than a minute
         for (int i = 0; i < kSteps; ++i) {
-            const double turned = hour_angle(geocentric_sun(time_step, delta_t_s_));
-            time_step -= (turned > 180 ? turned - 360 : turned) / 360;
+            const double turned = hour_angle(geocentric_sun(julian_day, delta_t_s_));
+            julian_day -= (turned > 180 ? turned - 360 : turned) / 360;
         }
-        return time_step;
+        return julian_day;
     }
 
     /// Elevation above that of rise and set [degrees], seen from the Earth's centre.
-    [[nodiscard]] double height(double time_step) const {
-        const GeocentricSun sun = geocentric_sun(time_step, delta_t_s_);
+    [[nodiscard]] double height(double julian_day) const {
+        const GeocentricSun sun = geocentric_sun(julian_day, delta_t_s_);
         const double phi = kRadians * site_.latitude_deg;
         const double delta = kRadians * sun.declination;
         const double sine = std::sin(phi) * std::sin(delta) +
@@ -40,7 +40,8 @@ class SunTrack {
         return std::asin(std::clamp(sine, -1.0, 1.0)) / kRadians - kRiseElevation;
     }
 
-    /// When the sun crosses the horizon between a moment when it is up and one when it is down.
+    /// The time when the sun crosses the horizon, between one with the sun up and one with the sun
+    /// down.
     [[nodiscard]] std::optional<double> crossing(double up, double down) const {
         if (height(down) >= 0) {
             return std::nullopt;
@@ -71,8 +72,8 @@ SunDay sun_day(const Site& site, const CivilTime& date, std::optional<double> de
     noon.second = 0;
     const SunTrack path(site, delta_t_s.value_or(delta_t_seconds(date)));
     const double transit = path.transit(julian_day(noon));
-    const auto on_the_clock = [&](double time_step) {
-        return civil_time(time_step, date.utc_offset_hours);
+    const auto on_the_clock = [&](double julian_day) {
+        return civil_time(julian_day, date.utc_offset_hours);
     };
     SunDay day;
     day.transit = on_the_clock(transit);

@@ -39,7 +39,7 @@ Heliocentric heliocentric(double millennia) {
         kUnit * polynomial(millennia, radius)};
 }
 
-/// Sets the nutation of a moment, Julian centuries of terrestrial time from 2000.
+/// Sets the nutation at a time, in Julian centuries of terrestrial time from 2000.
 void add_nutation(double centuries, GeocentricSun& sun) {
     // Elongation of the moon, anomalies of sun and moon, the moon's argument of latitude and node.
     constexpr std::array<std::array<double, 4>, 5> kAngles{
@@ -65,14 +65,14 @@ void add_nutation(double centuries, GeocentricSun& sun) {
     sun.nutation_obliquity *= kUnit;
 }
 
-/// Of the ecliptic, without nutation.
+/// Obliquity of the ecliptic, without nutation.
 double mean_obliquity(double millennia) {
     constexpr std::array kCoefficients{84381.448, -4680.93, -1.55, 1999.25, -51.38, -249.67,
                                        -39.05,    7.12,     27.87, 5.79,    2.45};
     return polynomial(millennia / 10, kCoefficients) / 3600;
 }
 
-/// At Greenwich, without nutation; by universal time.
+/// Mean sidereal time at Greenwich, without nutation; by universal time.
 double mean_sidereal_time(double julian_day) {
     const double centuries = (julian_day - kJ2000) / 36525;
     return full_turn(

@@ -4,7 +4,7 @@
 
 namespace quasimc {
 
-/// The sun as seen from the Earth's centre, and what it is computed from; degrees.
+/// The geocentric position of the sun, and its intermediate values; degrees.
 struct GeocentricSun {
     double earth_longitude = 0, earth_latitude = 0;  ///< heliocentric
     double distance_au = 1;
@@ -16,12 +16,12 @@ struct GeocentricSun {
     double mean_longitude = 0;  ///< of the sun
 };
 
-/// Reda and Andreas (2004), sections 3.2 to 3.10.
+/// Algorithm of Reda and Andreas (2004), sections 3.2 to 3.10.
 /// @param julian_day  universal time
 /// @param delta_t_s   terrestrial less universal time [s]
 [[nodiscard]] GeocentricSun geocentric_sun(double julian_day, double delta_t_s);
 
-/// An angle brought to 0 <= angle < 360.
+/// An angle reduced to 0 <= angle < 360.
 [[nodiscard]] double full_turn(double degrees);
 
 /// coefficients[0] + coefficients[1] x + coefficients[2] x^2 ...

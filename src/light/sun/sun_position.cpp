@@ -8,8 +8,8 @@
 namespace quasimc {
 namespace {
 
-/// Right ascension, declination and hour angle as seen from a site on the Earth's surface: the
-/// sun's parallax taken in (section 3.12).
+/// Right ascension, declination and hour angle as seen from a site on the Earth's surface,
+/// corrected for the sun's parallax (section 3.12).
 void set_topocentric(const Site& site, double distance_au, SunIntermediates& values) {
     constexpr double kAxisRatio = 0.99664719;
     constexpr double kEarthRadius = 6378140;
@@ -29,8 +29,7 @@ void set_topocentric(const Site& site, double distance_au, SunIntermediates& val
     values.topocentric_hour_angle_deg = values.hour_angle_deg - shift / kRadians;
 }
 
-/// By how much the air lifts the sun [degrees]; nothing once the whole disk is below the horizon
-/// (section 3.14).
+/// Refraction [degrees]; 0 once the whole disk is below the horizon (section 3.14).
 double refraction_deg(const Site& site, double true_elevation_deg) {
     constexpr double kSunRadius = 0.26667;
     constexpr double kAtHorizon = 0.5667;
@@ -45,7 +44,7 @@ double refraction_deg(const Site& site, double true_elevation_deg) {
 double equation_of_time_min(const GeocentricSun& sun) {
     double minutes = 4 * (sun.mean_longitude - 0.0057183 - sun.right_ascension +
                           sun.nutation_longitude * std::cos(kRadians * sun.obliquity));
-    // A whole turn is a day; the equation itself is within 20 minutes.
+    // A full turn is a day; the equation itself is within 20 minutes.
     minutes -= 1440 * std::round(minutes / 1440);
     return minutes;
 }

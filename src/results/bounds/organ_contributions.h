@@ -24,7 +24,7 @@ class OrganContributions {
     /// Whether the size of contributions is known: by the unoccluded light, or for each sampling
     /// strategy.
     [[nodiscard]] bool knows_contributions() const { return knows_unoccluded_ || knows_kinds_; }
-    /// Whether each strategy has so many contributions that one more changes nothing.
+    /// Whether each strategy has enough contributions for one more to change nothing.
     [[nodiscard]] bool has_enough_contributions() const { return is_settled_; }
     /// One contribution to a quantity, as flux. Requires knows_contributions().
     [[nodiscard]] ContributionSize contribution(Quantity quantity) const;

@@ -1,4 +1,4 @@
-// Compiled once for each vector unit: foreach_target.h includes this file again and again.
+// Compiled once for each vector unit: foreach_target.h includes this file repeatedly.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "series/basis/add_responses.cpp"
 #include "series/basis/add_responses.h"
@@ -11,10 +11,10 @@ namespace quasimc {
 namespace HWY_NAMESPACE {
 namespace {
 
-// Products and sums, not MulAdd, which rounds otherwise on machines that have a fused one.
+// Products and sums, not MulAdd, which rounds differently on machines with a fused one.
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One number, or as many as a vector has, of some responses.
+/// One number, or a vector of them, of some responses.
 template <typename D>
 struct Terms {
     using Vector = hn::Vec<D>;
@@ -30,7 +30,7 @@ struct Terms {
         return hn::PromoteTo(d, hn::LoadU(hn::Rebind<float, D>(), from));
     }
     /// Adds them to a sum.
-    /// @param factors  of them, `stride` from each other
+    /// @param factors  one per response, at a distance of `stride`
     Vector add_to(Vector sum, D d, const double* factors, std::size_t stride) const {
         const auto times = [&](std::size_t k, Vector x) {
             return hn::Mul(hn::Set(d, factors[k * stride]), x);
@@ -41,14 +41,14 @@ struct Terms {
     }
 };
 
-/// What is added to.
+/// The sums to which responses are added.
 struct Target {
     const double* factors;
     double* const* to;
     std::size_t sums;
 };
 
-/// Of four sums, the numbers from `at` on.
+/// Four sums, from position `at` on.
 template <typename D>
 void add_at(
     D d, const float* const* from, std::size_t responses, std::size_t at, const Target& target) {

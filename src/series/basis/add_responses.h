@@ -4,7 +4,7 @@
 
 namespace quasimc {
 
-/// Responses and sums of which so many are added, or added to, at once.
+/// Number of responses and of sums that are processed together.
 inline constexpr std::size_t kAddedAtOnce = 4;
 
 /// Adds several responses to several sums, compiled for a vector unit:
@@ -18,7 +18,7 @@ using AddResponses = void (*)(
     std::size_t sums,
     double* const* to);
 
-/// That for the vector unit of this machine. All variants compute the same bits.
+/// The loop for the vector unit of this machine. All variants compute the same bits.
 [[nodiscard]] AddResponses best_add_responses();
 
 }  // namespace quasimc

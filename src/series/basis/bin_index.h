@@ -7,7 +7,7 @@
 
 namespace quasimc {
 
-/// The bins of light that is put together from several runs: a spectrum for each band, so that
+/// The bins of light that is combined from several runs: one spectrum for each band, so that
 /// amounts of all of them can be added, and two levels of patches.
 struct BasisLayout {
     BasisLayout(std::size_t regions, std::size_t bands);
@@ -20,24 +20,24 @@ struct BasisLayout {
     [[nodiscard]] std::size_t bins() const { return sums.bins(); }
 };
 
-/// What a bin of a basis holds.
+/// The meaning of a bin of a basis.
 struct BinPart {
     enum class Kind { direct, scattered, sunlit, none };
     Kind kind = Kind::none;
     std::size_t band = 0;
 
     [[nodiscard]] bool is_light() const { return kind == Kind::direct || kind == Kind::scattered; }
-    /// Of light: the amount it is multiplied by, of those of direct light by band, then those of
-    /// scattered light.
+    /// Index of the amount that a bin of light is multiplied by: direct light by band, then
+    /// scattered light by band.
     [[nodiscard]] std::size_t amount(std::size_t bands) const {
         return (kind == Kind::scattered ? bands : 0) + band;
     }
 };
-/// Of the bins of a region, then of those of the run.
+/// The bins of a region, then those of the run.
 [[nodiscard]] std::vector<BinPart> bin_parts(const BasisLayout& layout);
 
 /// The index of a bin in a response: part by part, the first bin of all regions, the second of all
-/// regions, ..., then those of the run.
+/// regions, ..., then the bins of the run.
 class BinIndex {
   public:
     explicit BinIndex(const BasisLayout& layout)
@@ -46,7 +46,7 @@ class BinIndex {
     [[nodiscard]] std::size_t of(std::size_t bin) const {
         return bin < tail_ ? bin % stride_ * regions_ + bin / stride_ : bin;
     }
-    /// The first index of a part, as bin_parts() counts them, and the number of its bins below.
+    /// The first index of a part of bin_parts(), and its number of bins below.
     [[nodiscard]] std::size_t first(std::size_t part) const {
         return part < stride_ ? part * regions_ : tail_ + part - stride_;
     }

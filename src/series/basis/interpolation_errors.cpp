@@ -8,7 +8,7 @@
 namespace quasimc {
 namespace {
 
-/// Regions are in so many groups by their light, of at least so many regions.
+/// Number of groups of regions with similar light, and the smallest size of a group.
 constexpr std::size_t kGroups = 16, kMinRegions = 64;
 
 }  // namespace
@@ -34,7 +34,8 @@ void InterpolationErrors::add(const LightSum& together, const LightSum& as_it_is
     add_parts(squares, lights);
 }
 
-/// In parts of all light of the time: at dawn the sky is dim, and its hats are the worst.
+/// Relative to all light of the time: at dawn the sky is dim, and the basis functions are least
+/// accurate.
 void InterpolationErrors::add_parts(
     const std::vector<double>& squares, const std::vector<double>& lights) {
     std::vector<float>& own = squares_.emplace_back(light_.size());
@@ -79,7 +80,7 @@ std::vector<double> InterpolationErrors::relative() const {
     return errors;
 }
 
-/// Of a group.
+/// Relative error of a group.
 double InterpolationErrors::relative(const std::vector<std::size_t>& bins) const {
     double light = 0;
     for (const std::size_t bin : bins) {
@@ -98,7 +99,7 @@ double InterpolationErrors::relative(const std::vector<std::size_t>& bins) const
         sum += own;
         of_squares += own * own;
     }
-    // That of a sum of independent times; of few of them it is no less than the sum itself.
+    // The error of a sum of independent times; with few times it is at least the sum itself.
     const auto times = static_cast<double>(squares_.size());
     const double variance =
         times > 1 ? std::max(0., of_squares - sum * sum / times) * times / (times - 1) : of_squares;

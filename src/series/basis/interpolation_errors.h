@@ -6,19 +6,19 @@
 
 namespace quasimc {
 
-/// How wrong light is that is put together from directions, from times for which it was solved as
-/// it is. What the noise of replicates makes of the difference is taken off; regions of like
-/// brightness share an error, so that a few times are enough to tell it. Bright times and dim ones
-/// count alike.
+/// Interpolation error of light combined from basis functions, estimated from reference time steps
+/// that are computed directly. The noise of replicates is subtracted from the differences; regions
+/// of similar brightness share an error, so that a few reference steps suffice. Bright and dim
+/// times have equal weight.
 class InterpolationErrors {
   public:
     explicit InterpolationErrors(const BasisLayout& layout)
         : layout_(layout), light_(layout.bins()) {}
 
-    /// Adds a time.
+    /// Adds a reference time step.
     void add(const LightSum& together, const LightSum& as_it_is);
 
-    /// The relative error by BinIndex, with one standard error of itself on top.
+    /// The relative error by BinIndex, plus one standard error of itself.
     [[nodiscard]] std::vector<double> relative() const;
 
   private:
@@ -26,8 +26,8 @@ class InterpolationErrors {
     [[nodiscard]] double relative(const std::vector<std::size_t>& bins) const;
 
     BasisLayout layout_;
-    std::vector<double> light_;                // by BinIndex: squares, in parts of those of a time
-    std::vector<std::vector<float>> squares_;  // [time][BinIndex]: of differences, less noise
+    std::vector<double> light_;  // by BinIndex: squares, relative to the light of a time
+    std::vector<std::vector<float>> squares_;  // [time][BinIndex]: of differences, without noise
 };
 
 }  // namespace quasimc

@@ -49,14 +49,14 @@ class ResponseReader {
         return flux;
     }
 
-    /// Of the bands that the light has for itself.
+    /// The first of the bands reserved for this light.
     [[nodiscard]] std::size_t own(std::size_t band) const {
         return repeated_band(band, copy_, sums_.bands() / to_.bands);
     }
 
   private:
-    /// Of a sky a number of directions was drawn, which brought more or less than its light: in
-    /// proportion to what they brought all of it is known better.
+    /// Scales the response of a sky, represented by a number of random directions, to its emitted
+    /// flux: their sum varies, and the ratio is more accurate.
     void settle(std::vector<float>& flux) const {
         std::vector<float> factors(to_.bands, 1);
         for (std::size_t b = 0; b < to_.bands; ++b) {
@@ -74,7 +74,7 @@ class ResponseReader {
             }
         }
     }
-    /// Where scattered light of a band went.
+    /// Reads where the scattered light of a band went.
     void read_flows(
         const ExactBins& bins,
         std::size_t b,
@@ -103,11 +103,11 @@ class ResponseReader {
     void put(std::vector<float>& flux, std::size_t bin, double value) const {
         flux[index_.of(bin)] = static_cast<float>(value);
     }
-    /// Of bins by band that begin at `first`.
+    /// Flux of one band, for bins by band that begin at `first`.
     [[nodiscard]] double band(const ExactBins& bins, std::size_t first, std::size_t b) const {
         return bins.value(first + own(b)) * flux_[b];
     }
-    /// Of bins by spectrum that begin at `first`.
+    /// Flux of direct light in a band, for bins by spectrum that begin at `first`.
     [[nodiscard]] double direct(const ExactBins& bins, std::size_t first, std::size_t b) const {
         double sum = 0;
         for (const std::size_t s : spectra_[b]) {
@@ -122,12 +122,12 @@ class ResponseReader {
     const BasisLayout& to_;
     BinIndex index_;
     std::size_t copy_;
-    std::vector<double> flux_;                       // per band, of a unit
-    std::vector<std::vector<std::size_t>> spectra_;  // per band, those with light in it
+    std::vector<double> flux_;                       // per band, for one unit
+    std::vector<std::vector<std::size_t>> spectra_;  // per band, spectra with light in it
     double sunlit_;
 };
 
-/// What one replicate sees of suns.
+/// The bins of suns in one replicate.
 std::vector<float> bins_of_suns(const SunLight& light, const BasisLayout& layout) {
     const BinIndex index(layout);
     std::vector<float> bins(layout.bins());

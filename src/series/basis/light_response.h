@@ -10,9 +10,9 @@
 
 namespace quasimc {
 
-/// What one light brings, apart from noise linear in its amount.
+/// The light of a scene due to one source, linear in its amount except for noise.
 struct LightResponse {
-    /// [replicate][BinIndex]: flux; of what is sunlit, area
+    /// [replicate][BinIndex]: flux, or sunlit area
     std::vector<std::vector<float>> bins;
     std::vector<double> emitted;  ///< flux into the scene, per band
 
@@ -21,13 +21,13 @@ struct LightResponse {
     }
 };
 
-/// Reads what those lights bring that have one copy of all bands for themselves.
+/// Reads the responses to lights that each have a copy of all bands.
 /// @param sums  of with_repeated_bands()
 [[nodiscard]] LightResponse read_response(
     const Sums& sums, std::size_t copy, const BasisLayout& layout);
 
-/// What comes straight from suns.
-/// @param replicates  what each sees
+/// The response to direct light of suns.
+/// @param replicates  their light, per replicate
 [[nodiscard]] LightResponse response_of_suns(
     const std::vector<SunLight>& replicates, const BasisLayout& layout);
 

@@ -13,28 +13,28 @@
 namespace quasimc {
 namespace {
 
-/// Units of the light of a band that is emitted: sums of several times as much still fit.
+/// Units per emitted light of a band: sums of several times as much still fit.
 constexpr double kUnits = 1 << 28;
 
-/// To the nearest, in line: the library's function costs more than all else that is done to a bin.
+/// Rounds to nearest, inline: the library's function costs more than all other work on a bin.
 [[nodiscard]] std::int64_t rounded(double x) {
     return static_cast<std::int64_t>(x + std::copysign(0.5, x));
 }
 
-/// So many bins of all responses lie in the caches while they are added to several sums.
+/// Number of bins that stay in the caches while they are added to several sums.
 constexpr std::size_t kChunk = 256;
 
-/// Bins of a replicate that stand side by side, and which amount of each response counts for them.
+/// Adjacent bins of a replicate, and the amount of each response that applies to them.
 struct BinRange {
     std::size_t replicate, first, count;
-    std::size_t amount, amounts;  // which of how many
+    std::size_t amount, amounts;  // index and number of amounts
 };
 
-[[nodiscard]] constexpr std::size_t filled_up(std::size_t count) {
+[[nodiscard]] constexpr std::size_t padded(std::size_t count) {
     return (count + kAddedAtOnce - 1) / kAddedAtOnce * kAddedAtOnce;
 }
 
-/// The responses that have bins, filled up with one of them.
+/// The responses that have bins, padded with the first of them.
 std::vector<std::size_t> used_responses(std::span<const LightResponse> responses) {
     std::vector<std::size_t> used;
     for (std::size_t k = 0; k < responses.size(); ++k) {
@@ -42,20 +42,20 @@ std::vector<std::size_t> used_responses(std::span<const LightResponse> responses
             used.push_back(k);
         }
     }
-    used.resize(filled_up(used.size()), used.empty() ? 0 : used.front());
+    used.resize(padded(used.size()), used.empty() ? 0 : used.front());
     return used;
 }
 
-/// By how much responses count, [response][sum]: those that fill up, by nothing.
+/// Factors of responses, [response][sum]; 0 for padding.
 std::vector<double> factors_of(
     std::span<const std::size_t> used,
     std::span<const std::vector<double>* const> amounts,
     const BinRange& bins) {
-    const std::size_t sums = filled_up(amounts.size());
+    const std::size_t sums = padded(amounts.size());
     std::vector<double> factors(used.size() * sums);
     for (std::size_t k = 0; k < used.size(); ++k) {
-        const bool fills_up = k > 0 && used[k] == used.front();
-        for (std::size_t i = 0; i < amounts.size() && !fills_up; ++i) {
+        const bool is_padding = k > 0 && used[k] == used.front();
+        for (std::size_t i = 0; i < amounts.size() && !is_padding; ++i) {
             factors[k * sums + i] = (*amounts[i])[used[k] * bins.amounts + bins.amount];
         }
     }
@@ -63,7 +63,7 @@ std::vector<double> factors_of(
 }
 
 /// Adds all responses to each of several sums.
-/// @param to  where the stretch begins in each
+/// @param to  the first bin of the range in each
 void add_all(
     std::span<const LightResponse> responses,
     std::span<const std::vector<double>* const> amounts,
@@ -73,7 +73,7 @@ void add_all(
     const std::vector<std::size_t> used = used_responses(responses);
     const std::vector<double> factors = factors_of(used, amounts, bins);
     std::vector<double> nowhere(kChunk);
-    std::vector<double*> at(filled_up(to.size()), nowhere.data());
+    std::vector<double*> at(padded(to.size()), nowhere.data());
     std::vector<const float*> from(used.size());
     for (std::size_t begin = 0; begin < bins.count; begin += kChunk) {
         for (std::size_t k = 0; k < used.size(); ++k) {
@@ -104,7 +104,7 @@ void LightSum::combine(
     const std::vector<BinPart> parts = bin_parts(any.layout_);
     const BinIndex index(any.layout_);
     const std::size_t bands = any.layout_.bands;
-    std::vector<std::size_t> lit;  // most hours of a night have nothing
+    std::vector<std::size_t> lit;  // most hours of a night have no light
     std::vector<const std::vector<double>*> amounts_of_lit;
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const auto is_some = [](double amount) { return amount != 0; };
@@ -170,7 +170,7 @@ void LightSum::add_suns(const LightResponse& response, double factor) {
     }
 }
 
-/// @param factors  of the bins of each region, then of those of the run
+/// @param factors  for the bins of each region, then for those of the run
 void LightSum::add_parts(const LightResponse& response, std::span<const double> factors) {
     EXPECT(response.bins.size() == bins_.size() || bins_.size() == 1);
     const BinIndex index(layout_);
@@ -267,7 +267,7 @@ bool LightSum::is_dark() const {
     return std::all_of(emitted_.begin(), emitted_.end(), [](double x) { return x == 0; });
 }
 
-/// @param units  light of a unit, by bin of a region and then of the run
+/// @param units  light per unit, by bin of a region and then of the run
 ExactBins LightSum::exact_bins(std::size_t replicate, std::span<const double> units) const {
     const std::size_t stride = layout_.sums.stride();
     const BinIndex index(layout_);

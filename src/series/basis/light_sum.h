@@ -9,20 +9,20 @@
 
 namespace quasimc {
 
-/// What falls on all regions, per band: the sum, and the sum of its variances.
+/// Incident light of all regions, per band: the sum, and the sum of its variances.
 struct SumWithVariance {
     std::vector<double> light, variance;
 };
 
-/// Light of several responses, each so many times.
+/// A linear combination of responses.
 class LightSum {
   public:
     LightSum(const BasisLayout& layout, std::size_t replicates);
 
-    /// Makes several sums of the same responses, in one go: they are read once for all.
-    /// @param amounts  of each sum: [response][amounts of add()]
-    /// @param responses  without bins: no sum has any of it
-    /// @param sums  of one layout; what they held is lost
+    /// Computes several sums of the same responses together: responses are read once.
+    /// @param amounts  per sum: [response][amounts of add()]
+    /// @param responses  those without bins are in no sum
+    /// @param sums  of one layout; overwritten
     static void combine(
         std::span<const LightResponse> responses,
         std::span<const std::vector<double>> amounts,
@@ -30,28 +30,29 @@ class LightSum {
         unsigned threads);
 
     /// Adds a response.
-    /// @param amounts  by how much each of its parts counts: per band of light straight from it,
-    ///        then per band of what was scattered. Of what is sunlit nothing is added.
+    /// @param amounts  factors: per band for direct light, then per band for scattered light.
+    /// Sunlit areas are not added.
     void add(const LightResponse& response, std::span<const double> amounts);
-    /// Adds the light straight from suns and what of the scene they light, `factor` times. The
-    /// response's scattered light is left out. To a single replicate the mean of all is added.
+    /// Adds `factor` times the direct light and the sunlit areas of suns, without scattered light.
+    /// A sum of one replicate gets the mean of all.
     void add_suns(const LightResponse& response, double factor);
     LightSum& operator+=(const LightSum& other);
-    /// The mean of all replicates, as the only one.
+    /// The mean of all replicates, as a single one.
     [[nodiscard]] LightSum averaged() const;
-    /// Raises each bin by a part of itself, and makes of that both levels of patches.
-    /// @param parts  by BinIndex of a bin
+    /// Raises each bin by a fraction of itself, which becomes the difference between two levels of
+    /// patches.
+    /// @param parts  fractions by BinIndex
     void raise(std::span<const double> parts);
 
     /// [replicate][BinIndex]
     [[nodiscard]] const std::vector<std::vector<double>>& bins() const { return bins_; }
-    /// @param errors  relative, by BinIndex of a bin, on top of what replicates say; empty: none
+    /// @param errors  relative, by BinIndex, added to the spread of replicates; empty: none
     [[nodiscard]] SumWithVariance spread(std::span<const double> errors) const;
     [[nodiscard]] bool is_dark() const;
 
-    /// What evaluate() reads.
+    /// Input of evaluate().
     struct Reading {
-        std::uint64_t paths = 1;  ///< that stand for the light, of each replicate
+        std::uint64_t paths = 1;  ///< equivalent paths per replicate
         double sunlit_area = 0;   ///< of all regions; 0: no sun shines
     };
     [[nodiscard]] Sums sums(const Reading& reading) const;

@@ -1,6 +1,6 @@
-// A series whose times are computed together. What all of them have in common is solved first
-// (series/basis/season_basis.h); then each time is put together from it, and the light straight
-// from its suns is found for each by itself (series/basis/season_suns.h).
+// A series whose time steps are computed together. Their common basis is solved first
+// (series/basis/season_basis.h); each time step is a combination of it, and the direct light of its
+// suns is computed separately (series/basis/season_suns.h).
 
 #include "series/basis/season.h"
 
@@ -23,12 +23,12 @@
 namespace quasimc {
 namespace {
 
-/// Of the progress of a series, the part that what its times have in common takes.
+/// Fraction of the progress of a series for its basis.
 constexpr double kShareOfBasis = 0.5;
-/// Times that are put together at once take about so much memory, and are at most so many.
-constexpr double kWindowBytes = 256e6, kMaxInWindow = 16;
+/// Memory and number of time steps that are combined together.
+constexpr double kStepBatchBytes = 256e6, kMaxInBatch = 16;
 
-/// Groups as SeriesSum has them.
+/// Groups in the form of SeriesSum.
 GroupResults without_fractions(GroupResults groups) {
     groups.sunlit_fraction.clear();
     groups.sunlit_area.clear();
@@ -52,7 +52,7 @@ class Season final : public SeriesSteps {
         day_.emplace(*basis_, in_.spec.replicates);
         total_.emplace(*basis_, in_.spec.replicates);
         walk_series(in_, *this, summary_);
-        if (is_wanted(SeriesPart::total, in_.control)) {
+        if (is_requested(SeriesPart::total, in_.control)) {
             summary_.total = sum_of(*total_);
         }
         summary_.seconds = watch_.seconds();
@@ -66,20 +66,20 @@ class Season final : public SeriesSteps {
     struct Period {
         Period(const SeasonBasis& basis, std::size_t replicates)
             : amounts(basis.no_light()), suns(basis.layout(), replicates) {}
-        SeasonBasis::Amounts amounts;  ///< x s, of the directions
+        SeasonBasis::Amounts amounts;  ///< x s, per direction
         LightSum suns;                 ///< x s
         double seconds = 0;
     };
 
-    /// Times that are put together at once: responses are read once for all of them.
-    struct Window {
+    /// Time steps that are combined together: responses are read once for all of them.
+    struct Batch {
         std::size_t first = 0, end = 0;
         std::vector<SeasonBasis::Amounts> amounts;
         std::vector<LightSum> light;
         std::vector<std::optional<LightResponse>> suns;
     };
 
-    /// The basis has the first seed of the series, each time that is lit the next.
+    /// The basis has the first seed of the series, each lit time step the next.
     void number_traces() {
         std::uint64_t last = 0;
         for (const TimeStep& step : in_.time_steps) {
@@ -93,7 +93,7 @@ class Season final : public SeriesSteps {
         return {shining(in_.time_steps[i].sources, Shining::suns), traces_[i]};
     }
 
-    /// Computes what all times have in common, and how closely suns are to be looked at.
+    /// Computes the common basis of all time steps, and the number of pixels per sun.
     void prepare() {
         try {
             basis_.emplace(
@@ -124,28 +124,28 @@ class Season final : public SeriesSteps {
         suns_->choose_pixels(times, others);
     }
 
-    /// As many times as memory may hold.
-    [[nodiscard]] std::size_t window_size() const {
+    /// The number of time steps that fit into memory.
+    [[nodiscard]] std::size_t batch_size() const {
         const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
                             static_cast<double>(in_.spec.replicates);
-        return static_cast<std::size_t>(std::clamp(kWindowBytes / each, 1.0, kMaxInWindow));
+        return static_cast<std::size_t>(std::clamp(kStepBatchBytes / each, 1.0, kMaxInBatch));
     }
 
-    void fill_window(std::size_t first) {
-        window_.amounts.clear();
-        window_.first = first;
-        window_.end = std::min(first + window_size(), in_.time_steps.size());
+    void fill_batch(std::size_t first) {
+        batch_.amounts.clear();
+        batch_.first = first;
+        batch_.end = std::min(first + batch_size(), in_.time_steps.size());
         std::vector<SunsOfTime> suns;
-        for (std::size_t i = first; i < window_.end; ++i) {
+        for (std::size_t i = first; i < batch_.end; ++i) {
             suns.push_back(suns_of(i));
         }
-        window_.suns = suns_->light_of(suns);
-        for (std::size_t i = first; i < window_.end; ++i) {
-            const std::optional<LightResponse>& own = window_.suns[i - first];
-            window_.amounts.push_back(
+        batch_.suns = suns_->light_of(suns);
+        for (std::size_t i = first; i < batch_.end; ++i) {
+            const std::optional<LightResponse>& own = batch_.suns[i - first];
+            batch_.amounts.push_back(
                 basis_->amounts_of(in_.time_steps[i].sources, own ? &*own : nullptr));
         }
-        basis_->find_light(window_.amounts, window_.light);
+        basis_->find_light(batch_.amounts, batch_.light);
     }
 
     void compute(std::size_t i) override {
@@ -153,8 +153,8 @@ class Season final : public SeriesSteps {
             if (early_.token().stop_requested()) {
                 throw Stopped(early_.why(), "");
             }
-            if (i >= window_.end) {
-                fill_window(i);
+            if (i >= batch_.end) {
+                fill_batch(i);
             }
         } catch (const Stopped&) {
             throw Stopped(
@@ -162,11 +162,11 @@ class Season final : public SeriesSteps {
                 "stopped before the first time step was complete; there is no result");
         }
         const TimeStep& step = in_.time_steps[i];
-        const std::size_t at = i - window_.first;
-        const std::optional<LightResponse>& suns = window_.suns[at];
+        const std::size_t at = i - batch_.first;
+        const std::optional<LightResponse>& suns = batch_.suns[at];
         for (Period* period : {&*day_, &*total_}) {
-            for (std::size_t k = 0; k < window_.amounts[at].size(); ++k) {
-                period->amounts[k] += step.seconds * window_.amounts[at][k];
+            for (std::size_t k = 0; k < batch_.amounts[at].size(); ++k) {
+                period->amounts[k] += step.seconds * batch_.amounts[at][k];
             }
             if (suns) {
                 period->suns.add_suns(*suns, step.seconds);
@@ -177,9 +177,9 @@ class Season final : public SeriesSteps {
             ++summary_.computed;
             ++summary_.methods[Method::ray_bundles];
         }
-        if (is_wanted(SeriesPart::time_steps, in_.control)) {
+        if (is_requested(SeriesPart::time_steps, in_.control)) {
             const Result result = result_of(
-                window_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
+                batch_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
                 step.sources);
             report_time_step(in_.control, {i, result, i});
         }
@@ -188,7 +188,7 @@ class Season final : public SeriesSteps {
                                 static_cast<double>(in_.time_steps.size()));
     }
 
-    /// How many paths may stand for the light of so many suns, of which pixels see as much at most.
+    /// The equivalent number of paths for the light of several suns, limited by their pixels.
     [[nodiscard]] std::uint64_t paths_of(std::size_t suns) const {
         const double pixels = suns_->pixels() * static_cast<double>(suns);
         return suns == 0 ? in_.spec.paths
@@ -196,7 +196,7 @@ class Season final : public SeriesSteps {
                                std::min(pixels, static_cast<double>(in_.spec.paths)));
     }
 
-    /// Light straight from suns, in either form.
+    /// Direct light of suns, in either form.
     struct LightOfSuns {
         const LightResponse* of_time;  ///< none: no sun shines
         const LightSum* of_period;
@@ -217,7 +217,7 @@ class Season final : public SeriesSteps {
         }
     };
 
-    /// @param light  all other; gets that of the suns as well
+    /// @param light  all other light; direct light of suns is added
     /// @param sources  of the time; empty for sums over times
     [[nodiscard]] Result result_of(
         LightSum& light, const LightOfSuns& suns, const Sources& sources) const {
@@ -256,7 +256,7 @@ class Season final : public SeriesSteps {
     }
 
     void finish_day(std::size_t last) override {
-        if (is_wanted(SeriesPart::days, in_.control)) {
+        if (is_requested(SeriesPart::days, in_.control)) {
             report_day(in_.control, in_.time_steps[last].day, sum_of(*day_));
         }
         day_.emplace(*basis_, in_.spec.replicates);
@@ -267,11 +267,11 @@ class Season final : public SeriesSteps {
     Stopwatch watch_;
     Work work_ = work_of(in_.control);
     double area_ = 0;
-    std::vector<std::uint64_t> traces_;  // by time; 0: it is dark
+    std::vector<std::uint64_t> traces_;  // by time step; 0: no light
     std::optional<SeasonBasis> basis_;
     std::optional<SeasonSuns> suns_;
     std::optional<Period> day_, total_;
-    Window window_;
+    Batch batch_;
     SeriesSummary summary_;
 };
 

@@ -4,9 +4,11 @@
 
 namespace quasimc {
 
-/// As run_series(), of times that are computed together (TimeMethod::daylight_coefficients).
-/// @throws InputError  with the faults of check_together(), and as run_series() does
-/// @throws Stopped  if it is stopped, or its time is up, before its first time is complete
+/// Like run_series(), for time steps that are computed together
+/// (TimeMethod::daylight_coefficients).
+/// @throws InputError  for errors of check_together(), and like run_series()
+/// @throws Stopped  if it is stopped, or its time limit is over, before its first time step is
+/// complete
 [[nodiscard]] SeriesSummary run_season(const SeriesInput& input);
 
 }  // namespace quasimc

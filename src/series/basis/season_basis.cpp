@@ -26,14 +26,13 @@ namespace {
 
 /// Rings of directions: 184 of them, 10.6 degrees apart.
 constexpr std::uint32_t kRings = 9;
-/// Times that are left out, to tell the error.
+/// Number of reference time steps, for the interpolation error.
 constexpr std::size_t kReferenceSteps = 12;
-/// Lights that are solved for at once take about so much memory for each thread, and are at most so
-/// many.
+/// Memory per thread for lights that are solved together, which limits their number.
 constexpr double kBatchBytes = 256e6;
 constexpr std::size_t kMaxInBatch = 64;
 
-/// How much light a time brings to the horizontal, all bands together.
+/// Irradiance of a time step on the horizontal, sum of all bands.
 double light_of_time(const TimeStep& step) {
     double sum = 0;
     for (const auto& source : step.sources) {
@@ -44,8 +43,8 @@ double light_of_time(const TimeStep& step) {
     return sum;
 }
 
-/// Some of the times, half of them spread over their light and half over those that are lit: most
-/// of the light is of few skies, and the dim ones are others.
+/// Some of the time steps, half of them spread over their light and half over all lit ones: few
+/// skies have most of the light, and dim ones differ from them.
 std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::size_t count) {
     std::vector<double> lights;
     double all = 0, lit = 0;
@@ -73,7 +72,7 @@ std::vector<std::size_t> spread_times(const std::vector<TimeStep>& steps, std::s
     return chosen;
 }
 
-/// [region][side][band]; of sensors 0.
+/// [region][side][band]; 0 for sensors.
 std::vector<double> albedos_of(const Scene& scene) {
     std::vector<double> albedos;
     for (const Region& region : scene.regions()) {
@@ -109,8 +108,8 @@ Sources shining(const Sources& sources, Shining which) {
     return found;
 }
 
-/// A time that is solved for as it is, and what came of it: one of its skies, and its suns' light
-/// from where the sun stands in the middle.
+/// A time step that is solved directly, and its result: one of its skies, and the light of its suns
+/// at the middle position.
 struct SeasonBasis::ReferenceStep {
     std::shared_ptr<const Source> sky;
     std::optional<SunBeam> sun;
@@ -146,7 +145,7 @@ class SeasonBasis::Solving {
 
   private:
     struct Light {
-        SkyShape shape;  // of a sky
+        SkyShape shape;  // for skies
         std::optional<Vec3> to_light;
         LightResponse* to;
     };
@@ -158,7 +157,7 @@ class SeasonBasis::Solving {
         return std::clamp<std::size_t>(fit, 1, kMaxInBatch);
     }
 
-    /// @param batch_index  in a batch of `count`
+    /// @param batch_index  index in a batch of `count`
     [[nodiscard]] std::shared_ptr<const Source> source(
         const Light& light, std::size_t batch_index, std::size_t count) const {
         const std::size_t bands = scene_.bands().size();

@@ -12,26 +12,26 @@
 
 namespace quasimc {
 
-/// A sun as a beam: where its light comes from (of a disk: from its middle), and the irradiance on
-/// a plane that faces it, per band.
+/// A sun as a beam: its direction (for a disk: of its centre), and the irradiance on a plane facing
+/// it, per band.
 struct SunBeam {
     Vec3 to_light;
     std::vector<double> facing;
 };
 [[nodiscard]] SunBeam beam_of(const Source& sun);
 
-/// Directions over the hemisphere, from whose light that of all times is put together.
+/// Number of basis directions on the hemisphere.
 [[nodiscard]] std::uint32_t season_directions();
 
-/// What the times of a series have in common: the responses of a scene to light from a set of
-/// directions, of which skies, and the scattered light of suns, are put together
-/// (docs/develop/decisions/daylight-coefficients.md).
+/// The common basis of the time steps of a series: daylight coefficients, the responses of a scene
+/// to light from a set of directions (Tregenza and Waters 1983). Skies and the scattered light of
+/// suns are combinations of them (docs/develop/decisions/daylight-coefficients.md).
 class SeasonBasis {
   public:
-    /// Solves for all directions that some time needs, and for a few times as they are, which tell
-    /// the error of the others.
-    /// @param spec  that check_together() found no fault with
-    /// @param control  whose stop and work count
+    /// Solves for all directions that some time step needs, and for a few reference time steps,
+    /// which give the interpolation error.
+    /// @param spec  without errors of check_together()
+    /// @param control  only its stop and work are used
     /// @throws Stopped  if it was stopped
     SeasonBasis(
         Simulator& simulator,
@@ -43,25 +43,24 @@ class SeasonBasis {
     /// Amounts of light from the directions: [direction][LightSum::add's amounts].
     using Amounts = std::vector<double>;
     [[nodiscard]] Amounts no_light() const;
-    /// Those of a time's skies and of the scattered light of its suns.
-    /// @param suns  light straight from them, if it is known: what of it is scattered first tells
-    ///        how much is scattered in all
+    /// The amounts of a time step's skies and of the scattered light of its suns.
+    /// @param suns  their direct light, if known: its first scattering scales the scattered light
     [[nodiscard]] Amounts amounts_of(const Sources& sources, const LightResponse* suns) const;
-    /// That light.
+    /// The light of given amounts.
     [[nodiscard]] LightSum light_of(const Amounts& amounts) const;
-    /// That of several times at once.
-    /// @param light  gets it, the first time first; it is longer where it was
+    /// Computes the light of several time steps together.
+    /// @param light  result; may be longer than `amounts`
     void find_light(std::span<const Amounts> amounts, std::vector<LightSum>& light) const;
-    /// Its relative error by BinIndex, as in LightResponse.
+    /// The relative interpolation error by BinIndex, as in LightResponse.
     [[nodiscard]] const std::vector<double>& errors() const { return errors_; }
 
-    /// The times that were solved for as they are.
+    /// The time steps that were solved directly.
     [[nodiscard]] const std::vector<std::size_t>& reference_steps() const {
         return reference_steps_;
     }
 
     [[nodiscard]] const BasisLayout& layout() const { return layout_; }
-    /// Lights that were solved for, and rays of all of them.
+    /// Number of lights that were solved for, and rays of all of them.
     [[nodiscard]] std::size_t lights() const { return lights_; }
     [[nodiscard]] std::uint64_t rays() const { return rays_; }
 
@@ -72,9 +71,9 @@ class SeasonBasis {
     [[nodiscard]] std::vector<bool> needed_nodes(const std::vector<TimeStep>& time_steps) const;
     [[nodiscard]] ReferenceStep prepare_reference(const TimeStep& step) const;
 
-    /// Per band, what of the light straight from a source is scattered, in all.
+    /// Per band, the part of direct light that is scattered, in all.
     [[nodiscard]] std::vector<double> scattered_first(const LightResponse& direct) const;
-    /// Adds scattered light of suns that would scatter `first` per band; empty: not known.
+    /// Adds the scattered light of suns whose first scattering is `first` per band; empty: unknown.
     void add_suns(
         const std::vector<SunBeam>& suns, std::span<const double> first, Amounts& amounts) const;
     void add_sky(const Source& sky, Amounts& amounts) const;
@@ -92,7 +91,7 @@ class SeasonBasis {
     std::vector<std::size_t> reference_steps_;
 };
 
-/// The sources of a time that are suns and shine, or those that are not and do.
+/// Selects the suns or the other sources of a time step, those with light.
 enum class Shining { suns, skies };
 [[nodiscard]] Sources shining(const Sources& sources, Shining which);
 

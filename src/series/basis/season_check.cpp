@@ -1,4 +1,4 @@
-// What a series can't be whose times are computed together.
+// Restrictions of series whose time steps are computed together.
 
 #include <string>
 #include <utility>

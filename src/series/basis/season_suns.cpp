@@ -1,5 +1,5 @@
-// Light straight from the suns of a season: looked at pixel by pixel, which for the error that is
-// asked of it costs a fifth of what scan lines do (docs/develop/notebook/time-series.md).
+// Direct light of the suns of a series by item buffers, which for the requested error cost a fifth
+// of scan lines (docs/develop/notebook/time-series.md).
 
 #include "series/basis/season_suns.h"
 
@@ -17,15 +17,16 @@
 namespace quasimc {
 namespace {
 
-/// The error of light straight from suns, as a part of that of all other light in the band where
-/// that is largest: together they are an eighth more than the other alone. Where little is
-/// scattered the other errors are small, and half of them would take most of the time.
+/// Error of the direct light of suns relative to that of all other light, in the band where that is
+/// largest: it increases the total error by an eighth. Where little is scattered the other errors
+/// are small, and half of them would take most of the time.
 constexpr double kPartOfOthers = 0.5;
-/// The variance of pixels falls with this power of their number.
+/// The variance falls with this power of the number of pixels.
 constexpr double kPower = 1.5;
-/// Pixels of which the error is measured; at most so many, and at least: to project triangles costs
-/// as much as some pixels of each.
-constexpr double kTried = 65536, kMost = 2048 * 2048, kFewest = 16384, kMinOfTriangle = 4;
+/// Number of pixels of the pilot estimate, and limits of the number: projecting a triangle costs as
+/// much as some pixels.
+constexpr double kPilotPixels = 65536, kMaxPixels = 2048 * 2048, kMinPixels = 16384,
+                 kMinPerTriangle = 4;
 
 }  // namespace
 
@@ -40,7 +41,7 @@ SeasonSuns::SeasonSuns(
       spec_(spec),
       layout_(layout),
       stop_(std::move(stop)),
-      pixels_(kTried) {}
+      pixels_(kPilotPixels) {}
 
 void SeasonSuns::choose_pixels(
     std::span<const SunsOfTime> times, std::span<const SumWithVariance> others) {
@@ -66,8 +67,8 @@ void SeasonSuns::choose_pixels(
     const double largest = *std::max_element(own.begin(), own.end());
     const double most = largest > 0 ? std::pow(largest / allowed, 1 / kPower) : 0;
     const double fewest =
-        std::max(kFewest, kMinOfTriangle * static_cast<double>(scene_.triangle_count()));
-    pixels_ = std::clamp(most * kTried, std::min(fewest, kMost), kMost);
+        std::max(kMinPixels, kMinPerTriangle * static_cast<double>(scene_.triangle_count()));
+    pixels_ = std::clamp(most * kPilotPixels, std::min(fewest, kMaxPixels), kMaxPixels);
 }
 
 std::vector<std::optional<LightResponse>> SeasonSuns::light_of(

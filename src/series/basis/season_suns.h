@@ -12,14 +12,14 @@
 
 namespace quasimc {
 
-/// The suns of a time, and the number of the trace that looks at them (trace_spec()).
+/// The suns of a time step, and the number of the trace for them (trace_spec()).
 struct SunsOfTime {
     Sources suns;  ///< none: no sun shines
     std::uint64_t trace = 0;
 };
 
-/// Light straight from the suns of a series, each where it stands: pixel by pixel, as many as make
-/// its error a part of the error of all other light.
+/// Direct light of the suns of a series, by item buffers: the number of pixels makes its error a
+/// fixed part of the error of all other light.
 class SeasonSuns {
   public:
     SeasonSuns(
@@ -29,14 +29,14 @@ class SeasonSuns {
         const BasisLayout& layout,
         std::stop_token stop);
 
-    /// Sets the pixels of each sun, from what a few times say.
-    /// @param others  the other light of each
+    /// Sets the number of pixels of each sun, from a few time steps.
+    /// @param others  the other light of each time step
     /// @throws Stopped  if it was stopped
     void choose_pixels(std::span<const SunsOfTime> times, std::span<const SumWithVariance> others);
     [[nodiscard]] double pixels() const { return pixels_; }
 
-    /// Light straight from the suns of several times; none where no sun shines. The same bits with
-    /// any number of threads.
+    /// Direct light of the suns of several time steps; none without sun. The same bits with any
+    /// number of threads.
     /// @throws Stopped  if it was stopped
     [[nodiscard]] std::vector<std::optional<LightResponse>> light_of(
         std::span<const SunsOfTime> times) const;

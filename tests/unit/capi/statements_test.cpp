@@ -156,7 +156,7 @@ TEST(CStatements, SeveralTimesAreRefused) {
         QUASIMC_DONE);
     quasimc_result* result = nullptr;
     EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("a run computes one moment")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("a run computes one time step")) << quasimc_last_error();
 }
 
 TEST(CStatements, AMaterialOfTheSameNameReplacesTheOther) {

@@ -74,7 +74,7 @@ TEST_P(OpenWindow, ShowsABallAsADisc) {
     const SceneProjection projection(caster.mesh(), Cell{}, GetParam());
     const double expected = std::numbers::pi * 0.25;
     for (const Vec3& d : beams) {
-        const auto window = projection.window(d);
+        const auto window = projection.cross_section(d);
         EXPECT_GE(window->area(), 0.999 * expected / projection.world_area());
         const double seen = seen_area(*window, caster, d, 20000) * projection.world_area();
         EXPECT_NEAR(seen, expected, 2e-3);
@@ -86,7 +86,7 @@ TEST_P(OpenWindow, ShowsAPlateAsItsProjection) {
         make_parallelogram({0, 0, 0}, {1, 0, 0}, {0.5, 1.5, 0}), Cell{}, Accelerator::embree);
     const SceneProjection projection(caster.mesh(), Cell{}, GetParam());
     for (const Vec3& d : beams) {
-        const auto window = projection.window(d);
+        const auto window = projection.cross_section(d);
         const double seen = seen_area(*window, caster, d, 20000) * projection.world_area();
         EXPECT_NEAR(seen, 1.5 * std::abs(d.z), 0.03);
     }
@@ -112,7 +112,7 @@ TEST_P(OpenWindow, NoRayThatMeetsTheScenePassesBesideIt) {
     const SceneProjection projection(mesh, Cell{}, GetParam());
     const std::vector<Vec3> scene = vertices(mesh);
     for (const Vec3& d : beams) {
-        const std::vector<Vec3> border = border_points(*projection.window(d));
+        const std::vector<Vec3> border = border_points(*projection.cross_section(d));
         const Frame frame = frame_about(-d);
         for (int k = 0; k < 64; ++k) {
             const double angle = 2 * std::numbers::pi * k / 64;
@@ -128,7 +128,7 @@ TEST_P(OpenWindow, PointsLieBeforeTheScene) {
     const SceneProjection projection(mesh, Cell{}, GetParam());
     for (const Vec3& d : beams) {
         const double nearest = -reach(vertices(mesh), -d);
-        for (const Vec3& p : lattice_points(*projection.window(d), 1000)) {
+        for (const Vec3& p : lattice_points(*projection.cross_section(d), 1000)) {
             EXPECT_LT(dot(p, d), nearest);
             EXPECT_LT(length(p), 3);
         }
@@ -138,7 +138,7 @@ TEST_P(OpenWindow, PointsLieBeforeTheScene) {
 TEST_P(OpenWindow, SeveralPointsAtOnceAreThoseOneByOne) {
     Random random(83);
     const LocalMesh mesh = make_local_mesh(test::random_soup(50, 0.3, random));
-    const auto window = SceneProjection(mesh, Cell{}, GetParam()).window(beams[4]);
+    const auto window = SceneProjection(mesh, Cell{}, GetParam()).cross_section(beams[4]);
     std::array<double, 100> u0{}, u1{};
     std::array<Vec3, 100> points{};
     for (std::size_t i = 0; i < 100; ++i) {
@@ -154,7 +154,7 @@ TEST_P(OpenWindow, SeveralPointsAtOnceAreThoseOneByOne) {
 TEST(SilhouetteCrossSection, MissesFewRaysOfAConvexBody) {
     const RayCaster caster(make_sphere({}, 1, 5), Cell{}, Accelerator::embree);
     const SceneProjection projection(caster.mesh(), Cell{}, StartArea::silhouette);
-    const auto window = projection.window(beams[4]);
+    const auto window = projection.cross_section(beams[4]);
     EXPECT_GT(seen_area(*window, caster, beams[4], 10000), 0.998 * window->area());
 }
 
@@ -162,7 +162,7 @@ TEST(SilhouetteCrossSection, OfASceneSeenEdgeOnHasNoArea) {
     const LocalMesh plate = make_local_mesh(make_parallelogram({3, 3, 3}, {1, 0, 0}, {0, 1, 0}));
     const SceneProjection projection(plate, Cell{}, StartArea::silhouette);
     for (const Vec3& d : {Vec3{1, 0, 0}, normalized(Vec3{0.3, 0.7, 0})}) {
-        const auto window = projection.window(d);
+        const auto window = projection.cross_section(d);
         ASSERT_NE(window, nullptr);
         EXPECT_EQ(window->area(), 0);
         EXPECT_LT(length(window->point(0.3, 0.7)), 3);
@@ -171,7 +171,8 @@ TEST(SilhouetteCrossSection, OfASceneSeenEdgeOnHasNoArea) {
 
 TEST(SilhouetteCrossSection, OfABeamAlongAnAxisRunsAlongTheOthers) {
     const LocalMesh plate = make_local_mesh(make_parallelogram({0, 0, 0}, {2, 0, 0}, {0, 2, 0}));
-    const auto window = SceneProjection(plate, Cell{}, StartArea::silhouette).window({0, 0, -1});
+    const auto window =
+        SceneProjection(plate, Cell{}, StartArea::silhouette).cross_section({0, 0, -1});
     EXPECT_NEAR(window->area(), 4, 1e-5);
     EXPECT_NEAR(window->point(0.25, 0.75).x, -0.5, 1e-5);
     EXPECT_NEAR(window->point(0.25, 0.75).y, 0.5, 1e-5);
@@ -179,7 +180,8 @@ TEST(SilhouetteCrossSection, OfABeamAlongAnAxisRunsAlongTheOthers) {
 
 TEST(SphereWindow, IsTheDiscAcrossTheBoundingSphere) {
     const LocalMesh plate = make_local_mesh(make_parallelogram({0, 0, 0}, {2, 0, 0}, {0, 2, 0}));
-    const auto window = SceneProjection(plate, Cell{}, StartArea::bounding_sphere).window(beams[4]);
+    const auto window =
+        SceneProjection(plate, Cell{}, StartArea::bounding_sphere).cross_section(beams[4]);
     EXPECT_NEAR(window->area(), 2 * std::numbers::pi, 1e-4);
     // Rings of equal area hold equal numbers of points.
     std::array<int, 4> ring{};
@@ -214,7 +216,7 @@ TEST(PeriodicWindow, ShowsAPlateThatFillsTheCellAsAPlaneOrAStrip) {
         const RayCaster caster(triangles, kind.cell, Accelerator::embree);
         const SceneProjection projection(caster.mesh(), kind.cell, StartArea::silhouette);
         for (const Vec3& d : beams) {
-            const auto window = projection.window(d);
+            const auto window = projection.cross_section(d);
             if (window == nullptr) {
                 continue;
             }
@@ -232,7 +234,7 @@ TEST(PeriodicWindow, RaysSeeABallInEveryCell) {
         const RayCaster caster(ball, cell, Accelerator::embree);
         const SceneProjection projection(caster.mesh(), cell, StartArea::silhouette);
         for (const Vec3& d : {normalized(Vec3{0.3, 0.2, -1}), normalized(Vec3{0.5, -0.6, 0.7})}) {
-            const auto window = projection.window(d);
+            const auto window = projection.cross_section(d);
             const double seen = seen_area(*window, caster, d, 200000) * projection.world_area();
             EXPECT_NEAR(seen, std::numbers::pi * 0.01, 1e-3);
         }
@@ -242,7 +244,7 @@ TEST(PeriodicWindow, RaysSeeABallInEveryCell) {
 TEST(PeriodicWindow, IsNoneForBeamsThatNeverMeetTheScene) {
     const LocalMesh mesh = make_local_mesh(make_sphere({0.5, 0.5, 0.5}, 0.1, 1));
     const auto window = [&](const Cell& cell, const Vec3& d) {
-        return SceneProjection(mesh, cell, StartArea::silhouette).window(d);
+        return SceneProjection(mesh, cell, StartArea::silhouette).cross_section(d);
     };
     EXPECT_EQ(window({true, true, 0, 0, 1, 1}, {1, 0, 0}), nullptr);
     EXPECT_EQ(window({true, true, 0, 0, 1, 1}, {0.6, 0.8, 1e-17}), nullptr);
@@ -261,7 +263,7 @@ TEST(PeriodicWindow, NothingLiesBeforeItsPoints) {
         const RayCaster caster(test::random_soup(20, 0.2, random), cell, Accelerator::brute_force);
         const SceneProjection projection(caster.mesh(), cell, StartArea::silhouette);
         for (const Vec3& d : beams) {
-            const auto window = projection.window(d);
+            const auto window = projection.cross_section(d);
             const auto points =
                 window == nullptr ? std::vector<Vec3>{} : lattice_points(*window, 200);
             for (const Vec3& p : points) {

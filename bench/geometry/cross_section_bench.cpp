@@ -1,4 +1,4 @@
-// The cost of a point in a window, and of making a window.
+// The cost of a cross-section's points, and of its construction.
 
 #include <benchmark/benchmark.h>
 
@@ -14,14 +14,14 @@ const Vec3 beam = normalized(Vec3{0.3, 0.2, -1});
 void points(benchmark::State& state, const Cell& cell, StartArea shape) {
     const LocalMesh mesh = make_local_mesh(random_leaves(10000, 2.5));
     const SceneProjection projection(mesh, cell, shape);
-    const auto window = projection.window(beam);
+    const auto region = projection.cross_section(beam);
     double u0 = 0.5, u1 = 0.5;
     for (auto _ : state) {
         u0 += 0.7548776662466927;
         u0 -= u0 >= 1 ? 1 : 0;
         u1 += 0.5698402909980532;
         u1 -= u1 >= 1 ? 1 : 0;
-        benchmark::DoNotOptimize(window->point(u0, u1));
+        benchmark::DoNotOptimize(region->point(u0, u1));
     }
     state.SetItemsProcessed(state.iterations());
 }
@@ -31,7 +31,7 @@ void make_silhouette(benchmark::State& state) {
     const LocalMesh mesh = make_local_mesh(triangles);
     const SceneProjection projection(mesh, Cell{}, StartArea::silhouette);
     for (auto _ : state) {
-        benchmark::DoNotOptimize(projection.window(beam));
+        benchmark::DoNotOptimize(projection.cross_section(beam));
     }
 }
 

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""What a window costs a plant that grows: window_cost.py QUASIMC_ENVIRONMENT [--leaves N] [...]
+"""The cost of a viewer for a growing plant: viewer_cost.py QUASIMC_ENVIRONMENT [--leaves N] [...]
 
-A plant of so many leaves grows without a break, by turns without a window, with one that nobody looks
-at, and with one that is followed as a page in the browser does it. Printed are medians over the
-repeats: processor time of the light program and time by the clock, each of a step, and what a window
-adds. The follower is a process of its own, but takes its share of a machine that has few processors.
+A plant grows continuously, in turns without a viewer, with one that has no page open, and with one
+that a page follows. Prints medians over the repeats: processor time of the light program and wall-
+clock time, each per step, and the cost of a viewer. The follower is a separate process, but takes
+its share of a machine with few processors.
 """
 
 import argparse
@@ -32,7 +32,7 @@ GOLDEN_ANGLE = 2.399963229728653
 
 
 def message(leaves, step):
-    """Leaves around a stem, a little larger in every step."""
+    """Returns leaves around a stem, a little larger in every step."""
     width = leaves ** (1 / 3)
     text = []
     for i in range(leaves):
@@ -48,7 +48,7 @@ def message(leaves, step):
 
 
 def follow(address, ended):
-    """Asks as a page does: for news, and for what it shows of the newest step."""
+    """Requests what a page requests: news, and the data that it shows of the newest step."""
 
     def ask(name):
         with urllib.request.urlopen(address + name, timeout=10) as answer:
@@ -74,15 +74,15 @@ def follow(address, ended):
 
 
 def read_answers(stream):
-    """Up to the end of the last chunk."""
+    """Reads up to the end of the last chunk."""
     for line in stream:
         if line.startswith(b"Control:") and int(line.split()[1]) & 4:
             return
-    raise SystemExit("window_cost.py: the light program has ended")
+    raise SystemExit("viewer_cost.py: the light program has ended")
 
 
 def measure(program, messages, kind):
-    """Processor time of the light program, and time by the clock, of a step."""
+    """Returns processor time of the light program, and wall-clock time, per step."""
     words = [] if kind == "without" else ["--view"]
     child = subprocess.Popen(
         [program, "-e", "comm.e", *words, "light.qmc"],
@@ -141,7 +141,7 @@ def main():
     print(f"{arguments.leaves} leaves, {arguments.steps} steps, medians of {arguments.repeats}:")
     for kind in KINDS:
         cpu, clock = (statistics.median(values) for values in zip(*found[kind]))
-        # A window against what ran just before it: other programs disturb both alike.
+        # Compares a viewer with the run just before: other programs disturb both alike.
         added = [
             100 * (statistics.median(one[k] / other[k] for one, other in zip(found[kind], found["without"])) - 1)
             for k in (0, 1)
