@@ -46,7 +46,7 @@ RunSpec audited_spec() {
     return spec;
 }
 
-/// A result of organs of area 1 whose upper sides got that light; their lower sides got none.
+/// A result of organs of area 1 with that light on their upper sides and none on their lower sides.
 Result result_of(const std::vector<Estimate>& upper, const Estimate& total) {
     Result result;
     result.bands = 1;
@@ -78,7 +78,7 @@ TEST(Audit, ChiIsTheSumOfSquaresOverTheSumOfVariances) {
     const Result a = result_of({known(10, .3), known(20, .4)}, known(30, .6));
     const Result b = result_of({known(11, 1.2), known(18, .3)}, known(29, .8));
     const Audit audit = compare_results(two_leaves(), a, b);
-    // (1 + 4) / (.09 + 1.44 + .16 + .09), but for the least that a number scatters.
+    // (1 + 4) / (.09 + 1.44 + .16 + .09), except for the minimum scatter of a number.
     EXPECT_NEAR(audit.bands[0].reduced_chi_square, 5 / 1.78, 1e-6);
     EXPECT_NEAR(audit.bands[0].freedom, 1.78 * 1.78 / (1.53 * 1.53 + .25 * .25), 1e-6);
     EXPECT_NEAR(audit.bands[0].difference, 1, 1e-12);
@@ -146,7 +146,7 @@ TEST(Audit, KnowsTheOrgansThatAreMeasured) {
     EXPECT_LE(result.audit->bands[0].freedom, 12);
 }
 
-/// A control: what leaves of another brightness would get.
+/// A control: leaves with another albedo.
 TEST(Audit, FindsAWrongAlbedo) {
     RunSpec spec = audited_spec();
     spec.audit = 0;
