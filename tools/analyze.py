@@ -1,9 +1,8 @@
 #!/usr/bin/env python3
 """Runs clang's static analyzer over the library, each module as the file that its sources are joined into.
 
-File by file most of its time goes into what headers define, again and again.  The analyzer leaves out
-functions that stand in files which are included, unless it is told to look at them:
--analyzer-opt-analyze-headers.
+Per source, most of its time would go into the same headers.  By default the analyzer omits functions of
+included files, hence -analyzer-opt-analyze-headers.
 """
 
 import argparse
@@ -20,7 +19,7 @@ from pathlib import Path
 import tidy
 
 ROOT = Path(__file__).resolve().parent.parent
-# clang-tidy 14 takes a std::unique_ptr that a function returns for lost; the address sanitizer looks for leaks.
+# clang-tidy 14 reports a returned std::unique_ptr as a leak; the address sanitizer finds true ones.
 UNFIT = "-clang-analyzer-cplusplus.NewDeleteLeaks"
 FINDING = re.compile(r"^(/[^:\n]+):\d+:\d+: (warning|error): .*$", re.MULTILINE)
 
@@ -36,20 +35,20 @@ def joined_files(build):
 
 
 def findings(text, folder):
-    """The lines that tell of something in a folder, each once."""
-    told = (match for match in FINDING.finditer(text) if Path(match[1]).is_relative_to(folder))
-    return list(dict.fromkeys(match[0] for match in told))
+    """The findings in a folder, each once."""
+    findings = (match for match in FINDING.finditer(text) if Path(match[1]).is_relative_to(folder))
+    return list(dict.fromkeys(match[0] for match in findings))
 
 
 def analyze(path, database, folder, clang_tidy):
-    """What is found in a joined file, and whether it could be read."""
+    """The findings in a joined file, and whether it could be compiled."""
     command = [
         clang_tidy, "--quiet", f"-p={database}",
         f"--checks=-*,{','.join(check.removeprefix('-') for check in tidy.QUICK_LESS)},{UNFIT}",
         "--header-filter=.*",
         "--extra-arg=-Wno-unknown-warning-option",
         "--extra-arg=-Wno-ignored-optimization-argument",
-        "--extra-arg=-UNDEBUG",  # what is checked is used
+        "--extra-arg=-UNDEBUG",  # variables of checks are used
         "--extra-arg=-Xclang", "--extra-arg=-analyzer-opt-analyze-headers",
         str(path),
     ]

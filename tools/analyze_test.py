@@ -1,4 +1,4 @@
-"""What tools/analyze.py looks at, and what it tells."""
+"""tools/analyze.py: the files that it examines, and its findings."""
 
 import json
 import shutil

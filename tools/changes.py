@@ -1,4 +1,4 @@
-"""Which files of a work tree differ from where its branch began."""
+"""The files of a work tree that differ from the start of its branch."""
 
 import subprocess
 from pathlib import Path
@@ -9,14 +9,14 @@ RECENT_COMMITS = 10
 
 
 class Changes(NamedTuple):
-    """The files, with full paths, or None if that can't be told; and since when, in words."""
+    """The files, with full paths, or None if unknown; and a text that names the base."""
 
     files: Optional[Set[Path]]
     why: str
 
 
 def git(root, *arguments):
-    """What git prints, or None if it fails or isn't there."""
+    """The output of git, or None if it fails or is not installed."""
     try:
         done = subprocess.run(
             ["git", "-C", str(root), *arguments], capture_output=True, text=True, check=False
@@ -29,8 +29,8 @@ def git(root, *arguments):
 def find_base(root, since=None):
     """The commit to compare with, or None, and why.
 
-    That is where the branch left the main branch; for the main branch itself, and where the point
-    can't be found, the oldest of the recent commits. A clone may hold but one commit.
+    That is where the branch left the main branch; for the main branch itself, and if the point
+    is unknown, the oldest of the recent commits. A clone may have only one commit.
     """
     head = git(root, "rev-parse", "--verify", "HEAD^{commit}")
     if head is None:

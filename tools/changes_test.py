@@ -10,8 +10,8 @@ import changes
 
 IDENTITY = {
     name: value
-    for who in ("AUTHOR", "COMMITTER")
-    for name, value in ((f"GIT_{who}_NAME", "a"), (f"GIT_{who}_EMAIL", "a@b"))
+    for role in ("AUTHOR", "COMMITTER")
+    for name, value in ((f"GIT_{role}_NAME", "a"), (f"GIT_{role}_EMAIL", "a@b"))
 }
 
 

@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# All that continuous integration does, in its order, stopping at the first failure (how long it takes:
-# docs/develop/testing.md).  With --full what takes longer as well: clang-tidy over all files and with
-# its analyzer, the tests that are labelled "long", threads outside the library's core, longer fuzzing.
+# All steps of continuous integration in order, up to the first failure (durations:
+# docs/develop/testing.md).  --full adds the slow ones: clang-tidy over all files and with its analyzer, the tests that are labelled "long", threads outside the library's core, longer fuzzing.
 #   tools/check.sh                      every step
 #   tools/check.sh format tidy          these steps
 #   tools/check.sh --full [STEPS]
@@ -53,7 +52,7 @@ step_bench() {
         xargs -d '\n' -I '{}' -P "$jobs" sh -c '{}'
 }
 
-# Among them the one that builds a stranger's project against the installed package.
+# One of them builds another project against the installed package.
 step_test() {
     if [[ -n $full ]]; then
         ./dev test --full
@@ -62,23 +61,23 @@ step_test() {
     fi
 }
 
-# Statistics above all: estimates against closed forms, and how often intervals hold. ./dev test --full
-# has done it.
+# Mainly statistics: estimates against closed forms, and coverage of intervals. ./dev test --full includes
+# it.
 step_slow() {
     [[ -n $full ]] || ./dev test -L '^slow$'
 }
 
-# The page in a browser, where there is one; ./dev test --full has done it.
+# The page in a browser, if one is installed; ./dev test --full includes it.
 step_page() {
     [[ -n $full ]] || ./dev test -L web
 }
 
-# What tools/new.py makes, a member of every family, builds and passes its tests.
+# New members by tools/new.py, one of every family, build and pass their tests.
 step_members() {
     tools/new_build.py -j "$jobs"
 }
 
-# What is shipped. The tests take as long again: tools/tidy.py checks them too.
+# The shipped sources. Tests would double the time; tools/tidy.py checks them too.
 step_tidy() {
     cmake --preset dev >/dev/null
     if [[ -n $full ]]; then
@@ -104,12 +103,12 @@ sanitized() {
     ctest --test-dir "build/$preset" --output-on-failure --no-tests=error -j "$jobs" "$@"
 }
 
-# Slow tests are statistics, and prove no more under a sanitizer than the quick ones do. What the
-# programs do, the tests of their modules do in one process.
+# Slow tests are statistics, and show no more under a sanitizer than the quick ones. The tests of modules
+# cover the programs within one process.
 step_asan() {
-    local left_out='slow|processes'
-    [[ -n $full ]] || left_out+='|long_sanitized'
-    sanitized asan quick -LE "^($left_out)\$" -E '_NOT_BUILT$'
+    local excluded='slow|processes'
+    [[ -n $full ]] || excluded+='|long_sanitized'
+    sanitized asan quick -LE "^($excluded)\$" -E '_NOT_BUILT$'
     if [[ -n $full ]]; then
         sanitized asan processes -L '^processes$'
     fi
@@ -134,7 +133,7 @@ fuzz_one() {
         "build/asan/corpus/$name" "$seeds"
 }
 
-# As many fuzzers at a time as there are processors.
+# One fuzzer per processor at a time.
 step_fuzz() {
     cmake --preset asan >/dev/null
     cmake --build build/asan --target quasimc_fuzzers
@@ -156,8 +155,8 @@ step_release() {
     fi
 }
 
-# Random scenes in every way, for some minutes; docs/develop/testing.md tells how to go on for hours.
-# Another part of the scenes at every commit.
+# Random scenes by all methods, for some minutes (for hours: docs/develop/testing.md). Each commit tests
+# another part of the scenes.
 step_stress() {
     cmake --preset release >/dev/null
     cmake --build build/release --target quasimc_stress

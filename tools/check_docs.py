@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs what the documentation shows: every example, and every code block that is marked to run.
+"""Runs the examples, and the code blocks of the documentation that are marked to run.
 
 In README.md, CONTRIBUTING.md and docs/**/*.md, a block that opens with ```sh run is executed by
 sh -e in a temporary copy of the tree, where ./dev run and quasimc are the program under test, and
@@ -9,8 +9,8 @@ The table of results in README.md is compared with that of the first example: wr
 
 Parts of docs/reference that the program prints must be up to date: write_reference.py.
 
-missing_names() finds what pages speak of and the tree does not have: paths and names of files in
-`code`, targets of links, and pages that sources name.
+missing_names() finds names in pages that the tree does not have: paths and names of files in `code`,
+targets of links, and pages that sources name.
 """
 
 import argparse
@@ -29,7 +29,7 @@ ROOT = Path(__file__).resolve().parent.parent
 FENCE = re.compile(r"^(?P<indent> *)```(?P<info>[^`\n]*)\n(?P<body>.*?)^ *```\s*$", re.M | re.S)
 TIME_LIMIT_S = 300
 
-# What a page may name: a path from the root, or the end of one, as "run.cpp" or "run/run.cpp".
+# Names in a page: a path from the root, or the end of one, as "run.cpp" or "run/run.cpp".
 FOLDERS = "apps|bench|cmake|data|docs|examples|include|python|src|tests|tools"
 CODE = re.compile(r"`([^`\s]+)`")
 PATH = re.compile(rf"(?:{FOLDERS})/[^\s:]*$")
@@ -65,7 +65,7 @@ def anchors(page):
 
 
 def names_a_file(path, root, files):
-    """Whether a path stands in the tree; of one with a placeholder, the folder before that."""
+    """Whether a path exists in the tree; for one with a placeholder, the folder before that."""
     parts = path.rstrip("/").split("/")
     fixed = next((i for i, part in enumerate(parts) if PLACEHOLDER.match(part)), None)
     if fixed is not None:
@@ -76,7 +76,7 @@ def names_a_file(path, root, files):
 
 
 def faults_of_page(page, root, files):
-    """What a page names and the tree does not have, as (line, name)."""
+    """Names in a page that the tree does not have, as (line, name)."""
     for number, line in enumerate(without_blocks(page.read_text(encoding="utf-8")).split("\n"), 1):
         for name in CODE.findall(line):
             is_path = PATH.match(name) or FILE.match(name)
@@ -92,7 +92,7 @@ def faults_of_page(page, root, files):
 
 
 def missing_names(root=ROOT):
-    """What pages and sources name and the tree does not have, as "file:line: name"."""
+    """Names in pages and sources that the tree does not have, as "file:line: name"."""
     listed = [p for f in FOLDERS.split("|") for p in sorted((root / f).glob("**/*"))]
     files = [str(p.relative_to(root)) for p in listed if p.is_file()]
     pages = [*sorted(root.glob("*.md")), *(root / f for f in files if f.endswith(".md"))]
@@ -139,13 +139,13 @@ def wrong_numbers(page, table):
 
 
 def copy_tree(target):
-    """A copy of what the repository holds, without what was built."""
+    """A copy of the files of the repository, without build outputs."""
     skip = shutil.ignore_patterns(".git", "build", "__pycache__", "node_modules", ".cache")
     shutil.copytree(ROOT, target, ignore=skip, symlinks=True)
 
 
 def run(command, folder, environment):
-    """What went wrong, or None."""
+    """The error of a command, or None."""
     try:
         done = subprocess.run(
             command,
@@ -164,19 +164,19 @@ def run(command, folder, environment):
 
 
 def cases(copy, program):
-    """Everything to run, as (place, command, folder)."""
+    """All cases to run, as (location, command, folder)."""
     pages = [copy / "README.md", copy / "CONTRIBUTING.md", *sorted(copy.glob("docs/**/*.md"))]
     for page in filter(Path.exists, pages):
         for line, language, text in runnable_blocks(page):
-            place = f"{page.relative_to(copy)}:{line}"
+            location = f"{page.relative_to(copy)}:{line}"
             if language == "sh":
-                yield place, ["sh", "-e", "-c", text], copy
+                yield location, ["sh", "-e", "-c", text], copy
             elif language == "toml":
                 file = page.parent / f"{page.stem}_line_{line}.toml"
                 file.write_text(text, encoding="utf-8")
-                yield place, [program, "check", file.name], page.parent
+                yield location, [program, "check", file.name], page.parent
             else:
-                yield place, ["sh", "-c", f"echo 'cannot run {language}'; exit 1"], copy
+                yield location, ["sh", "-c", f"echo 'cannot run {language}'; exit 1"], copy
     for example in sorted(copy.glob("examples/*/*.toml")):
         command = [program, "run", str(example.relative_to(copy))]
         yield str(example.relative_to(copy)), command, copy
@@ -203,12 +203,12 @@ def main():
         (copy / "build/release/bin/quasimc").symlink_to(program)
         environment = dict(os.environ, QUASIMC_PROGRAM=str(program))
         environment["PATH"] = f"{program.parent}{os.pathsep}{environment['PATH']}"
-        for place, command, where in cases(copy, str(program)):
+        for location, command, where in cases(copy, str(program)):
             count += 1
             problem = run(command, where, environment)
             if problem:
                 failed += 1
-                print(f"{place}: {problem}", file=sys.stderr)
+                print(f"{location}: {problem}", file=sys.stderr)
         readme, table = copy / "README.md", copy / "examples/01-leaves/leaves.csv"
         for name, column in wrong_numbers(readme, table):
             failed += 1

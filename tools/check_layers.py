@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Checks the shape of the source: layers, fences, the public headers, silence of the engine, sizes.
+"""Checks the structure of the source: layers, fences, public headers, silence of the engine, sizes.
 
-The layers stand in src/layers.txt.  Every fault is printed as "file:line: problem", and
+The layers are in src/layers.txt.  Every fault is printed as "file:line: problem", and
 the exit status is 1 if there was one.  File sizes are hints and never fail.
 """
 
@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-# The start of an include -> where alone it may stand (a folder ends in "/").
+# The start of an include -> the only files and folders ("/" at the end) that may have it.
 FENCES = {
     "toml++/": ["src/text/", "tests/"],
     "nlohmann/": ["src/text/", "src/meshio/", "src/resultio/", "src/parallel/", "src/window/", "tests/"],
@@ -36,7 +36,7 @@ FENCES = {
 }
 
 # The public headers, include/quasimc/, and the lowest module that includes each: its layer is that of
-# the header.  The one of all of them is for users alone.
+# the header.  The one that includes all of them is for users alone.
 PUBLIC_HEADERS = {
     "error.h": "base",
     "share.h": "base",
@@ -55,16 +55,16 @@ PUBLIC_HEADERS = {
     "capi.h": "capi",
 }
 ALL_PUBLIC_HEADERS = "quasimc.h"
-# Words of compilers, not of standard C++: public headers have none.
+# Extensions of compilers, which public headers must not use.
 NOT_STANDARD = re.compile(r"__int128|__extension__|__builtin_\w+|__attribute__|__declspec")
 
-# Headers so slow to compile that they stay out of ours.
+# Headers of libraries that are too slow to compile for our headers.
 SOURCES_ONLY = ("toml++/", "nlohmann/", "CLI/", "embree3/", "embree4/", "hwy/", "boost/")
-# Ours that are slow too: sources alone include them.
+# Our headers that include them: only sources may include these.
 SLOW_HEADERS = {"src/text/json_builder.h"}
 
-# The engine knows nothing of files, terminals and pipes, and never exits: all layers up to that of
-# series, but for the two modules of texts and files.
+# The engine uses no files, terminals and pipes, and never exits: all layers up to series, except text
+# and files.
 ENGINE_TOP = "series"
 NOT_ENGINE = {"text", "files"}
 ENGINE_HEADERS = {"iostream", "fstream", "filesystem", "cstdio", "stdio.h", "unistd.h"}
@@ -73,8 +73,8 @@ ENGINE_EXCEPTIONS = {"src/base/checks.h"}  # EXPECT and ENSURE end the program
 
 FILE_LINES_HINT = 300
 
-# Sources that include each other's headers, in however many steps, are read as one.  More than this
-# are a knot, which is a fault.
+# Largest number of sources that include each other's headers, directly or indirectly; more are a
+# fault.
 LARGEST_KNOT = 3
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
@@ -224,12 +224,12 @@ class Checker:
 
     def check_fences(self, path, line, target):
         name = str(path)
-        for start, places in FENCES.items():
+        for start, includers in FENCES.items():
             if not target.startswith(start):
                 continue
-            allowed = any(name.startswith(p) if p.endswith("/") else name == p for p in places)
+            allowed = any(name.startswith(p) if p.endswith("/") else name == p for p in includers)
             if not allowed:
-                self.fault(path, line, f"<{target}> may be included only by {' or '.join(places)}")
+                self.fault(path, line, f"<{target}> may be included only by {' or '.join(includers)}")
             is_slow = start in SOURCES_ONLY and target != "nlohmann/json_fwd.hpp"
             is_slow = is_slow and name not in SLOW_HEADERS
             if path.suffix == ".h" and is_slow and path.parts[0] != "bench":

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Checks that the names of the tests of a build folder are the same in every run, and unique.
 
-ctest remembers by name how long a test takes and whether it failed (--rerun-failed); and a person
-who reads of a failure must find the test again.
+ctest records duration and failure of a test by name (--rerun-failed), and the name in a report must
+identify the test.
 """
 
 import argparse
@@ -13,7 +13,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-# What GoogleTest prints of a value for which there is no operator<<, and pointers.
+# Output of GoogleTest for values without operator<<, and for pointers.
 UNSTABLE = re.compile(r"-byte object <|\b0x[0-9a-fA-F]{6,}|GetParam\(\)")
 
 
@@ -28,7 +28,7 @@ def names_of(build, ctest):
 
 
 def faults(names):
-    """What is wrong with a list of names, one sentence each."""
+    """The faults of a list of names, one sentence each."""
     if not names:
         return ["there are no tests"]
     found = [f"an address or raw memory in: {name}" for name in names if UNSTABLE.search(name)]

@@ -2,8 +2,8 @@
 """Starts a new member of a family: tools/new.py bsdf oren_nayar
 
 Makes its file, its test and its page from tools/templates/FAMILY, enters it in the catalogue of the
-family and in the lists of CMake.  What was made compiles and its tests pass, so the work starts from
-something that runs.  tools/new_test.py checks what is touched, tools/new_build.py that it builds.
+family and in the lists of CMake.  The new member compiles and its tests pass.  tools/new_test.py
+checks the changed files, tools/new_build.py the build.
 """
 
 import argparse
@@ -18,11 +18,11 @@ TEMPLATES = "tools/templates"
 
 @dataclass(frozen=True)
 class Family:
-    """Where the members of a family live, and how a catalogue tells of one.
+    """Folders of the members of a family, and the entries in its catalogue.
 
-    The texts go above the lines of the catalogue that say "(tools/new.py WHAT above this line)".
+    The texts are inserted above the lines "(tools/new.py WHAT above this line)" of the catalogue.
     In them and in the templates, @name@ is the name in snake_case, @Name@ in CapWords, @words@ with
-    blanks, @Words@ the same with a capital, @page@ with hyphens; @member@ and @test@ are the files.
+    blanks, @Title@ the same with a capital, @page@ with hyphens; @member@ and @test@ are the files.
     """
 
     folder: str  # of the members
@@ -35,9 +35,8 @@ class Family:
     others: tuple = ()  # of (file, pattern, replacement): lists that people read
 
 
-# THE TABLE.  All paths of this tool are here.  A family is offered once its catalogue is there and
-# its templates are: for a new seam, write the catalogue with the lines that say where to enter
-# things, and the three templates.
+# All paths of this tool.  A family is offered if its catalogue and its templates exist: for a new one,
+# write the catalogue with the lines that mark insertions, and the three templates.
 FAMILIES = {
     "sampler": Family(
         folder="src/samplers",
@@ -62,7 +61,7 @@ FAMILIES = {
                 "std::span<const double> values);",
             ),
             (
-                "tells the parameters of a model",
+                "enters the parameters of a model",
                 """constexpr std::array k@Name@{BsdfParameter{
     .name = "exponent",
     .low = 0,
@@ -150,7 +149,7 @@ FAMILIES = {
                 "std::unique_ptr<Detector> make_@name@(std::span<const double> values);",
             ),
             (
-                "tells the parameters of a detector",
+                "enters the parameters of a detector",
                 """constexpr std::array k@Name@{DetectorParameter{
     .name = "sectors",
     .summary = "of the azimuth",
@@ -184,7 +183,7 @@ def available(root):
 
 
 def filled(text, family, name):
-    """The text with the name in all of its spellings."""
+    """The text with the placeholders replaced by the spellings of the name."""
     words = name.replace("_", " ")
     spellings = {
         "member": f"{family.folder}/{family.prefix}{name}.cpp",
@@ -192,20 +191,20 @@ def filled(text, family, name):
         "name": name,
         "Name": "".join(word.capitalize() for word in name.split("_")),
         "words": words,
-        "Words": words.capitalize(),
+        "Title": words.capitalize(),
         "page": name.replace("_", "-"),
     }
     return re.sub(r"@(\w+)@", lambda match: spellings[match[1]], text)
 
 
 def with_entry(text, what, entry):
-    """A catalogue with an entry above the line that marks its place."""
+    """A catalogue with an entry above the line that marks the insertion."""
     mark = f"(tools/new.py {what} above this line)"
     lines = text.split("\n")
-    places = [i for i, line in enumerate(lines) if mark in line]
-    if len(places) != 1:
-        raise ValueError(f"{len(places)} lines say {mark}")
-    return "\n".join(lines[: places[0]] + entry.split("\n") + lines[places[0] :])
+    marked = [i for i, line in enumerate(lines) if mark in line]
+    if len(marked) != 1:
+        raise ValueError(f"{len(marked)} lines say {mark}")
+    return "\n".join(lines[: marked[0]] + entry.split("\n") + lines[marked[0] :])
 
 
 def with_source(text, file):
@@ -218,8 +217,8 @@ def with_source(text, file):
     for other in files:
         if other[0] > file:
             column = start + other.start() - text.rfind("\n", 0, start + other.start()) - 1
-            place = start + other.start()
-            return f"{text[:place]}{file}\n{' ' * column}{text[place:]}"
+            begin = start + other.start()
+            return f"{text[:begin]}{file}\n{' ' * column}{text[begin:]}"
     last = start + files[-1].start()
     column = last - text.rfind("\n", 0, last) - 1
     end = start + files[-1].end()

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Builds what tools/new.py makes: a member of every family, in a copy of the tree, with its tests.
+"""Builds new members by tools/new.py, one of every family, with tests, in a copy of the tree.
 
-Runs the tests that were made and those that try every row of a catalogue on the new rows.  With
-ccache, which has seen the modules of the release preset, a minute of one processor; else five.
+Runs the new tests, and the tests of every row of a catalogue on the new rows.  With a warm ccache of the
+release preset this takes about one minute of one processor, otherwise five.
 """
 
 import argparse
@@ -16,13 +16,13 @@ from pathlib import Path
 
 import new
 
-NAME = "trial_{}"  # of each family; names of pages must differ between families
+NAME = "specimen_{}"  # of each family; names of pages must differ between families
 PARTS = (
     "CMakeLists.txt", "CMakePresets.json", "cmake", "data", "include",
     "src", "tests", "tools", "docs", "examples", "python",
 )
 
-# The tests that try every row of a catalogue, with what they need.
+# The tests of every row of a catalogue, with their dependencies.
 EVERY_ROW = {
     "bsdf": ("models_test.cpp", "optics_testing.cpp"),
     "format": ("formats_test.cpp", "../runfile/io_testing.cpp", "../runfile/catalogues_test.cpp"),
@@ -36,7 +36,7 @@ EVERY_ROW = {
     ),
     "output": ("../runfile/every_output_test.cpp", "../runfile/io_testing.cpp"),
 }
-FILTER = "*Trial*:*trial*:Catalogue*:Formats.*:Catalogues.*"
+FILTER = "*Specimen*:*specimen*:Catalogue*:Formats.*:Catalogues.*"
 
 PROGRAM = """quasimc_test(
     NAME new_members
@@ -91,7 +91,7 @@ def leave_only_new_tests(copy, families):
 
 
 def run(command, **more):
-    """Runs a command and shows what it says only if it fails."""
+    """Runs a command; shows its output only if it fails."""
     done = subprocess.run(
         command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False, **more
     )
@@ -101,7 +101,7 @@ def run(command, **more):
 
 
 def build(copy, jobs, families):
-    # The build folder is where every build of this preset is, so that ccache knows the modules.
+    # The build folder has the path of every build of this preset, for ccache.
     environment = {"CCACHE_BASEDIR": str(copy), "CCACHE_NOHASHDIR": "1", **os.environ}
     folder = copy / "build/release"
     has_python = "ON" if "detector" in families else "OFF"
@@ -127,7 +127,7 @@ def test(copy, folder, families):
         for suite, case in re.findall(r"^TEST\((\w+), (\w+)\)", text, re.M):
             if f"{suite}.{case}" not in passed:
                 sys.exit(f"{said}\nnew_build: {kind}: {suite}.{case} did not pass")
-    rows = [name for name in passed if "/trial_" in name]
+    rows = [name for name in passed if "/specimen_" in name]
     for kind in families.keys() & {"bsdf", "sampler", "solver", "detector", "output"}:
         if not any(f"/{NAME.format(kind)}" in name for name in rows):
             sys.exit(f"new_build: {kind}: no test over the rows of its catalogue took the new row up")
@@ -138,7 +138,7 @@ def test(copy, folder, families):
 
 
 def test_detector_in_python(folder):
-    """A new type of detector is there in Python by its name."""
+    """Checks that a new type of detector is available in Python by its name."""
     program = DETECTOR_IN_PYTHON.format(type=NAME.format("detector"))
     environment = {**os.environ, "PYTHONPATH": str(folder / "python")}
     cache = (folder / "CMakeCache.txt").read_text(encoding="utf-8")

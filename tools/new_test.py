@@ -14,7 +14,7 @@ NAME = "trial_member"
 class Spellings(unittest.TestCase):
     def test_a_name_is_filled_in_in_all_its_spellings(self):
         family = new.FAMILIES["format"]
-        text = "@name@ @Name@ '@words@' '@Words@' @page@ @member@ @test@"
+        text = "@name@ @Name@ '@words@' '@Title@' @page@ @member@ @test@"
         self.assertEqual(
             new.filled(text, family, "open_leaf"),
             "open_leaf OpenLeaf 'open leaf' 'Open leaf' open-leaf "
@@ -52,7 +52,7 @@ class Lists(unittest.TestCase):
 
 
 class EveryFamily(unittest.TestCase):
-    """On the tree as it stands: nothing is written to it."""
+    """Checks on the current tree, without writing to it."""
 
     def test_there_are_some(self):
         families = {"bsdf", "format", "sampler", "solver", "detector", "output"}
@@ -95,7 +95,7 @@ class EveryFamily(unittest.TestCase):
         for kind in new.available(ROOT):
             for path, text in new.planned(ROOT, kind, NAME).items():
                 with self.subTest(path):
-                    self.assertNotRegex(text, r"@(name|Name|words|Words|page|member|test)@")
+                    self.assertNotRegex(text, r"@(name|Name|words|Title|page|member|test)@")
 
     def test_the_name_of_a_member_that_is_there_is_refused(self):
         with self.assertRaisesRegex(ValueError, "exists already"):

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy over our sources, in parallel, skipping what passed before unchanged.
+"""Runs clang-tidy over our sources, in parallel, skipping unchanged files that passed before.
 
-With --quick without the checks of QUICK_LESS; with --changed so too, and only over those that differ
-from the main branch, themselves or by a header.  A file is unchanged if its own text, our headers that
-it includes, its compile command, .clang-tidy and the version of clang-tidy are.  The marks of files
-that passed stand in BUILD/tidy.
+--quick omits the checks of QUICK_LESS; --changed also omits files that do not differ from the main
+branch, themselves or by a header.  A file is unchanged if its own text, our headers that it includes,
+its compile command, .clang-tidy and the version of clang-tidy are.  The marks of files that passed
+are in BUILD/tidy.
 """
 
 import argparse
@@ -23,9 +23,10 @@ import changes
 ROOT = Path(__file__).resolve().parent.parent
 INCLUDE_ROOTS = (ROOT / "include", ROOT / "src", ROOT / "tests")
 FOLDERS = ("src", "apps", "python", "tests", "bench")
-# Three quarters of the time for what is seldom found; tools/analyze.py checks modules for it.
+# Checks that take three quarters of the time and seldom find anything; tools/analyze.py runs them on
+# modules.
 QUICK_LESS = ("-clang-analyzer-*", "-performance-unnecessary-value-param")
-SAMPLE = 20  # files, where it can't be told which changed
+SAMPLE = 20  # files, if the changed ones are unknown
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
@@ -37,7 +38,7 @@ def find_clang_tidy():
 
 
 def without_launcher(command):
-    """The compile command without a leading ccache, which clang-tidy takes for the compiler."""
+    """The compile command without a leading ccache, which clang-tidy would mistake for the compiler."""
     words = command.split(" ")
     return " ".join(words[1:] if Path(words[0]).name == "ccache" else words)
 
@@ -89,15 +90,15 @@ def fingerprint(path, command, version, build):
 
 
 def rotated(paths, turn):
-    """The paths in an order that is another one at every turn."""
+    """The paths in a different order at every turn."""
     return sorted(paths, key=lambda path: hashlib.sha256(f"{turn} {path}".encode()).digest())
 
 
 def affected_by(changed, read_by, turn):
-    """The sources to check, the most telling first.
+    """The sources to check, the most relevant first.
 
-    Those that changed; one for each changed header, its own if there is one; and all others that
-    read a changed file.
+    These are the changed ones; one for each changed header, its own if there is one; and all others
+    that read a changed file.
     @param read_by  the files that each source reads, itself among them
     """
     sources = sorted(path for path in read_by if path in changed)
@@ -110,7 +111,7 @@ def affected_by(changed, read_by, turn):
 
 
 def choose(paths, since, build, at_most):
-    """The files to check of those that are there, and why these, in words."""
+    """The files to check, and a text that gives the reason."""
     turn = changes.git(ROOT, "rev-parse", "HEAD") or ""
     found = changes.find_changes(ROOT, since)
     if found.files is None:

@@ -1,4 +1,4 @@
-"""tidy.py: which files it chooses. (What clang-tidy finds in them is not tested.)"""
+"""tidy.py: the selection of files. (The findings of clang-tidy are not tested.)"""
 
 import unittest
 from pathlib import Path

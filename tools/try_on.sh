@@ -30,7 +30,7 @@ fi
 git clone -q "$PWD" "$root/root/quasimc"
 cp /etc/resolv.conf "$root/etc/"
 
-# What is mounted in a namespace of its own goes with the last process in it.
+# Mounts in a private namespace disappear with its last process.
 # shellcheck disable=SC2016  # expanded by the inner shell
 unshare --mount sh -euc '
     mount --rbind /proc "$1/proc"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes what the statistical tests measured into the pages of validation.
+"""Writes the measurements of the statistical tests into the pages of validation.
 
     build/release/bin/quasimc_test_statistical --gtest_output=xml:measured.xml
     tools/update_validation.py measured.xml
@@ -32,7 +32,7 @@ TITLES = {
     "Canopies": "Black and white canopies",
     "TurbidMedium": "Leaves that scatter, against the turbid medium",
 }
-# Suites whose claims are in the table of another.
+# Suites whose claims are in the table of another suite.
 PARTS_OF = {"Well": "FlatSurfaces", "UnderTheOtherSkies": "UnderSkies"}
 # The claims that the page of theory shows, in its order.
 SHOWN = (

@@ -20,7 +20,7 @@ FLAG = re.compile(r"^  (?P<flag>\S.*?)(?:  +(?P<text>\S.*))?$")
 
 
 def printed(program, words):
-    """What the program prints for these arguments."""
+    """The output of the program for these arguments."""
     unfolded = dict(os.environ, COLUMNS="100000")
     command = [program, *words.split()]
     return subprocess.run(
@@ -41,7 +41,7 @@ def flag_table(text, options):
     for flag, meaning in rows:
         name = flag.split()[0].split(",")[-1]
         if name != "--help" and name not in options:
-            lines.append(f"| `{flag.replace(',', ', ')}` | {meaning} |")
+            lines.append(f"| `{flag.replace(',-', ', -')}` | {meaning} |")
     return "\n".join(lines) + "\n"
 
 

@@ -50,7 +50,7 @@ int status_of(quasimc::SessionOutcome outcome) {
     switch (outcome) {
         case quasimc::SessionOutcome::good:
             return kDone;
-        case quasimc::SessionOutcome::faulty:
+        case quasimc::SessionOutcome::rejected:
             return kInputError;
         case quasimc::SessionOutcome::failed:
             break;

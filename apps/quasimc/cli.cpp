@@ -2,6 +2,7 @@
 // compile.
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -12,36 +13,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/text.h"
 #include "command_line.h"
 #include "terminal.h"
-#include "text/numbers.h"
+#include "usage_errors.h"
 
 namespace {
 
-bool is_whole(const Flag& flag) {
-    return std::holds_alternative<int*>(flag.target) ||
-           std::holds_alternative<std::size_t*>(flag.target);
-}
-
-bool is_number(const Flag& flag) {
-    return is_whole(flag) || std::holds_alternative<double*>(flag.target) ||
-           std::holds_alternative<std::optional<double>*>(flag.target);
-}
-
-/// "whole number, 0 to 150", "number >= 0".
-std::string number_text(const Flag& flag) {
-    constexpr double kHigh = 1e5;  // such a bound says little
-    const std::string kind = is_whole(flag) ? "whole number" : "number";
-    if (!flag.range) {
-        return is_whole(flag) ? kind + " >= 0" : kind;
-    }
-    const auto [low, high] = *flag.range;
-    return high >= kHigh ? fmt::format("{} >= {}", kind, low)
-                         : fmt::format("{}, {} to {}", kind, low, high);
-}
-
-/// Values, default and need of a flag, in parentheses.
+/// Values, default and need of a flag.
 std::string value_text(const Flag& flag) {
     std::vector<std::string> parts;
     if (!flag.takes.empty()) {
@@ -49,7 +27,8 @@ std::string value_text(const Flag& flag) {
     } else if (!flag.choices.empty()) {
         parts.push_back(fmt::format("one of {}", fmt::join(flag.choices, ", ")));
     } else if (is_number(flag)) {
-        parts.push_back(number_text(flag));
+        const double low = is_whole(flag) ? 0 : -HUGE_VAL;
+        parts.push_back(number_text(is_whole(flag), flag.range.value_or(std::pair(low, HUGE_VAL))));
     }
     if (!flag.default_text.empty()) {
         parts.push_back("default " + flag.default_text);
@@ -57,7 +36,18 @@ std::string value_text(const Flag& flag) {
     if (flag.required && !is_argument(flag)) {
         parts.push_back("required");
     }
-    return parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, "; "));
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// The summary of a flag, with its values in one pair of parentheses at the end.
+std::string described(const Flag& flag) {
+    const std::string values = value_text(flag);
+    if (values.empty()) {
+        return flag.summary;
+    }
+    return flag.summary.ends_with(')')
+               ? fmt::format("{}; {})", flag.summary.substr(0, flag.summary.size() - 1), values)
+               : fmt::format("{} ({})", flag.summary, values);
 }
 
 std::string type_name(const Flag& flag) {
@@ -74,11 +64,15 @@ class HelpFormatter : public CLI::Formatter {
 
     std::string make_help(
         const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override {
-        const std::string text = CLI::Formatter::make_help(app, std::move(name), mode);
+        const std::string text = make_description(app) + make_usage(app, std::move(name)) +
+                                 make_subcommands(app, mode) + make_positionals(app) +
+                                 make_groups(app, mode) + "\n" + make_footer(app);
         return CLI::detail::find_and_replace(text, "\n\n\n", "\n\n");
     }
     std::string make_description(const CLI::App* app) const override {
-        return folded(app->get_description(), width_, 0) + "\n\n";
+        std::string text = app->get_description();
+        text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+        return folded(text, width_, 0) + (text.ends_with('.') ? "\n\n" : ".\n\n");
     }
     std::string make_usage(const CLI::App* app, std::string name) const override {
         std::string text = CLI::Formatter::make_usage(app, std::move(name));
@@ -128,40 +122,11 @@ CLI::Option* add_target(CLI::App& app, const Flag& flag, T* target) {
     return app.add_option(flag.name, *target, flag.summary);
 }
 
-/// "; did you mean '--paths'?", or nothing if no candidate is near.
-template <typename Words>
-std::string nearest(std::string_view word, const Words& candidates) {
-    const std::vector<std::string_view> views(candidates.begin(), candidates.end());
-    const std::string_view near = quasimc::nearest_word(word, views);
-    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
-}
-
-/// What is wrong with the value of a flag; "" if nothing is.
-std::string about_value(const Flag& flag, const std::string& text) {
-    const auto& names = flag.choices;
-    if (!names.empty()) {
-        return std::find(names.begin(), names.end(), text) != names.end()
-                   ? ""
-                   : fmt::format(
-                         "'{}' is not one of {}{}", text, fmt::join(names, ", "),
-                         nearest(text, names));
-    }
-    const auto number = quasimc::parse_real(text);
-    if (!number || !std::isfinite(*number) || (is_whole(flag) && !quasimc::parse_integer(text))) {
-        return fmt::format("'{}' is not a {}", text, is_whole(flag) ? "whole number" : "number");
-    }
-    const auto [low, high] = flag.range.value_or(
-        is_whole(flag) ? std::pair(0.0, 0x1p31) : std::pair(-HUGE_VAL, HUGE_VAL));
-    return *number < low || *number > high
-               ? fmt::format("{} is out of range ({} to {})", text, low, high)
-               : "";
-}
-
 void add_flag(CLI::App& app, const Flag& flag) {
     CLI::Option& option =
         *std::visit([&](auto* target) { return add_target(app, flag, target); }, flag.target);
     option.required(flag.required);
-    option.description(flag.summary + value_text(flag));
+    option.description(described(flag));
     option.group(flag.group);
     if (!std::holds_alternative<bool*>(flag.target)) {
         option.option_text(type_name(flag));
@@ -186,6 +151,8 @@ void add_flags(CLI::App& app, const std::vector<Flag>& flags) {
 
 void add_command(CLI::App& app, const Command& command, Parsed& parsed) {
     CLI::App& added = *app.add_subcommand(command.name, command.summary);
+    added.group("Commands");
+    added.footer("");
     add_flags(added, command.flags);
     added.callback([&command, &parsed] {
         try {
@@ -197,82 +164,6 @@ void add_command(CLI::App& app, const Command& command, Parsed& parsed) {
         }
         parsed.command = &command;
     });
-}
-
-/// That a word is no command.
-std::string about_command(const Program& program, const std::string& word) {
-    std::vector<std::string_view> names;
-    for (const Command& command : program.commands) {
-        names.push_back(command.name);
-    }
-    const std::string near = word.ends_with(".toml")
-                                 ? fmt::format("; did you mean 'quasimc run {}'?", word)
-                                 : nearest(word, names);
-    return fmt::format(
-        "unknown command '{}'{}", word,
-        near.empty() ? fmt::format(" (one of {})", fmt::join(names, ", ")) : near);
-}
-
-/// What is wrong with words that no command or flag asked for: one line each.
-std::string about_extras(
-    const Program& program, const Command* command, const std::vector<std::string>& extras) {
-    std::vector<std::string_view> flags{"--help"};
-    for (const Flag& flag : command != nullptr ? command->flags : program.flags) {
-        for (const std::string_view name : names_of(flag)) {
-            if (name.starts_with("--")) {
-                flags.push_back(name);
-            }
-        }
-    }
-    std::string flag_lines;
-    std::string word_lines;
-    for (const std::string& word : extras) {
-        const std::string name = word.substr(0, word.find('='));
-        if (word.size() > 1 && word.starts_with('-')) {
-            flag_lines += fmt::format("unknown option {}{}\n", name, nearest(name, flags));
-        } else if (command == nullptr) {
-            word_lines += about_command(program, word) + "\n";
-        } else {
-            word_lines += fmt::format("unexpected argument '{}'\n", word);
-        }
-    }
-    // A word beside an unknown flag was probably its value, and a command goes before its flags.
-    const bool has_list = command == nullptr ? !word_lines.empty() : flag_lines.empty();
-    return has_list ? word_lines.substr(0, word_lines.find('\n') + 1) : flag_lines;
-}
-
-/// The flag of a command by one of its names, or null.
-const Flag* find_flag(const Command& command, std::string_view word) {
-    for (const Flag& flag : command.flags) {
-        const auto names = names_of(flag);
-        if (word.starts_with('-') && std::find(names.begin(), names.end(), word) != names.end()) {
-            return &flag;
-        }
-    }
-    return nullptr;
-}
-
-/// The flag of a command that stands there without its value, at the end or before another flag; ""
-/// if none does.
-std::string flag_without_value(const Command& command, const std::vector<std::string>& words) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const Flag* flag = find_flag(command, words[i]);
-        const bool has_value = i + 1 < words.size() && find_flag(command, words[i + 1]) == nullptr;
-        if (flag != nullptr && !std::holds_alternative<bool*>(flag->target) && !has_value) {
-            return words[i];
-        }
-    }
-    return "";
-}
-
-/// The command that the words name.
-const Command* command_of(const Program& program, const std::vector<std::string>& words) {
-    for (const Command& command : program.commands) {
-        if (std::find(words.begin(), words.end(), command.name) != words.end()) {
-            return &command;
-        }
-    }
-    return nullptr;
 }
 
 /// `quasimc help run` as `quasimc run --help`.
@@ -300,16 +191,6 @@ Parsed refuse(const Program& program, const Command* command, const std::string&
 }
 
 }  // namespace
-
-std::vector<std::string_view> names_of(const Flag& flag) {
-    std::vector<std::string_view> names;
-    for (std::string_view rest = flag.name; !rest.empty();) {
-        const std::size_t end = std::min(rest.find(','), rest.size());
-        names.push_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return names;
-}
 
 Parsed parse_command_line(const Program& program, int argc, char** argv) {
     Parsed parsed;

@@ -31,7 +31,7 @@ bool takes_value(const Flag& flag) {
     return !is_argument(flag) && !std::holds_alternative<bool*>(flag.target);
 }
 
-/// A case of bash for each flag that takes a value, and one for the other words of a command.
+/// A case of bash for each flag that has choices, and one for the other words of a command.
 std::string bash_cases(const Command& command) {
     std::string cases;
     std::vector<std::string_view> names{"--help"};
@@ -43,7 +43,7 @@ std::string bash_cases(const Command& command) {
         }
         const auto own = names_of(flag);
         names.insert(names.end(), own.begin(), own.end());
-        if (takes_value(flag)) {
+        if (!values_of(flag).empty()) {
             cases += fmt::format(
                 "    \"{0} {1}\") words=\"{2}\" ;;\n", command.name,
                 fmt::join(own, fmt::format("\" | \"{} ", command.name)),

@@ -97,7 +97,7 @@ void write_result_opf(const ConvertArguments& arguments, const ShownRun& shown) 
         print_warnings(
             {{arguments.output,
               fmt::format(
-                  "{} organs of the result are no nodes of {}", matches.missing, file.path)}});
+                  "{} organs of the result are not nodes of {}", matches.missing, file.path)}});
     }
 }
 

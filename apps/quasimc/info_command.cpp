@@ -36,7 +36,7 @@ std::string bounds_text(const quasimc::Scene& scene, const std::string& unit) {
     return line(
         "bounds", fmt::format(
                       "{}, {}, {}{}", axis("x", a.x, b.x), axis("y", a.y, b.y), axis("z", a.z, b.z),
-                      unit.empty() ? "; the file states no unit" : " " + unit));
+                      unit.empty() ? "; the file has no unit" : " " + unit));
 }
 
 std::string areas_text(const quasimc::Scene& scene, const std::string& unit) {

@@ -62,7 +62,7 @@ class LightOnScene final : public quasimc::OutputWriter {
         : run_(&input.run), sink_(input.sink), columns_(columns), write_(std::move(write)) {}
 
     void next_run(
-        const quasimc::RunFile& run, const quasimc::SeriesSummary& /*of_the_last*/) override {
+        const quasimc::RunFile& run, const quasimc::SeriesSummary& /*series_summary*/) override {
         run_ = &run;
     }
     void on_time_step(const quasimc::TimeStepResult& step) override {
@@ -71,10 +71,10 @@ class LightOnScene final : public quasimc::OutputWriter {
             add_traits(*run_, step.result, values_);
         }
     }
-    void finish(const quasimc::SeriesSummary& of_the_last) override {
-        if (run_->series && !of_the_last.total.values.empty()) {
+    void finish(const quasimc::SeriesSummary& series_summary) override {
+        if (run_->series && !series_summary.total.values.empty()) {
             values_ = light_values(
-                *run_, quasimc::in_summed_units(*run_, of_the_last.total), columns_(*run_));
+                *run_, quasimc::in_summed_units(*run_, series_summary.total), columns_(*run_));
         }
         write_(*run_, values_, sink_);
     }

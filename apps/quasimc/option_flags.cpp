@@ -6,6 +6,7 @@
 
 #include "options/options.h"
 #include "terminal.h"
+#include "usage_errors.h"
 
 namespace {
 
@@ -32,19 +33,17 @@ std::string default_of(const quasimc::Option& option) {
     return text == "[]" ? "" : text;
 }
 
-/// Its values; bounds that are very large are left out.
+/// Its values; "" if the name of their type says enough.
 std::string takes_of(const quasimc::Option& option) {
-    constexpr double kHigh = 1e5;
-    const auto* whole = std::get_if<quasimc::IntegerDomain>(&option.domain);
-    const auto* real = std::get_if<quasimc::RealDomain>(&option.domain);
-    if (whole == nullptr && real == nullptr) {
-        return option.domain.index() == 2 ? quasimc::domain_text(option) : "";
+    if (const auto* range = std::get_if<quasimc::IntegerDomain>(&option.domain)) {
+        return number_text(
+            true, {static_cast<double>(range->low), static_cast<double>(range->high)});
     }
-    const std::string kind = whole != nullptr ? "whole number" : "number";
-    const double high = whole != nullptr ? static_cast<double>(whole->high) : real->high;
-    const double low = whole != nullptr ? static_cast<double>(whole->low) : real->low;
-    return high >= kHigh ? fmt::format("{} >= {}", kind, low)
-                         : fmt::format("{}, {} to {}", kind, low, high);
+    if (const auto* range = std::get_if<quasimc::RealDomain>(&option.domain)) {
+        return number_text(false, {range->low, range->high});
+    }
+    const bool is_choice = std::holds_alternative<quasimc::ChoiceDomain>(option.domain);
+    return is_choice ? quasimc::domain_text(option) : "";
 }
 
 }  // namespace

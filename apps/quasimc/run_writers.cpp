@@ -163,12 +163,13 @@ bool RunWriters::wants(quasimc::SeriesPart part) const {
            });
 }
 
-void RunWriters::next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& of_the_last) {
-    for_each_writer([&](quasimc::OutputWriter& writer) { writer.next_run(run, of_the_last); });
+void RunWriters::next_run(
+    const quasimc::RunFile& run, const quasimc::SeriesSummary& series_summary) {
+    for_each_writer([&](quasimc::OutputWriter& writer) { writer.next_run(run, series_summary); });
 }
 
-RunWriters::Repeated RunWriters::finish(const quasimc::SeriesSummary& of_the_last) {
-    for_each_writer([&](quasimc::OutputWriter& writer) { writer.finish(of_the_last); });
+RunWriters::Repeated RunWriters::finish(const quasimc::SeriesSummary& series_summary) {
+    for_each_writer([&](quasimc::OutputWriter& writer) { writer.finish(series_summary); });
     files_.commit();
     return {repeated_ ? repeated_->digest() : "", comparison_ ? comparison_->difference() : ""};
 }

@@ -56,15 +56,15 @@ class RunWriters : public quasimc::RunListener {
     void on_time_step(const quasimc::TimeStepResult& step) override;
     void on_day(std::size_t day, const quasimc::SeriesSum& sum) override;
     [[nodiscard]] bool wants(quasimc::SeriesPart part) const override;
-    /// What follows is of the next point. @param of_the_last  of the point that ends
-    void next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& of_the_last);
+    /// Begins the next point. @param series_summary  of the previous point
+    void next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& series_summary);
     /// How a run that is repeated compares with its result; "" where it isn't one.
     struct Repeated {
         std::string digest;      ///< of the organs
         std::string difference;  ///< of the rows of numbers, in words; "" if there is none
     };
-    /// Ends the files and gives them their names. @param of_the_last  of the last point
-    Repeated finish(const quasimc::SeriesSummary& of_the_last);
+    /// Ends the files and gives them their names. @param series_summary  of the last point
+    Repeated finish(const quasimc::SeriesSummary& series_summary);
 
     /// @param all  of all points
     /// @param comparison  with the result that was repeated; ends the text

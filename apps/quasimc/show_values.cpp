@@ -38,8 +38,7 @@ const quasimc::QuantityEntry* find_quantity(const std::string& name) {
 /// "did you mean 'PAR'?", or nothing.
 std::string meant(const std::string& word, const std::vector<std::string>& names) {
     const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string_view near = quasimc::nearest_word(word, views);
-    return near.empty() ? "" : fmt::format("did you mean '{}'?", near);
+    return quasimc::near_word_text(word, views);
 }
 
 const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
@@ -131,7 +130,7 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
         refuse("day", choice.day, days.front(), days.back());
     }
     throw quasimc::InputError(
-        {{path, fmt::format("holds no {}", values.name),
+        {{path, fmt::format("contains no {}", values.name),
           "the run did not write it, or there is none", "check [output] in the run file"}});
 }
 

@@ -45,7 +45,7 @@ std::optional<quasimc::Site> site_of(const SkyArguments& arguments, quasimc::Fau
                                : quasimc::parse_real(quasimc::trimmed(text.substr(comma + 1)));
     if (!latitude || !longitude) {
         faults.add(
-            {"--site", fmt::format("'{}' is no site", text), "",
+            {"--site", fmt::format("'{}' is not a site", text), "",
              "give latitude and longitude in degrees, north and east positive: 50.1,8.7"});
         return std::nullopt;
     }

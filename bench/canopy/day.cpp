@@ -31,7 +31,8 @@ ClearDay make_day() {
         const SunPath path = sun_path(site, {2024, 6, 21, kFirstHour + i, 0, 0, 1}, kHour, 300);
         day.parts.push_back(make_hour_parts(path, clear_light(path, {}), how));
         HourSources hour = make_hour_sources(day.parts.back());
-        day.hours.push_back({"hour", std::move(hour.sources), std::move(hour.shapes), kHour, 0});
+        day.hours.push_back(
+            {"hour", std::move(hour.sources), std::move(hour.directional_key), kHour, 0});
     }
     return day;
 }

@@ -40,7 +40,7 @@ std::vector<TimeStep> sample_of_year() {
             HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
             if (!sources.sources.empty()) {
                 hours.push_back(
-                    {"hour", std::move(sources.sources), std::move(sources.shapes), kHour,
+                    {"hour", std::move(sources.sources), std::move(sources.directional_key), kHour,
                      static_cast<std::size_t>(month)});
             }
         }

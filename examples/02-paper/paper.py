@@ -66,7 +66,7 @@ def light_of(result):
 
 
 def variances_of(result):
-    """Of the absorbed flux density of every leaf, between replicates."""
+    """Variance of every leaf's absorbed flux density, between replicates."""
     return result.replicates * np.nan_to_num(light_of(result).standard_error) ** 2
 
 

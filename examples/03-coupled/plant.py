@@ -56,12 +56,12 @@ def turned(v, axis, angle):
 
 @dataclass
 class Leaf:
-    place: tuple
+    position: tuple
     heading: tuple
     left: tuple
     up: tuple
     size: float = 0.2  # of its final size
-    light: float = 1.0  # absorbed per area, as it was last told
+    light: float = 1.0  # absorbed per area, from the last answer
     has_bud: bool = True
 
 
@@ -73,7 +73,7 @@ class Shoot:
     leaves: list = field(default_factory=list)
 
     def grow(self):
-        """One internode, and a leaf that stands off by 60 degrees."""
+        """Adds an internode, and a leaf at an angle of 60 degrees."""
         self.tip = add(self.tip, self.direction, INTERNODE)
         self.side = turned(self.side, self.direction, GOLDEN_ANGLE)
         left = cross(self.side, self.direction)
@@ -81,14 +81,14 @@ class Shoot:
         self.leaves.append(Leaf(self.tip, unit(heading), unit(left), unit(cross(left, heading))))
 
     def branch(self, leaf):
-        """The bud of a leaf grows out, half way between leaf and shoot."""
+        """Returns the shoot of a leaf's bud, half way between leaf and shoot."""
         leaf.has_bud = False
         direction = unit(add(self.direction, leaf.heading, 0.8))
-        return Shoot(leaf.place, direction, unit(cross(direction, leaf.left)))
+        return Shoot(leaf.position, direction, unit(cross(direction, leaf.left)))
 
 
 class Light:
-    """The other process."""
+    """The light program, in another process."""
 
     def __init__(self, program, words=()):
         self.process = subprocess.Popen(
@@ -103,7 +103,7 @@ class Light:
         if self.process.stdout.read(1) != b"\x01":
             sys.exit("plant.py: the light program does not answer")
 
-    def tell(self, text):
+    def send(self, text):
         self.process.stdin.write(text.encode())
         self.process.stdin.flush()
 
@@ -132,18 +132,18 @@ class Light:
                     leaf.size * LEAF_HALF_WIDTH,
                     leaf.size * LEAF_LENGTH,
                 )
-                for vector in (leaf.place, leaf.heading, leaf.left, leaf.up):
+                for vector in (leaf.position, leaf.heading, leaf.left, leaf.up):
                     text += " %g %g %g\n" % vector
             is_last = number + 1 == len(chunks)
             flags = (1 if number == 0 else 0) + (4 if is_last else 0)
-            self.tell(text + "Control: %d %d\n" % (flags, step if is_last else 0))
+            self.send(text + "Control: %d %d\n" % (flags, step if is_last else 0))
             if not is_last:
                 self.process.stdout.readline()  # Control: 5, go on
         for i, light in self.replies():
             leaves[i].light = light
 
     def end(self):
-        self.tell("Control: 8 0\n")
+        self.send("Control: 8 0\n")
         self.process.stdout.readline()
         self.expect_sign()
         return self.process.wait()
@@ -181,17 +181,17 @@ def grow(light, steps, pause=0.0):
 
 
 def wait_for_enter(text):
-    """Waits for the Enter key; not where nobody can press it (no terminal, end of the input)."""
+    """Waits for the Enter key, unless there is no terminal or the input has ended."""
     try:
         input(text + "\n")
     except EOFError:
-        print("There is no terminal to press Enter on: going on.")
+        print("There is no terminal to press Enter on: continuing.")
 
 
-def program_path(stated):
-    """The stated program, or that beside the one under test, or the one that was built."""
+def program_path(given):
+    """The given program, or that beside the one under test, or the one that was built."""
     beside = os.path.join(os.path.dirname(os.environ.get("QUASIMC_PROGRAM", "")), "QuasiMC")
-    for path in (stated, beside, HERE.parents[1] / "build/release/bin/QuasiMC"):
+    for path in (given, beside, HERE.parents[1] / "build/release/bin/QuasiMC"):
         if path and Path(path).is_file():
             return str(Path(path).resolve())
     found = shutil.which("QuasiMC")
@@ -213,7 +213,7 @@ def main():
         wait_for_enter("Open the address above in a browser of this machine, then press Enter.")
     grow(light, arguments.steps, 1.0 if arguments.view else 0.0)
     if arguments.view:
-        wait_for_enter("All steps are there: the slider goes back. Enter ends.")
+        wait_for_enter("All steps are computed; the slider shows earlier ones. Enter ends.")
     return light.end()
 
 

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Plant and light side by side, in a page in the browser that follows the steps, which plant.py prints. Takes the words of plant.py.
+# Shows plant and light side by side in a page in the browser, which follows the steps that plant.py prints. Takes the
+# arguments of plant.py.
 set -eu
 
 cd "$(dirname "$0")"

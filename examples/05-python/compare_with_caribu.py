@@ -1,4 +1,4 @@
-"""A script for Caribu: only the import differs, unless Caribu itself is asked for by --caribu."""
+"""A script for Caribu: only the import differs; --caribu runs Caribu itself."""
 
 import random
 import sys

@@ -12,9 +12,9 @@ def main() -> None:
     hours = {"day": "2024-06-21", "utc_offset_hours": 2, "hours": [6, 22], "step_minutes": 120}
     series = scene.run(time=hours, paths=1024)
     assert isinstance(series, quasimc.Series)
-    for moment, result in zip(series.times, series):
+    for time_step, result in zip(series.times, series):
         light = result.groups["absorbed_flux"].mean[0]
-        print(moment["time"], *(f"{band} {x:8.3f}" for band, x in zip(result.bands, light)))
+        print(time_step["time"], *(f"{band} {x:8.3f}" for band, x in zip(result.bands, light)))
     total = series.days["2024-06-21"]["absorbed_flux"]
     print("the day:", *(f"{b} {total[b].mean[:-1].sum():.3g} {total[b].unit}" for b in total.bands))
 

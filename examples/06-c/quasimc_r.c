@@ -1,4 +1,4 @@
-/* What leaves.R calls: the functions of the C interface that it needs, for R's .Call().
+/* The functions of the C interface that leaves.R calls, for R's .Call().
  * R CMD SHLIB makes a library of it. */
 
 #include <quasimc/capi.h>
@@ -22,7 +22,7 @@ static void free_result(SEXP handle) {
     R_ClearExternalPtr(handle);
 }
 
-/* A handle that R frees when nobody has it any more. */
+/* A handle that R frees when it is unreachable. */
 static SEXP handle_of(void* pointer, R_CFinalizer_t finalizer) {
     SEXP handle = PROTECT(R_MakeExternalPtr(pointer, R_NilValue, R_NilValue));
     R_RegisterCFinalizerEx(handle, finalizer, TRUE);

@@ -1,8 +1,8 @@
 #!/bin/sh
-# A run on the ranks of a SLURM job, which goes on after whatever ends it:
+# A run on the ranks of a SLURM job, which can continue after any interruption:
 #   sbatch ranks.sh canopy.toml
-# Ninety seconds before the limit of time SLURM tells the batch shell, which puts the job back into
-# the queue; the checkpoint has what was done.
+# Ninety seconds before the time limit, SLURM signals the batch shell, which puts the job back into the
+# queue; the checkpoint holds the completed part.
 #SBATCH --ntasks-per-node=1
 #SBATCH --nodes=4
 #SBATCH --cpus-per-task=32

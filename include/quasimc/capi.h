@@ -1,13 +1,13 @@
 #pragma once
 
-/* QuasiMC in plain C, for programs in C and in all languages that call C:
+/* QuasiMC in plain C, for programs in C and in all languages that can call C:
  * docs/guide/libraries.md shows how.
  *
- * Everything is made of numbers, texts, arrays and three kinds of handles. Nothing is thrown across
+ * The interface uses numbers, texts, arrays and three kinds of handles. Nothing is thrown across
  * this interface. Functions that can fail return a quasimc_status, and quasimc_last_error() then
- * tells what was wrong. Texts are UTF-8 and end in a zero byte; those returned live as long as the
- * handle that they were asked of, and are never NULL unless it is said. A handle is for one thread
- * at a time; different handles may be used at the same time. Freeing NULL does nothing. */
+ * describes the error. Texts are UTF-8 and end in a zero byte; those returned live as long as the
+ * handle that they belong to, and are never NULL unless documented. A handle is for one thread
+ * at a time; different handles may be used concurrently. Freeing NULL does nothing. */
 
 /* Not the C++ headers of these names: a C compiler has none of those. */
 #include <stdint.h> /* NOLINT(modernize-deprecated-headers) */
@@ -19,47 +19,46 @@ extern "C" {
 /** Changes when a program that was compiled for another number no longer works. */
 #define QUASIMC_ABI_VERSION 2
 
-/** What is to be computed: organs, materials, light, how to run. */
+/** Input of a run: organs, materials, light and options. */
 typedef struct quasimc_scene quasimc_scene;
 /** A canopy whose organs change from step to step. */
 typedef struct quasimc_growth quasimc_growth;
 /** The light on every organ. */
 typedef struct quasimc_result quasimc_result;
 
-/** What a function returns. The same numbers are exit statuses of the program. */
+/** Return values of functions. The same numbers are exit statuses of the program. */
 enum quasimc_status {
     QUASIMC_DONE = 0,
-    QUASIMC_INPUT_ERROR = 1, /**< something stated is wrong; all faults are told, one per line */
-    QUASIMC_MISUSE = 2, /**< a NULL, a count that can't be, an index or a name that is not there, a
-                             handle in use */
-    QUASIMC_INTERNAL_ERROR = 3, /**< our fault, or memory ran out */
+    QUASIMC_INPUT_ERROR = 1,    /**< an error in the input; all errors are listed, one per line */
+    QUASIMC_MISUSE = 2,         /**< a NULL, an impossible count, an unknown index or name, or a
+                                     handle in use */
+    QUASIMC_INTERNAL_ERROR = 3, /**< a bug, or out of memory */
     QUASIMC_STOPPED = 4         /**< a run ended before there was a result */
 };
 
-/** The parts of what a scene says, for quasimc_scene_clear(). */
+/** The parts of a scene, for quasimc_scene_clear(). */
 enum quasimc_part {
     QUASIMC_BANDS = 0,
     QUASIMC_MATERIALS = 1,
-    QUASIMC_ORGANS =
-        2, /**< those of quasimc_scene_add_mesh(), of run files and of geometry files */
+    QUASIMC_ORGANS = 2, /**< from quasimc_scene_add_mesh(), run files and geometry files */
     QUASIMC_GROUND = 3,
     QUASIMC_CELL = 4,
-    QUASIMC_SITE = 5, /**< where on the Earth the scene is */
+    QUASIMC_SITE = 5, /**< site of the scene on the Earth */
     QUASIMC_SOURCES = 6,
     QUASIMC_TIME = 7,      /**< the times of a run file */
     QUASIMC_SWEEP = 8,     /**< the sweep of a run file */
-    QUASIMC_DETECTORS = 9, /**< what else light is sorted by */
-    QUASIMC_OPTIONS = 10,  /**< options of the run: all have their defaults then */
+    QUASIMC_DETECTORS = 9, /**< detectors of light other than organs */
+    QUASIMC_OPTIONS = 10,  /**< options of the run, which return to their defaults */
     QUASIMC_OTHER = 11,    /**< format, title, up, north, length_unit, irradiance_unit, [output] */
     QUASIMC_UNKNOWN_KEYS = 12 /**< keys at the top of a run file that do not exist */
 };
 
-/** Hears now and then how far a run is, in the thread that called it.
- *  @param fraction  of the run that is done, 0 to 1
- *  @param seconds  so far
- *  @param expected_seconds  in all; grows when a target needs more paths
- *  @param user  what was given with the function
- *  @returns 0 to go on; anything else ends the run, whose result is then that of what was done
+/** Receives the progress of a run from time to time, in the calling thread.
+ *  @param fraction  completed fraction of the run, 0 to 1
+ *  @param seconds  elapsed time
+ *  @param expected_seconds  expected total time; grows when a target needs more paths
+ *  @param user  the pointer given with the function
+ *  @returns 0 to go on; anything else ends the run, with the result of the completed part
  */
 typedef int (*quasimc_progress)(
     double fraction, double seconds, double expected_seconds, void* user);
@@ -70,40 +69,40 @@ typedef int (*quasimc_progress)(
 int quasimc_abi_version(void);
 /** "major.minor.patch". */
 const char* quasimc_version(void);
-/** What was wrong with the last call in this thread that failed; "" if none did. Until the next. */
+/** Error of the last failed call in this thread; "" if none failed. Valid until the next call. */
 const char* quasimc_last_error(void);
 
 /* ---- Scenes: everything has the names of the run file, docs/reference/run-file.md ----
  *
- * What is stated is checked together, when the scene is run or a growth is made of it; by
- * themselves calls refuse pointers, counts, texts that are no TOML, options that there are not, and
- * faces that name no vertex. What a run then refuses is taken back by quasimc_scene_clear, and
- * stated anew.
+ * Input is checked together, when the scene is run or a growth is made of it; by
+ * themselves calls reject pointers, counts, texts that are no TOML, unknown options, and
+ * faces with unknown vertices. Input that a run then rejects is removed by quasimc_scene_clear,
+ * and given anew.
  *
  * Bands come first, by quasimc_scene_add_band() or in a piece of a run file. Arrays of reflectance,
  * transmittance, irradiance and power have as many numbers as the scene has bands at the call; a
- * scene without bands refuses them. */
+ * scene without bands rejects them. */
 
 /** An empty scene. Paths of files are relative to the current folder. */
 int quasimc_scene_new(quasimc_scene** scene);
-/** What a run file says; what it says under [output] is passed over. */
+/** The scene of a run file, whose [output] is ignored. */
 int quasimc_scene_load(const char* run_file, quasimc_scene** scene);
 void quasimc_scene_free(quasimc_scene* scene);
 
-/** States anything as a piece of a run file (TOML). Tables are joined with what was stated, lists
+/** Adds a piece of a run file (TOML). Tables are merged with previous input, lists
  *  of tables ([[material]], [[source]], [[organ]], ...) are appended, single values replaced. */
 int quasimc_scene_state(quasimc_scene* scene, const char* toml);
-/** Removes a part of what was stated or loaded, if there is any. @param part  a quasimc_part */
+/** Removes a part of the input, if there is any. @param part  a quasimc_part */
 int quasimc_scene_clear(quasimc_scene* scene, int part);
 
 /** Adds a waveband. @param unit  of irradiance; NULL or "": W m-2 */
 int quasimc_scene_add_band(quasimc_scene* scene, const char* name, const char* unit);
-/** Adds a material, both sides alike, or replaces that of the same name.
+/** Adds a material with equal sides, or replaces that of the same name.
  *  @param reflectance, transmittance  per band, 0 to 1; one of them may be NULL: 0 */
 int quasimc_scene_add_material(
     quasimc_scene* scene, const char* name, const double* reflectance, const double* transmittance);
-/** Adds organs made of triangles, in the order of their ids; they come behind those that were
- *  stated or loaded. The arrays are copied.
+/** Adds organs made of triangles, in the order of their ids, after all previous ones. The
+ *  arrays are copied.
  *  @param vertices  x, y, z of each: 3 * vertex_count numbers
  *  @param faces  three numbers of vertices each, from 0: 3 * face_count; NULL: every three vertices
  *         are a face, and face_count is a third of vertex_count
@@ -126,10 +125,10 @@ int quasimc_scene_set_label(
     quasimc_scene* scene, int64_t organ, const char* key, const char* value);
 /** Sets a horizontal ground: under the canopy, or of the whole cell. */
 int quasimc_scene_set_ground(quasimc_scene* scene, const char* material, double height);
-/** Repeats the scene without end along x and y. */
+/** Repeats the scene periodically along x and y. */
 int quasimc_scene_set_cell(
     quasimc_scene* scene, double x_low, double x_high, double y_low, double y_high);
-/** Where the scene lies, for suns by time: degrees, north and east positive; m. */
+/** Sets the site of the scene, for suns by time: degrees, north and east positive; m. */
 int quasimc_scene_set_site(
     quasimc_scene* scene, double latitude_deg, double longitude_deg, double elevation_m);
 
@@ -144,34 +143,34 @@ int quasimc_scene_add_sun(
     double azimuth_deg,
     double elevation_deg,
     const double* irradiance_facing);
-/** The sun of a moment, "2024-06-21T12:00:00+02:00"; the scene needs a site. */
+/** The sun at a time, "2024-06-21T12:00:00+02:00"; the scene needs a site. */
 int quasimc_scene_add_sun_at(
     quasimc_scene* scene, const char* time, const double* irradiance_facing);
-/** A sky that asks for nothing more, or for the first sun: "uniform", "cie_overcast", ... */
+/** A sky without parameters except the first sun: "uniform", "cie_overcast", ... */
 int quasimc_scene_add_sky(
     quasimc_scene* scene, const char* model, const double* irradiance_horizontal);
-/** A lamp that shines alike in all directions. @param power  W (umol s-1) as bands are in W m-2 */
+/** An isotropic lamp. @param power  W, or umol s-1 for bands in umol m-2 s-1 */
 int quasimc_scene_add_point_lamp(
     quasimc_scene* scene, double x, double y, double z, const double* power);
 
 /** Sets an option of the run, docs/reference/options.md: "paths" "4096", "method" "auto". */
 int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value);
 
-/** Computes the light on every organ. What did not change since the last run is not built again.
+/** Computes the light on every organ. Unchanged parts of the last run are reused.
  *  The bits of the result are those of the program.
  *  @param progress  may be NULL; it must not use the scene
- *  @param result  to be freed by the caller; of one moment: [time] and [sweep] are refused,
- *         and can be taken back (quasimc_scene_clear) */
+ *  @param result  to be freed by the caller; of a single time: [time] and [sweep] are rejected,
+ *         and can be removed (quasimc_scene_clear) */
 int quasimc_scene_run(
     quasimc_scene* scene, quasimc_progress progress, void* user, quasimc_result** result);
 
 /* ---- Growth ---- */
 
-/** A canopy that begins with what the scene says. Sources and options of a step are those that the
- *  scene has then. The scene must not be freed before it. */
+/** A canopy that begins with the scene. Sources and options of a step are those that the
+ *  scene has then. The scene must not be freed before the growth. */
 int quasimc_growth_new(quasimc_scene* scene, quasimc_growth** growth);
 void quasimc_growth_free(quasimc_growth* growth);
-/** Adds organs behind the others; as quasimc_scene_add_mesh, but that ids must be stated. All or
+/** Adds organs after the others; as quasimc_scene_add_mesh, but ids must be given. All or
  *  none: an id that an organ of the growth or of its scene has is an input error. */
 int quasimc_growth_add_mesh(
     quasimc_growth* growth,
@@ -195,7 +194,7 @@ int quasimc_growth_change_mesh(
     const int32_t* material_of_face);
 /** Removes an organ that was added to the growth. */
 int quasimc_growth_remove(quasimc_growth* growth, int64_t organ);
-/** Takes over what changed in the scene beside sources and options: materials, ground, ... Nothing
+/** Takes over changes of the scene other than sources and options: materials, ground, ... Nothing
  *  is taken over if one of its organs now has the id of an organ of the growth. */
 int quasimc_growth_update_scene(quasimc_growth* growth);
 /** The light of this step: the bits of a single run of the same organs in the same order, and its
@@ -203,7 +202,7 @@ int quasimc_growth_update_scene(quasimc_growth* growth);
 int quasimc_growth_run(
     quasimc_growth* growth, quasimc_progress progress, void* user, quasimc_result** result);
 
-/* ---- Results. They live by themselves, whatever becomes of scene and growth. ---- */
+/* ---- Results. They are independent of scene and growth. ---- */
 
 void quasimc_result_free(quasimc_result* result);
 
@@ -211,7 +210,7 @@ void quasimc_result_free(quasimc_result* result);
 int64_t quasimc_result_organ_count(const quasimc_result* result);
 /** -1 and an error if there is no such organ. */
 int64_t quasimc_result_organ_id(const quasimc_result* result, int64_t organ);
-/** Where the organ of an id stands; -1 if there is none. */
+/** The index of the organ with an id; -1 if there is none. */
 int64_t quasimc_result_find_organ(const quasimc_result* result, int64_t id);
 /** NULL and an error if there is no such organ. */
 const char* quasimc_result_organ_name(const quasimc_result* result, int64_t organ);
@@ -232,11 +231,11 @@ int64_t quasimc_quantity_count(void);
 const char* quasimc_quantity_name(int64_t quantity);
 
 /** A number of every organ.
- *  @param quantity  a name of quasimc_quantity_name(); "sunlit_fraction"; or a ratio that was asked
- *         for, "R:FR"
+ *  @param quantity  a name of quasimc_quantity_name(); "sunlit_fraction"; or a requested ratio,
+ *         "R:FR"
  *  @param band  its name; NULL for the latter two
  *  @param statistic  "mean", "standard_error", or "ci95_low" and "ci95_high", the ends of the 95 %
- * interval, which holds the mean and nothing that is physically impossible
+ * interval, which contains the mean and only physically possible values
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_organ_count() */
 int quasimc_result_get(
@@ -246,7 +245,7 @@ int quasimc_result_get(
     const char* statistic,
     double* values,
     int64_t count);
-/** The same of one organ, given by its id.
+/** A number of one organ, given by its id, as quasimc_result_get.
  *  @param values  room for four: mean, standard error, ci95_low, ci95_high */
 int quasimc_result_get_organ(
     const quasimc_result* result,
@@ -254,11 +253,11 @@ int quasimc_result_get_organ(
     const char* quantity,
     const char* band,
     double* values);
-/** A sum (or mean per area) over all organs but the ground, with its own error.
+/** A sum (or mean per area) over all organs except the ground, with its own error.
  *  @param values  room for four: mean, standard error, ci95_low, ci95_high */
 int quasimc_result_get_total(
     const quasimc_result* result, const char* quantity, const char* band, double* values);
-/** Where the light of a band went. @param item  "emitted", "absorbed_by_organs",
+/** The energy budget of a band. @param item  "emitted", "absorbed_by_organs",
  *  "absorbed_by_ground", "escaped", "cut_off" or "imbalance". @param values  room for four */
 int quasimc_result_get_budget(
     const quasimc_result* result, const char* item, const char* band, double* values);
@@ -269,7 +268,7 @@ int64_t quasimc_result_group_count(const quasimc_result* result);
 const char* quasimc_result_group_by(const quasimc_result* result, int64_t group);
 /** The value of the label, or the name of the layer. */
 const char* quasimc_result_group_value(const quasimc_result* result, int64_t group);
-/** As quasimc_result_get, of every group. */
+/** A number of every group, as quasimc_result_get. */
 int quasimc_result_get_groups(
     const quasimc_result* result,
     const char* quantity,
@@ -282,10 +281,10 @@ int quasimc_result_get_groups(
 int64_t quasimc_result_detector_count(const quasimc_result* result);
 /** NULL and an error if there is no such detector. */
 const char* quasimc_result_detector_name(const quasimc_result* result, int64_t detector);
-/** How many bins a detector sorts light into. -1 and an error if there is no detector of the name.
+/** The number of bins of a detector. -1 and an error if there is no detector of the name.
  */
 int64_t quasimc_result_detector_bin_count(const quasimc_result* result, const char* detector);
-/** What a bin stands for: "0 to 20". NULL and an error if there is no such detector or bin. */
+/** The range of a bin: "0 to 20". NULL and an error if there is no such detector or bin. */
 const char* quasimc_result_detector_bin(
     const quasimc_result* result, const char* detector, int64_t bin);
 /** The flux in every bin of a detector: unit of the band times square units of length.
@@ -303,16 +302,16 @@ int quasimc_result_get_detector(
 /** A number of the run: "paths" (per replicate), "replicates", "rays", "fraction_at_target",
  *  "preparation_seconds", "solve_seconds", "solve_cpu_seconds". */
 int quasimc_result_get_number(const quasimc_result* result, const char* key, double* value);
-/** How many rounds a run with a target error or a limit of paths took; 0: it was one round. */
+/** Number of rounds of a run with a target error or a limit of paths; 0: a single round. */
 int64_t quasimc_result_round_count(const quasimc_result* result);
-/** What was known after a round. @param key  "paths" (per replicate, of all rounds up to it),
+/** A number after a round. @param key  "paths" (per replicate, of all rounds up to it),
  *  "seconds" (since the run began), "median_error", "worst_error" (relative standard errors over
- *  organs and bands; NaN: no light was found), "fraction_at_target" */
+ *  organs and bands; NaN: no light was sampled), "fraction_at_target" */
 int quasimc_result_get_round(
     const quasimc_result* result, int64_t round, const char* key, double* value);
 /** A text of the run: "method", "reason", "stop". NULL and an error if there is no such text. */
 const char* quasimc_result_text(const quasimc_result* result, const char* key);
-/** What is allowed but probably not meant. */
+/** Number of warnings: input that is allowed but probably not meant. */
 int64_t quasimc_result_warning_count(const quasimc_result* result);
 /** NULL and an error if there is no such warning. */
 const char* quasimc_result_warning(const quasimc_result* result, int64_t warning);

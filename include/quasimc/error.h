@@ -1,7 +1,6 @@
 #pragma once
 
-// What is wrong with an input, the exception that says so, and warnings; files that are read, and
-// where text goes that is written.
+// Errors in the input, their exception, and warnings; input files, and sinks of text.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,20 +15,20 @@ namespace quasimc {
 
 /// One error in the input. Printed as "where: problem (why); suggestion".
 struct Fault {
-    std::string where;       ///< file:line, key or organ; where to look
-    std::string problem;     ///< what is wrong
-    std::string why;         ///< what rule it breaks; may be empty
-    std::string suggestion;  ///< what to do; may be empty
+    std::string where;       ///< file:line, key or organ
+    std::string problem;     ///< the error
+    std::string why;         ///< the rule that it breaks; may be empty
+    std::string suggestion;  ///< the remedy; may be empty
 
     [[nodiscard]] std::string text() const;
 };
 
-/// Something that is allowed but probably not meant.
+/// Input that is allowed but probably not meant.
 struct Warning {
     std::string where, text;
 };
 
-/// Thrown for what a person can mend; carries all faults found, at least one.
+/// Thrown for errors in the input; carries all faults, at least one.
 class InputError : public std::runtime_error {
   public:
     explicit InputError(std::vector<Fault> faults);
@@ -47,7 +46,7 @@ class Faults {
     void add(const Faults& others);
     [[nodiscard]] bool empty() const { return faults_.empty(); }
     [[nodiscard]] std::size_t size() const { return faults_.size(); }
-    /// In the order in which they were added.
+    /// All faults, in the order in which they were added.
     [[nodiscard]] const std::vector<Fault>& all() const { return faults_; }
     /// Throws an InputError if there are any.
     void throw_if_any() const;
@@ -58,9 +57,9 @@ class Faults {
 
 /// A file that a run was made from.
 struct InputFile {
-    std::string path;  ///< as stated
+    std::string path;  ///< the given path
     std::string absolute_path;
-    std::string sha256;  ///< of its bytes, 64 hexadecimal digits
+    std::string sha256;  ///< SHA-256 of its bytes, 64 hexadecimal digits
     std::uint64_t bytes = 0;
     bool is_run_file = false;
 };

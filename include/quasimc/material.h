@@ -1,6 +1,6 @@
 #pragma once
 
-// What surfaces do with the light that falls on them.
+// Optical properties of surfaces.
 
 #include <cstddef>
 #include <functional>
@@ -14,23 +14,22 @@
 
 namespace quasimc {
 
-/// Numbers that a person states for a model, by the names of its parameters.
+/// Given numbers of a model, by the names of its parameters.
 using BsdfParameters = std::map<std::string, double, std::less<>>;
 
-/// A number that a lobe model takes.
+/// A parameter of a lobe model.
 struct BsdfParameter {
-    std::string_view name;          ///< as in `reflection_<name>`, `transmission_<name>`
+    std::string_view name;          ///< in run files: `reflection_<name>`, `transmission_<name>`
     double low, high;               ///< its domain, ends included
-    std::optional<double> usual;    ///< its value where none is stated; none: it must be stated
+    std::optional<double> usual;    ///< its default; none: it must be given
     std::string_view summary;       ///< a few words for the manual
-    std::string_view suggestion{};  ///< to whoever states a value outside the domain
+    std::string_view suggestion{};  ///< advice if a value is outside the domain
 };
 
-/// What a person says of one side of a surface in one waveband: light that arrives on this side.
-/// Models are those of the catalogue, with their parameters by name; one that a model does not take
-/// is passed over.
+/// Optics of one side of a surface in one waveband, for light that arrives on this side. Models are
+/// those of the catalogue, with their parameters by name; parameters of other models are ignored.
 struct SideOptics {
-    double reflectance = 0;  ///< rho, 0..1; fraction that leaves on the side it came from
+    double reflectance = 0;  ///< rho, 0..1; fraction that leaves on the side of arrival
     double transmittance =
         0;  ///< tau, 0..1; fraction that leaves on the other side; rho + tau <= 1
     std::string reflection_model = "lambertian";
@@ -41,7 +40,7 @@ struct SideOptics {
     friend bool operator==(const SideOptics&, const SideOptics&) = default;
 };
 
-/// A material as a person states it; one SideOptics per band.
+/// The specification of a material; one SideOptics per band.
 struct MaterialSpec {
     std::string name;
     std::vector<SideOptics> upper, lower;
@@ -49,15 +48,15 @@ struct MaterialSpec {
     friend bool operator==(const MaterialSpec&, const MaterialSpec&) = default;
 };
 
-/// Returns a material whose sides are alike and scatter light as Lambert's law says.
+/// Returns a Lambertian material with equal sides.
 /// @param reflectance    per band, 0 to 1
 /// @param transmittance  per band, 0 to 1; empty: none
 [[nodiscard]] MaterialSpec lambertian(
     std::string name, std::vector<double> reflectance, std::vector<double> transmittance = {});
 
-/// Checks a stated material (every number finite and in range, rho + tau <= 1 in each band and
-/// side, known model names, every parameter stated and in its domain, `bands` entries a side); adds
-/// every fault to `faults`, at "where, upper side, band 2". Bands count from 1.
+/// Checks the specification of a material (every number finite and in range, rho + tau <= 1 in each
+/// band and side, known model names, every parameter given and in its domain, `bands` entries a
+/// side); adds every fault to `faults`, at "where, upper side, band 2". Bands count from 1.
 /// @param where  location of the material; empty for "material 'name'"
 void check_material(
     const MaterialSpec& spec, std::size_t bands, const std::string& where, Faults& faults);

@@ -71,7 +71,7 @@ struct Frame {
     Vec3 s, t, n;
 };
 
-/// A side of a surface: the upper one is that from which the corners of its triangles run
+/// A side of a surface. Seen from the upper side, the corners of its triangles run
 /// counter-clockwise.
 enum class SurfaceSide : std::uint8_t { upper, lower };
 
@@ -86,7 +86,7 @@ inline constexpr std::array<SurfaceSide, 2> kSurfaceSides{SurfaceSide::upper, Su
     return side == SurfaceSide::upper ? SurfaceSide::lower : SurfaceSide::upper;
 }
 
-/// The side that light meets which travels along a direction.
+/// The side that light along a direction meets.
 /// @param along  dot(normal of the upper side, direction)
 [[nodiscard]] constexpr SurfaceSide side_facing(double along) {
     return along < 0 ? SurfaceSide::upper : SurfaceSide::lower;
@@ -130,8 +130,8 @@ struct Affine {
 
 enum class UpAxis { z, y };
 
-/// How the axes of a file lie in the world. Inside the program z is up, and north is where the file
-/// says: axes are permuted, never turned. Both frames are right-handed; lengths are kept.
+/// The orientation of a file's axes in the world. Inside the program z is up, and north is given by
+/// the file: axes are permuted, never rotated. Both frames are right-handed; lengths are kept.
 class Orientation {
   public:
     Orientation() = default;
@@ -141,7 +141,7 @@ class Orientation {
     [[nodiscard]] UpAxis up() const { return up_; }
     [[nodiscard]] const Vec3& north() const { return north_; }
 
-    /// From the file's axes to z up. Axes are permuted, never turned: no digit is lost.
+    /// From the file's axes to z up. Axes are permuted, never rotated: no digit is lost.
     [[nodiscard]] Vec3 inward(const Vec3& p) const {
         return up_ == UpAxis::z ? p : Vec3{p.z, p.x, p.y};
     }
@@ -166,8 +166,7 @@ class Orientation {
     Vec3 north_{0, 1, 0};
 };
 
-/// Three corners in the scene's units. The upper side is the one from which they run
-/// counter-clockwise.
+/// Three corners in the scene's units, counter-clockwise as seen from the upper side.
 using Triangle = std::array<Vec3, 3>;
 
 /// Twice the area times the unit normal of the upper side.
@@ -195,17 +194,17 @@ inline double area(const std::vector<Triangle>& triangles) {
     return sum;
 }
 
-/// The numbers of a triangle's three vertices, in the order of its corners.
+/// The indices of a triangle's three vertices, in the order of its corners.
 using Face = std::array<std::uint32_t, 3>;
 
-/// Triangles that may share vertices. Triangles without neighbours are a mesh too.
+/// Triangles that may share vertices. They need not be connected.
 struct Mesh {
     std::vector<Vec3> vertices;
     std::vector<Face> faces;  ///< every number is less than the number of vertices
 
     Mesh() = default;
     Mesh(std::vector<Vec3> all_vertices, std::vector<Face> all_faces);
-    /// The same triangles in the same order, as by push_back().
+    /// Adds the triangles in their order, as push_back() does.
     Mesh(const std::vector<Triangle>& triangles);  // NOLINT(google-explicit-constructor)
     Mesh(std::initializer_list<Triangle> triangles);
 
@@ -216,8 +215,8 @@ struct Mesh {
         const Face& f = faces[i];
         return {vertices[f[0]], vertices[f[1]], vertices[f[2]]};
     }
-    /// Adds a triangle. Corners with all the digits of a corner of the triangle before are not
-    /// stored again.
+    /// Adds a triangle. Corners that equal a corner of the previous triangle exactly are not stored
+    /// again.
     void push_back(const Triangle& triangle);
     /// Adds the triangles of another mesh; their vertices are stored again.
     void append(const Mesh& other);
@@ -231,7 +230,7 @@ struct Mesh {
 /// S(u, v) = sum over i, j of B_i(u) B_j(v) P_ij. The upper side is that of dS/du x dS/dv.
 using BezierPatch = std::array<Vec3, 16>;
 
-/// How closely curved shapes are followed.
+/// The accuracy of curved shapes.
 struct Flatness {
     /// Largest distance of the triangles from the true surface, as a fraction of the shape's size
     /// (the diagonal of its bounds).
@@ -246,16 +245,16 @@ struct Flatness {
 /// Corners p, p + a, p + a + b, p + b; the upper side is that of a x b.
 [[nodiscard]] std::vector<Triangle> make_parallelogram(const Vec3& p, const Vec3& a, const Vec3& b);
 /// A leaf-like rhombus: `length_vector` from `base` to the tip is one diagonal, the other is
-/// `width` long. `up` points away from the upper side; the part of it across the length counts.
+/// `width` long. `up` points away from the upper side; only its component across the length counts.
 [[nodiscard]] std::vector<Triangle> make_rhombus(
     const Vec3& base, const Vec3& length_vector, const Vec3& up, double width);
 /// A simple polygon (convex or not) by ear clipping; at least three corners, counter-clockwise seen
-/// from the upper side. Corners may lie on a straight side, repeat their neighbour, or be not quite
-/// in one plane. Throws InputError if sides cross each other.
+/// from the upper side. Corners may lie on a straight side, repeat their neighbour, or be
+/// approximately in one plane. Throws InputError if sides cross each other.
 [[nodiscard]] std::vector<Triangle> make_polygon(std::span<const Vec3> corners);
 /// A surface of one or several patches, tessellated on the surface itself, without cracks inside a
 /// patch and along sides that patches share (the same four control points). At most 1024 steps
-/// along each side of a patch, whatever the tolerance.
+/// along each side of a patch, for any tolerance.
 [[nodiscard]] std::vector<Triangle> make_bezier_surface(
     std::span<const BezierPatch> patches, Flatness flatness);
 /// An internode: the side of a cylinder, or of a cone when the radii differ, from `base` along
@@ -275,25 +274,26 @@ struct Flatness {
 /// to 11), a little outside the true sphere, so that the area is that of the sphere.
 [[nodiscard]] std::vector<Triangle> make_sphere(const Vec3& center, double radius, int levels);
 
-/// The horizontal rectangle that is repeated without end along x, y or both. World coordinates.
+/// The horizontal rectangle that repeats periodically along x, y or both. World coordinates.
 struct Cell {
     bool along_x = false, along_y = false;
-    double low_x = 0, low_y = 0;    ///< used along periodic axes only
+    double low_x = 0, low_y = 0;    ///< only for periodic axes
     double size_x = 1, size_y = 1;  ///< the periods, > 0
 
     [[nodiscard]] bool periodic() const { return along_x || along_y; }
     friend bool operator==(const Cell&, const Cell&) = default;
 };
 
-/// What finds the triangles that rays hit.
+/// The data structure that finds the triangles that rays hit.
 enum class Accelerator {
     embree,
-    brute_force,  ///< tries every triangle: slow, to check the other
+    brute_force,  ///< tests every triangle: slow, for verification
 };
 
 /// The cross-section of a beam in which its rays start.
 enum class StartArea {
-    silhouette,  ///< the convex hull of the scene seen along the beam: the fewest rays that miss
+    silhouette,  ///< the convex hull of the scene's projection along the beam: the fewest rays that
+                 ///< miss
     bounding_sphere,  ///< the disc across the bounding sphere, as in Cieslak et al. (2008)
 };
 

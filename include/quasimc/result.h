@@ -1,7 +1,6 @@
 #pragma once
 
-// What a run says of every organ and of groups of organs, with errors; the energy budget; and
-// audits.
+// Results for every organ and for groups of organs, with errors; the energy budget; and audits.
 
 #include <algorithm>
 #include <array>
@@ -28,35 +27,36 @@ class Scene;
 /// OrganGroup::by of the group of all organs, and of layers.
 inline constexpr std::string_view kAllOrgans = "all", kLayer = "layer";
 
-/// Which organs are taken together.
+/// Groups of organs.
 struct GroupSpec {
     /// Keys of labels: each value of "plant" is a group, each pair of values of "plant+kind".
     std::vector<std::string> labels = {};
     /// Layers of equal height, from the ground (or the lowest point of the organs) to the highest
     /// point of the organs; 0: none.
     std::uint32_t layers = 0;
-    /// Instead: the heights between layers, ascending, at least two; scene units, up.
+    /// Alternatively, the heights between layers, ascending, at least two; scene units, up.
     std::vector<double> layer_heights = {};
 };
 
-/// The groups that a run is asked for.
+/// The groups that a run requests.
 [[nodiscard]] inline GroupSpec group_spec(const RunSpec& spec) {
     return {spec.groups, spec.layers, spec.layer_heights};
 }
 
 /// Organs whose light is summed. Only organs that are measured belong to groups, the ground to
-/// none, and sensors to those of labels alone.
+/// none, and sensors only to those of labels.
 struct OrganGroup {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-    std::string by;     ///< kAllOrgans, kLayer, or the key of labels as it was asked for
-    std::string value;  ///< of the label ("1+leaf" of two); the number of the layer, from 1 below
+    std::string by;  ///< kAllOrgans, kLayer, or the requested key of labels
+    std::string
+        value;  ///< value of the label ("1+leaf" for two), or number of the layer, from 1 below
     std::vector<std::uint32_t> organs = {};  ///< indices in the scene's list, ascending
     double area = 0;                         ///< one-sided, of all its organs
-    /// Of a layer: its lower and upper height. An organ belongs to the layer that holds the
+    /// For a layer: its lower and upper height. An organ belongs to the layer that holds the
     /// centroid of its area (the last layer, its upper height too).
     double height_min = kNone, height_max = kNone;
-    /// Of a layer above a ground or in a cell that is periodic along both axes: one-sided area of
+    /// For a layer above a ground or in a cell that is periodic along both axes: one-sided area of
     /// its organs (leaf area, where all are leaves) per horizontal area; and that of the organs of
     /// this layer and those above.
     double plant_area_index = kNone, cumulative_plant_area_index = kNone;
@@ -64,7 +64,7 @@ struct OrganGroup {
 
 /// The groups of a scene: all organs first, then those of labels in the order in which values first
 /// appear, then layers from below.
-/// @param spec  that check_groups() found no fault with
+/// @param spec  checked by check_groups()
 [[nodiscard]] std::vector<OrganGroup> make_groups(const Scene& scene, const GroupSpec& spec);
 
 class Scene;
@@ -72,37 +72,37 @@ class SceneNames;  // quasimc/scene.h
 class OrganLight;
 struct Result;
 
-/// The estimate as it is reported. An interval ends at what is physically possible; a mean beyond
-/// that, by chance, is put onto the end. Over many runs such a mean is biased, and the original one
-/// is not: sums, averages and models take that. Zeros have no sign.
+/// The estimate as it is reported. Intervals are limited to physically possible values; a mean
+/// beyond them, by chance, is moved to the end of its interval. Such means are biased and the
+/// original ones are not, so sums, averages and models should use the latter. Zeros have no sign.
 [[nodiscard]] constexpr Estimate reported(const Estimate& e) {
     return {
         std::clamp(e.mean, e.ci95_low, e.ci95_high) + 0.0, e.standard_error, e.ci95_low,
         e.ci95_high};
 }
 
-/// A right result fails an audit with at most this probability.
+/// A correct result fails an audit with at most this probability.
 inline constexpr double kAuditLevel = 1e-4;
 
-/// What two results say of each other in one band.
+/// Comparison of two results in one band.
 struct BandAudit {
-    /// sum of w (a - b)^2 / sum of w (var a + var b) over the sides of all organs that both know,
-    /// of the light that falls on them, w the organ's area; about 1 if both are right.
+    /// sum of w (a - b)^2 / sum of w (var a + var b) of incident light, over the sides of all
+    /// organs that both results have, w the organ's area; about 1 if both are correct.
     double reduced_chi_square = 1;
     double freedom = 0;             ///< effective number of independent sides
-    double chi_square_p_value = 1;  ///< probability of a larger chi if both are right
-    /// Light that all organs absorb (ground left out), first less second result: flux. NaN if
-    /// not all organs are measured.
+    double chi_square_p_value = 1;  ///< probability of a larger chi-square if both are correct
+    /// Flux absorbed by all organs (without the ground), first minus second result. NaN unless all
+    /// organs are measured.
     double difference = 0, standard_error = 0;
     double difference_p_value = 1;  ///< probability of a larger one, of either sign
 };
 
 /// A result compared with that of an independent run: docs/theory/statistics.md.
 struct Audit {
-    std::uint64_t paths = 0;  ///< of the independent run, per replicate
+    std::uint64_t paths = 0;  ///< paths of the independent run, per replicate
     std::uint32_t replicates = 0;
     std::vector<BandAudit> bands;
-    double p_value = 1;  ///< of the most unlikely number, times how many there are; at most 1
+    double p_value = 1;  ///< smallest p-value times the number of tests; at most 1
 
     [[nodiscard]] bool agrees() const { return p_value >= kAuditLevel; }
 };
@@ -110,11 +110,11 @@ struct Audit {
 /// Compares the results of two independent runs of a scene, of at least two replicates each.
 [[nodiscard]] Audit compare_results(const Scene& scene, const Result& a, const Result& b);
 
-/// What is reported for each organ and band. Densities are per one-sided area of the organ.
+/// Quantities reported for each organ and band. Densities are per one-sided area of the organ.
 enum class Quantity {
     absorbed_flux,  ///< irradiance unit x area unit
     absorbed_flux_density,
-    incident_upper,  ///< light that falls on the upper side / area
+    incident_upper,  ///< light on the upper side / area
     incident_lower,
     incident_direct,     ///< both sides, straight from the sources / area
     incident_scattered,  ///< both sides, after at least one organ / area
@@ -130,19 +130,19 @@ struct QuantityEntry {
 };
 [[nodiscard]] const std::array<QuantityEntry, kQuantities>& quantity_table();
 
-/// Where the light of one band went, flux. emitted + imbalance = absorbed_by_organs +
-/// absorbed_by_ground + escaped + cut_off to rounding. `imbalance` is what Russian roulette added
-/// less what it took: its mean is 0. Tracing from organs gives emitted and absorbed; escaped is
-/// then the rest, and says so.
+/// The energy budget of one band, flux. emitted + imbalance = absorbed_by_organs +
+/// absorbed_by_ground + escaped + cut_off to rounding. `imbalance` is the light added minus the
+/// light removed by Russian roulette: its mean is 0. Paths from organs give emitted and absorbed
+/// light; escaped is then the remainder (Result::escaped_by_difference).
 struct BandBudget {
-    Estimate emitted;  ///< of skies and lamps a sum over what was drawn, with its error
+    Estimate emitted;  ///< for skies and lamps a sum over samples, with its error
     Estimate absorbed_by_organs, absorbed_by_ground, escaped, cut_off, imbalance;
     /// |emitted + imbalance - absorbed - escaped - cut off| / emitted.
     double closure_error = 0;
 };
 
-/// The light of groups of organs. Errors are those of the sums, replicate by replicate: organs that
-/// shade one another have errors in common (docs/theory/statistics.md).
+/// The light of groups of organs. Errors are those of the sums, replicate by replicate: errors of
+/// organs that shade one another are correlated (docs/theory/statistics.md).
 struct GroupResults {
     std::vector<OrganGroup> groups;
     std::size_t bands = 0, ratios = 0;
@@ -162,22 +162,24 @@ struct GroupResults {
     }
 };
 
-/// Where the light of one band went over a ground or in a canopy without end, as fractions of what
-/// falls on the horizontal (docs/theory/statistics.md). NaN what can't be told.
+/// Reflectance, transmittance and absorptance of a canopy above a ground or in a periodic cell in
+/// one band: fractions of the horizontal irradiance (docs/theory/statistics.md). Unknown ones are
+/// NaN.
 struct CanopyFractions {
-    /// Flux that falls on the horizontal area of the cell or the ground. It follows from the
-    /// sources and has no error; fractions over a cell are of what each replicate has emitted.
+    /// Flux on the horizontal area of the cell or the ground. It follows from the sources and has
+    /// no error; fractions over a cell relate to the emission of each replicate.
     double incident = 0;
-    Estimate reflectance;    ///< that leaves the scene upwards: the albedo of canopy and ground
-    Estimate transmittance;  ///< that falls on the ground
-    Estimate absorptance;    ///< that the organs absorb
-    Estimate ground_absorptance;  ///< that the ground absorbs
+    Estimate
+        reflectance;  ///< fraction that leaves the scene upwards: the albedo of canopy and ground
+    Estimate transmittance;       ///< fraction that reaches the ground
+    Estimate absorptance;         ///< fraction absorbed by organs
+    Estimate ground_absorptance;  ///< fraction absorbed by the ground
 };
 
-/// What a detector saw, flux: irradiance unit x area unit.
+/// The light of a detector, flux: irradiance unit x area unit.
 struct DetectorResult {
     std::string name, type;
-    std::string quantity;           ///< by which light is sorted, with its unit
+    std::string quantity;           ///< quantity by which light is sorted, with its unit
     std::vector<std::string> bins;  ///< their names
     std::vector<Estimate> values;   ///< [bin * bands + band]; see at()
 
@@ -186,28 +188,28 @@ struct DetectorResult {
     }
 };
 
-/// Why no further round was traced.
+/// The reason for the end of a run.
 enum class StopReason {
     finished,
     target_reached,
-    time_limit,   ///< paths or target that were asked for were missed
-    path_limit,   ///< the target, if one was set, was missed
-    interrupted,  ///< the caller asked for a stop
-    no_light,     ///< no source sends light into the scene (one leaf, edge-on to the sun): nothing
-                  ///< was traced, and all light is 0 without an error
+    time_limit,   ///< before the requested paths or target
+    path_limit,   ///< before the target, if one was set
+    interrupted,  ///< requested by the caller
+    no_light,     ///< no light of any source reaches the scene (one leaf, edge-on to the sun): all
+                  ///< light is 0 without an error
 };
 
-/// What was known after a round of a run that asked for more than one.
+/// The errors after a round of a run with several rounds.
 struct RoundErrors {
     std::uint64_t paths = 0;  ///< per replicate, of all rounds up to it
     double seconds = 0;       ///< since the run began
     /// Relative standard errors of the flux that organs absorb, over organs (without the ground)
-    /// and bands in which light was found: half of them are known better than `median`. NaN: none.
+    /// and bands in which light was sampled: median and largest. NaN: none.
     double median = 0, worst = 0;
-    double fraction_at_target = 0;  ///< of the organs; 0 when no target was set
+    double fraction_at_target = 0;  ///< fraction of the organs; 0 without a target
 };
 
-/// Means are as they were found: reported() gives them for files, tables and pictures.
+/// Means are original estimates: reported() gives those for files, tables and pictures.
 struct Result {
     std::size_t bands = 0;
     std::size_t ratios = 0;
@@ -215,8 +217,8 @@ struct Result {
     std::shared_ptr<const SceneNames> names = {};
     /// [(organ * kQuantities + quantity) * bands + band], organs in the scene's order; see at().
     std::vector<Estimate> values;
-    /// Per organ: fraction of the one-sided area lit straight by the directional sources (their
-    /// mean weighted by irradiance); empty when there are none. A leaf whose sides are lit by two
+    /// Per organ: fraction of the one-sided area with direct light of the directional sources
+    /// (their mean weighted by irradiance); empty without these. A leaf whose sides are lit by two
     /// suns counts for each.
     std::vector<Estimate> sunlit_fraction;
     /// [organ * ratios + i], i as in RunSpec::ratios.
@@ -228,17 +230,17 @@ struct Result {
     std::vector<DetectorResult> detectors;  ///< in the order of Scene::detectors()
 
     ChosenMethod chosen;
-    std::optional<Audit> audit;  ///< if RunSpec::audit asked for one
+    std::optional<Audit> audit;  ///< if RunSpec::audit requests one
     std::uint64_t paths = 0;     ///< per replicate, all rounds
-    /// Of these, those that were traced before the run went on from a checkpoint; times are without
-    /// theirs. Of a round that was not complete in proportion to its tasks.
+    /// The paths traced before the run was resumed from a checkpoint, which times do not include;
+    /// for an incomplete round in proportion to its completed tasks.
     double paths_before = 0;
     std::uint32_t replicates = 0;
     std::uint64_t rays = 0;  ///< all replicates
     StopReason stop = StopReason::finished;
-    double fraction_at_target = 0;  ///< of the organs; 0 when no target was set
-    /// Of a run with a target or a limit of paths: what its rounds have brought, those since it was
-    /// resumed; without trials that were begun anew. Empty: it was one round.
+    double fraction_at_target = 0;  ///< fraction of the organs; 0 without a target
+    /// For a run with a target or a limit of paths: its rounds since it was resumed, without
+    /// discarded pilot rounds. Empty: a single round.
     std::vector<RoundErrors> rounds;
     double preparation_seconds = 0;  ///< acceleration structure, wall
     double solve_seconds = 0;        ///< wall
@@ -257,7 +259,7 @@ struct Result {
     OrganLight operator[](std::string_view organ) const&& = delete;
     /// Returns the light of the organ at an index, in the order of Scene::organs(); the result must
     /// outlive it.
-    /// @throws InputError  if there are not so many organs
+    /// @throws InputError  if the index is not below the number of organs
     [[nodiscard]] OrganLight operator[](std::size_t index) const&;
     OrganLight operator[](std::size_t index) const&& = delete;
     /// Returns the light of the organ with an id; the result must outlive it.
@@ -270,7 +272,7 @@ struct Result {
 class BandKey {
   public:
     template <std::integral Index>
-    BandKey(Index index)  // NOLINT(google-explicit-constructor): as a band is asked for
+    BandKey(Index index)  // NOLINT(google-explicit-constructor): allows result.at("PAR")
         : key_(static_cast<std::size_t>(index)) {}
     BandKey(std::string name)  // NOLINT(google-explicit-constructor)
         : key_(std::move(name)) {}
@@ -312,7 +314,7 @@ class OrganLight {
     [[nodiscard]] Estimate incident_scattered(const BandKey& band) const {
         return at(Quantity::incident_scattered, band);
     }
-    /// Returns the fraction of the area lit straight by suns.
+    /// Returns the fraction of the area with direct light of suns.
     /// @throws InputError  if there is no sun
     [[nodiscard]] Estimate sunlit_fraction() const;
 
@@ -321,26 +323,26 @@ class OrganLight {
     std::size_t index_;
 };
 
-/// What is to be made of sums.
+/// Options of the evaluation of sums.
 struct EvaluationSpec {
     std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
     DirectLight direct_light = DirectLight::included;
     GroupSpec groups = {};
-    /// On the horizontal, per band, of all sources; empty where it is not known (lamps).
+    /// Horizontal irradiance of all sources, per band; empty if unknown (lamps).
     std::vector<double> horizontal_irradiance = {};
-    /// That shine: no interval reaches beyond what they could bring. Empty: it is not known.
+    /// Sources of the light: no interval exceeds their largest possible contribution. Empty:
+    /// unknown.
     Sources sources = {};
     unsigned threads = 1;  ///< never changes a number
 };
 
-/// What the sums of a run say of each organ, ratio and band, with errors from the replicates: a
-/// pure function. Fills everything of the result but how it was found (Result::chosen, stop,
+/// Estimates of each organ, ratio and band from the sums of a run, with errors from the replicates:
+/// a pure function. Sets all of the result except the data of the run itself (Result::chosen, stop,
 /// times).
-/// @param sums  of at least one path
-/// @param scene  that they were computed for
+/// @param sums  with at least one path
+/// @param scene  scene of the sums
 [[nodiscard]] Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
-/// The same of sums that nobody needs any more. Memory of theirs is given back while the result
-/// grows, so that there is never all of both.
+/// Evaluates sums and frees their memory while the result grows, to limit the peak.
 [[nodiscard]] Result evaluate(Sums&& sums, const Scene& scene, const EvaluationSpec& spec);
 
 }  // namespace quasimc

@@ -17,48 +17,49 @@
 
 namespace quasimc {
 
-/// Runs that were done before, read back from their JSON result.
+/// Previous runs, read back from their JSON result.
 struct StoredSweep {
-    RunSweep runs;  ///< their [output] is left out: a result is not overwritten by accident
-    std::string organs_sha256;         ///< as write_json returned it
-    std::string program_version = {};  ///< that wrote it
+    RunSweep runs;              ///< without [output]: a result is not overwritten by accident
+    std::string organs_sha256;  ///< digest returned by write_json
+    std::string program_version = {};  ///< version of the program that wrote it
     bool is_cut_short = false;  ///< whether time or Ctrl-C ended the run before its paths did
 };
-/// Reads a JSON result, and the files that its run was made from: those beside the result, or else
-/// those at their paths at the time of the run.
-/// @throws InputError  if it is no result, an input is gone or has changed, or the run has faults
+/// Reads a JSON result, and the files that its run was made from: beside the result, or else at
+/// their paths at the time of the run.
+/// @throws InputError  if it is no result, an input is missing or has changed, or the run has
+/// faults
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides = {});
 
-/// Writes what the runs of a file compute, time by time: a listener of each run (run.h). A run
+/// Writes the results of the runs of a file, time by time: a listener of each run (run.h). A run
 /// without [time] is a series of one time. The run must outlive its writer, or the call of
 /// next_run().
 class OutputWriter : public RunListener {
   public:
-    /// What follows is of the next point of a sweep.
-    /// @param of_the_last  of the point that ends
-    virtual void next_run(const RunFile& run, const SeriesSummary& of_the_last) = 0;
-    /// Ends the file, once all runs are computed. @param of_the_last  of the last point
-    virtual void finish(const SeriesSummary& /*of_the_last*/) {}
+    /// Begins the next point of a sweep.
+    /// @param series_summary  summary of the previous point
+    virtual void next_run(const RunFile& run, const SeriesSummary& series_summary) = 0;
+    /// Ends the file, once all runs are computed. @param series_summary  summary of the last point
+    virtual void finish(const SeriesSummary& /*series_summary*/) {}
     [[nodiscard]] bool wants(SeriesPart part) const override {
         return part == SeriesPart::time_steps;
     }
 };
 
-/// What the rows of a table are of, and what for.
+/// The contents of the rows of a table.
 enum class CsvRows { organs, groups };
-enum class CsvTimes { moments, days };
+enum class CsvTimes { time_steps, days };
 
-/// Writes a table of organs or groups, and of times or, of a run with [time], of sums over days
-/// (docs/reference/csv.md, groups.md): comment lines that begin with '#', one header line, one row
-/// per organ or group and time or day.
+/// Writes a table of organs or groups, by times or, for runs with [time], by sums over days
+/// (docs/reference/csv.md): comment lines that begin with '#', one header line, one row per organ
+/// or group and time or day.
 class CsvWriter : public OutputWriter {
   public:
     CsvWriter(
         const RunFile& run,
         TextSink sink,
         CsvRows rows = CsvRows::organs,
-        CsvTimes times = CsvTimes::moments);
+        CsvTimes times = CsvTimes::time_steps);
     CsvWriter(const RunFile&&, TextSink, CsvRows = {}, CsvTimes = {}) = delete;
 
     void on_time_step(const TimeStepResult& step) override;
@@ -66,7 +67,7 @@ class CsvWriter : public OutputWriter {
     [[nodiscard]] bool wants(SeriesPart part) const override {
         return part == (times_ == CsvTimes::days ? SeriesPart::days : SeriesPart::time_steps);
     }
-    void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
+    void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
         run_ = &run;
     }
 
@@ -84,11 +85,11 @@ class CsvWriter : public OutputWriter {
     bool has_head_ = false;
 };
 
-/// Writes everything that is known of a run and its results (docs/reference/json.md). Days are kept
-/// in a temporary file until all times are written.
+/// Writes all data of a run and its results (docs/reference/json.md). Days are stored in a
+/// temporary file until all times are written.
 class JsonWriter : public OutputWriter {
   public:
-    /// @param sink  empty: nothing is written but for the digest
+    /// @param sink  empty: only the digest is computed
     explicit JsonWriter(const RunFile& run, TextSink sink = {});
     explicit JsonWriter(const RunFile&&, TextSink = {}) = delete;
     ~JsonWriter() override;
@@ -96,9 +97,9 @@ class JsonWriter : public OutputWriter {
 
     void on_time_step(const TimeStepResult& step) override;
     void on_day(std::size_t day, const SeriesSum& sum) override;
-    void finish(const SeriesSummary& of_the_last) override;
+    void finish(const SeriesSummary& series_summary) override;
     [[nodiscard]] bool wants(SeriesPart part) const override;
-    void next_run(const RunFile& run, const SeriesSummary& of_the_last) override;
+    void next_run(const RunFile& run, const SeriesSummary& series_summary) override;
 
     /// The SHA-256 of the organs of all times so far, by which two results are compared.
     [[nodiscard]] std::string digest() const;
@@ -108,15 +109,15 @@ class JsonWriter : public OutputWriter {
     std::unique_ptr<State> state_;
 };
 
-/// Tells in ten lines or so what a person wants to know at once of a run.
+/// The summary of a run in about ten lines.
 class Summary : public OutputWriter {
   public:
     explicit Summary(const RunFile& run) : run_(&run) {}
     explicit Summary(const RunFile&&) = delete;
 
     void on_time_step(const TimeStepResult& step) override;
-    void next_run(const RunFile& run, const SeriesSummary& of_the_last) override;
-    /// @param summary  of the run, or of all points of a sweep
+    void next_run(const RunFile& run, const SeriesSummary& series_summary) override;
+    /// @param summary  summary of the run, or of all points of a sweep
     /// @param written  the files that were written
     [[nodiscard]] std::string text(
         const SeriesSummary& summary, const std::vector<std::string>& written) const;
@@ -130,16 +131,16 @@ class Summary : public OutputWriter {
     const RunFile* run_;
     std::vector<std::string> point_lines_;  // of the points of a sweep that ended
     std::string result_lines_;              // of a run without [time]
-    // Of one with [time]:
+    // For a run with [time]:
     std::size_t time_steps_ = 0;
     double seconds_ = 0;
     std::vector<BandBudget> energy_;  // flux x s
     bool escaped_by_difference_ = false;
-    std::vector<std::pair<double, std::size_t>> medians_;  // errors, and of which moment
-    std::size_t badly_known_ = 0;                          // most organs at a time
+    std::vector<std::pair<double, std::size_t>> medians_;  // median errors and their time steps
+    std::size_t badly_known_ = 0;  // largest number of organs with large errors at a time
 };
 
-// The result of a run without [time], at once.
+// Functions that write the result of a run without [time].
 
 void write_csv(const RunFile& run, const Result& result, const TextSink& sink);
 /// @returns as JsonWriter::digest

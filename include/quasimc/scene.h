@@ -20,28 +20,28 @@
 
 namespace quasimc {
 
-/// A detector as a person states it. `quasimc list detectors` tells the types and what they take.
+/// The specification of a detector. `quasimc list detectors` lists the types and their parameters.
 struct DetectorSpec {
     std::string type;       ///< "escaped_by_zenith"
     std::string name = {};  ///< unique among the detectors of a scene; default: the type
-    /// By the names of the type's parameters; those left out have their usual values.
+    /// Numbers by the names of the type's parameters; omitted ones have their defaults.
     std::map<std::string, double, std::less<>> parameters = {};
-    std::string where = {};  ///< where it was stated, for messages; default: its name
+    std::string where = {};  ///< its location, for messages; default: its name
 };
 
-/// What numbers a parameter takes.
+/// The kind of a parameter's numbers.
 enum class NumberKind { real, whole };
 
-/// A number that a type of detector takes: a key in `[[detector]]`.
+/// A parameter of a type of detector: a key in `[[detector]]`.
 struct DetectorParameter {
     std::string_view name;
     std::string_view summary;  ///< a few words for the manual
     NumberKind kind = NumberKind::real;
     double low = 0, high = 0;          ///< its domain, ends included
-    std::optional<double> usual = {};  ///< its value where none is stated; none: it must be stated
+    std::optional<double> usual = {};  ///< its default; none: it must be given
 };
 
-/// An index that can't be taken for another kind of index. `value` counts from 0.
+/// A typed index, which can't be confused with another kind of index. `value` counts from 0.
 template <typename Tag>
 struct Id {
     std::uint32_t value = 0;
@@ -50,8 +50,9 @@ struct Id {
 };
 
 using MaterialId = Id<struct MaterialTag>;
-using OrganIndex = Id<struct OrganTag>;  ///< index in the scene's list; an organ's id is the user's
-using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ that is of one material
+using OrganIndex =
+    Id<struct OrganTag>;  ///< index in the scene's list; ids of organs are given by users
+using RegionIndex = Id<struct ElementTag>;  ///< a part of an organ with a single material
 
 struct SceneData;    // src/scene/scene.h
 struct BuilderData;  // src/scene/build_scene.h
@@ -59,15 +60,15 @@ struct BuilderData;  // src/scene/build_scene.h
 /// A waveband. Amounts of different bands never mix, so each may have its own unit.
 struct Band {
     std::string name;
-    std::string unit = "W m-2";     ///< of irradiance
-    double from_nm = 0, to_nm = 0;  ///< wavelengths; 0: those that the name stands for, if any
+    std::string unit = "W m-2";     ///< irradiance unit
+    double from_nm = 0, to_nm = 0;  ///< wavelengths; 0: those of the name, if known
     friend bool operator==(const Band&, const Band&) = default;
 };
 
-/// What a person wants to find again in the results: plant=3, kind=leaf, any key.
+/// Labels of an organ in the results: plant=3, kind=leaf, any key.
 using Labels = std::vector<std::pair<std::string, std::string>>;
 
-/// Labels that many organs have in common: of a stand's leaves those of a plant.
+/// Labels shared by many organs, such as the leaves of a plant.
 class SharedLabels {
   public:
     SharedLabels() = default;
@@ -92,36 +93,36 @@ class SharedLabels {
     std::shared_ptr<const Labels> labels_;  // null: none
 };
 
-/// What light is reported for: a leaf, an internode, the ground.
+/// A unit for which light is reported: a leaf, an internode, the ground.
 struct Organ {
-    std::int64_t id = 0;  ///< the user's, unique in the scene
+    std::int64_t id = 0;  ///< given by the user, unique in the scene
     std::string name;
     SharedLabels labels;
     bool is_ground = false;
-    /// Whether its light is asked for. Tracing from organs computes the others' as NaN; tracing
-    /// from sources gets them for nothing.
+    /// Whether its light is requested. Results of other organs are NaN with paths from organs;
+    /// other methods compute them at no cost.
     bool measured = true;
-    /// Of a sensor: cosine of the largest angle from the normal at which light is counted.
+    /// For a sensor: cosine of the largest angle from the normal at which light counts.
     double least_cosine = 0;
-    /// One-sided, square scene units. 0 is allowed: nothing falls on the organ, its flux and
+    /// One-sided, square scene units. 0 is allowed: the organ receives no light, its flux and
     /// densities are 0.
     double area = 0;
-    /// How much of that coincides with organs that come before, or with other triangles of this
-    /// one: no light falls there, on either side.
+    /// Area of its coplanar overlaps with previous organs, or with other triangles of this one,
+    /// which receives no light on either side.
     double covered_area = 0;
     std::uint32_t first_region = 0, region_count = 0;
     std::uint32_t first_triangle = 0, triangle_count = 0;
 };
 
-/// The part of an organ that is of one material; its triangles stand together.
+/// The part of an organ with a single material; its triangles are contiguous.
 struct Region {
     OrganIndex organ;
     MaterialId material;
     double area = 0;
 };
 
-/// The bands and organs of a scene, found by index, by id or by name. A scene and the results of
-/// its runs share it.
+/// The bands and organs of a scene, accessed by index, id or name. A scene and the results of its
+/// runs share it.
 class SceneNames {
   public:
     SceneNames(std::vector<Band> bands, std::vector<Organ> organs);
@@ -132,17 +133,17 @@ class SceneNames {
     [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
     /// The organs in the order of the scene, the ground, if any, last.
     [[nodiscard]] const std::vector<Organ>& organs() const { return organs_; }
-    /// Returns the index of the organ with an id, if there is one. The first search takes time in
-    /// proportion to the organs, the others take constant time.
+    /// Returns the index of the organ with an id, if there is one. The first call takes time
+    /// proportional to the organs, further calls take constant time.
     [[nodiscard]] std::optional<std::size_t> find_organ(std::int64_t id) const;
     /// Returns the index of the organ with an id.
     /// @throws InputError  if there is none
     [[nodiscard]] std::size_t organ_index(std::int64_t id) const;
     /// Returns the index of the organ with a name.
-    /// @throws InputError  if there is none, with names that are near, or if there are several
+    /// @throws InputError  if there is none, with similar names, or if there are several
     [[nodiscard]] std::size_t organ_index(std::string_view name) const;
     /// Returns the index of the band with a name.
-    /// @throws InputError  if there is none, with the bands that there are
+    /// @throws InputError  if there is none, with a list of the bands
     [[nodiscard]] std::size_t band_index(std::string_view name) const;
 
   private:
@@ -155,9 +156,9 @@ class SceneNames {
     std::unique_ptr<const LazyLookup> lookup_;
 };
 
-/// A scene that has passed every check. Copies share what is large. Coordinates are in the scene's
-/// unit with z up (see orientation). Organs stand in the order they were added, the ground, if any,
-/// last.
+/// A scene that has passed every check. Copies share large data. Coordinates are in the scene's
+/// unit with z up (see orientation). Organs are in the order in which they were added, the ground,
+/// if any, is last.
 class Scene {
   public:
     [[nodiscard]] const std::vector<Band>& bands() const { return names_->bands(); }
@@ -171,13 +172,13 @@ class Scene {
     /// The unit of length, as a name for headers ("m").
     [[nodiscard]] const std::string& length_unit() const { return length_unit_; }
     [[nodiscard]] std::size_t triangle_count() const;
-    /// In the order in which they were added; MaterialId counts them.
+    /// Names of materials in the order in which they were added; MaterialId is the index.
     [[nodiscard]] std::vector<std::string> material_names() const;
-    /// What light is sorted by beside the organs. Every specification has a name and no fault.
+    /// Detectors of light other than organs. Every specification has a name and no errors.
     [[nodiscard]] const std::vector<DetectorSpec>& detectors() const { return detectors_; }
     /// The name of a region's material.
     [[nodiscard]] const std::string& material_name(const Region& region) const;
-    /// The triangles of an organ, z up; without what coincides with organs that come before.
+    /// The triangles of an organ, z up; without coplanar overlaps with previous organs.
     [[nodiscard]] std::vector<Triangle> triangles_of(const Organ& organ) const;
 
   private:
@@ -194,38 +195,38 @@ class Scene {
     std::string length_unit_ = "m";
 };
 
-/// Triangles of one material. The material is named; it may be added before or after.
+/// Triangles of one material, which may be added before or after them.
 struct OrganPart {
     std::string material;
     /// The file's axes: up and north as its Orientation says.
     Mesh triangles = {};
-    /// Instead of triangles: a mesh that other parts have too, and where this copy of it stands.
-    /// Many copies of one mesh cost little more memory than one.
+    /// An instance instead of triangles: a shared mesh and its transform. Many instances of one
+    /// mesh take little more memory than one.
     std::shared_ptr<const Mesh> shared = {};
     Affine transform = {};
 };
 
-/// An organ as it is given to the builder.
+/// The specification of an organ.
 struct OrganSpec {
     std::optional<std::int64_t> id = {};  ///< default: one more than the largest id so far, from 1
     std::string name = {};                ///< default: "organ <id>"
     Labels labels = {};
     std::vector<OrganPart> parts = {};
-    /// Whether its light is asked for (Organ::measured).
+    /// Whether its light is requested (Organ::measured).
     bool measured = true;
-    /// Half angle, degrees from the normal of either side, within which light is counted; 0 to 90.
-    /// Less than 90 is for sensors: organs of transparent materials only.
+    /// Half angle, degrees from the normal of either side, within which light counts; 0 to 90. Less
+    /// than 90 is for sensors: organs of transparent materials only.
     double field_of_view_deg = 90;
-    /// Where it was stated, for messages ("leaves.toml:12"); default: its name.
+    /// Its location, for messages ("leaves.toml:12"); default: its name.
     std::string where = {};
 };
 
 /// The ground. Without triangles it is a horizontal rectangle: the cell's along a periodic axis,
-/// else that of `extent`, else (none given) the one under the organs. It takes the first id after
+/// else that of `extent`, else (none given) the one under the organs. Its id is the next one after
 /// those of the organs.
 struct GroundSpec {
     std::string material;
-    double height = 0;  ///< of a horizontal ground
+    double height = 0;  ///< height of a horizontal ground
     /// Low x, low y, high x, high y: horizontal axes, z up. Along a periodic axis it must be the
     /// cell's.
     std::optional<std::array<double, 4>> extent = {};
@@ -234,8 +235,7 @@ struct GroundSpec {
     std::string where = "ground";
 };
 
-/// Collects a scene and checks it whole. Nothing is repaired silently; every fault is reported at
-/// once.
+/// Builds and checks a scene. Nothing is repaired silently; all errors are reported at once.
 class SceneBuilder {
   public:
     /// @param bands  at least one; names unique and not empty
@@ -247,7 +247,7 @@ class SceneBuilder {
     ~SceneBuilder();
 
     void set_length_unit(std::string unit);
-    /// Several materials of one name are a fault. @param where  for messages; default: the name
+    /// Several materials of one name are an error. @param where  for messages; default: the name
     void add_material(MaterialSpec material, std::string where = {});
     void add_organ(OrganSpec organ);
     void set_ground(GroundSpec ground);
@@ -256,19 +256,19 @@ class SceneBuilder {
     void set_cell(const Cell& cell);
     /// The ids that the organs added so far will have, in their order.
     [[nodiscard]] std::vector<std::int64_t> organ_ids() const;
-    /// Throws an InputError with every fault that organs would bring with them, whatever else is in
-    /// the scene: unknown materials, no triangles, coordinates that are not finite or too large.
+    /// Throws an InputError with every error in organs, independent of the other content of the
+    /// scene: unknown materials, no triangles, coordinates that are not finite or too large.
     void check_organs(const std::vector<OrganSpec>& organs) const;
 
-    /// Returns the scene, or throws an InputError with every fault: neither organ nor ground;
+    /// Returns the scene, or throws an InputError with every error: neither organ nor ground;
     /// bands, materials or ids that are not unique; unknown or faulty materials; organs without
-    /// triangles; coordinates that are not finite or beyond 1e30; a scene of no size; a ground that
-    /// does not fit; a periodic cell that is not positive, or so small that organs repeat without
-    /// measure; a north that is not horizontal; detectors of unknown types, or with parameters that
-    /// they do not take. Triangles and organs of no area are allowed: nothing falls on them (see
-    /// lint). Takes time and memory in proportion to the triangles. The builder can be used on.
+    /// triangles; coordinates that are not finite or beyond 1e30; a scene of size 0; a ground that
+    /// does not fit; a periodic cell that is not positive, or too small for the organs; a north
+    /// that is not horizontal; detectors of unknown types, or with unknown parameters. Triangles
+    /// and organs without area are allowed: they receive no light (see lint). Takes time and memory
+    /// proportional to the triangles. The builder remains usable.
     [[nodiscard]] Scene build() const&;
-    /// The same without a copy of the triangles; the builder can't be used any more.
+    /// Builds the scene without a copy of the triangles; the builder can't be used any more.
     [[nodiscard]] Scene build() &&;
 
   private:
@@ -276,10 +276,10 @@ class SceneBuilder {
     std::unique_ptr<BuilderData> data_;
 };
 
-/// What silently spoils results: duplicate triangles, coplanar triangles that overlap, triangles of
-/// no area, organs (partly) below the ground, materials that are black in every band without having
-/// been stated so, sizes that smell of wrong units, ground smaller than the canopy. At most a few
-/// warnings of each kind, the rest counted.
+/// Warns of probable mistakes: duplicate triangles, coplanar overlaps, triangles without area,
+/// organs (partly) below the ground, materials that are black in every band by default, sizes that
+/// suggest wrong units, ground smaller than the canopy. Lists at most a few warnings of each kind,
+/// and counts the others.
 [[nodiscard]] std::vector<Warning> lint(const Scene& scene);
 
 }  // namespace quasimc

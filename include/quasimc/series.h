@@ -1,6 +1,6 @@
 #pragma once
 
-// Computing the light of many moments, and its sums over days.
+// Computing the light of many time steps, and its sums over days.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,24 +14,25 @@
 
 namespace quasimc {
 
-/// One of the times of a series: an instant, or an hour for which it stands.
+/// One of the times of a series: an instant, or an hour that it represents.
 struct TimeStep {
     std::string name;  ///< for messages
-    Sources sources;   ///< none: it is dark
-    /// Tells the shapes of the sources: moments with equal texts have the same sources in the same
-    /// order, but for their spectra.
-    std::string shapes;
-    double seconds = 0;   ///< that it stands for; 0: an instant, which counts for no sum
-    std::size_t day = 0;  ///< that it belongs to; not before that of the moment before
+    Sources sources;   ///< none: night
+    /// Key of the directional distributions of the sources: time steps with equal keys have the
+    /// same sources in the same order, except for their spectra.
+    std::string directional_key;
+    double seconds = 0;   ///< duration; 0: an instant, which is in no sum
+    std::size_t day = 0;  ///< index of its day; not less than that of the previous time step
 };
 
-/// Light summed over the moments of a day, or of all days: irradiance unit x s, and flux x s.
+/// Light summed over the time steps of a day, or of all days: irradiance unit x s, and flux x s.
 struct SeriesSum {
     std::size_t bands = 0;
-    double seconds = 0;  ///< of the moments summed
-    /// As in Result. The errors of moments are independent, but for those that share one trace.
+    double seconds = 0;  ///< total duration of the time steps
+    /// Estimates, as in Result. The errors of time steps are independent, except those scaled from
+    /// the same computation.
     std::vector<Estimate> values;
-    /// The same of groups of organs, without what is sunlit and without ratios.
+    /// Sums of groups of organs, without sunlit areas and ratios.
     GroupResults groups = {};
 
     [[nodiscard]] Estimate at(std::size_t organ, Quantity q, std::size_t band) const {
@@ -42,16 +43,16 @@ struct SeriesSum {
 /// Sums of the paths of a run, traced elsewhere.
 struct GivenSums {
     Sums sums;
-    double seconds = 0, cpu_seconds = 0;  ///< that tracing them has taken; 0: unknown
+    double seconds = 0, cpu_seconds = 0;  ///< time of their computation; 0: unknown
 };
 
-/// Gives sums of runs that are not traced here.
+/// A source of sums of runs that are computed elsewhere.
 class SumsSource {
   public:
     virtual ~SumsSource() = default;
-    /// The sums of a time step of a series, or nothing: it is traced here. It is asked in the order
-    /// of time steps.
-    /// @param spec, control  of the run
+    /// The sums of a time step of a series; none: it is computed here. It is called in the order of
+    /// time steps.
+    /// @param spec, control  those of the run
     [[nodiscard]] virtual std::optional<GivenSums> sums_of(
         std::size_t time_step, const RunSpec& spec, const RunControl& control) = 0;
 
@@ -59,77 +60,77 @@ class SumsSource {
     SumsSource() = default;
 };
 
-/// What is known of a series at its end.
+/// The summary of a series.
 struct SeriesSummary {
-    SeriesSum total;           ///< over all days, if it was wanted
-    std::size_t computed = 0;  ///< moments that were traced; the others are dark or scaled
-    /// By which methods, and how many moments by each.
+    SeriesSum total;           ///< over all days, if requested
+    std::size_t computed = 0;  ///< number of time steps computed; the others are night or scaled
+    /// Number of these time steps by method.
     std::map<Method, std::size_t> methods;
-    /// Of those, moments at which no light reaches the scene although some source shines.
+    /// Number of them in which no light reaches the scene although some source shines.
     std::size_t unlit = 0;
-    std::size_t at_target = 0;  ///< of those, moments that reached the target error, if one was set
+    std::size_t at_target = 0;  ///< number of them that reached the target error, if one was set
     std::size_t completed =
-        0;  ///< moments that were told of; fewer than there are if it was stopped
+        0;  ///< number of time steps reported; fewer than all if the series was stopped
     std::size_t with_fewer_paths =
-        0;  ///< of those traced: with fewer paths than asked for, for want of time
-    /// finished; or why not all moments and paths were done: time_limit or interrupted.
+        0;  ///< number of computed time steps with fewer paths than requested, for lack of time
+    /// finished; or the reason for missing time steps or paths: time_limit or interrupted.
     StopReason stop = StopReason::finished;
-    std::size_t audited = 0;  ///< of those, how many were audited
-    /// Of the most unlikely audit, times their number (Audit::p_value); at most 1.
+    std::size_t audited = 0;  ///< number of computed time steps that were audited
+    /// Smallest p-value of an audit times their number (Audit::p_value); at most 1.
     double audit_p_value = 1;
     std::uint64_t rays = 0;
     double seconds = 0;              ///< wall
-    double preparation_seconds = 0;  ///< of these: scenes and lights were prepared
-    double solve_seconds = 0;        ///< of these: light was traced
+    double preparation_seconds = 0;  ///< part of it: preparation of scenes and lights
+    double solve_seconds = 0;        ///< part of it: computation of light
     double solve_cpu_seconds = 0;    ///< all threads
 };
 
-/// Which moment's trace serves a moment, and the factor on its light.
+/// The time step from whose computation another one is scaled, and the factor on its light.
 struct TimeStepPlan {
     std::size_t traced = 0;
-    double factor = 1;  ///< 0: dark
-    // Of a moment that is traced:
-    double path_factor = 1;  ///< on RunSpec::paths: a power of two
-    double target = 1;       ///< on RunSpec::target_error
+    double factor = 1;  ///< 0: night
+    // For a time step that is computed:
+    double path_factor = 1;  ///< factor on RunSpec::paths: a power of two
+    double target = 1;       ///< factor on RunSpec::target_error
 };
-/// Finds the moments whose sources have equal shapes and proportional spectra: of those only the
-/// first is traced.
+/// Finds time steps with equal directional keys and proportional spectra: only the first of them is
+/// computed.
 [[nodiscard]] std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps);
 
-/// Shares out the paths of a series by days (PathAllocation::proportional): the paths of a trace
-/// are in proportion to the light that its moments bring to the sum of a day, where they bring
-/// most, and as many in all as if each trace had `paths`, to a factor of sqrt(2). The targets are
-/// such that the sum of a day has the target error. What brings next to nothing has a 64th of the
-/// paths.
+/// Allocates the paths of a series by days (PathAllocation::proportional). The paths of a
+/// computation are proportional to the largest contribution of its time steps to the sum of a day.
+/// Their total is that of `paths` for each computation, to a factor of sqrt(2). The targets are
+/// such that the sum of a day has the target error. Time steps with negligible contributions have a
+/// 64th of the paths.
 void allocate_paths(
     const Scene& scene, const std::vector<TimeStep>& time_steps, std::vector<TimeStepPlan>& plans);
 
-/// The same light times a factor.
+/// The light of a result times a factor.
 [[nodiscard]] Result scaled(const Result& result, double factor);
 
-/// Computes the light of every moment, in their order, and its sums over days. Each trace has a
-/// seed of its own, made from that of the specification; the first has that seed itself.
+/// Computes the light of every time step, in their order, and its sums over days. Each computation
+/// has a seed of its own, derived from that of the specification; the first has that seed itself.
 ///
-/// The deadline is for all of them together: each trace may take its equal share of what is
-/// left, and does with fewer paths if it must. A series that is stopped, or whose time is up, ends
-/// after the last moment that is complete; one that is stopped within the first round of its first
-/// moment may take a second more to trace a few paths of it. A day of which moments are missing is
-/// not told of; the total is of the moments that are there.
+/// The deadline is for all of them together: each computation may take an equal share of the
+/// remaining time, if necessary with fewer paths. A series that is stopped, or reaches its time
+/// limit, ends after the last complete time step. One that is stopped within the first round of its
+/// first time step may take a second more to trace a few paths of it. A day with missing time steps
+/// is not reported; the total covers the complete time steps.
 /// @throws InputError  as run() does
-/// @throws Stopped  if there is no moment at all
+/// @throws Stopped  if no time step is complete
 SeriesSummary run_series(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
     const RunControl& control = {});
-/// The same on what a simulator keeps from one series to the next.
+/// Computes a series with data that a simulator keeps from previous ones.
 SeriesSummary run_series(
     Simulator& simulator,
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
     const RunControl& control = {});
-/// The last series of a simulator: as its last run.
+/// Computes the last series of a simulator, as its last run.
 SeriesSummary run_series(
     Simulator&& simulator,
     const Scene& scene,
@@ -137,19 +138,18 @@ SeriesSummary run_series(
     const RunSpec& spec,
     const RunControl& control = {});
 
-/// Adds the faults of a specification whose times are to be computed together
-/// (TimeMethod::daylight_coefficients): of sources, detectors and options that this can't do. None
-/// of other specifications.
+/// Adds the faults of a specification with TimeMethod::daylight_coefficients: sources, detectors
+/// and options that it does not support. Adds none for other specifications.
 void check_together(
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
     const RunSpec& spec,
     Faults& faults);
 
-/// Traces a share of every moment of a series that run_series would trace.
-/// @param on_sums  is told of the sums of each, in the order of moments
-/// @throws InputError  as run_series(), and for a specification whose end a share can't know: with
-///         a target, or limits of time or paths
+/// Computes a share of every time step of a series that run_series would compute.
+/// @param on_sums  receives the sums of each, in the order of time steps
+/// @throws InputError  as run_series(), and for a specification with a target, or limits of time or
+///         paths, which a share can't evaluate
 /// @throws Stopped  if it was stopped
 void trace_share(
     const Scene& scene,

@@ -1,15 +1,15 @@
 #pragma once
 
-// A part of the work of a run, for one machine of many.
+// A part of a run, for one machine of many.
 
 #include <cstdint>
 #include <utility>
 
 namespace quasimc {
 
-/// The tasks of a run from first / of to last / of of all of them. What a task adds to the sums is
-/// exact and depends on its number alone, so that shares in which every task is once add up to the
-/// sums of the whole run, bit for bit (Sums::add_share).
+/// The tasks of a run from the fraction first / of to the fraction last / of. The contribution of a
+/// task to the sums is exact and depends only on its number. So shares that contain every task once
+/// add up to the sums of the whole run, bit for bit (Sums::add_share).
 struct Share {
     std::uint64_t first = 0, last = 1, of = 1;  ///< first < last <= of
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Where light comes from: parallel light, the sun, skies and lamps; and where the sun stands.
+// Sources of light: parallel light, the sun, skies and lamps; and the position of the sun.
 
 #include <cstddef>
 #include <functional>
@@ -28,7 +28,7 @@ struct Site {
     double temperature_c = 12;      ///< yearly mean; for refraction
 };
 
-/// A moment as clocks show it.
+/// A civil date and time.
 struct CivilTime {
     int year = 2000;  ///< 1900 to 2100
     int month = 1;    ///< 1 to 12
@@ -45,57 +45,57 @@ struct CivilTime {
 inline constexpr int kFirstYear = 1900;
 inline constexpr int kLastYear = 2100;
 
-/// Reports what is wrong with a site. @param where  for the messages
+/// Reports the errors of a site. @param where  for the messages
 void check_site(const Site& site, std::string_view where, Faults& faults);
-/// Reports what is wrong with a time: fields out of range, days that no calendar has, leap seconds
-/// where none can be.
+/// Reports the errors of a time: fields out of range, days that no calendar has, impossible leap
+/// seconds.
 void check_time(const CivilTime& time, std::string_view where, Faults& faults);
 
-/// Pressure of the standard atmosphere [hPa] at a height above the sea (ISO 2533), for sites whose
-/// pressure is not known; -2000 to 11000 m.
+/// Pressure of the standard atmosphere [hPa] at a height above the sea (ISO 2533), for sites of
+/// unknown pressure; -2000 to 11000 m.
 [[nodiscard]] double standard_pressure_hpa(double elevation_m);
 
 [[nodiscard]] int days_in_month(int year, int month);
 /// 1 for the 1st of January.
 [[nodiscard]] int day_of_year(const CivilTime& time);
 
-/// Julian day of a moment: days of UTC since noon of 1 January -4712, fractions included. A leap
-/// second has the Julian day of the second after it.
+/// Julian day of a time: days of UTC since noon of 1 January -4712, with fractions. A leap second
+/// has the Julian day of the second after it.
 [[nodiscard]] double julian_day(const CivilTime& time);
-/// The moment of a Julian day, as clocks of a time zone show it, to 0.1 ms.
+/// The civil time of a Julian day in a time zone, to 0.1 ms.
 [[nodiscard]] CivilTime civil_time(double julian_day, double utc_offset_hours);
-/// A moment `seconds` later (earlier if negative), on the same clock.
+/// The time `seconds` later (earlier if negative), in the same time zone.
 [[nodiscard]] CivilTime later(const CivilTime& time, double seconds);
 
 /// Terrestrial time less universal time [s]: polynomials of Espenak and Meeus (2006), "Five
 /// millennium canon of solar eclipses"; some seconds off after 2006.
 [[nodiscard]] double delta_t_seconds(const CivilTime& time);
 
-/// What the solar position algorithm computes on its way, named as in Reda and Andreas (2004);
-/// degrees unless named otherwise. For tests and for those who want to check.
+/// Intermediate results of the solar position algorithm, named as in Reda and Andreas (2004);
+/// degrees unless named otherwise. For tests and verification.
 struct SunIntermediates {
     double julian_day = 0;
     double earth_longitude_deg = 0;  ///< L, heliocentric
     double earth_latitude_deg = 0;   ///< B, heliocentric
     double nutation_longitude_deg = 0;
     double nutation_obliquity_deg = 0;
-    double obliquity_deg = 0;           ///< of the ecliptic, true
+    double obliquity_deg = 0;           ///< true obliquity of the ecliptic
     double apparent_longitude_deg = 0;  ///< lambda of the sun
     double sidereal_time_deg = 0;       ///< apparent, at Greenwich
     double right_ascension_deg = 0;     ///< geocentric
     double declination_deg = 0;         ///< geocentric
-    double hour_angle_deg = 0;          ///< of the site, west positive, 0 to 360
+    double hour_angle_deg = 0;          ///< at the site, west positive, 0 to 360
     double topocentric_right_ascension_deg = 0;
     double topocentric_declination_deg = 0;
     double topocentric_hour_angle_deg = 0;
 };
 
-/// Where the sun stands, seen from a site.
+/// Position of the sun in the sky of a site.
 struct SunPosition {
     double azimuth_deg = 0;           ///< clockwise from north, 0 to 360
-    double elevation_deg = 0;         ///< above the horizon, as refracted by the air
+    double elevation_deg = 0;         ///< apparent, with refraction
     double true_elevation_deg = 0;    ///< without refraction
-    double distance_au = 1;           ///< of the Earth's centre from the sun's, astronomical units
+    double distance_au = 1;           ///< from the Earth's centre to the sun's, astronomical units
     double declination_deg = 0;       ///< geocentric
     double equation_of_time_min = 0;  ///< sundial less clock, -20 to 20
     SunIntermediates intermediates;
@@ -112,36 +112,36 @@ struct SunPosition {
 [[nodiscard]] SunPosition sun_position(
     const Site& site, const CivilTime& time, std::optional<double> delta_t_s = std::nullopt);
 
-/// What the sun does in the course of a day.
+/// Kinds of days by sunrise and sunset.
 enum class DayKind {
-    ordinary,     ///< it rises and sets
-    polar_day,    ///< it does not set
-    polar_night,  ///< it does not rise
+    ordinary,     ///< the sun rises and sets
+    polar_day,    ///< the sun does not set
+    polar_night,  ///< the sun does not rise
 };
 
 /// Rise, transit and set of the sun that belong together: those around the transit of one day. In
 /// high latitudes a sun that sets after midnight has a sunset of the next date.
 struct SunDay {
     DayKind kind = DayKind::ordinary;
-    CivilTime transit;                         ///< on the date asked for
+    CivilTime transit;                         ///< on the requested date
     std::optional<CivilTime> sunrise, sunset;  ///< none unless kind is ordinary
     double transit_elevation_deg = 0;          ///< without refraction; below 0 in a polar night
 };
 
 /// The day of the sun on the date of `date` (its time of day does not count, its time zone does).
-/// Rise and set: the sun's centre is 0.8333 degrees below the horizon, which stands for its radius
-/// and the refraction there.
+/// Rise and set: the sun's centre is 0.8333 degrees below the horizon, for its radius and the
+/// refraction there.
 [[nodiscard]] SunDay sun_day(
     const Site& site, const CivilTime& date, std::optional<double> delta_t_s = std::nullopt);
 
-/// The simple model that plant simulators know from the original program: declination, equation of
-/// time (Iqbal 1983, as in Preetham et al. 1999) and hour angle.
+/// The simple model of the original program, for plant simulators: declination, equation of time
+/// (Iqbal 1983, as in Preetham et al. 1999) and hour angle.
 struct SimpleSun {
     double azimuth_deg = 0;  ///< clockwise from north
     double elevation_deg = 0;
 };
 /// @param day_of_year  1 to 366
-/// @param clock_hours  0 to 24, of a clock that is `utc_offset_hours` ahead of UTC
+/// @param clock_hours  0 to 24, on a clock that is `utc_offset_hours` ahead of UTC
 [[nodiscard]] SimpleSun simple_sun_position(
     double latitude_deg,
     double longitude_deg,
@@ -151,20 +151,19 @@ struct SimpleSun {
 /// The time zone of a longitude: its nearest multiple of 15 degrees, in hours.
 [[nodiscard]] double nautical_utc_offset(double longitude_deg);
 
-/// What kind of light a source gives, by which solvers decide how to follow it.
+/// Properties of a source by which solvers choose sampling strategies.
 struct SourceTraits {
-    /// All light comes from one direction, a point of the sky. No ray finds it by chance, and
-    /// radiance() is 0.
+    /// All light comes from one direction, a point of the sky. No ray hits it, and radiance() is 0.
     bool delta = false;
-    /// Far away: it looks the same from everywhere, and rays that leave the scene may reach it. A
-    /// source that is not, a lamp, has a position, which those rays miss.
+    /// Infinitely far away: the same from all points, and rays that leave the scene may hit it.
+    /// Other sources are lamps, which have a position and are not hit by rays.
     bool at_infinity = true;
-    /// So wide that rays which leave the scene find it by chance, as they do a sky. What is at
-    /// infinity and not as wide is a sun: what it lights straight counts as sunlit, and its
-    /// illuminate() draws with equal weights.
+    /// Wide enough for rays that leave the scene to hit it, as a sky. Other sources at infinity are
+    /// suns: surfaces with their direct light count as sunlit, and their illuminate() samples with
+    /// equal weights.
     bool extended = true;
 
-    /// Whether what the source lights straight counts as sunlit.
+    /// Whether surfaces with direct light of the source count as sunlit.
     [[nodiscard]] constexpr bool is_sun() const { return at_infinity && !extended; }
     friend bool operator==(const SourceTraits&, const SourceTraits&) = default;
 };
@@ -177,13 +176,13 @@ inline constexpr SourceTraits kSunDiskTraits{
 inline constexpr SourceTraits kSkyTraits{.delta = false, .at_infinity = true, .extended = true};
 inline constexpr SourceTraits kLampTraits{.delta = false, .at_infinity = false, .extended = false};
 
-/// Less light than this is none, as the direct sun at the horizon on a foggy day: the squares of
-/// its errors would be lost to rounding.
+/// Smaller irradiances count as 0, such as direct light of the sun at the horizon on a foggy day:
+/// the squares of their errors would underflow.
 inline constexpr double kMinIrradiance = 1e-60;
 
-/// Where light comes from: spectrum_b times a shape that is the same in all bands. (A source whose
-/// spectrum varies over it is several sources.) Positions and directions are in the world with z
-/// up; immutable. It is made by the functions below.
+/// A source of light: spectrum_b times a directional distribution that is the same in all bands. (A
+/// source with a spectrum that varies over it is several sources.) Positions and directions are in
+/// the world with z up; immutable. The functions below make sources.
 class Source {
   public:
     virtual ~Source() = default;
@@ -191,8 +190,8 @@ class Source {
     Source& operator=(const Source&) = delete;
 
     [[nodiscard]] const std::string& name() const { return name_; }
-    /// What scales the shape, per band (>= 0): an irradiance in the unit of the run, on which
-    /// plane, the source says; of a lamp, the flux it emits (irradiance unit x square world unit).
+    /// Amount of light per band (>= 0): an irradiance in the unit of the run, on a plane that
+    /// depends on the source; for a lamp, its flux (irradiance unit x square world unit).
     [[nodiscard]] std::span<const double> spectrum() const { return spectrum_; }
     [[nodiscard]] const SourceTraits& traits() const { return traits_; }
     /// Irradiance on the horizontal, upper side, for a spectrum of 1; NaN for a lamp, whose
@@ -207,7 +206,7 @@ class Source {
     [[nodiscard]] bool is_lamp() const { return !traits_.at_infinity; }
 
   private:
-    friend class SourceModel;  // src/light/models/source.h: all sources are of it
+    friend class SourceModel;  // src/light/models/source.h: base of all sources
     Source(
         std::string name,
         std::vector<double> spectrum,
@@ -227,7 +226,7 @@ using Sources = std::vector<std::shared_ptr<const Source>>;
 [[nodiscard]] std::shared_ptr<const Source> make_directional_source(
     std::string name, const Vec3& travel, std::vector<double> facing_irradiance);
 
-/// The upper half of the sphere at infinity, of the same radiance everywhere.
+/// A hemisphere at infinity of uniform radiance.
 /// @param horizontal_irradiance  per band, on the horizontal
 [[nodiscard]] std::shared_ptr<const Source> make_uniform_sky(
     std::string name, std::vector<double> horizontal_irradiance);
@@ -239,10 +238,10 @@ using Sources = std::vector<std::shared_ptr<const Source>>;
 /// Relative radiance of a sky towards `to_light` (unit, z up, z > 0): finite and not negative.
 using Radiance = std::function<double(const Vec3& to_light)>;
 
-/// How a radiance runs inside the cells that the borders of a shape make.
+/// Radiance inside the cells between the borders of a shape.
 enum class InsideCells { smooth, constant };
 
-/// How the radiance of a sky is spread over the upper hemisphere, without its amount. Immutable.
+/// The relative distribution of a sky's radiance over the upper hemisphere. Immutable.
 struct SkyShape {
     Radiance radiance;
     /// Borders of cells inside which the radiance is smooth; none if it is smooth everywhere above
@@ -251,17 +250,17 @@ struct SkyShape {
     InsideCells inside = InsideCells::smooth;
 };
 
-/// The state of a sky, as far as models ask for it.
+/// The parameters of sky models.
 struct SkyState {
     Vec3 to_sun{0, 0, 1};             ///< unit, z up
     int cie_type = 12;                ///< 1 to 15, of CIE S 011 (ISO 15469)
     double turbidity = 3;             ///< 1.7 to 10: 2 very clear, 3 clear, 6 hazy
     double direct_normal = 0;         ///< irradiance, all wavelengths, W m-2
     double diffuse_horizontal = 100;  ///< irradiance, all wavelengths, W m-2
-    double distance_au = 1;           ///< of the sun
+    double distance_au = 1;           ///< to the sun
 };
 
-/// What a model asks for of a SkyState.
+/// The fields of a SkyState that a model needs.
 enum class SkyNeeds { nothing, sun, sun_and_type, sun_and_turbidity, sun_and_weather };
 
 /// One row of the table of models.
@@ -286,7 +285,7 @@ struct SkyEntry {
 /// The all-weather sky of Perez, Seals and Michalsky 1993.
 /// @throws InputError  if the sun is below the horizon or the irradiances are not possible
 [[nodiscard]] SkyShape perez_shape(const SkyState& state);
-/// What the all-weather sky goes by.
+/// The parameters of the all-weather sky.
 struct PerezWeather {
     double clearness = 1;   ///< epsilon: 1 overcast, over 6.2 clear
     double brightness = 0;  ///< Delta: diffuse light through the sun's air mass, over that of space
@@ -295,21 +294,22 @@ struct PerezWeather {
 [[nodiscard]] PerezWeather perez_weather(const SkyState& state);
 /// Luminance of Preetham, Shirley and Smits 1999.
 [[nodiscard]] SkyShape preetham_shape(double turbidity, const Vec3& to_sun);
-/// Below the lowest the fit gives a zenith of negative luminance.
+/// Below the lowest turbidity the fit gives a negative luminance of the zenith.
 inline constexpr double kLowestTurbidity = 1.7;
 inline constexpr double kHighestTurbidity = 10;
 
-/// A sky of such a shape at infinity. It is integrated when its light is first asked for, which
-/// takes about half a millisecond: a sky that is never traced costs nothing.
-/// @param horizontal_irradiance  per band, on the horizontal: exact, whatever the shape
+/// A sky of the given shape. It is integrated when its light is first needed, which takes about
+/// half a millisecond.
+/// @param horizontal_irradiance  per band, on the horizontal: exact, for any shape
 /// @throws InputError  if the shape is dark everywhere
 [[nodiscard]] std::shared_ptr<const Source> make_sky(
     std::string name, const SkyShape& shape, std::vector<double> horizontal_irradiance);
 
-/// Irradiance on the horizontal under a shape as it stands, to a relative 1e-7.
+/// Irradiance on the horizontal under an unscaled shape, to a relative 1e-7.
 [[nodiscard]] double horizontal_irradiance(const SkyShape& shape);
 
-/// The sun as a disk of uniform radiance, of which `angular_radius_deg` is seen (solar_radius_deg).
+/// The sun as a disk of uniform radiance with an apparent radius of `angular_radius_deg`
+/// (solar_radius_deg).
 /// @param to_sun  unit, to its centre, z up
 /// @param facing_irradiance  per band, on a plane that faces its centre
 [[nodiscard]] std::shared_ptr<const Source> make_sun_disk(
@@ -317,10 +317,10 @@ inline constexpr double kHighestTurbidity = 10;
     const Vec3& to_sun,
     double angular_radius_deg,
     std::vector<double> facing_irradiance);
-/// Seen radius of the sun at a distance: 959.63 seconds of arc at 1 au (Auwers 1891).
+/// Apparent radius of the sun at a distance: 959.63 seconds of arc at 1 au (Auwers 1891).
 [[nodiscard]] double solar_radius_deg(double distance_au);
 
-/// Radiance of the upper hemisphere in cells of azimuth and elevation, the same all over a cell.
+/// Radiance of the upper hemisphere in cells of azimuth and elevation, constant in each cell.
 struct SkyTable {
     std::size_t azimuths = 0, elevations = 0;
     /// [elevation * azimuths + azimuth]. Elevations in equal steps of angle, from the horizon up.
@@ -340,18 +340,17 @@ struct SkyTable {
 
 /// Daylight on the horizontal, full spectrum, W m-2.
 struct Daylight {
-    double direct = 0;   ///< straight from the sun
+    double direct = 0;   ///< from the sun
     double diffuse = 0;  ///< from the sky
     [[nodiscard]] double global() const { return direct + diffuse; }
 };
 
-/// How a lamp spreads its light over the directions: radiant intensity for a flux of 1 [1/sr]. Its
-/// integral over all directions is 1. Directions are unit vectors in the lamp's own frame: z is
-/// where the lamp aims, x its zero azimuth.
+/// The directional distribution of a lamp: radiant intensity for a flux of 1 [1/sr]. Its integral
+/// over all directions is 1. Directions are unit vectors in the lamp's own frame: z is the
+/// direction of its aim, x its zero azimuth.
 ///
-/// Directions are drawn from a table of cells that are uniform in solid angle, in proportion to the
-/// light in each, and weighted by what the intensity there differs from the cell's mean:
-/// continuous, without a bias of the table.
+/// Directions are sampled from a table of cells that are uniform in solid angle, in proportion to
+/// the light in each, and weighted by the intensity over the cell's mean: continuous and unbiased.
 class Pattern {
   public:
     /// Intensity, in any unit, at angle `theta` from the axis (0 to pi) and azimuth `phi` (0 to
@@ -365,10 +364,10 @@ class Pattern {
     Pattern(
         Intensity intensity, const std::vector<double>& thetas, const std::vector<double>& phis);
 
-    /// The intensity given, integrated over all directions: flux in the unit of `intensity` x sr.
+    /// The given intensity, integrated over all directions: flux in the unit of `intensity` x sr.
     [[nodiscard]] double total() const;
     [[nodiscard]] double intensity(const Vec3& direction) const;
-    /// The borders of its cells and the light in each, by which patterns are told apart.
+    /// The borders of its cells and the light in each, which identify a pattern.
     [[nodiscard]] std::vector<double> parameters() const;
 
     struct Drawn {
@@ -382,34 +381,34 @@ class Pattern {
     std::shared_ptr<const Cells> cells_;  // shared by copies
 };
 
-/// The same intensity in all directions.
+/// A uniform intensity in all directions.
 [[nodiscard]] Pattern isotropic_pattern();
 /// A flat Lambertian surface: cos theta / pi, nothing behind it.
 [[nodiscard]] Pattern cosine_pattern();
 /// (n + 1) / (2 pi) cos^n theta, n >= 0, nothing behind it. n = 1: cosine_pattern.
 [[nodiscard]] Pattern power_cosine_pattern(double exponent);
-/// The same intensity up to `inner` radians from the axis, falling to 0 at `outer` by the smooth
+/// A uniform intensity up to `inner` radians from the axis, falling to 0 at `outer` by the smooth
 /// step 3 x^2 - 2 x^3 of the angle; 0 <= inner <= outer <= pi, outer > 0.
 [[nodiscard]] Pattern spot_pattern(double inner, double outer);
 /// A thin tube along z with a Lambertian surface: sin theta / pi^2.
 [[nodiscard]] Pattern tube_pattern();
 
-/// Intensities measured on a grid of angles, as photometric files of type C give them.
+/// Intensities measured on a grid of angles, as in photometric files of type C.
 struct PhotometricWeb {
     std::vector<double> vertical_deg;  ///< from the aim (0) to behind (180), ascending
-    /// From the lamp's x axis, ascending from 0; to 0, 90, 180 or 360, which tells the symmetry.
+    /// From the lamp's x axis, ascending from 0; to 0, 90, 180 or 360, depending on the symmetry.
     /// Counterclockwise as seen from behind the lamp, against its aim: from above, if it shines
     /// down.
     std::vector<double> horizontal_deg;
     std::vector<double> candela;  ///< [horizontal][vertical]
 };
 
-/// The pattern of a web: bilinear in the two angles, mirrored as its symmetry says, 0 beyond its
+/// The pattern of a web: bilinear in the two angles, mirrored by its symmetry, 0 beyond its
 /// vertical angles. total() is its flux in lumens.
-/// @param web  of vertical and horizontal angles as said above, with some light
+/// @param web  with angles as above, and some light
 [[nodiscard]] Pattern web_pattern(PhotometricWeb web);
 
-/// The surface that a lamp's light comes from. Lengths in the scene's unit.
+/// The luminous surface of a lamp. Lengths in the scene's unit.
 struct Opening {
     enum class Kind {
         point,
@@ -419,26 +418,26 @@ struct Opening {
         sphere      ///< the pattern is about the normal of each point of its surface
     };
     Kind kind = Kind::point;
-    double length = 0, width = 0;  ///< of a line (length), or a rectangle
-    double radius = 0;             ///< of a disk or a sphere
+    double length = 0, width = 0;  ///< length of a line; both of a rectangle
+    double radius = 0;             ///< radius of a disk or a sphere
 };
 
-/// Where a lamp stands and how it shines. World coordinates, z up.
+/// The specification of a lamp. World coordinates, z up.
 struct LampSpec {
     std::string name;
-    Vec3 position;                                  ///< of the opening's center
+    Vec3 position;                                  ///< center of the opening
     Frame axes{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}};  ///< x, y, z of the lamp; it aims along z
     Opening opening;
-    Pattern pattern = isotropic_pattern();  ///< the same at every point of the opening
+    Pattern pattern = isotropic_pattern();  ///< at every point of the opening
     std::vector<double> flux;               ///< per band, irradiance unit x square scene unit
 };
 
-/// A lamp. It is light and no body: it casts no shadow, and light passes through it. In a periodic
-/// scene it repeats with the cell (and is then traced from the sources only).
+/// A lamp without a body: it casts no shadow, and light passes through it. In a periodic scene it
+/// repeats with the cell (and is then sampled only by paths from sources).
 ///
-/// Light tracing sends paths either by the lamp's pattern or into the cone that the scene's
-/// bounding sphere fills, whichever wastes less; flux() of its sampler is the light that goes
-/// there.
+/// Light tracing samples directions either by the lamp's pattern or in the cone around the scene's
+/// bounding sphere, whichever is more efficient; flux() of its sampler is the light in these
+/// directions.
 [[nodiscard]] std::shared_ptr<const Source> make_lamp(LampSpec spec);
 
 /// The right-handed frame that aims along `aim` (not zero) with its x axis towards `along`, as far

@@ -11,6 +11,12 @@ std::string counted(std::uint64_t count, std::string_view noun, std::string_view
     return fmt::format("{} {}", count, plural);
 }
 
+std::string two_digits(double error) {
+    constexpr double kFrom = 99.5, kTo = 1e6;  // where {:.2g} has an exponent that is not needed
+    std::string text = fmt::format("{:.2g}", error);
+    return error >= kFrom && error < kTo ? fmt::format("{:.0f}", std::stod(text)) : text;
+}
+
 std::string with_decimals(double value, int decimals) {
     std::string text = fmt::format("{:.{}f}", value, decimals);
     const bool is_zero = text.find_first_not_of("-0.") == std::string::npos;

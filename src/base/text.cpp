@@ -101,10 +101,15 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
     return best;
 }
 
-std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
+std::string near_word_text(std::string_view word, std::span<const std::string_view> candidates) {
     const std::string_view best = nearest_word(word, candidates);
-    if (!best.empty()) {
-        return fmt::format("did you mean '{}'?", best);
+    return best.empty() ? "" : fmt::format("did you mean '{}'?", best);
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
+    const std::string near = near_word_text(word, candidates);
+    if (!near.empty()) {
+        return near;
     }
     return candidates.empty() ? std::string() : "use one of " + joined(candidates, ", ");
 }

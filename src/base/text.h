@@ -12,7 +12,11 @@ namespace quasimc {
 [[nodiscard]] std::string_view nearest_word(
     std::string_view word, std::span<const std::string_view> candidates);
 
-/// "did you mean 'x'?" for an unknown word, or "one of a, b, c" when none is near.
+/// "did you mean 'x'?" for an unknown word, or "" when no candidate is near.
+[[nodiscard]] std::string near_word_text(
+    std::string_view word, std::span<const std::string_view> candidates);
+
+/// The same, or "use one of a, b, c" when none is near.
 [[nodiscard]] std::string did_you_mean(
     std::string_view word, std::span<const std::string_view> candidates);
 

@@ -10,7 +10,7 @@
 namespace quasimc::capi {
 namespace {
 
-/// What the scene says, but for its light.
+/// The scene of a description, without its light.
 FrameOfRun frame_of(const SceneDescription& description) {
     InputFiles files = description.files();
     return read_frame_document(
@@ -18,7 +18,7 @@ FrameOfRun frame_of(const SceneDescription& description) {
         [&](SceneBuilder& builder) { description.give_organs_to(builder); });
 }
 
-/// What is to be said of the scene of this step: of its frame, and of all of it.
+/// The warnings of the scene of this step, of its description and of lint().
 std::vector<Warning> warnings_of(quasimc_growth& growth) {
     std::vector<Warning> all = growth.frame_warnings;
     const std::vector<Warning>& of_scene = growth.session.warnings();
@@ -26,7 +26,7 @@ std::vector<Warning> warnings_of(quasimc_growth& growth) {
     return all;
 }
 
-/// Gives the organs of arrays to a session, all or none.
+/// Passes the organs of arrays to a session, all or none.
 template <typename Take>
 int give_organs(quasimc_growth* growth, const RawMesh& mesh, const Take& take) {
     return guarded([&] {
@@ -59,7 +59,7 @@ void quasimc_growth_free(quasimc_growth* growth) {
     delete growth;  // NOLINT: a handle
 }
 
-// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
+// NOLINTNEXTLINE(readability-function-size): the arrays of the C interface
 int quasimc_growth_add_mesh(
     quasimc_growth* growth,
     const double* vertices,
@@ -78,7 +78,7 @@ int quasimc_growth_add_mesh(
         });
 }
 
-// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
+// NOLINTNEXTLINE(readability-function-size): the arrays of the C interface
 int quasimc_growth_change_mesh(
     quasimc_growth* growth,
     const double* vertices,

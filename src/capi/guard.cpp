@@ -12,7 +12,7 @@
 namespace quasimc::capi {
 namespace {
 
-/// The one thing that is kept between calls: of each thread by itself, and never read by a run.
+/// The last message of each thread. It is the only state between calls, and no run reads it.
 std::string& message_of_thread() {
     thread_local std::string message;
     return message;
@@ -22,7 +22,7 @@ int failed(int status, const char* words) noexcept {
     try {
         message_of_thread() = words;
     } catch (...) {
-        message_of_thread().clear();  // no memory for the words
+        message_of_thread().clear();  // no memory for the message
     }
     return status;
 }
@@ -86,7 +86,7 @@ int quasimc_abi_version(void) {
 }
 
 const char* quasimc_version(void) {
-    return quasimc::version().data();  // of a literal: a zero byte follows
+    return quasimc::version().data();  // a literal, terminated by zero
 }
 
 const char* quasimc_last_error(void) {

@@ -13,21 +13,22 @@
 #include "quasimc/scene.h"
 #include "runfile/run_file.h"
 
-// What the handles of quasimc/capi.h are.
+// Definitions of the handles of quasimc/capi.h.
 
 struct quasimc_scene {
     quasimc::capi::SceneDescription description;
-    std::shared_ptr<const quasimc::Scene> built = {};  ///< none: something was stated since
-    std::vector<quasimc::Warning> warnings = {};       ///< of building it
+    /// Null if the description has changed since.
+    std::shared_ptr<const quasimc::Scene> built = {};
+    std::vector<quasimc::Warning> warnings = {};  ///< from building it
     quasimc::Simulator simulator = {};
-    std::size_t meshes = 0;  ///< that were added, for messages
+    std::size_t meshes = 0;  ///< number of added meshes, for messages
     bool in_use = false;
 };
 
 struct quasimc_growth {
     quasimc_scene* scene;
     quasimc::GrowthSession session;
-    std::vector<quasimc::Warning> frame_warnings;  ///< of reading what the scene says
+    std::vector<quasimc::Warning> frame_warnings;  ///< from reading the description
     bool in_use = false;
 };
 
@@ -41,10 +42,10 @@ struct quasimc_result {
 
 namespace quasimc::capi {
 
-/// A run: given how it is told of and stopped.
+/// A function that computes light.
 using Run = std::function<Result(const LightOfRun& light, const RunControl& control)>;
 
-/// Runs the light that a statement says on a scene. @param warnings  of building the scene
+/// Computes the light of a description on a scene. @param warnings  from building the scene
 [[nodiscard]] std::unique_ptr<quasimc_result> run_light(
     const SceneDescription& description,
     std::shared_ptr<const Scene> scene,

@@ -8,7 +8,7 @@
 namespace quasimc::capi {
 namespace {
 
-/// Changes what a scene says of its light, and of how it is computed: what was built serves on.
+/// Changes the light or the options of a scene, which need not be built again.
 int change_light(quasimc_scene* scene, const std::function<void(SceneDescription&)>& change) {
     return guarded([&] {
         quasimc_scene& all = deref(scene, "scene");

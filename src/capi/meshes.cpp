@@ -61,7 +61,7 @@ std::vector<std::uint32_t> materials_of(const RawMesh& mesh, std::size_t materia
     return numbers;
 }
 
-/// Faces by the ids of their organs; those of an organ as they came.
+/// Faces sorted by the ids of their organs, in stable order.
 struct Grouping {
     std::vector<std::int64_t> order, starts, ids;
 };

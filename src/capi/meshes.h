@@ -8,7 +8,7 @@
 
 namespace quasimc::capi {
 
-/// The arrays of quasimc_scene_add_mesh, as they came.
+/// The arrays of quasimc_scene_add_mesh.
 struct RawMesh {
     const double* vertices;
     std::int64_t vertex_count;
@@ -20,7 +20,7 @@ struct RawMesh {
     std::string where;  ///< for messages
 };
 
-/// The organs of arrays, by ascending ids. @throws InputError, Misuse
+/// The organs of arrays, in ascending order of ids. @throws InputError, Misuse
 [[nodiscard]] std::vector<OrganSpec> organs_of(const RawMesh& mesh);
 
 }  // namespace quasimc::capi

@@ -13,7 +13,7 @@
 namespace quasimc::capi {
 namespace {
 
-/// An item of a list that is counted from 0. @throws Misuse  if there is none
+/// An item of a list, counted from 0. @throws Misuse  if there is none
 template <typename List>
 const auto& item_at(const List& list, std::int64_t index, const char* what) {
     if (index < 0 || index >= static_cast<std::int64_t>(list.size())) {
@@ -30,7 +30,7 @@ const OrganGroup& group_at(const quasimc_result* result, std::int64_t group) {
     return item_at(deref(result, "result").result.groups.groups, group, "group");
 }
 
-/// A statistic by its name.
+/// The statistic with a name.
 double Estimate::*statistic_of(std::string_view name) {
     constexpr std::array<std::pair<std::string_view, double Estimate::*>, 4> kStatistics{
         {{"mean", &Estimate::mean},
@@ -52,7 +52,7 @@ std::size_t band_of(const quasimc_result& result, const char* name) try {
     throw Misuse(error.what());
 }
 
-/// What is known of organs, or of groups: rows of estimates.
+/// Estimates of organs or of groups, one row each.
 struct Rows {
     const std::vector<Estimate>& values;
     const std::vector<Estimate>& sunlit;
@@ -68,7 +68,7 @@ Rows rows_of_groups(const GroupResults& groups) {
     return {groups.values, groups.sunlit_fraction, groups.ratio_values, groups.groups.size()};
 }
 
-/// One number of every row: where it begins, and how far it is from row to row.
+/// One number of every row: offset of the first, and stride.
 struct Column {
     const Estimate* first;
     std::size_t stride;
@@ -95,7 +95,7 @@ Column column_of(
     return {rows.ratios.data() + (ratio - result.ratios.begin()), result.ratios.size()};
 }
 
-/// Copies a number of every row. @param count  for which there is room
+/// Copies a number of every row. @param count  capacity
 void copy_rows(
     const Column& column,
     std::size_t rows,
@@ -135,7 +135,7 @@ const Estimate& budget_item(const BandBudget& budget, std::string_view item) {
     throw Misuse(fmt::format("the budget has no item '{}'", item));
 }
 
-/// The number of a name. @param what  has them, for messages
+/// The index of a name. @param what  owner of the names, for messages
 template <std::size_t Count>
 double number_named(
     const std::array<std::pair<std::string_view, double>, Count>& numbers,
@@ -267,7 +267,7 @@ int64_t quasimc_quantity_count(void) {
 
 const char* quasimc_quantity_name(int64_t quantity) {
     return guarded_or(kNoText, [&] {
-        // Names are literals: a zero byte follows.
+        // Names are literals, terminated by zero.
         return item_at(quasimc::quantity_table(), quantity, "quantity").name.data();
     });
 }

@@ -20,12 +20,12 @@ LightOfRun read_light(const SceneDescription& description, const Scene& scene) {
     if (light.series) {
         throw InputError(
             {{description.name() + ": [time]", "the scene has several time steps",
-              "a run computes one moment", "give the light by sources alone"}});
+              "a run computes one time step", "give the light by sources alone"}});
     }
     return light;
 }
 
-/// Reports progress to a function of C, which may end the run.
+/// Reports progress to a C function, which may end the run.
 class ProgressCall final : public RunListener {
   public:
     ProgressCall(quasimc_progress call, void* user) : call_(call), user_(user) {}

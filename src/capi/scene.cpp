@@ -12,7 +12,7 @@
 namespace quasimc::capi {
 namespace {
 
-/// Changes what a scene says of what light falls on: it is built anew.
+/// Changes the geometry or the materials of a scene, which is then built again.
 int change_scene(quasimc_scene* scene, const std::function<void(SceneDescription&)>& change) {
     return guarded([&] {
         quasimc_scene& all = deref(scene, "scene");
@@ -30,7 +30,7 @@ int make_scene(quasimc_scene** scene, const Arguments&... arguments) {
     return QUASIMC_DONE;
 }
 
-/// Whether what is built of a scene does not depend on that part.
+/// Whether the built scene does not depend on a part of the description.
 bool is_of_light(quasimc_part part) {
     return part == QUASIMC_SITE || part == QUASIMC_SOURCES || part == QUASIMC_OPTIONS;
 }
@@ -112,7 +112,7 @@ int quasimc_scene_add_material(
     });
 }
 
-// NOLINTNEXTLINE(readability-function-size): arrays, as C has them
+// NOLINTNEXTLINE(readability-function-size): the arrays of the C interface
 int quasimc_scene_add_mesh(
     quasimc_scene* scene,
     const double* vertices,

@@ -14,7 +14,7 @@
 namespace quasimc::capi {
 namespace {
 
-constexpr const char* kPiece = "statement";  // how messages call a piece of a run file
+constexpr const char* kPiece = "description";  // name of a piece of a run file in messages
 
 Node* find_in(Node::Table& table, const std::string& key) {
     const auto found = std::find_if(
@@ -22,7 +22,7 @@ Node* find_in(Node::Table& table, const std::string& key) {
     return found == table.end() ? nullptr : &found->node;
 }
 
-/// Lines of pieces say nothing once the pieces are joined.
+/// Removes line numbers, which are meaningless in joined pieces.
 void forget_lines(Node& node) {
     node.line = 0;
     if (auto* table = std::get_if<Node::Table>(&node.value)) {
@@ -40,7 +40,7 @@ bool is_list_of_tables(const Node& node) {
     return list != nullptr && !list->empty() && list->front().as<Node::Table>() != nullptr;
 }
 
-/// Whether a node has keys of its own, which are joined with others and not replaced.
+/// Whether the keys of a node are joined with those of another instead of replaced.
 bool is_table_or_tables(const Node& node) {
     return node.as<Node::Table>() != nullptr || is_list_of_tables(node);
 }
@@ -119,7 +119,7 @@ SceneDescription::SceneDescription(const std::string& run_file)
 void SceneDescription::add(const std::string& toml) {
     Node piece = read_toml(toml, kPiece);
     forget_lines(piece);
-    Node joined = document_;  // nothing is stated if a key is refused
+    Node joined = document_;  // nothing changes if a key is refused
     join(std::get<Node::Table>(joined.value), std::get<Node::Table>(std::move(piece.value)));
     document_ = std::move(joined);
 }

@@ -16,34 +16,34 @@
 
 namespace quasimc::capi {
 
-/// What was stated of a scene: a document as a run file would have it, and organs from arrays.
+/// Description of a scene: a document like a run file, and organs from arrays.
 class SceneDescription {
   public:
-    /// Nothing yet; paths are relative to the current folder.
+    /// An empty description; paths are relative to the current folder.
     SceneDescription();
-    /// What a run file says. @throws InputError  if it can't be read
+    /// The description in a run file. @throws InputError  if it can't be read
     explicit SceneDescription(const std::string& run_file);
 
-    /// Adds a piece of a run file. @throws InputError  if it is no TOML, or a key is of another
-    /// kind
+    /// Adds a piece of a run file. @throws InputError  if it is no TOML, or a key has another type
     void add(const std::string& toml);
     /// Adds a table to a list of tables ([[source]]).
     void add_table(const std::string& key, Node::Table table);
-    /// The same; replaces the table that has that name, if there is one ([[material]]).
+    /// Adds a table to a list of tables; replaces a table with its name, if there is one
+    /// ([[material]]).
     void put_table(const std::string& key, const std::string& name, Node::Table table);
     /// Replaces a table ([ground]).
     void set_table(const std::string& key, Node::Table table);
     void remove(const std::string& key);
-    /// Removes all that was stated of a part of the scene.
+    /// Removes a part of the scene.
     void clear(quasimc_part part);
-    /// Returns how many bands were stated.
+    /// Returns the number of bands.
     [[nodiscard]] std::size_t band_count() const;
-    /// Sets an option of [run], from its text.
+    /// Sets an option of [run] from its text.
     void set_option(const std::string& key, const std::string& text);
 
-    /// Adds organs behind the others.
+    /// Appends organs.
     void add_organs(std::vector<OrganSpec> organs);
-    /// The organ that was added with that id. @throws InputError  if there is none
+    /// The added organ with an id. @throws InputError  if there is none
     [[nodiscard]] OrganSpec& organ(std::int64_t id);
 
     [[nodiscard]] const Node& document() const { return document_; }
@@ -58,7 +58,7 @@ class SceneDescription {
     std::string name_;
     std::string folder_;
     std::vector<OrganSpec> organs_;
-    std::unordered_map<std::int64_t, std::size_t> indices_;  // of ids among them
+    std::unordered_map<std::int64_t, std::size_t> indices_;  // by id
 };
 
 /// One number for each band.

@@ -18,7 +18,8 @@ Result run_bounded(
     }
     const auto refuse_bundles = [] { return true; };
     const ChosenMethod chosen = plan_method(scene, sources, spec, refuse_bundles);
-    // Paths from organs cast two rays where those from the light cast one: to a source, and on.
+    // A path from an organ casts two rays per vertex, one of them to a source; a path from the
+    // light casts one.
     const std::uint64_t paths = chosen.method == Method::from_organs
                                     ? std::max<std::uint64_t>(1, spec.paths / 2)
                                     : spec.paths;

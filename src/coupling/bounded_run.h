@@ -6,10 +6,10 @@
 
 namespace quasimc {
 
-/// Simulator::run() where the number of paths bounds the work: it takes about as long as so many
-/// paths by light_tracing, or less. If the method is `automatic`, it is the best of those for which
-/// that holds. ray_bundles are not among them: what they do first takes several times as long,
-/// however few the paths are. A run that goes on to a target error chooses among all methods.
+/// Simulator::run() with bounded work: the run takes at most about as long as the same number of
+/// paths by light_tracing. `automatic` chooses the best method that satisfies this; ray_bundles
+/// does not, as its preparation alone takes several times as long. A run to a target error chooses
+/// among all methods.
 [[nodiscard]] Result run_bounded(
     Simulator& simulator,
     const Scene& scene,

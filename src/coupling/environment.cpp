@@ -58,7 +58,7 @@ CommFile read_comm_file(const Arguments& arguments, Notices& notices) {
     return format;
 }
 
-/// Tells what a step was like.
+/// Reports the number of queries, rays and seconds of a step.
 void report_step(
     const PlantLight& light,
     const Pass& pass,
@@ -77,8 +77,9 @@ void report_step(
     send(text);
 }
 
-/// The line that the switches alone name, where the environment file can't be read: only cpfg's
-/// memory has a key and neither a host nor an extension. Pipes: none, their end is enough.
+/// Opens the connection that the switches name, for an environment file that can't be read: only
+/// cpfg's shared memory has a key and neither a host nor an extension. Null for pipes, whose end
+/// suffices.
 std::unique_ptr<ByteStream> open_by_switches(const Arguments& switches) {
     if (!switches.key) {
         return nullptr;
@@ -88,25 +89,25 @@ std::unique_ptr<ByteStream> open_by_switches(const Arguments& switches) {
     return open_stream(switches, guess, {-1, -1});
 }
 
-/// Answers a simulator whom nothing can be computed for.
+/// Ends a session in which no light can be computed.
 void refuse(ByteStream& stream) {
-    if (stream.refuse() == RejectAction::it_asks) {
+    if (stream.refuse() == RejectAction::keeps_asking) {
         serve_nothing(stream);
     }
 }
 
-/// Ends the process at a signal, not without an answer.
+/// Ends the process at a signal, after an answer.
 void end_at(int signal, ByteStream& stream, const std::function<void(const std::string&)>& send) {
-    stream.resign();
+    stream.close();
     send(fmt::format(
         "ended by {}", signal == SIGTERM  ? "SIGTERM"
                        : signal == SIGINT ? "SIGINT"
                                           : "SIGHUP"));
-    constexpr int kBySignal = 128;  // as shells say
+    constexpr int kBySignal = 128;  // exit status of shells
     ::_exit(kBySignal + signal);
 }
 
-/// Refuses files of a step that are the pipe of the answers. @param out  its descriptor
+/// Reports output files that are the pipe of the answers. @param out  descriptor of the pipe
 void check_apart_from_pipe(const Specification& spec, const std::string& file, int out) {
     const FileIdentity pipe = identity_of_descriptor(out);
     Faults faults;
@@ -126,7 +127,7 @@ void check_apart_from_pipe(const Specification& spec, const std::string& file, i
     faults.throw_if_any();
 }
 
-/// What a conversation needs, once its files are read.
+/// One session with a plant simulator.
 class Environment {
   public:
     Environment(
@@ -147,13 +148,14 @@ class Environment {
             return faults_.worst();
         }
         stream_.announce();
-        converse();
+        serve_steps();
         return faults_.worst();
     }
 
   private:
-    /// Opens the line on the way. False if a file has faults: they are told.
-    /// @throws InputError  if there is no line
+    /// Reads the files and opens the connection. Returns false if a file has faults, which are
+    /// reported.
+    /// @throws InputError  if there is no connection
     bool read_files(const Descriptors& descriptors) {
         try {
             format_ = read_comm_file(arguments_, notices_);
@@ -199,7 +201,7 @@ class Environment {
         }
     }
 
-    /// False if there is no line that can be opened so.
+    /// Returns false if the switches name no connection.
     bool open_by_switches_alone() {
         try {
             stream_.open(open_by_switches(arguments_));
@@ -209,7 +211,7 @@ class Environment {
         return stream_.is_open();
     }
 
-    void converse() {
+    void serve_steps() {
         constexpr int kTalkative = 2;
         const bool tells_steps = arguments_.debug || light_->specification().verbose >= kTalkative;
         serve(
@@ -287,7 +289,7 @@ SessionOutcome run_environment(
     } catch (const PeerDisconnected&) {
         throw;
     } catch (...) {
-        stream.resign();
+        stream.close();
         throw;
     }
 }
@@ -308,12 +310,12 @@ void refuse_simulator(std::span<const char* const> list) {
     const StopSignals signals(
         [&](int signal) { end_at(signal, stream, [](const std::string&) {}); });
     try {
-        if (auto line = open_by_switches(switches)) {
-            stream.open(std::move(line));
+        if (auto connection = open_by_switches(switches)) {
+            stream.open(std::move(connection));
             refuse(stream);
         }
     } catch (const std::exception&) {
-        return;  // there is nobody to tell
+        return;  // no connection
     }
 }
 

@@ -11,8 +11,8 @@
 namespace quasimc {
 namespace {
 
-/// A cell of a sky: its middle, in the sense that the sine of the elevation is the mean over the
-/// cell, and its solid angle.
+/// A cell of a sky: its centre, at the mean sine of the elevation over the cell, and its solid
+/// angle.
 struct SkyCell {
     Vec3 to_light;  ///< z up
     double solid_angle = 0;
@@ -36,15 +36,15 @@ struct DayLight {
     std::vector<LightShare> suns;  // shares not normalized
 };
 
-/// Where the sun stands: unit vector, z up.
+/// Direction to the sun: unit vector, z up.
 Vec3 to_sun_at(const SkyOfDay& sky, double hour) {
     const SimpleSun sun = simple_sun_position(
         sky.latitude_deg, sky.longitude_deg, sky.day, hour, nautical_utc_offset(sky.longitude_deg));
     return plant_orientation().towards(sun.azimuth_deg, sun.elevation_deg);
 }
 
-/// Luminance of the zenith, kcd/m2: clear skies after Dogniaux, as the original program has it;
-/// overcast ones after Krochmann.
+/// Luminance of the zenith, kcd/m2: clear skies after Dogniaux, as in the original program;
+/// overcast skies after Krochmann.
 double zenith_luminance(const SkyOfDay& sky, const Vec3& to_sun) {
     const double elevation = std::asin(std::clamp(to_sun.z, -1.0, 1.0));
     if (sky.weather == Weather::overcast) {
@@ -62,7 +62,7 @@ double beam_illuminance(const Vec3& to_sun, double turbidity) {
     return 133.8 * std::exp(-turbidity * air_mass / (9.9 + 0.043 * air_mass));
 }
 
-/// Adds the sky of one moment to the cells of a table.
+/// Adds the sky at one time to the cells of a table.
 void add_sun_and_sky(const SkyOfDay& sky, const Vec3& to_sun, DayLight& light) {
     const SkyShape shape =
         sky.weather == Weather::clear ? cie_clear_shape(to_sun) : cie_overcast_shape();
@@ -79,15 +79,15 @@ void add_sun_and_sky(const SkyOfDay& sky, const Vec3& to_sun, DayLight& light) {
     }
 }
 
-/// Sky and sun of a part of a day, every six minutes.
+/// Sky and sun of a part of a day, sampled every six minutes.
 DayLight light_of_day(const SkyOfDay& sky) {
     constexpr std::size_t kAzimuths = 48, kElevations = 24;
-    constexpr double kMomentsPerHour = 10;
+    constexpr double kStepsPerHour = 10;
     DayLight light{plant_sky_table(kAzimuths, kElevations), {}};
-    const int moments =
-        static_cast<int>(std::floor((sky.until_hour - sky.from_hour) * kMomentsPerHour + 0.5));
-    for (int i = 0; i <= moments; ++i) {
-        const Vec3 to_sun = to_sun_at(sky, sky.from_hour + i / kMomentsPerHour);
+    const int steps =
+        static_cast<int>(std::floor((sky.until_hour - sky.from_hour) * kStepsPerHour + 0.5));
+    for (int i = 0; i <= steps; ++i) {
+        const Vec3 to_sun = to_sun_at(sky, sky.from_hour + i / kStepsPerHour);
         if (to_sun.z > 0) {
             add_sun_and_sky(sky, to_sun, light);
         }
@@ -120,8 +120,8 @@ DayLight light_of(const Specification& spec, const std::optional<SkyOfDay>& sky)
 struct SharedLight {
     SkyTable table;
     std::vector<LightShare> suns, cells;
-    double sky = 0;                ///< share of the sky in all
-    double sky_on_horizontal = 0;  ///< of the sky's share
+    double sky = 0;                ///< share of the sky in the irradiance of all sources
+    double sky_on_horizontal = 0;  ///< irradiance of the horizontal over that of the sky
 };
 
 SharedLight share_out(DayLight light) {
@@ -161,7 +161,7 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
     return values;
 }
 
-/// The sources of the bands of which these are the irradiances.
+/// Sources for the given irradiances, one per band.
 Sources sources_of(const SharedLight& light, const std::vector<double>& irradiance) {
     Sources sources;
     if (light.sky > 0) {

@@ -8,33 +8,32 @@
 
 namespace quasimc {
 
-/// A part of the light, as if it came from one direction.
+/// A part of the light, treated as parallel light.
 struct LightShare {
     Vec3 travel;       ///< unit, z up
-    double share = 0;  ///< of the irradiance of all; the shares add up to 1
+    double share = 0;  ///< fraction of the total irradiance
 };
 
-/// The sources of a specification. Together they send the stated irradiance: the sum, over all
-/// directions, of the irradiance on a plane that faces the light from there.
+/// The sources of a specification. Together they have the given irradiance: the sum over all
+/// directions of the irradiance on a plane that faces the direction.
 struct Lighting {
-    /// Of all bands together or, if each has rays of its own, of every band by itself. Empty lists:
-    /// it is night.
+    /// One entry for all bands or, if each band has its own rays, one per band. Empty lists at
+    /// night.
     std::vector<Sources> sources;
-    std::vector<LightShare> shares;  ///< all sources; of a sky some directions that stand for it
+    std::vector<LightShare> shares;  ///< all sources; a sky is represented by some directions
 
     /// Irradiance on the horizontal over the irradiance of all sources.
     [[nodiscard]] double on_horizontal() const;
 };
 
-/// How the specification's axes lie: y up, north against x.
+/// The axes of a specification: y up, north against x.
 [[nodiscard]] Orientation plant_orientation();
 
-/// A table of radiance without light, with cells as sky files have them: azimuths from -180 degrees
-/// on, where 0 is south and 90 west.
+/// A table of zero radiances with the cells of sky files: azimuths from -180 degrees on, where 0 is
+/// south and 90 west.
 [[nodiscard]] SkyTable plant_sky_table(std::size_t azimuths, std::size_t elevations);
 
 /// The light of a specification.
-/// @param sky  the sky of the day as it is now, if the specification has one
 [[nodiscard]] Lighting make_lighting(const Specification& spec, const std::optional<SkyOfDay>& sky);
 
 }  // namespace quasimc

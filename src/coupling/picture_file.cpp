@@ -15,8 +15,8 @@ namespace {
 
 using Colour = std::array<int, 3>;
 
-/// From dark blue over green to yellow; grey where nothing was computed (NaN).
-/// @param light  0 to 1; what is beyond has the end's colour
+/// A colour from dark blue over green to yellow; grey where nothing was computed (NaN).
+/// @param light  0 to 1; values beyond are clamped
 Colour colour_of(double light) {
     if (std::isnan(light)) {
         return {128, 128, 128};

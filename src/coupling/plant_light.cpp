@@ -17,16 +17,16 @@
 namespace quasimc {
 namespace {
 
-/// Steps take consecutive seeds; bands that are traced by themselves stand far apart.
+/// Steps take consecutive seeds; bands that are traced separately are this far apart.
 constexpr std::uint64_t kBetweenBands = std::uint64_t{1} << 40U;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether a module sets something, and is no organ.
+/// Whether a module is a setting instead of an organ.
 bool is_setting(const Query& query) {
     return query.organ == "Q" || query.organ == "J";
 }
 
-/// Calls a check now and then during a run; what it throws ends the run.
+/// Calls a check repeatedly during a run; an exception of it ends the run.
 class Checking final : public RunListener {
   public:
     explicit Checking(const std::function<void()>& check) : check_(check) {}
@@ -79,9 +79,9 @@ void PlantLight::report_warnings() {
     }
     for (const LintFinding& finding : lint_by_check(*light_->scene)) {
         const std::string check = fmt::format("lint {}", finding.check);
-        // A specification states no unit, and each of its materials.
-        const bool is_stated = finding.check == "unit" || finding.check == "materials";
-        if (is_stated || notices_.was_sent(check)) {
+        // A specification has no unit of length, and defines each of its materials.
+        const bool is_expected = finding.check == "unit" || finding.check == "materials";
+        if (is_expected || notices_.was_sent(check)) {
             continue;
         }
         for (std::size_t i = 0; i < finding.warnings.size(); ++i) {
@@ -189,7 +189,7 @@ StepLight PlantLight::trace(
         const auto sensors = std::count_if(
             shapes.begin(), shapes.end(), [](const PlacedShape& s) { return s.is_sensor; });
         const std::uint64_t rays = spec_.run.paths * static_cast<std::uint64_t>(sensors);
-        // Each sensor has its own points of the set, and of a lattice a power of two of them.
+        // Each sensor has its own points; lattices need a power of two.
         plan.paths =
             std::min(spec_.run.sampler == "korobov" ? std::bit_ceil(rays) : rays, kMaxPaths);
     }

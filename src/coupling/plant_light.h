@@ -16,7 +16,7 @@
 
 namespace quasimc {
 
-/// The light program: answers a plant step after step, as its specification says.
+/// Computes the answers to the queries of a plant, step after step, by its specification.
 class PlantLight {
   public:
     /// @param notices  outlives the object
@@ -26,22 +26,23 @@ class PlantLight {
     ~PlantLight() = default;
 
     /// Computes the light on the organs of a step and answers its queries, in their order. Settings
-    /// among them (Q, J) hold from this step on, and have no answer. Writes the files that the
-    /// specification asks for.
-    /// @param check  called now and then during the computation; what it throws ends it
+    /// among them (Q, J) apply from this step on and have no answer. Writes the output files of the
+    /// specification.
+    /// @param check  called repeatedly during the computation; an exception of it ends the
+    /// computation
     void answer(const Pass& pass, const std::function<void()>& check, Answers& answers);
 
-    /// The light of the last step; who keeps it may do so beyond the next.
+    /// The light of the last step; a shared copy stays valid after the next step.
     [[nodiscard]] const StepLight& last() const { return *light_; }
     [[nodiscard]] std::shared_ptr<const StepLight> shared_last() const { return light_; }
-    /// What has lit it.
+    /// The sources of the last step.
     [[nodiscard]] const Lighting& lighting() const { return lighting_; }
     [[nodiscard]] const Specification& specification() const { return spec_; }
-    /// How often an acceleration structure had to be built.
+    /// Number of acceleration structures built.
     [[nodiscard]] std::size_t builds() const { return simulator_.builds(); }
 
-    /// The number of the step to come, counted from 0 (its seed and its files follow from it):
-    /// steps that could not be read or answered count too.
+    /// Sets the number of the next step, counted from 0; its seed and file names follow from it.
+    /// Steps that could not be read or answered count too.
     void set_step(std::uint64_t step) { steps_ = step; }
 
   private:
@@ -52,25 +53,25 @@ class PlantLight {
         return query.asks && spec_.sensor_half_angle_deg.has_value();
     }
     [[nodiscard]] bool is_dark() const;
-    /// Whether the light of a shape is asked for, or to be shown.
+    /// Whether the light of a shape is requested or shown.
     [[nodiscard]] bool anything_is_measured(
         const Pass& pass, std::span<const PlacedShape> shapes) const;
 
     [[nodiscard]] std::vector<PlacedShape> position_shapes(const Pass& pass);
-    /// Of a step that was traced: each check of lint() once, when it has found something.
+    /// Reports the warnings of lint() for a computed step, each check once.
     void report_warnings();
     [[nodiscard]] StepLight trace(
         const Pass& pass,
         std::span<const PlacedShape> shapes,
         Simulator& simulator,
         const std::function<void()>& check);
-    /// Sensors alone: what they would see with nothing in the way.
+    /// Light on the sensors alone, without organs.
     [[nodiscard]] StepLight trace_unshaded(
         const Pass& pass,
         const std::vector<PlacedShape>& shapes,
         const std::function<void()>& check);
     void fill(const Query& query, std::uint32_t index, std::vector<double>& values) const;
-    /// What the return type of a band asks for. @param index  of the query
+    /// The quantity that the return type of a band names. @param index  of the query
     [[nodiscard]] Estimate returned(
         const Query& query, std::uint32_t index, std::size_t band) const;
     [[nodiscard]] Estimate of_sensor(std::uint32_t index, ReturnType type, std::size_t band) const;
@@ -85,7 +86,7 @@ class PlantLight {
     Simulator simulator_, unshaded_simulator_;
     std::shared_ptr<const StepLight> light_ = std::make_shared<StepLight>();
     StepLight unshaded_;
-    std::uint64_t steps_ = 0;  ///< of the step to come
+    std::uint64_t steps_ = 0;  ///< number of the next step
 };
 
 }  // namespace quasimc

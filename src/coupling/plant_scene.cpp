@@ -12,13 +12,13 @@ namespace {
 
 const std::string kSensorName = "sensor";
 
-/// The materials of a scene: each pair of sides once, under a name.
+/// The materials of a scene: one for each pair of sides.
 class SceneMaterials {
   public:
     SceneMaterials(const Specification& spec, std::span<const std::size_t> bands)
         : spec_(spec), bands_(bands) {}
 
-    /// The name of a pair of sides, which joins the builder the first time it is asked for.
+    /// The material of a pair of sides; the first call adds it to the builder.
     const std::string& name_of(const SideMaterials& sides, SceneBuilder& builder) {
         const auto [entry, is_new] = names_.try_emplace(sides);
         if (is_new) {
@@ -27,7 +27,7 @@ class SceneMaterials {
         }
         return entry->second;
     }
-    /// What light passes as if nothing were there.
+    /// The material of sensors, which light passes unchanged.
     const std::string& sensor(SceneBuilder& builder) {
         if (!has_sensor_) {
             has_sensor_ = true;
@@ -69,7 +69,7 @@ Scene build_plant_scene(
         names.push_back(spec.bands[band]);
     }
     SceneBuilder builder(std::move(names), plant_orientation());
-    builder.set_length_unit("");  // lengths are the plant's, which has no unit
+    builder.set_length_unit("");  // the plant's lengths have no unit
     SceneMaterials materials(spec, bands);
     for (const PlacedShape& placed : shapes) {
         OrganSpec organ;
@@ -78,7 +78,7 @@ Scene build_plant_scene(
         if (placed.is_sensor) {
             organ.field_of_view_deg = *spec.sensor_half_angle_deg;
         } else {
-            // Where sensors ask, the organs themselves need no rays; nor do those that only shade.
+            // Organs are not measured if there are sensors, or if they only shade.
             organ.measured =
                 !spec.sensor_half_angle_deg && (spec.is_answered(pass.queries[placed.query].asks) ||
                                                 spec.picture_file.has_value());

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMaxAlongAnAxis = 1e4, kMaxCells = 1e6;
 
-/// Cells azimuth by azimuth, from the horizon up: azimuth, elevation and radiance of each.
+/// Reads cells azimuth by azimuth, from the horizon up: azimuth, elevation and radiance of each.
 std::optional<SkyTable> read_cells(Values& numbers, std::size_t azimuths, std::size_t elevations) {
     SkyTable table = plant_sky_table(azimuths, elevations);
     const std::size_t cells = table.radiance.size();
@@ -32,8 +32,8 @@ std::optional<SkyTable> read_cells(Values& numbers, std::size_t azimuths, std::s
     return table;
 }
 
-/// Samples of a distribution function, zenith angle by zenith angle. @param each  numbers, of which
-/// the first counts
+/// Reads samples of a distribution function, zenith angle by zenith angle. @param each  numbers per
+/// sample, of which the first is used
 std::optional<std::vector<double>> read_samples(
     Values& numbers, std::size_t samples, std::size_t each) {
     std::vector<double> values;
@@ -48,9 +48,9 @@ std::optional<std::vector<double>> read_samples(
     return values;
 }
 
-/// A distribution function of zenith angle, which varies fastest, from 0 to 90 degrees, and
-/// azimuth, once around from north (z) to east (x). What it grows by over a cell of equal angles is
-/// the radiance there.
+/// Reads a distribution function of zenith angle (fastest, 0 to 90 degrees) and azimuth (a full
+/// turn, from north (z) to east (x)). Its increment over a cell of equal angles is the radiance
+/// there.
 std::optional<SkyTable> read_distribution(
     Values& numbers, std::size_t zeniths, std::size_t azimuths, std::size_t each) {
     const auto samples = read_samples(numbers, zeniths * azimuths, each);

@@ -8,12 +8,12 @@
 
 namespace quasimc {
 
-/// A sky file without its comments, in one line.
+/// The text of a sky file without comments, in one line.
 [[nodiscard]] std::string sky_file_numbers(std::string_view text);
 
-/// The sky of a sky file. How many numbers follow the two counts tells the form: three for each
-/// cell (azimuth, elevation, radiance), or one or two for each sample of a distribution function,
-/// as MonteCarlo has them. What is wrong becomes a fault, and the answer nothing.
+/// Reads the sky of a sky file. The count of numbers after the first two gives the form: three per
+/// cell (azimuth, elevation, radiance), or one or two per sample of a distribution function
+/// (MonteCarlo). Errors become faults; the result is then empty.
 [[nodiscard]] std::optional<SkyTable> read_sky_table(Values& numbers);
 
 }  // namespace quasimc

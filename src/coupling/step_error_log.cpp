@@ -10,7 +10,7 @@
 namespace quasimc {
 
 void StepErrorLog::report_step(std::uint64_t step, const std::exception_ptr& fault) {
-    const std::string text = fault ? words_of(fault) : "";
+    const std::string text = fault ? describe(fault) : "";
     if (text == last_) {
         return;
     }
@@ -24,11 +24,11 @@ void StepErrorLog::report_step(std::uint64_t step, const std::exception_ptr& fau
 }
 
 void StepErrorLog::report_rejection(const std::exception_ptr& fault) {
-    send_(words_of(fault) + "\nNo light is computed any more.");
+    send_(describe(fault) + "\nNo light is computed any more.");
 }
 
-std::string StepErrorLog::words_of(const std::exception_ptr& fault) {
-    worst_ = std::max(worst_, SessionOutcome::faulty);
+std::string StepErrorLog::describe(const std::exception_ptr& fault) {
+    worst_ = std::max(worst_, SessionOutcome::rejected);
     try {
         std::rethrow_exception(fault);
     } catch (const InputError& error) {

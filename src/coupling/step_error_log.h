@@ -9,24 +9,23 @@
 
 namespace quasimc {
 
-/// Tells what goes wrong in a conversation, once as long as it stays the same, and keeps the worst
-/// of it.
+/// Reports the faults of a session, equal consecutive ones once, and records the worst outcome.
 class StepErrorLog {
   public:
-    /// @param tell  outlives the object
+    /// @param send  outlives the object
     explicit StepErrorLog(const std::function<void(const std::string&)>& send) : send_(send) {}
 
-    /// @param fault  of the step; none: it was good
+    /// @param fault  of the step; null if it had none
     void report_step(std::uint64_t step, const std::exception_ptr& fault);
-    /// Of what is refused before the first step.
+    /// Reports a fault before the first step.
     void report_rejection(const std::exception_ptr& fault);
     [[nodiscard]] SessionOutcome worst() const { return worst_; }
 
   private:
-    std::string words_of(const std::exception_ptr& fault);
+    std::string describe(const std::exception_ptr& fault);
 
     const std::function<void(const std::string&)>& send_;
-    std::string last_;  // of the step before; empty: it was good
+    std::string last_;  // fault of the last step; empty if it had none
     SessionOutcome worst_ = SessionOutcome::good;
 };
 

@@ -13,7 +13,7 @@
 namespace quasimc {
 namespace {
 
-/// What an organ's areas are, and the light it got.
+/// Areas of an organ and the light on it.
 class TableRow {
   public:
     TableRow(const StepView& view, std::uint32_t query)
@@ -22,9 +22,9 @@ class TableRow {
     [[nodiscard]] std::string text() const {
         const double projected = projected_area();
         const double sunlit = sunlit_area();
-        // By its sampling error the sunlit area may be more than all there is.
+        // The sampling error may make the sunlit area larger than the projected area.
         const double rest = projected - sunlit;
-        const double shaded = rest < 0 ? 0 : rest;  // unknown stays so
+        const double shaded = rest < 0 ? 0 : rest;  // NaN stays NaN
         std::string row = fmt::format("{:g} {:g} {:g} {:g}", area(), projected, sunlit, shaded);
         const double on_horizontal = view_.lighting.on_horizontal();
         const std::size_t bands = view_.spec.band_count();
@@ -38,7 +38,7 @@ class TableRow {
     }
 
   private:
-    /// Between runs; 0 where there is no estimate of it: of a single run, and of H.
+    /// Variance between runs; 0 where it is unknown: for a single run, and for H.
     [[nodiscard]] double variance_of(double standard_error) const {
         return std::isfinite(standard_error)
                    ? standard_error * standard_error * view_.spec.run.replicates
@@ -49,7 +49,7 @@ class TableRow {
         return organ_ == kNoOrgan ? 0 : view_.light.scene->organs()[organ_].area;
     }
 
-    /// Area seen along the light, the mean over all of it.
+    /// Projected area along the light, the mean over all directions of light.
     [[nodiscard]] double projected_area() const {
         if (organ_ == kNoOrgan) {
             return 0;
@@ -66,8 +66,8 @@ class TableRow {
         return sum;
     }
 
-    /// The part of the projected area that light reaches straight from the sources: the first band
-    /// that has light tells. Not known where such light is left out of all numbers.
+    /// The part of the projected area that receives direct light, from the first band that has
+    /// light. NaN if direct light is excluded.
     [[nodiscard]] double sunlit_area() const {
         if (view_.spec.run.direct_light == DirectLight::excluded) {
             return std::numeric_limits<double>::quiet_NaN();
@@ -134,7 +134,7 @@ std::string variance_table(const StepView& view) {
 
 void write_variance_file(const StepView& view) {
     const std::string& given = view.spec.variance_file->name;
-    // Whoever wants one step looks for the name that was stated.
+    // The first step has the name of the specification.
     const bool is_exact = !given.empty() && view.step == 0;
     AtomicFile file(
         is_exact ? given

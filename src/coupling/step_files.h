@@ -11,14 +11,14 @@
 
 namespace quasimc {
 
-/// One step, for the files that are written of it.
+/// One step, as input for its output files.
 struct StepView {
     const Specification& spec;
     const Pass& pass;
     const Lighting& lighting;
     const StepLight& light;
     std::uint64_t step = 0;  ///< counted from 0
-    /// What the return type of a band gives for a query, by its index in the pass.
+    /// The value that the return type of a band gives for a query, by its index in the pass.
     std::function<Estimate(std::uint32_t query, std::size_t band)> returned;
 };
 
@@ -27,9 +27,9 @@ struct StepView {
 
 /// The table of a step: a header, then a line for each organ that asked, in the order of the
 /// queries: area, mean projected area, sunlit and shaded part of it; for each band the mean of the
-/// absorbed flux (or what the band's return type says), the mean over the irradiance of the
-/// horizontal, and the variance between runs (0 where it is not known); with two bands their ratio
-/// and its variance. The header names the columns as the original program does.
+/// absorbed flux (or the quantity of the band's return type), the mean over the irradiance of the
+/// horizontal, and the variance between runs (0 where it is unknown); with two bands their ratio
+/// and its variance. The header has the column names of the original program.
 [[nodiscard]] std::string variance_table(const StepView& view);
 
 /// Writes variance_table: the first step to the file that the specification names, later ones (and
@@ -37,7 +37,8 @@ struct StepView {
 void write_variance_file(const StepView& view);
 
 /// Writes the organs of a step, coloured by the light they absorb per area in the first band, as a
-/// PLY file: blue is dark, yellow what an organ absorbs that faces all light. @throws InputError
+/// PLY file: blue is dark, yellow the light that an organ facing all light absorbs. @throws
+/// InputError
 void write_picture_file(const StepView& view);
 
 }  // namespace quasimc

@@ -12,13 +12,13 @@ namespace quasimc {
 
 inline constexpr std::uint32_t kNoOrgan = std::numeric_limits<std::uint32_t>::max();
 
-/// The light of one step: the scene, and the results of all bands together or of each by itself.
+/// The light of one step: the scene, and one result for all bands, or one per band.
 struct StepLight {
-    std::optional<Scene> scene;         ///< none: there was nothing to light, or no light
-    std::vector<Result> results;        ///< of a band without light: empty
-    std::vector<std::uint32_t> organs;  ///< of the scene, for each query; or kNoOrgan
+    std::optional<Scene> scene;         ///< none without organs or without light
+    std::vector<Result> results;        ///< empty for a band without light
+    std::vector<std::uint32_t> organs;  ///< index in the scene, for each query; or kNoOrgan
 
-    /// Light on an organ of the scene (0 on kNoOrgan, and where nothing was traced).
+    /// Light on an organ of the scene (0 on kNoOrgan, and where nothing was computed).
     [[nodiscard]] Estimate at(std::uint32_t organ, Quantity quantity, std::size_t band) const {
         const bool together = results.size() == 1;
         const std::size_t index = together ? 0 : band;
@@ -27,7 +27,7 @@ struct StepLight {
         }
         return results[index].at(organ, quantity, together ? band : 0);
     }
-    /// The part of an organ's area that parallel light reaches; nothing if there is no such light.
+    /// The sunlit fraction of an organ's area; empty without parallel light.
     [[nodiscard]] std::optional<Estimate> sunlit(std::uint32_t organ) const {
         for (const Result& result : results) {
             if (organ != kNoOrgan && !result.sunlit_fraction.empty()) {

@@ -28,7 +28,7 @@ constexpr std::array kEscapedByZenith{DetectorParameter{
     .high = 180,
     .usual = 9}};
 
-// (tools/new.py tells the parameters of a detector above this line)
+// (tools/new.py enters the parameters of a detector above this line)
 
 constexpr std::array kDetectors{
     DetectorEntry{

@@ -13,14 +13,14 @@
 
 namespace quasimc {
 
-/// Which light a detector is told of.
+/// Light that a detector receives.
 enum class DetectedLight {
-    escaped,  ///< scattered light that leaves the scene: solvers that do not follow it are refused
+    escaped,  ///< scattered light that leaves the scene; excludes solvers that do not follow it
 };
 
 /// One row of the table of types of detectors.
 struct DetectorEntry {
-    std::string_view name;     ///< as in `type = "..."`
+    std::string_view name;     ///< value of `type = "..."`
     std::string_view summary;  ///< one line for the manual
     DetectedLight light = DetectedLight::escaped;
     std::span<const DetectorParameter> parameters = {};
@@ -30,18 +30,18 @@ struct DetectorEntry {
 
 /// All types, in the order of the manual.
 [[nodiscard]] std::span<const DetectorEntry> detector_catalogue();
-/// The row of that name, or null.
+/// The row with a name, or null.
 [[nodiscard]] const DetectorEntry* find_detector(std::string_view name);
 
-/// The detector of a specification that check_detectors() found no fault with.
+/// Makes the detector of a specification that check_detectors() has accepted.
 [[nodiscard]] std::unique_ptr<Detector> make_detector(const DetectorSpec& spec);
 
-/// The specifications with their names set. Adds a fault for each unknown type or parameter, value
-/// outside its domain, parameter that must be stated and is not, and name that is there twice.
+/// Returns the specifications with names. Adds a fault for each unknown type or parameter, value
+/// outside its domain, missing required parameter, and repeated name.
 [[nodiscard]] std::vector<DetectorSpec> check_detectors(
     std::vector<DetectorSpec> specs, Faults& faults);
 
-/// Whether some of them must be told of light that escapes.
+/// Whether any of them receives escaped light.
 [[nodiscard]] bool need_escaped_light(std::span<const DetectorSpec> specs);
 
 /// "rings 1 ... 180" for the manual; "" for a type without parameters.

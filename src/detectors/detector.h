@@ -11,13 +11,13 @@
 
 namespace quasimc {
 
-/// What the bins of a detector stand for.
+/// Meaning of the bins of a detector.
 struct DetectorAxis {
-    std::string quantity;  ///< by which light is sorted, with its unit: "zenith angle (deg)"
+    std::string quantity;           ///< sorts the light; with its unit: "zenith angle (deg)"
     std::vector<std::string> bins;  ///< their names, in order: "0 to 20"
 };
 
-/// Sorts light into bins of its own, beside those of the surfaces. It changes no path.
+/// Sorts light into its own bins, in addition to those of the surfaces, without changing paths.
 ///
 /// Const and shared by all threads; a pure function of its arguments. For every bin of the axis it
 /// has one bin of the sums in each band: that of band b in bin i is first + i * bands + b.
@@ -28,12 +28,12 @@ class Detector {
     Detector(const Detector&) = delete;
     Detector& operator=(const Detector&) = delete;
 
-    /// At least one bin, names unique.
+    /// The axis: at least one bin, with unique names.
     [[nodiscard]] virtual DetectorAxis axis() const = 0;
 
-    /// Scattered light leaves the scene for good. What the detector adds must be these very
-    /// amounts or none of them.
-    /// @param direction  in which it travels, unit length, z up
+    /// Receives scattered light that leaves the scene. The detector must add exactly these amounts,
+    /// or nothing.
+    /// @param direction  direction of travel, unit length, z up
     /// @param amounts  per band, fixed point; in sums of empty_sums() flux as SumUnits says
     /// @param first  the detector's first bin in the tally
     virtual void on_escape(

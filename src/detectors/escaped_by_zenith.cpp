@@ -1,6 +1,6 @@
 // Scattered light that leaves the scene, by the zenith angle of its direction.
 //
-// What     Rings of equal width from the zenith (0 degrees) to the nadir (180 degrees).
+// Method   Rings of equal width from the zenith (0 degrees) to the nadir (180 degrees).
 // Theory   docs/theory/geometry.md
 
 #include <algorithm>
@@ -40,7 +40,7 @@ class EscapedByZenith final : public Detector {
     }
 
   private:
-    /// The angle by atan2, which is exact to rounding at the zenith as anywhere.
+    /// The ring of a direction, by atan2, which is also accurate near the zenith.
     [[nodiscard]] std::size_t ring_of(const Vec3& direction) const {
         const double angle = std::atan2(std::hypot(direction.x, direction.y), direction.z);
         const double ring = angle / std::numbers::pi * static_cast<double>(rings_);

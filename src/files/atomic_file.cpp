@@ -23,9 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr mode_t kEverybody = 0666;  // less the process's umask
+constexpr mode_t kFileMode = 0666;  // restricted by the umask
 
-/// Opens a pipe for writing, once something reads it; -1 if nothing does.
+/// Opens a pipe for writing; -1 if it has no reader.
 int open_pipe(const fs::path& path) {
     constexpr int kTries = 100;
     constexpr std::chrono::milliseconds kApart{50};
@@ -102,7 +102,7 @@ void AtomicFile::prepare() {
     if (straight_) {
         return;
     }
-    // What a file system can't sync (EINVAL) it has written all the same.
+    // A file system without fsync (EINVAL) has written the file all the same.
     if (::fsync(::fileno(file_)) != 0 && errno != EINVAL) {
         fail();
     }
@@ -157,7 +157,7 @@ void AtomicFile::fail() const {
     throw InputError({{where, "can't be written", why, ""}});
 }
 
-/// Pipes and devices.
+/// Opens pipes and devices.
 void AtomicFile::open_straight() {
     std::error_code error;
     if (!fs::is_fifo(path_, error)) {
@@ -171,11 +171,11 @@ void AtomicFile::open_straight() {
     file_ = descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }
 
-/// A file without a name leaves nothing behind, however the program ends. Not every file system has
-/// them.
+/// Opens a file without a name, which disappears with the process. Not every file system supports
+/// this.
 void AtomicFile::open_unnamed([[maybe_unused]] const fs::path& folder) {
 #ifdef O_TMPFILE
-    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kEverybody);
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, kFileMode);
     if (descriptor >= 0) {
         file_ = ::fdopen(descriptor, "wb");
     }
@@ -190,7 +190,7 @@ void AtomicFile::open_named(const fs::path& folder) {
     }
     const mode_t mask = ::umask(0);
     ::umask(mask);
-    ::fchmod(descriptor, kEverybody & ~mask);
+    ::fchmod(descriptor, kFileMode & ~mask);
     temporary_ = name;
     file_ = ::fdopen(descriptor, "wb");
 }

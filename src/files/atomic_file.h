@@ -7,12 +7,12 @@
 
 namespace quasimc {
 
-/// A file that is there whole or not at all: it gets its name when it is done. Until then (and
-/// after an exception, a signal, a full disk) whatever stood at its path stands there still. What
-/// is no file ("-" for standard output, a pipe, /dev/null) is written straight.
+/// A file that appears under its name only when it is complete. Until then (and after an exception,
+/// a signal, a full disk) an existing file at its path is unchanged. Standard output ("-"), pipes
+/// and devices are written directly.
 class AtomicFile {
   public:
-    /// @throws InputError  if the file can't be written there; if it is a pipe that nothing reads
+    /// @throws InputError  if the file can't be written, or is a pipe without a reader
     explicit AtomicFile(const std::filesystem::path& path);
     ~AtomicFile();
     AtomicFile(const AtomicFile&) = delete;
@@ -20,14 +20,14 @@ class AtomicFile {
 
     /// @throws InputError  if the bytes can't be written (full disk)
     void write(std::string_view bytes);
-    /// Writes all of the file to the disk, under a temporary name in its directory. Nothing is
-    /// written after it. @throws InputError
+    /// Flushes the file to the disk, under a temporary name in its directory. Must be the last
+    /// write. @throws InputError
     void prepare();
     /// Gives a prepared file its name. At most once. @throws InputError
     void take_name();
-    /// Brings the name to the disk, as far as the file system can.
+    /// Flushes the directory entry to the disk, if the file system can.
     void sync_name() const;
-    /// All three.
+    /// Calls prepare(), take_name() and sync_name().
     void commit();
 
   private:
@@ -38,7 +38,7 @@ class AtomicFile {
     void name_temporary();
 
     std::filesystem::path path_;
-    std::filesystem::path temporary_;  // empty if the file has no name yet, or is written straight
+    std::filesystem::path temporary_;  // empty if the file has no name yet, or is written directly
     std::FILE* file_ = nullptr;
     bool straight_ = false;
 };

@@ -9,7 +9,7 @@ namespace quasimc {
 /// A file descriptor that is closed at the end, unless it is standard input.
 class Descriptor {
   public:
-    /// @param number  as open() gives it; negative: none
+    /// @param number  result of open(); negative: none
     explicit Descriptor(int number) : number_(number) {}
     ~Descriptor() {
         if (number_ >= 0 && number_ != STDIN_FILENO) {

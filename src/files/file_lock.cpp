@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kOwnerBegin = "process ";
 
-/// The process that has the lock, as it named itself; "" if it did not yet.
+/// The name of the process that has the lock; "" if it is not written yet.
 std::string read_owner(int file) {
     std::array<char, 512> text{};
     const ssize_t count = ::pread(file, text.data(), text.size(), 0);
@@ -33,8 +33,7 @@ std::string own_name() {
         "{}{} on {}", kOwnerBegin, ::getpid(), is_known ? host.data() : "this machine");
 }
 
-/// Whether the name still is that of the file that was locked: its last owner may have removed it
-/// before it was.
+/// Whether the name still refers to the locked file, as the last owner may have removed it before.
 bool is_still(int file, const std::string& name) {
     struct stat locked {
     }, named{};
@@ -51,7 +50,7 @@ bool is_still(int file, const std::string& name) {
 }  // namespace
 
 FileLock::FileLock(const std::string& path) : name_(path + ".lock") {
-    constexpr mode_t kReadable = 0666;  // less the process's umask
+    constexpr mode_t kReadable = 0666;  // restricted by the umask
     while (true) {
         file_ = std::make_unique<Descriptor>(
             ::open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, kReadable));
@@ -79,7 +78,7 @@ FileLock::FileLock(const std::string& path) : name_(path + ".lock") {
     const std::string owner = own_name();
     const bool is_named = ::ftruncate(file_->number(), 0) == 0 &&
                           ::pwrite(file_->number(), owner.data(), owner.size(), 0) > 0;
-    static_cast<void>(is_named);  // of a full disk the lock holds all the same
+    static_cast<void>(is_named);  // the lock holds even on a full disk
 }
 
 FileLock::~FileLock() {

@@ -7,14 +7,14 @@
 
 namespace quasimc {
 
-/// Keeps a file to one process at a time. The lock is of a file beside it (its name and ".lock"),
-/// which names the owner and is removed at the end; the system gives it up when the owner dies, in
-/// whatever way, and a file that is left over hinders nobody.
+/// Restricts a file to one process at a time, by a lock on a file beside it (its name and ".lock"),
+/// which names the owner and is removed at the end. The system releases the lock when the owner
+/// ends; a leftover file does no harm.
 class FileLock {
   public:
-    /// @param path  of the file to keep; it need not be there
-    /// @throws InputError  if another process has it, who that is, or if the file of the lock can't
-    ///         be written. Where the file system knows no locks, there is none.
+    /// @param path  of the file to restrict; it may be missing
+    /// @throws InputError  if another process has it, with its name, or if the lock file can't be
+    ///         written. File systems without locks are not protected.
     explicit FileLock(const std::string& path);
     ~FileLock();
     FileLock(const FileLock&) = delete;

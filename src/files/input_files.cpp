@@ -27,13 +27,13 @@ namespace fs = std::filesystem;
     throw InputError({{path.string(), "can't be read", why, ""}});
 }
 
-/// Waits until something can be read. @returns false  if the time has passed
+/// Waits for input. @returns false  after the given time
 bool wait_for_bytes(int descriptor, int milliseconds) {
     pollfd asked{descriptor, POLLIN, 0};
     return ::poll(&asked, 1, milliseconds) != 0;
 }
 
-/// All that comes from a descriptor. It may be one that does not block.
+/// Reads a descriptor to its end. It may be non-blocking.
 std::string read_all(int descriptor, const fs::path& path) {
     std::string text;
     struct stat status {};
@@ -74,7 +74,7 @@ std::string read_all(int descriptor, const fs::path& path) {
                        : "not enough memory for it");
 }
 
-/// A device would never end.
+/// Refuses devices, which have no end.
 void refuse_what_is_no_file(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
@@ -86,7 +86,8 @@ void refuse_what_is_no_file(const fs::path& path) {
     }
 }
 
-/// Some programs save text so. What is read here begins with letters or, if it is binary, a name.
+/// Refuses UTF-16, which some programs write. Supported formats begin with letters or a binary
+/// signature.
 void refuse_utf16(std::string_view bytes, const fs::path& path) {
     const bool has_mark = bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
     const auto is_letter = [](char c) { return c >= '\t' && c <= '~'; };
@@ -101,7 +102,7 @@ void refuse_utf16(std::string_view bytes, const fs::path& path) {
     }
 }
 
-/// All that comes from a descriptor, whatever fits into the memory.
+/// Reads a descriptor to its end; throws if the text does not fit in memory.
 std::string read_text(int descriptor, const fs::path& path) {
     try {
         std::string bytes = read_all(descriptor, path);
@@ -127,7 +128,7 @@ std::string read_file(const fs::path& path) {
         return read_text(STDIN_FILENO, "standard input");
     }
     refuse_what_is_no_file(path);
-    // A pipe that nothing writes into would block for ever.
+    // Without O_NONBLOCK a pipe without a writer would block forever.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     if (!file.is_open()) {
         cannot_read(path, std::generic_category().message(errno));

@@ -13,7 +13,7 @@
 namespace quasimc {
 namespace {
 
-/// Refuses outputs that would destroy what was read, and those that would destroy each other.
+/// Refuses outputs that are inputs, or that are one file.
 void check_apart(
     const std::vector<OutputPath>& outputs, std::span<const InputFile> inputs, Faults& faults) {
     std::vector<FileIdentity> files;
@@ -46,7 +46,7 @@ OutputFiles::OutputFiles(std::vector<OutputPath> outputs, std::span<const InputF
     faults.throw_if_any();
     const FileIdentity standard = identity_of_descriptor(STDOUT_FILENO);
     for (const OutputPath& output : outputs_) {
-        // However it is called, it is written to where it is now, not replaced.
+        // A file that standard output already writes to is not replaced, under any path.
         const FileIdentity file = identity_of(output.path, STDOUT_FILENO);
         const bool is_standard = output.path == "-" || (file == standard && !file.is_discard);
         uses_standard_output_ = uses_standard_output_ || is_standard;

@@ -12,49 +12,47 @@
 
 namespace quasimc {
 
-/// A file that is to be written.
+/// A file to be written.
 struct OutputPath {
     std::string path;   ///< "-" is standard output
-    std::string where;  ///< who names it, for messages: "--csv"
+    std::string where;  ///< option or key that names it, for messages: "--csv"
 };
 
-/// The files that one run writes. They are opened together, so that a wrong one is told before
-/// anything is computed, and get their names together at the end. One that can't be written any
-/// more (a full disk, a pipe that nobody reads) is given up, and the others are written all the
-/// same. Standard output whose reader has ended is given up without a fault; ReaderGone is thrown
-/// if no other output is left.
+/// The output files of one run. They are opened together, so that errors are reported before the
+/// computation, and get their names together at the end. An output that can't be written (full
+/// disk, pipe without a reader) is abandoned without affecting the others. Standard output whose
+/// reader has ended is abandoned without a fault; ReaderGone is thrown if no other output is left.
 class OutputFiles {
   public:
-    /// @param inputs  the files that were read, which no output may be
+    /// @param inputs  files that were read; no output may be one of them
     /// @throws InputError  if an output can't be written, is an input, or is another output
     OutputFiles(std::vector<OutputPath> outputs, std::span<const InputFile> inputs);
 
-    /// Takes the text of an output. Throws once no output is left to be written.
+    /// The sink of an output. Throws if no output is left.
     [[nodiscard]] TextSink sink(std::size_t output);
-    /// Gives an output up. Throws if none is left to be written.
+    /// Abandons an output. Throws if none is left.
     void give_up(std::size_t output, const InputError& error);
-    /// Brings all outputs to the disk, and then gives them their names, in their order, one
-    /// straight after the other.
+    /// Flushes all outputs to the disk, then gives them their names in order.
     void commit();
 
-    /// The outputs that are files and were not given up, as stated.
+    /// The paths of the files that were written, as given.
     [[nodiscard]] std::vector<std::string> written() const;
     [[nodiscard]] bool uses_standard_output() const { return uses_standard_output_; }
-    /// Why outputs were given up.
+    /// Reasons of abandoned outputs.
     [[nodiscard]] const Faults& faults() const { return faults_; }
-    /// Whether there are outputs, but none is left.
+    /// Whether all outputs, at least one, were abandoned.
     [[nodiscard]] bool are_all_given_up() const;
-    /// @throws InputError  if outputs were given up, with the reasons
+    /// @throws InputError  if outputs were abandoned, with the reasons
     void throw_if_given_up() const { faults_.throw_if_any(); }
 
   private:
     void throw_if_none_is_left() const;
-    /// Does it with an output that is left.
+    /// Applies the action to an output, unless it was abandoned.
     template <typename Action>
     void attempt(std::size_t output, Action action);
 
     std::vector<OutputPath> outputs_;
-    std::vector<std::unique_ptr<AtomicFile>> files_;  // of outputs; none of those given up
+    std::vector<std::unique_ptr<AtomicFile>> files_;  // by output; null if abandoned
     Faults faults_;
     bool uses_standard_output_ = false;
 };

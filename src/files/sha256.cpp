@@ -38,7 +38,7 @@ std::array<std::uint32_t, kRounds> schedule_of(const char* bytes) {
     return w;
 }
 
-/// Takes a block into the hash value H, section 6.2.2 steps 2 to 4.
+/// Updates the hash value H with a block, section 6.2.2 steps 2 to 4.
 void take_block(std::array<std::uint32_t, 8>& state, const char* bytes) {
     const auto w = schedule_of(bytes);
     auto [a, b, c, d, e, f, g, h] = state;

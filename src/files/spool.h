@@ -8,13 +8,12 @@
 
 namespace quasimc {
 
-/// Keeps text that is written later than it is made, in a temporary file without a name: it may be
-/// longer than fits in memory.
+/// Buffers text in a temporary file without a name, as it may exceed the memory.
 class Spool {
   public:
-    /// @throws InputError  if there is no room for it
+    /// @throws InputError  if the disk is full
     void add(std::string_view text);
-    /// All of the text, in pieces. Nothing is added afterwards. @throws InputError
+    /// Sends all of the text, in pieces. Must be the last call. @throws InputError
     void copy_to(const TextSink& sink);
 
   private:

@@ -12,8 +12,8 @@ namespace quasimc {
 void open_standard_streams() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF) {
-            // The lowest free descriptor is taken: this one. It is opened the wrong way round, so
-            // that who writes to a closed stream is told.
+            // open() takes the lowest free descriptor, which is this one. The direction is the
+            // opposite one, so that using a closed stream fails.
             const int way = descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY;
             static_cast<void>(::open("/dev/null", way));
         }

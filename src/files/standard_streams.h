@@ -4,8 +4,8 @@
 
 namespace quasimc {
 
-/// Thrown when standard output is a pipe whose reader has ended, as `head` does once it has enough:
-/// no error of the input, but nothing more is to be written there.
+/// Thrown when standard output is a pipe whose reader has ended, for example `head`. It is no input
+/// error, but nothing more can be written.
 class ReaderGone : public std::exception {
   public:
     [[nodiscard]] const char* what() const noexcept override {
@@ -14,8 +14,8 @@ class ReaderGone : public std::exception {
 };
 
 /// Opens those of standard input, output and error that are closed, so that no file opened later
-/// gets their descriptors. Nothing can be read from or written to these. To be called before
-/// anything is opened.
+/// gets their descriptors. Reading and writing them fails. Must be called before any file is
+/// opened.
 void open_standard_streams();
 
 /// Whether the program was started with a standard output.

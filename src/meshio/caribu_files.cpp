@@ -11,8 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// The numbers of a line of optics, whose words "d" say that surfaces are diffuse; nothing after a
-/// fault.
+/// The numbers of a line of optics, in which "d" marks diffuse surfaces; empty after a fault.
 std::optional<std::vector<double>> fractions_of_line(
     std::string_view line, std::uint32_t number, Reporter& reporter) {
     std::vector<double> fractions;

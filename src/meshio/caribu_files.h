@@ -8,8 +8,7 @@
 #include "base/vec3.h"
 #include "text/table_reader.h"
 
-// The files of Caribu beside its scenes (meshio/read_can.cpp). Each reader adds every fault it
-// finds.
+// The files of Caribu other than its scenes (meshio/read_can.cpp). Each reader reports all faults.
 
 namespace quasimc {
 
@@ -30,15 +29,15 @@ struct CaribuOptics {
 };
 [[nodiscard]] CaribuOptics read_caribu_optics(std::string_view bytes, Reporter& reporter);
 
-/// A line of a file of light (.light): irradiance on the horizontal, and where the light travels.
+/// A line of a file of light (.light): irradiance on the horizontal, and direction of travel.
 struct CaribuLight {
     double irradiance = 0;
-    Vec3 travel;  ///< of any length, downwards
+    Vec3 travel;  ///< direction of any length, downwards
 };
 [[nodiscard]] std::vector<CaribuLight> read_caribu_light(
     std::string_view bytes, Reporter& reporter);
 
-/// A file of a pattern (.8): low x, low y, high x, high y. Nothing after a fault.
+/// A file of a pattern (.8): low x, low y, high x, high y. Empty after a fault.
 [[nodiscard]] std::optional<std::array<double, 4>> read_caribu_pattern(
     std::string_view bytes, Reporter& reporter);
 

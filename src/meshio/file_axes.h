@@ -4,7 +4,7 @@
 
 namespace quasimc {
 
-/// The transform that does `second` after `first`.
+/// The composition of two transforms, `first` applied first.
 [[nodiscard]] constexpr Affine after(const Affine& second, const Affine& first) {
     Affine both;
     const auto& [a, b, c] = first.rows;
@@ -28,7 +28,7 @@ namespace quasimc {
                            : Affine{{Vec3{scale, 0, 0}, Vec3{0, 0, -scale}, Vec3{0, scale, 0}}, {}};
 }
 
-/// The way back.
+/// The inverse of from_y_up().
 [[nodiscard]] constexpr Affine to_y_up(UpAxis up, double scale) {
     return up == UpAxis::y ? from_y_up(up, scale)
                            : Affine{{Vec3{scale, 0, 0}, Vec3{0, 0, scale}, Vec3{0, -scale, 0}}, {}};

@@ -11,7 +11,7 @@ namespace quasimc {
 namespace {
 
 /// About the number of values of a large file that are checked.
-constexpr std::size_t kLooks = 10000;
+constexpr std::size_t kSampledValues = 10000;
 
 /// The distance from a number to the next one of single precision.
 double float_step(double x) {
@@ -30,7 +30,7 @@ AxisStep step_along(std::span<const Vec3> points, std::size_t axis) {
     constexpr double kOnStep = 1.0 / 16, kNearlyAll = 0.99;
     AxisStep largest;
     std::size_t checked = 0, on_step = 0, odd = 0;
-    const std::size_t stride = points.size() / kLooks + 1;
+    const std::size_t stride = points.size() / kSampledValues + 1;
     for (std::size_t i = 0; i < points.size(); i += stride) {
         const Vec3& p = points[i];
         const double x = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
@@ -58,7 +58,7 @@ double median_height(std::span<const Vec3> points, std::span<const std::span<con
     for (const auto& faces : parts) {
         count += faces.size();
     }
-    const std::size_t stride = count / kLooks + 1;
+    const std::size_t stride = count / kSampledValues + 1;
     std::vector<double> heights;
     std::size_t number = 0;
     for (const auto& faces : parts) {

@@ -1,4 +1,4 @@
-// Which format a name or the end of a path stands for.
+// Finds the format of a name or a file extension.
 
 #include <algorithm>
 #include <array>

@@ -25,7 +25,7 @@ void add_materials(const MeshFile& file, SceneBuilder& builder) {
                 continue;
             }
             SideOptics side;
-            side.reflectance = 0.5;  // of no meaning, but that nobody is warned of black materials
+            side.reflectance = 0.5;  // arbitrary, prevents a warning of black materials
             builder.add_material({name_of(part), {side}, {side}});
         }
     }
@@ -59,7 +59,7 @@ void add_groups(MeshFile file, SceneBuilder& builder) {
     }
 }
 
-/// "obj, ply": the formats that are written and keep it.
+/// Formats with a writer that store a property: "obj, ply".
 std::string keepers(std::string_view word) {
     std::string names;
     for (const FormatEntry& format : format_table()) {
@@ -91,7 +91,7 @@ std::vector<Warning> lost_when_written(const FormatEntry& format, const Scene& s
     for (const Organ& organ : scene.organs()) {
         labelled += organ.labels.empty() ? 0 : 1;
     }
-    // The name of a single material is no loss. Species of Caribu are numbers of materials.
+    // The name of a single material need not be stored. Species of Caribu are numbers of materials.
     if (materials.size() > 1 && format.keeps.find("species") == format.keeps.npos) {
         add(true, fmt::format("names of {} materials are", materials.size()), "material");
     }

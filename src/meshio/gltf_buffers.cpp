@@ -38,7 +38,7 @@ std::size_t components_of(const std::string& type) {
     return found == kTypes.end() ? 0 : static_cast<std::size_t>(found - kTypes.begin()) + 1;
 }
 
-/// A number of the file; one that is normalized as the fraction it stands for.
+/// Reads a number of the file; a normalized integer becomes a fraction.
 template <typename T>
 double component_at(const GltfAccessor& accessor, std::size_t at) {
     const auto number = static_cast<double>(little_endian_at<T>(accessor.bytes, at));
@@ -96,7 +96,7 @@ std::optional<GltfContainer> open_glb(std::string_view bytes, Reporter& reporter
     return parts;
 }
 
-/// A URI with what "%20" and the like stand for.
+/// Decodes the percent-escapes of a URI ("%20").
 std::string without_escapes(std::string_view uri) {
     const auto digit = [](char c) {
         return c >= '0' && c <= '9'   ? c - '0'
@@ -118,8 +118,8 @@ std::string without_escapes(std::string_view uri) {
     return path;
 }
 
-/// The bytes that a URI names: embedded ("data:...;base64,...") or in a file beside.
-/// @throws InputError  if they can't be had
+/// Reads the bytes of a URI: embedded ("data:...;base64,...") or in a file.
+/// @throws InputError  if they can't be read
 std::string read_gltf_uri(std::string_view uri, FormatContext& context) {
     const auto refuse = [](std::string why) -> std::string {
         throw InputError({{"", "", std::move(why), ""}});
@@ -189,7 +189,7 @@ void GltfBuffers::read_buffer(const Node& json, std::size_t number, FormatContex
     if (!bytes_[number] || !length || *length == bytes_[number]->size()) {
         return;
     }
-    constexpr std::uint64_t kPadding = 3;  // a part of a GLB ends on a multiple of four
+    constexpr std::uint64_t kPadding = 3;  // a chunk of a GLB ends on a multiple of four
     const std::uint64_t size = bytes_[number]->size();
     if (*length > size || size - *length > kPadding) {
         context.reporter.warn(fmt::format(

@@ -16,10 +16,10 @@ namespace quasimc {
 /// The two parts of a glTF file.
 struct GltfContainer {
     std::string_view json;
-    std::optional<std::string_view> binary;  ///< what a GLB file holds behind the JSON
+    std::optional<std::string_view> binary;  ///< the chunk of a GLB file after the JSON
 };
 
-/// Takes a glTF file apart: GLB version 2, or JSON alone. @returns nothing after a fault
+/// Splits a glTF file: GLB version 2, or JSON alone. @returns empty after a fault
 [[nodiscard]] std::optional<GltfContainer> open_gltf(std::string_view bytes, Reporter& reporter);
 
 /// Numbers in a buffer, element after element, `stride` bytes apart.
@@ -27,14 +27,14 @@ struct GltfAccessor {
     std::string_view bytes;  ///< from the first element on
     std::size_t count = 0, stride = 0;
     std::uint32_t component_type = 0;  ///< 5120 to 5126: int8, uint8, int16, uint16, uint32, float
-    std::size_t components = 0;        ///< of an element: 1 (SCALAR) to 4
-    bool is_normalized = false;        ///< integers stand for fractions
-    std::vector<double> low, high;     ///< as the file states them, of each component; or empty
+    std::size_t components = 0;        ///< per element: 1 (SCALAR) to 4
+    bool is_normalized = false;        ///< integers represent fractions
+    std::vector<double> low, high;     ///< bounds given in the file, per component; or empty
 
-    /// Whether its numbers are integers, which stand for themselves.
+    /// Whether its numbers are integers and not normalized.
     [[nodiscard]] bool is_whole() const;
 
-    /// A component of an element, both of which are there.
+    /// A component of an element, both in range.
     [[nodiscard]] double at(std::size_t element, std::size_t component) const;
 };
 
@@ -45,7 +45,7 @@ class GltfBuffers {
     /// @param root  of the document; it and the container must outlive the buffers
     GltfBuffers(const Node& root, const GltfContainer& container, FormatContext& context);
 
-    /// The accessor of a number that is there; nothing after a fault.
+    /// The accessor with a valid number; empty after a fault.
     [[nodiscard]] std::optional<GltfAccessor> accessor(std::size_t number);
 
   private:
@@ -58,8 +58,9 @@ class GltfBuffers {
     const Node& root_;
     GltfValues values_;
     std::optional<std::string_view> binary_;
-    std::vector<std::string> read_;                       // bytes of those that were read
-    std::vector<std::optional<std::string_view>> bytes_;  // of the buffers; none: there are none
+    std::vector<std::string> read_;  // bytes of the buffers that were read
+    // By buffer; empty if it could not be read.
+    std::vector<std::optional<std::string_view>> bytes_;
 };
 
 }  // namespace quasimc

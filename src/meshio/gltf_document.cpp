@@ -13,15 +13,14 @@
 namespace quasimc {
 namespace {
 
-/// Whether a file that requires an extension is read as it is meant without it: it is of looks, or
-/// of kinds of numbers that are read anyhow.
+/// Whether a required extension does not affect geometry, or concerns numbers that are read anyway.
 bool is_harmless(std::string_view extension) {
     return extension == "KHR_mesh_quantization" || extension == "KHR_lights_punctual" ||
            extension.starts_with("KHR_materials_") || extension.starts_with("KHR_texture_") ||
            extension.starts_with("EXT_texture_") || extension.starts_with("KHR_xmp");
 }
 
-/// A value of extras as a label; nothing of tables and lists.
+/// Converts a value of extras to a label; empty for tables and lists.
 std::optional<std::string> label_text(const Node& node) {
     if (const auto* text = node.as<std::string>()) {
         return one_line(*text);
@@ -207,7 +206,7 @@ class GltfDocumentReader {
         }
     }
 
-    /// The nodes of the scene that is shown, or else those that are below no other.
+    /// Reads the roots: the nodes of the default scene, or else the nodes without a parent.
     void read_roots() {
         const Node::List& scenes = gltf_list(root_, "scenes");
         if (!scenes.empty()) {
@@ -229,7 +228,7 @@ class GltfDocumentReader {
         }
     }
 
-    /// A node is below one other, or a root.
+    /// Checks that each node has one parent, or is a root.
     void check_trees() {
         std::vector<int> parents(file_.nodes.size());
         const auto count = [&](const std::vector<std::size_t>& numbers) {

@@ -13,13 +13,14 @@
 
 namespace quasimc {
 
-/// How the corners of triangles follow each other; what is none has no triangles.
+/// Order of the corners of triangles; `none` for points and lines.
 enum class CornerOrder { none, triangles, strip, fan };
 
 /// A part of a mesh that is of one material.
 struct GltfPrimitive {
     CornerOrder mode = CornerOrder::triangles;
-    std::optional<std::size_t> positions, indices, material;  ///< accessors; of the materials
+    /// Numbers of accessors, and of the material.
+    std::optional<std::size_t> positions, indices, material;
 };
 
 struct GltfMesh {
@@ -33,17 +34,16 @@ struct GltfNode {
     std::vector<std::size_t> children;
     Affine transform;                      ///< to the axes of its parent
     std::optional<std::int64_t> organ_id;  ///< `id` of its extras
-    Labels labels;                         ///< the rest of its extras: texts, numbers, booleans
+    Labels labels;                         ///< its other extras: texts, numbers, booleans
 };
 
 struct GltfMaterial {
     std::string name;
-    std::optional<double> reflectance;  ///< mean of its base colour, if that is stated as a number
-    bool is_cut_out = false;            ///< its texture makes parts of it transparent
+    std::optional<double> reflectance;  ///< mean of its base colour, if that is given as numbers
+    bool is_cut_out = false;            ///< its texture makes parts transparent
 };
 
-/// What of a glTF file is geometry. Every number that names another part is that of one that is
-/// there, and nodes are trees.
+/// The geometry of a glTF file. All references between its parts are valid, and nodes form trees.
 struct GltfDocument {
     std::vector<GltfMesh> meshes;
     std::vector<GltfNode> nodes;
@@ -51,7 +51,7 @@ struct GltfDocument {
     std::vector<std::size_t> roots;  ///< nodes of the scene
 };
 
-/// Reads glTF 2.0. @returns nothing after a fault
+/// Reads glTF 2.0. @returns empty after a fault
 [[nodiscard]] std::optional<GltfDocument> read_gltf_document(const Node& root, Reporter& reporter);
 
 }  // namespace quasimc

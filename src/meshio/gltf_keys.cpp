@@ -51,7 +51,7 @@ constexpr std::array<std::string_view, 8> kViewKeys{
 constexpr std::array<std::string_view, 5> kBufferKeys{
     "uri", "byteLength", "name", "extensions", "extras"};
 
-/// A list of the file, what one of its objects is called, and the keys of such an object.
+/// A list of the file, with the name and the keys of its objects.
 struct ListKeys {
     std::string_view list, word;
     Keys keys;
@@ -64,7 +64,7 @@ constexpr std::array kListKeys{
     ListKeys{"bufferViews", "bufferView", kViewKeys},
     ListKeys{"buffers", "buffer", kBufferKeys}};
 
-/// How many keys are not known where they stand, and the first.
+/// Number of unknown keys, and the first one.
 struct UnknownKeys {
     std::size_t count = 0;
     std::string first;

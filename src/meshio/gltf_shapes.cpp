@@ -16,7 +16,7 @@ std::vector<std::uint32_t> numbers_below(std::size_t count) {
     return indices;
 }
 
-/// The triangles of corners in an order; of strips and fans those that are but lines are left out.
+/// Makes the triangles of corners in an order; omits degenerate ones of strips and fans.
 std::vector<Face> faces_of(CornerOrder order, const std::vector<std::uint32_t>& corners) {
     std::vector<Face> faces;
     if (order == CornerOrder::triangles) {
@@ -31,7 +31,7 @@ std::vector<Face> faces_of(CornerOrder order, const std::vector<std::uint32_t>& 
         const Face face = order == CornerOrder::fan
                               ? Face{corners[0], corners[i + 1], corners[i + 2]}
                               : Face{corners[i], corners[i + 1 + odd], corners[i + 2 - odd]};
-        // Strips go on over triangles that are lines.
+        // Strips continue after degenerate triangles.
         if (face[0] != face[1] && face[1] != face[2] && face[2] != face[0]) {
             faces.push_back(face);
         }
@@ -107,7 +107,7 @@ std::optional<std::vector<Vec3>> GltfShapes::read_points(std::size_t number) {
     return points;
 }
 
-/// The file states the bounds of its points. Others mean that a type, an offset or bytes are wrong.
+/// Compares the points with the bounds in the file. Differences mean a wrong type, offset or bytes.
 void GltfShapes::check_bounds(
     std::size_t number, const GltfAccessor& accessor, const std::vector<Vec3>& points) {
     constexpr double kTolerance = 1e-3, kRounding = 1e-6;
@@ -121,7 +121,7 @@ void GltfShapes::check_bounds(
     }
     const auto point_of = [](const std::vector<double>& v) { return Vec3{v[0], v[1], v[2]}; };
     const Vec3 low = point_of(accessor.low), high = point_of(accessor.high);
-    // Texts of bounds may be rounded to single precision.
+    // Bounds may be rounded to single precision.
     const double tolerance = kTolerance * (length(high - low) + length(bounds.size())) +
                              kRounding * (length(low) + length(high));
     const bool is_other =

@@ -12,15 +12,15 @@
 
 namespace quasimc {
 
-/// Makes triangles of the accessors of primitives.
+/// Makes triangles from the accessors of primitives.
 class GltfShapes {
   public:
     GltfShapes(GltfBuffers& buffers, Reporter& reporter)
         : buffers_(buffers), reporter_(reporter), values_(reporter) {}
 
-    /// Nothing after a fault. @param primitive  with triangles
+    /// The mesh of a primitive; empty after a fault. @param primitive  with triangles
     std::optional<Mesh> triangles(const GltfPrimitive& primitive);
-    /// Warns of points that are not within the bounds that the file states, or too coarse.
+    /// Warns of points outside the bounds in the file, or too coarse.
     void finish();
 
   private:
@@ -30,7 +30,7 @@ class GltfShapes {
     void check_bounds(
         std::size_t number, const GltfAccessor& accessor, const std::vector<Vec3>& points);
 
-    /// How many accessors are of a kind, and what is said of the first.
+    /// Number of accessors of a kind, and the text for the first.
     struct Notes {
         std::size_t count = 0;
         std::string first;

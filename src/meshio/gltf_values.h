@@ -13,8 +13,8 @@
 
 namespace quasimc {
 
-/// Reads the values of a glTF file. What is wrong with one is reported, and it is then absent. A
-/// `where` says whose it is: "node 3".
+/// Reads the values of a glTF file. A value with a fault is reported and then absent. `where` is
+/// the owner of a value: "node 3".
 class GltfValues {
   public:
     explicit GltfValues(Reporter& reporter) : reporter_(reporter) {}
@@ -25,16 +25,16 @@ class GltfValues {
     /// An integer that is not negative.
     std::optional<std::uint64_t> whole(
         const Node& object, std::string_view key, const std::string& where);
-    /// The number of a part of the file, of which there are `count`.
+    /// The index of a part of the file, less than `count`.
     std::optional<std::size_t> index(
         const Node& object, std::string_view key, std::size_t count, const std::string& where);
-    /// The list of such numbers that is the value of a key; empty if it is absent.
+    /// The list of indices in the value of a key; empty if it is absent.
     std::vector<std::size_t> indices(
         const Node& object, std::string_view key, std::size_t count, const std::string& where);
-    /// So many finite numbers.
+    /// A list of the given number of finite numbers.
     std::optional<std::vector<double>> numbers(
         const Node& object, std::string_view key, std::size_t count, const std::string& where);
-    /// Of a node: its matrix, or its scale, rotation and translation.
+    /// The transform of a node: its matrix, or its scale, rotation and translation.
     Affine transform(const Node& node, const std::string& where);
 
   private:
@@ -52,8 +52,7 @@ class GltfValues {
 /// The list of a key; an empty one if it has none.
 [[nodiscard]] const Node::List& gltf_list(const Node& object, std::string_view key);
 
-/// Warns of keys that glTF 2.0 does not have, where geometry is stated: a misspelled "translation"
-/// would be passed over.
+/// Warns of unknown keys of glTF 2.0 in geometry, such as a misspelled "translation".
 void warn_of_unknown_keys(const Node& root, Reporter& reporter);
 
 }  // namespace quasimc

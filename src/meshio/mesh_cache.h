@@ -13,19 +13,18 @@
 
 namespace quasimc {
 
-/// Geometry files that are parsed already, for points of a sweep that name the same: those of the
-/// point that is read and of the one before.
+/// Parsed geometry files of the current and the previous point of a sweep.
 class MeshCache {
   public:
     struct Parsed {
         MeshFile mesh;
         std::vector<Warning> warnings;
     };
-    /// All that the result of reading depends on: the path as it is written, its format, and what
-    /// FormatContext says of the scene.
+    /// All inputs of a reader: the path as written, its format, and the scene's properties in
+    /// FormatContext.
     using Key = std::tuple<std::string, std::string, UpAxis, std::string, std::optional<double>>;
 
-    /// Drops what the last point did not use.
+    /// Drops the files that the last point did not use.
     void start_point() {
         before_ = std::move(now_);
         now_.clear();

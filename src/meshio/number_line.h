@@ -16,7 +16,7 @@
 
 namespace quasimc {
 
-/// The numbers on a line, all finite; nothing after a fault, which tells the `rule`.
+/// The numbers on a line, all finite; empty after a fault, which quotes the `rule`.
 [[nodiscard]] inline std::optional<std::vector<double>> numbers_of_line(
     std::string_view line, std::uint32_t line_number, const std::string& rule, Reporter& reporter) {
     constexpr std::size_t kUsual = 16;
@@ -33,8 +33,8 @@ namespace quasimc {
     return numbers;
 }
 
-/// Calls take(numbers, line) for each line that holds numbers; what follows a '#' is a comment.
-/// Lines with a fault, which tells the `rule`, or with another count of numbers are reported.
+/// Calls take(numbers, line) for each line with numbers; '#' begins a comment. Reports faulty
+/// lines, with the `rule`, and lines with another count of numbers.
 template <typename Take>
 void take_number_lines(
     std::string_view bytes,
@@ -54,7 +54,7 @@ void take_number_lines(
     }
 }
 
-/// The point that starts at a number.
+/// The point whose coordinates start at an index.
 [[nodiscard]] inline Vec3 point_at(const std::vector<double>& numbers, std::size_t first) {
     return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }

@@ -92,7 +92,7 @@ OpsNumbers OpsColumns::arrange(const std::vector<double>& numbers, std::uint32_t
         result.scale = 1;
         unscaled_.add(line);
     }
-    constexpr double kFullTurn = 2 * std::numbers::pi * (1 + 1e-3);  // of few digits
+    constexpr double kFullTurn = 2 * std::numbers::pi * (1 + 1e-3);  // tolerates few digits
     const double largest =
         std::max({std::abs(result.azimuth), std::abs(result.angle), std::abs(result.twist)});
     if (largest > kFullTurn) {

@@ -15,32 +15,32 @@ namespace quasimc {
 struct OpsNumbers {
     Vec3 position;  ///< metres
     double scale = 1;
-    double azimuth = 0, angle = 0, twist = 0;  ///< of the inclination; about the stem; radians
+    /// Azimuth and angle of the inclination, twist about the stem; radians.
+    double azimuth = 0, angle = 0, twist = 0;
 };
 
-/// Where a line puts its plant: turned by its twist, scaled, inclined towards the azimuth and
-/// shifted, as PlantGeom.jl does it.
-/// @param unit  of the scene, in one of the positions; @param size  in one of the plant
+/// The transform of a plant: twist, scale, inclination towards the azimuth and shift, as in
+/// PlantGeom.jl. @param unit  scene units per unit of positions; @param size  per unit of the plant
 [[nodiscard]] Affine ops_transform(const OpsNumbers& numbers, double unit, double size);
 
 /// The fields of a line, between tabs if there are any: names of files may hold blanks.
 [[nodiscard]] std::vector<std::string_view> ops_fields(std::string_view line);
 
-/// Knows which column of a table of plants is which.
+/// Columns of a table of plants.
 class OpsColumns {
   public:
-    /// The comment that names the columns tells whether one of them is the scale.
+    /// Reads from the comment with the names of columns whether one is the scale.
     void read_comment(std::string_view line);
-    /// The numbers of a line; nothing after a fault. Lines of the old layout have no scale, and may
-    /// end with a field that is not used. No plant has the scale 0: such a line is an old one,
-    /// unless a comment names a column of scales.
+    /// The numbers of a line; empty after a fault. Lines of the old layout have no scale, and may
+    /// end with an unused field. A line with scale 0 has the old layout, unless a comment names a
+    /// column of scales.
     std::optional<OpsNumbers> numbers_of(
         const std::vector<std::string_view>& fields, std::uint32_t line, Reporter& reporter);
-    /// Warns of what was assumed.
+    /// Warns of assumptions.
     void warn(Reporter& reporter) const;
 
   private:
-    /// How many lines are of a kind, and the first.
+    /// Number of lines of a kind, and the first one.
     struct Notes {
         std::size_t count = 0;
         std::uint32_t first = 0;
@@ -51,7 +51,7 @@ class OpsColumns {
 
     OpsNumbers arrange(const std::vector<double>& numbers, std::uint32_t line);
 
-    std::optional<bool> has_scale_;  // what the comment says
+    std::optional<bool> has_scale_;  // from the comment
     Notes old_, unscaled_, turned_;
 };
 

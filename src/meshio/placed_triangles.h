@@ -10,14 +10,13 @@
 
 namespace quasimc {
 
-/// Puts meshes of a file, moved, among its vertices.
+/// Adds transformed meshes to a file.
 class PlacedTriangles {
   public:
     PlacedTriangles(MeshFile& file, Reporter& reporter) : file_(file), reporter_(reporter) {}
 
-    /// Adds a part to a group; nothing of a shape without faces. A mirror image keeps the side that
-    /// is its front. Faults, once, when the file has too many vertices.
-    /// @param line  of each triangle
+    /// Adds a part to a group, unless the shape has no faces. Mirror images keep their front side.
+    /// Reports once if the file has too many vertices. @param line  for all triangles
     void add(
         const Mesh& shape,
         const Affine& transform,
@@ -31,8 +30,8 @@ class PlacedTriangles {
     bool is_too_large_ = false;
 };
 
-/// Takes the ids from all groups, with a warning, if two have the same.
-/// @param word  what the file calls a group: "node"
+/// Removes the ids of all groups, with a warning, if two are equal.
+/// @param word  the format's word for a group: "node"
 void drop_repeated_ids(MeshFile& file, std::string_view word, Reporter& reporter);
 
 }  // namespace quasimc

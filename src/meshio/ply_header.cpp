@@ -65,10 +65,10 @@ PlyRole role_of(const std::string& element, const PlyProperty& property) {
     return PlyRole::none;
 }
 
-/// Reads the lines of a header; a line is good or the header is not.
+/// Reads the lines of a header; one faulty line makes the header invalid.
 class HeaderReader {
   public:
-    /// What is wrong with the line, or "".
+    /// Reads a line; returns its fault, or "".
     std::string read(std::string_view line) {
         const std::string_view word = take_word(line);
         if (word == "format") {
@@ -88,7 +88,7 @@ class HeaderReader {
         return is_harmless ? "" : shown(word) + " is not a line of a PLY header";
     }
 
-    /// What the whole header lacks, or "".
+    /// Returns a fault of the complete header, or "".
     [[nodiscard]] std::string check() const {
         constexpr std::array kNeeded{
             std::pair{"vertex", PlyRole::x}, std::pair{"vertex", PlyRole::y},

@@ -17,19 +17,19 @@
 
 namespace quasimc {
 
-/// Takes the values of a PLY file one after the other, whatever its encoding.
+/// Reads the values of a PLY file in sequence, in any encoding.
 class PlyValues {
   public:
     PlyValues(std::string_view bytes, PlyEncoding encoding) : rest_(bytes), encoding_(encoding) {}
 
-    /// The next value; nothing if the file ends before it, or it is no number.
+    /// The next value; empty at the end of the file, or if it is no number.
     std::optional<double> next(PlyType type) {
         return encoding_ == PlyEncoding::ascii ? next_word() : next_binary(type);
     }
     [[nodiscard]] std::size_t bytes_left() const { return rest_.size(); }
 
-    /// How much follows the last value: "2 words". Blanks, comments and the zeros that fill
-    /// up a block are nothing: "".
+    /// Describes the data after the last value: "2 words". "" for blanks, comments and the zeros
+    /// that fill a block.
     [[nodiscard]] std::string rest() const {
         constexpr std::string_view kFilling("\0 \t\r\n\v\f", 7);
         if (encoding_ != PlyEncoding::ascii) {

@@ -13,7 +13,7 @@ namespace {
 
 const std::string kCanLine = "a line contains p 1 LABEL 3 and x y z of three corners";
 
-/// What the lines of a file have built so far: a group for each label.
+/// Builds a group for each label from the lines of a file.
 class CanReader {
   public:
     explicit CanReader(Reporter& reporter) : reporter_(reporter) {}

@@ -14,8 +14,8 @@ const std::string kFastTracerLine =
     "a line contains 17 numbers: five ids, x y z of three corners, nitrogen, transmittance, "
     "reflectance";
 
-/// What the lines of a file have built so far: a group for each five ids, a material for each pair
-/// of reflectance and transmittance.
+/// Builds groups and materials from the lines of a file: a group for each five ids, a material for
+/// each pair of reflectance and transmittance.
 class FastTracerReader {
   public:
     explicit FastTracerReader(Reporter& reporter) : reporter_(reporter) {}

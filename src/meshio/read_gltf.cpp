@@ -15,7 +15,7 @@
 namespace quasimc {
 namespace {
 
-/// Goes through the nodes of a scene; each with a mesh becomes an organ.
+/// Makes an organ of each node with a mesh.
 class GltfSceneReader {
   public:
     GltfSceneReader(const GltfDocument& document, GltfBuffers& buffers, FormatContext& context)
@@ -53,11 +53,11 @@ class GltfSceneReader {
     }
 
   private:
-    /// A node that is still to be looked at.
+    /// A pending node.
     struct Open {
         std::size_t node;
-        Affine transform;    ///< of what it is below
-        std::string parent;  ///< the nearest name above it
+        Affine transform;    ///< transform of its parent
+        std::string parent;  ///< name of the nearest ancestor that has one
     };
 
     void add_organ(const Open& open, const Affine& transform) {
@@ -82,10 +82,10 @@ class GltfSceneReader {
 
     /// Adds a label that the group does not have yet, unless it is empty or the group's name.
     static void add_label(std::string_view key, const std::string& value, MeshGroup& group) {
-        const bool is_stated = std::any_of(
+        const bool has_key = std::any_of(
             group.labels.begin(), group.labels.end(),
             [key](const auto& label) { return label.first == key; });
-        if (!is_stated && !value.empty() && value != group.name) {
+        if (!has_key && !value.empty() && value != group.name) {
             group.labels.emplace_back(key, value);
         }
     }
@@ -107,7 +107,7 @@ class GltfSceneReader {
         return unique;
     }
 
-    /// The triangles of a mesh, read when it is first placed.
+    /// The triangles of a mesh, read at its first use.
     const std::vector<Mesh>& shapes_of(std::size_t number) {
         std::optional<std::vector<Mesh>>& shapes = meshes_[number];
         if (!shapes) {
@@ -149,8 +149,8 @@ class GltfSceneReader {
     GltfShapes shapes_;
     MeshFile file_{{}, {}, "node", {}};
     PlacedTriangles placed_;
-    std::vector<std::optional<std::vector<Mesh>>> meshes_;             // those read so far
-    std::map<std::string, std::vector<std::optional<double>>> names_;  // reflectances of each
+    std::vector<std::optional<std::vector<Mesh>>> meshes_;             // the meshes read so far
+    std::map<std::string, std::vector<std::optional<double>>> names_;  // reflectances by name
     std::vector<std::string> materials_;                               // names
     std::size_t without_triangles_ = 0;
 };

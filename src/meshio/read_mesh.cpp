@@ -1,4 +1,4 @@
-// What is checked of every file of geometry, whatever its format.
+// Checks common to geometry files of all formats.
 
 #include <set>
 
@@ -61,7 +61,7 @@ void warn_of_float_steps(const MeshFile& file, Reporter& reporter) {
 /// The area of all faces, and of those whose material is in a map.
 struct PartAreas {
     double all = 0, found = 0;
-    std::set<std::string> materials;  ///< those found
+    std::set<std::string> materials;  ///< materials found
 };
 
 PartAreas areas_of(const MeshFile& file, const std::map<std::string, std::string>& names) {

@@ -29,7 +29,7 @@ class MtlReader {
             if (word == "newmtl") {
                 finish();
                 material_ = MeshMaterial{rest_of_line(line), 0};
-                material_->is_stated = false;
+                material_->has_optics = false;
             } else if (material_) {
                 read_statement(word, line);
             }
@@ -74,17 +74,17 @@ class MtlReader {
             sum += *number;
         }
         material_->reflectance = sum / 3;
-        material_->is_stated = true;
+        material_->has_optics = true;
     }
 
-    /// Keeps the statement of a material that is not opaque. @param opaque  its number if it is
+    /// Records the statement of a transparent material. @param opaque  number of an opaque one
     void note_opacity(std::string_view word, std::string_view text, double opaque) {
         const std::optional<double> number = parse_real(text);
         is_opaque_by_d_ = is_opaque_by_d_ || (word == "d" && number == opaque);
         transparent_ = number && *number != opaque ? fmt::format("{} {}", word, *number) : "";
     }
 
-    /// The first of several materials of one name counts, as where a file names several libraries.
+    /// Adds the material, unless an earlier one has its name, as with several libraries.
     void finish() {
         if (material_ && !own_.insert(material_->name).second) {
             context_.reporter.warn(fmt::format(

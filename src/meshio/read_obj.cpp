@@ -13,7 +13,7 @@
 namespace quasimc {
 namespace {
 
-/// About how many vertices a file states: lines that begin with "v".
+/// Approximate number of vertices of a file: lines that begin with "v".
 std::size_t count_vertices(std::string_view bytes) {
     std::size_t count = bytes.starts_with("v ") ? 1 : 0;
     for (std::size_t at = bytes.find("\nv "); at != std::string_view::npos;
@@ -23,7 +23,7 @@ std::size_t count_vertices(std::string_view bytes) {
     return count;
 }
 
-/// What the statements of a file have built so far.
+/// Builds the geometry from the statements of a file.
 class ObjReader {
   public:
     explicit ObjReader(FormatContext& context) : context_(context) {}
@@ -48,7 +48,7 @@ class ObjReader {
                 joined.clear();
             }
         }
-        read_statement(joined);  // of a last line that says it goes on
+        read_statement(joined);  // a last line with a continuation mark
         crossed_.warn(context_.reporter);
         mesh_.vertices = std::move(vertices_);
         return std::move(mesh_);
@@ -135,7 +135,7 @@ class ObjReader {
         return static_cast<std::uint32_t>(index);
     }
 
-    /// A label of the present object: "key = value".
+    /// Reads a label of the current object: "key = value".
     void read_label(std::string_view line) {
         constexpr std::string_view kIs = " = ";
         const std::size_t middle = line.find(kIs);
@@ -154,7 +154,8 @@ class ObjReader {
         part_ = nullptr;
     }
 
-    /// The part for the present object, group and material; parts of one organ may stand anywhere.
+    /// The part for the current object, group and material; parts of one organ need not be
+    /// contiguous.
     MeshPart& current_part() {
         if (part_ == nullptr) {
             const auto [group, is_new] =
@@ -177,13 +178,14 @@ class ObjReader {
             read_mtl(bytes, inner, mesh_);
             context_.reporter.add(reporter);
         } catch (const InputError& error) {
-            // Often missing, and needed only for materials that the run file does not state.
+            // The file is often missing, and needed only for materials that the run file does not
+            // define.
             warn(fmt::format(
                 "the material library '{}' can't be read ({})", name, error.faults().front().why));
         }
     }
 
-    /// Statements that say nothing of the shape are passed over; others are named once.
+    /// Ignores statements without geometry; warns once of each other one.
     void check_ignored(std::string_view word) {
         constexpr std::array<std::string_view, 9> kHarmless{"vt", "vn", "vp",     "s",     "l",
                                                             "p",  "mg", "usemap", "maplib"};

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// Elements of the topology are nodes of the plant.
+/// Whether an element of the topology is a node of the plant.
 bool is_node(pugi::xml_node element) {
     constexpr std::array<std::string_view, 4> kNodes{"topology", "decomp", "follow", "branch"};
     return std::find(kNodes.begin(), kNodes.end(), element.name()) != kNodes.end();
@@ -20,17 +20,17 @@ bool is_node(pugi::xml_node element) {
 
 struct OpfMesh {
     XmlMesh mesh;
-    bool is_scaled = true;     ///< its girth follows the diameters of the node (enableScale)
-    bool says_scaled = false;  ///< whether the file says so, or that it does not
+    bool is_scaled = true;     ///< its width follows the diameters of the node (enableScale)
+    bool says_scaled = false;  ///< whether the file gives enableScale
 };
 
-/// A mesh and what it is made of, by their ids.
+/// Ids of a mesh and its material.
 struct OpfShape {
     std::optional<std::int64_t> mesh, material;
 };
 
-/// The points of a mesh where a node has it: if the mesh is scaled, y and z times the diameter that
-/// is interpolated along x, and then moved.
+/// The points of a mesh at a node: y and z of a scaled mesh are multiplied by the diameter
+/// interpolated along x, then all points are transformed.
 std::vector<Vec3> placed_points(
     const OpfMesh& shape, const Affine& transform, double diameter_down, double diameter_up) {
     const std::vector<Vec3>& points = shape.mesh.points;
@@ -54,7 +54,7 @@ std::vector<Vec3> placed_points(
     return placed;
 }
 
-/// Goes through the elements of a file: first the library of shapes, then the nodes of the plant.
+/// Reads the elements of a file: first the library of shapes, then the nodes of the plant.
 class OpfReader : pugi::xml_tree_walker {
   public:
     OpfReader(const XmlFile& xml, Reporter& reporter) : xml_(xml), reporter_(reporter) {}
@@ -109,7 +109,7 @@ class OpfReader : pugi::xml_tree_walker {
         return id.value_or(0);
     }
 
-    /// The number in an element; nothing without the element.
+    /// The number in an element; empty without the element.
     std::optional<std::int64_t> whole(pugi::xml_node element) {
         const std::string text = xml_text(element);
         const auto number = parse_integer(text);
@@ -119,7 +119,7 @@ class OpfReader : pugi::xml_tree_walker {
         return number;
     }
 
-    /// A mesh follows the girth of its nodes unless it says that it does not.
+    /// Reads a mesh, which follows the diameters of its nodes unless enableScale is false.
     void read_mesh(pugi::xml_node element) {
         const std::int64_t id = id_of(element, "Id");
         if (meshes_.contains(id)) {
@@ -128,17 +128,17 @@ class OpfReader : pugi::xml_tree_walker {
         }
         const pugi::xml_attribute scaled = element.attribute("enableScale");
         const std::string_view value = scaled.value();
-        const bool is_kept = value == "false" || value == "False" || value == "FALSE";
-        meshes_.emplace(id, OpfMesh{xml_.mesh(element), !is_kept, !scaled.empty()});
+        const bool is_unscaled = value == "false" || value == "False" || value == "FALSE";
+        meshes_.emplace(id, OpfMesh{xml_.mesh(element), !is_unscaled, !scaled.empty()});
     }
 
-    /// Not a number where an axis has no girth of its own.
+    /// NaN if an axis has no diameter.
     static double diameter(pugi::xml_node geometry, const char* name) {
         const pugi::xml_node element = geometry.child(name);
         return element ? parse_real(xml_text(element)).value_or(std::nan("")) : 1;
     }
 
-    /// Nothing after a fault.
+    /// Empty after a fault.
     std::optional<Affine> transform_of(pugi::xml_node geometry) {
         const pugi::xml_node element = geometry.child("mat");
         const auto m = xml_.numbers(element);
@@ -155,7 +155,7 @@ class OpfReader : pugi::xml_tree_walker {
         return Affine{{row(0), row(4), row(8)}, Vec3{(*m)[3], (*m)[7], (*m)[11]}};
     }
 
-    /// A node with a shape becomes an organ.
+    /// Makes an organ of a node with a shape.
     void read_node(pugi::xml_node node) {
         has_topology_ = true;
         MeshGroup group{"", id_of(node, "id"), {}};
@@ -214,7 +214,7 @@ class OpfReader : pugi::xml_tree_walker {
         }
     }
 
-    /// The first label of a name counts, and empty ones are none. "Name" is that of the organ, too.
+    /// Adds a label, unless it is empty or repeats a name. "Name" also names the organ.
     static void add_label(std::string_view key, std::string_view text, MeshGroup& group) {
         const std::string value = one_line(trimmed(text));
         const bool is_new = std::none_of(
@@ -231,7 +231,7 @@ class OpfReader : pugi::xml_tree_walker {
     MeshFile file_{{}, {}, "line", {}};
     std::map<std::int64_t, OpfMesh> meshes_;
     std::map<std::int64_t, OpfShape> shapes_;
-    std::map<std::int64_t, double> reflectances_;  // of materials: mean of the diffuse colour
+    std::map<std::int64_t, double> reflectances_;  // by material: mean of the diffuse colour
     CrossedFaces crossed_;
     std::size_t without_girth_ = 0;
     bool has_topology_ = false;

@@ -17,7 +17,7 @@ namespace {
 
 /// The line of a plant.
 struct OpsRow {
-    std::string plant, file, kind;  ///< its id; path; the group that it belongs to
+    std::string plant, file, kind;  ///< id, path of the file, group
     OpsNumbers numbers;
     std::uint32_t line = 0;
 };
@@ -49,12 +49,12 @@ class OpsReader {
     void read_line(std::string_view line, const std::string& kind, std::uint32_t number) {
         std::string_view rest = line;
         if (take_word(rest) == "T") {
-            return;  // the plot
+            return;  // a line of the plot
         }
         const std::vector<std::string_view> fields = ops_fields(line);
         constexpr std::size_t kChaining = 3;
         if (fields.size() == kChaining) {
-            return;  // which plants follow which
+            return;  // a line of the order of plants
         }
         if (const auto numbers = columns_.numbers_of(fields, number, reporter_)) {
             add_plant({std::string(fields[1]), std::string(fields[2]), kind, *numbers, number});
@@ -87,7 +87,7 @@ class OpsReader {
         }
     }
 
-    /// @param first  the number of the plant's first vertex
+    /// @param first  index of the plant's first vertex
     void add_group(const OpsRow& row, MeshGroup group, std::uint32_t first, bool is_mirrored) {
         if (group.id) {
             group.labels.emplace_back("node", std::to_string(*group.id));
@@ -120,8 +120,8 @@ class OpsReader {
     /// A plant's file.
     struct Plant {
         MeshFile mesh;
-        double size = 1;          ///< units of the scene in one of the file
-        bool is_assumed = false;  ///< whether that is no more than what AMAP's programs use
+        double size = 1;          ///< units of the scene per unit of the file
+        bool is_assumed = false;  ///< whether the unit is the assumed one of AMAP's programs
     };
 
     /// A plant's file, read once; null after a fault, which is reported once.
@@ -173,8 +173,8 @@ class OpsReader {
             is_assumed};
     }
 
-    /// Files number their materials each for itself: "coffee.opf material 0". Of files with one
-    /// name in several folders the first is called by its name, the others by their paths.
+    /// Prefixes the materials with the file, as each file numbers its own: "coffee.opf material 0".
+    /// If files in several folders share a name, the first uses its name, the others their paths.
     void name_materials(const std::string& path, MeshFile& plant) {
         const std::size_t slash = path.rfind('/');
         const std::string last = path.substr(slash == std::string::npos ? 0 : slash + 1);
@@ -215,12 +215,12 @@ class OpsReader {
 
     FormatContext& context_;
     Reporter& reporter_;
-    double unit_;  // units of the scene in a metre
+    double unit_;  // units of the scene per metre
     MeshFile file_{{}, {}, "line", {}};
-    std::map<std::string, std::optional<Plant>> plants_;  // by path; none: it has faults
-    std::map<std::string, std::string> first_paths_;      // of each name without a folder
+    std::map<std::string, std::optional<Plant>> plants_;  // by path; empty if it has faults
+    std::map<std::string, std::string> first_paths_;      // by name without folder
     OpsColumns columns_;
-    double largest_ = 0;  // plant whose unit is assumed
+    double largest_ = 0;  // size of plants whose unit is assumed
 };
 
 }  // namespace

@@ -17,7 +17,7 @@
 namespace quasimc {
 namespace {
 
-/// Thrown inside this file where nothing sensible can follow.
+/// Thrown within this file to stop reading after a fault.
 struct Broken {
     std::string problem, why;
 };
@@ -43,7 +43,7 @@ class PlyReader {
     }
 
   private:
-    /// A file that holds more than its header says has lost faces, or its lists are misread.
+    /// Warns of data after the last element: faces are missing in the header, or lists are misread.
     void warn_of_rest() {
         if (const std::string rest = values_.rest();
             !rest.empty() && !context_.reporter.is_full()) {
@@ -189,14 +189,14 @@ class PlyReader {
         }
     }
 
-    /// Which part a face belongs to.
+    /// Identifies the part of a face.
     struct PartKey {
         std::optional<std::int64_t> organ = {}, material = {};
         // NOLINTNEXTLINE(modernize-use-nullptr)  it takes the order for a comparison with 0
         friend auto operator<=>(const PartKey&, const PartKey&) = default;
     };
 
-    /// The part of a face; mostly that of the face before.
+    /// The part of a face, usually that of the previous face.
     MeshPart& part_of(const PartKey& key) {
         if (last_part_ == nullptr || !(key == last_key_)) {
             last_part_ = &find_part(key);
@@ -205,7 +205,7 @@ class PlyReader {
         return *last_part_;
     }
 
-    /// Materials are told apart by their numbers, and named when all are known.
+    /// Finds a part by the number of its material; materials get their names when all are known.
     MeshPart& find_part(const PartKey& key) {
         const auto [group, is_new_group] = groups_.try_emplace(key.organ, mesh_.groups.size());
         if (is_new_group) {
@@ -219,9 +219,9 @@ class PlyReader {
         return parts[part->second];
     }
 
-    /// The names in the header that tell materials apart, by the digits of their numbers: two
-    /// numbers of one name keep their digits, and so do all whose names are numbers where such a
-    /// name is another material's number.
+    /// The unambiguous names of materials in the header, by the digits of their numbers: numbers
+    /// that share a name keep their digits, and so do all numeric names if one is another
+    /// material's number.
     [[nodiscard]] std::map<std::string, std::string> clear_names() const {
         std::map<std::string, std::size_t> uses;
         for (const auto& [number, name] : header_.materials) {
@@ -249,8 +249,7 @@ class PlyReader {
         return names;
     }
 
-    /// Names the materials; a run file may give them by their numbers too, or by a name that
-    /// several share.
+    /// Names the materials; a run file may also use their numbers, or a name that several share.
     void name_materials() {
         const std::map<std::string, std::string> names = clear_names();
         for (const auto& [key, index] : parts_) {
@@ -271,7 +270,7 @@ class PlyReader {
         }
     }
 
-    /// Makes room for the faces of a file that puts them all into one part.
+    /// Reserves memory for a file with all faces in one part.
     void reserve_faces(const PlyElement& element) {
         const bool is_one = std::none_of(
             element.properties.begin(), element.properties.end(), [](const PlyProperty& property) {
@@ -295,7 +294,7 @@ class PlyReader {
     std::vector<double> items_;
     CrossedFaces crossed_;
     std::map<std::optional<std::int64_t>, std::size_t> groups_;
-    std::map<PartKey, std::size_t> parts_;  // in their groups
+    std::map<PartKey, std::size_t> parts_;  // indices in their groups
     PartKey last_key_;
     MeshPart* last_part_ = nullptr;
     std::uint64_t number_ = 0;

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kStlHeader = 80, kStlStart = kStlHeader + 4, kStlTriangle = 50;
 
-/// Whether the file is as long as the number of triangles in its header says.
+/// Whether the size of the file agrees with the number of triangles in its header.
 bool is_binary_stl(std::string_view bytes) {
     return bytes.size() >= kStlStart &&
            (bytes.size() - kStlStart) / kStlTriangle ==
@@ -48,7 +48,7 @@ MeshFile read_binary_stl(std::string_view bytes, Reporter& reporter) {
     return {{{"", {}, {std::move(part)}}}, {}, "triangle", std::move(mesh.vertices)};
 }
 
-/// What the lines of a text have built so far.
+/// Builds solids from the lines of a text.
 class StlReader {
   public:
     explicit StlReader(Reporter& reporter) : reporter_(reporter) {}
@@ -132,7 +132,7 @@ class StlReader {
 
     Reporter& reporter_;
     MeshFile file_{{}, {}, "line", {}};
-    Mesh mesh_;  ///< all vertices; the triangles of the present solid
+    Mesh mesh_;  ///< all vertices; the triangles of the current solid
     std::vector<std::uint32_t> lines_;
     std::vector<Vec3> corners_;
     std::string name_;

@@ -21,7 +21,7 @@ namespace {
 
 constexpr Separators kVgxSeparators = " \t\r\v\f;,";
 
-/// The columns that say what is drawn; the others, and Obj, are labels.
+/// The columns of geometry; the others, and Obj, are labels.
 constexpr std::array<std::string_view, 22> kVgxColumns{
     "Obj", "EchX", "EchY", "EchZ", "TransX", "TransY", "TransZ", "RotX", "RotY", "RotZ", "X1",
     "Y1",  "Z1",   "X2",   "Y2",   "Z2",     "X3",     "Y3",     "Z3",   "R",    "G",    "B"};
@@ -30,8 +30,8 @@ constexpr std::size_t kObj = 0, kScale = 1, kShift = 4, kTurn = 7, kCorners = 10
 /// The kinds of objects that are read. Round ones lie along x from their base.
 enum class VgxShape { triangle = 0, leaf = 11, disk = 21, sphere = 31, cylinder = 32, cone = 33 };
 
-/// The turn by an angle in degrees about an axis of length 1, counter-clockwise as seen from where
-/// it points (Rodrigues).
+/// Rotation by an angle in degrees about a unit axis, counter-clockwise seen from the tip of the
+/// axis (Rodrigues).
 Affine rotation_about(const Vec3& k, double degrees) {
     const double angle = degrees * std::numbers::pi / 180;
     const double c = std::cos(angle), s = std::sin(angle);
@@ -43,14 +43,14 @@ Affine rotation_about(const Vec3& k, double degrees) {
         {}};
 }
 
-/// A turn about x by `roll`, then about y by `elevation`, then about z by `azimuth`, degrees.
+/// Rotation about x by `roll`, then about y by `elevation`, then about z by `azimuth`, degrees.
 Affine euler_rotation(double azimuth, double elevation, double roll) {
     return after(
         after(rotation_about({0, 0, 1}, azimuth), rotation_about({0, 1, 0}, elevation)),
         rotation_about({1, 0, 0}, roll));
 }
 
-/// What stands in a row.
+/// Content of a row.
 struct VgxRow {
     std::array<double, kVgxColumns.size()> numbers{};
     Labels labels;
@@ -145,7 +145,7 @@ class VgxReader {
         return true;
     }
 
-    /// Nothing of an empty line and after a fault.
+    /// Reads a row; empty for an empty line and after a fault.
     std::optional<VgxRow> read_row(std::string_view line) {
         VgxRow row;
         std::size_t count = 0;
@@ -210,7 +210,7 @@ class VgxReader {
         return std::nullopt;
     }
 
-    /// Triangles that follow one another, alike in colour and labels, are one organ.
+    /// Adds a triangle; consecutive ones with equal colour and labels form one organ.
     void add_triangle(const VgxRow& row) {
         const std::string material = material_of(row);
         const bool goes_on = !file_.groups.empty() && in_triangles_ &&
@@ -257,7 +257,7 @@ class VgxReader {
         }
     }
 
-    /// From a width of EchY to one of EchZ.
+    /// A truncated cone with widths EchY and EchZ.
     static Mesh cone(const Vec3& scale) {
         constexpr int kSides = 12;
         return make_cylinder({0, 0, 0}, {scale.x, 0, 0}, scale.y / 2, scale.z / 2, kSides, false);
@@ -271,7 +271,7 @@ class VgxReader {
         return found->second;
     }
 
-    /// Of each colour one; "" without columns of colours.
+    /// The material of a colour; "" without columns of colours.
     std::string material_of(const VgxRow& row) {
         if (!has_color_) {
             return "";
@@ -292,7 +292,7 @@ class VgxReader {
         return name;
     }
 
-    /// How many lines are of a kind, and the first.
+    /// Number of lines of a kind, and the first one.
     struct Notes {
         std::size_t count = 0;
         std::uint32_t first = 0;
@@ -309,7 +309,8 @@ class VgxReader {
     Reporter& reporter_;
     MeshFile file_{{}, {}, "line", {}};
     PlacedTriangles placed_;
-    std::vector<std::pair<std::size_t, std::string>> columns_;  // of the table, or the end; names
+    // Index in the table (or its end), and name.
+    std::vector<std::pair<std::size_t, std::string>> columns_;
     std::map<VgxShape, Mesh> shapes_;
     std::map<std::array<double, 3>, std::string> materials_;
     Notes leaves_, points_, colors_;

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// Whether the ids of all organs are labels already, as they are when they came from such a file.
+/// Whether the ids of all organs are labels, as in scenes read from such a file.
 bool ids_are_labels(const Scene& scene) {
     const std::int64_t first = CanLabel{.species = 1}.number();
     return std::all_of(scene.organs().begin(), scene.organs().end(), [first](const Organ& organ) {
@@ -18,7 +18,7 @@ bool ids_are_labels(const Scene& scene) {
     });
 }
 
-/// A label for an organ that has none: its material is the species, leaves are counted.
+/// Makes a label for an organ without one: the material is the species, leaves are counted.
 std::int64_t made_label(const Scene& scene, std::size_t organ, std::uint32_t triangle) {
     constexpr std::size_t kMaxLeaves = 999;
     if (scene.organs()[organ].is_ground) {

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// Writes the organs of a scene one after the other: a node and a mesh each.
+/// Writes a node and a mesh for each organ of a scene.
 class GlbWriter {
   public:
     explicit GlbWriter(const Scene& scene)
@@ -58,7 +58,7 @@ class GlbWriter {
         ++mesh_count_;
     }
 
-    /// The triangles of an organ that are of one material stand together.
+    /// The meshes of an organ, one per region.
     [[nodiscard]] std::vector<std::pair<RegionIndex, Mesh>> regions_of(const Organ& organ) {
         std::vector<std::pair<RegionIndex, Mesh>> regions;
         const std::uint32_t end = organ.first_triangle + organ.triangle_count;

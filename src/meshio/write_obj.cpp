@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// A name for a statement: on one line, no comment.
+/// Makes a name valid in a statement: one line, no comment.
 std::string statement_name(std::string name) {
     std::replace_if(
         name.begin(), name.end(),

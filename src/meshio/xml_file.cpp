@@ -15,8 +15,7 @@ namespace {
 
 constexpr unsigned int kParts = pugi::parse_default | pugi::parse_declaration;
 
-/// Whether a text that is not UTF-8 says that it is in Latin-1, and has no byte that Windows-1252
-/// reads otherwise.
+/// Whether a text that is not UTF-8 declares Latin-1, and has no byte that differs in Windows-1252.
 bool is_latin1(const pugi::xml_document& document, std::string_view bytes) {
     constexpr std::array<std::string_view, 5> kNames{
         "iso-8859-1", "iso_8859-1", "latin1", "latin-1", "windows-1252"};
@@ -53,7 +52,7 @@ MeshPart XmlMesh::part(
 }
 
 XmlFile::XmlFile(std::string_view bytes, Reporter& reporter) : reporter_(reporter) {
-    // A text ends for the parser where a byte is 0.
+    // The parser stops at a zero byte.
     const std::size_t zero = bytes.find('\0');
     pugi::xml_parse_result parsed =
         document_.load_buffer(bytes.data(), bytes.size(), kParts, pugi::encoding_utf8);
@@ -164,7 +163,7 @@ std::optional<std::vector<std::uint32_t>> XmlFile::face(
 std::string xml_text(pugi::xml_node element) {
     std::string text;
     for (const pugi::xml_node piece : element.children()) {
-        text += piece.value();  // none of an element
+        text += piece.value();  // "" for an element
     }
     return std::string(trimmed(text));
 }

@@ -17,9 +17,9 @@ namespace quasimc {
 /// A mesh of an XML file, in coordinates of its own.
 struct XmlMesh {
     std::vector<Vec3> points;
-    std::vector<std::vector<std::uint32_t>> faces;  ///< of 3 to kMaxCorners points
+    std::vector<std::vector<std::uint32_t>> faces;  ///< 3 to kMaxCorners points each
 
-    /// Its faces, as a part of `file`. @param placed  the points, where they are put
+    /// Its faces as a part of `file`. @param placed  the transformed points
     [[nodiscard]] MeshPart part(
         const std::vector<Vec3>& placed,
         std::string material,
@@ -28,11 +28,11 @@ struct XmlMesh {
         CrossedFaces& crossed) const;
 };
 
-/// The elements of an XML text and their lines. Entities that the text declares stay as they are.
+/// The elements of an XML text and their lines. Entities declared in the text are not expanded.
 class XmlFile {
   public:
-    /// Reads UTF-8, or Latin-1 (or Windows-1252 where that is the same) if the text says so. It is
-    /// a fault if the text is no XML, and then no element is there.
+    /// Reads UTF-8, or Latin-1 (or Windows-1252 where that is the same) if the text declares it. A
+    /// text that is no XML is a fault, and has no elements.
     XmlFile(std::string_view bytes, Reporter& reporter);
 
     /// The outermost element.
@@ -44,9 +44,9 @@ class XmlFile {
         std::string why = {},
         std::string suggestion = {}) const;
     [[nodiscard]] std::uint32_t line(pugi::xml_node element) const;
-    /// The numbers in an element, all finite; nothing after a fault.
+    /// The numbers in an element, all finite; empty after a fault.
     [[nodiscard]] std::optional<std::vector<double>> numbers(pugi::xml_node element) const;
-    /// The mesh that the <points> and <faces> of an element make, without those with a fault.
+    /// The mesh of the <points> and <faces> of an element, without faulty ones.
     [[nodiscard]] XmlMesh mesh(pugi::xml_node element) const;
 
   private:
@@ -56,7 +56,7 @@ class XmlFile {
 
     Reporter& reporter_;
     pugi::xml_document document_;
-    std::vector<std::ptrdiff_t> line_ends_;  // in the text that was parsed
+    std::vector<std::ptrdiff_t> line_ends_;  // positions in the parsed text
 };
 
 /// The text in an element, without blanks at its ends.

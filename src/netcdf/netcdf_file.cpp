@@ -40,14 +40,14 @@ void put_attributes(int file, int variable, const NetcdfAttributes& attributes) 
 }  // namespace
 
 NetcdfFile::NetcdfFile() {
-    const NetcdfLibrary& library = netcdf_library();  // before there is a file to be left behind
+    const NetcdfLibrary& library = netcdf_library();  // may throw, so before the file is created
     std::string path = (std::filesystem::temp_directory_path() / "quasimc-XXXXXX").string();
     const int descriptor = ::mkstemp(path.data());
     if (descriptor < 0) {
         fail_netcdf(std::generic_category().message(errno));
     }
     bytes_.reset(::fdopen(descriptor, "rb"));
-    // The library opens what is there by its name, which it then needs no more.
+    // The library opens the file by its name, which is then removed.
     const int status = library.create(path.c_str(), NC_NETCDF4 | NC_CLOBBER, &id_);
     ::unlink(path.c_str());
     check_netcdf(status);

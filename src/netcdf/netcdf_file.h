@@ -15,19 +15,19 @@ namespace quasimc {
 
 enum class NetcdfType { real, integer, text };
 
-/// Attributes of a variable or of the file, all of them texts.
+/// Text attributes of a variable or of the file.
 using NetcdfAttributes = std::vector<std::pair<std::string, std::string>>;
 
-/// Where a block of numbers stands in a variable: along each of its dimensions.
+/// Position of a block of numbers in a variable, along each dimension.
 struct NetcdfBlock {
     std::vector<std::size_t> start, count;
 };
 
-/// A netCDF-4 file that is being made. First everything is defined, then values are put. It has no
-/// name, so that nothing is left of it if the program ends before it does.
+/// A netCDF-4 file under construction. First everything is defined, then values are written. The
+/// file has no name, so that it disappears if the program ends early.
 class NetcdfFile {
   public:
-    /// @throws InputError  if there is no room for it; as all functions here do
+    /// @throws InputError  if the disk is full, like all functions here
     NetcdfFile();
     ~NetcdfFile();
     NetcdfFile(const NetcdfFile&) = delete;
@@ -37,8 +37,8 @@ class NetcdfFile {
 
     /// @returns the number of the dimension
     int add_dimension(const std::string& name, std::size_t size);
-    /// @param chunk  of reals that are put block by block, NaN until then: sizes of the pieces that
-    ///        are compressed together. Empty: all is put at once
+    /// @param chunk  sizes of the compressed chunks of reals that are written block by block (NaN
+    ///        until then). Empty: the variable is written at once
     /// @returns the number of the variable
     int add_variable(
         const std::string& name,
@@ -49,12 +49,12 @@ class NetcdfFile {
     void add_attributes(const NetcdfAttributes& attributes);
 
     void put(int variable, const NetcdfBlock& block, std::span<const double> values);
-    // The whole of a variable.
+    // Writes a whole variable.
     void put(int variable, std::span<const double> values);
     void put(int variable, std::span<const std::int64_t> values);
     void put(int variable, const std::vector<std::string>& values);
 
-    /// Ends the file and gives its bytes.
+    /// Completes the file and sends its bytes.
     void copy_to(const TextSink& sink);
 
   private:

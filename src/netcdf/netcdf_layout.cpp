@@ -19,7 +19,7 @@ const NetcdfAttributes kTimeAttributes{
     {"units", "seconds since 1970-01-01 00:00:00 UTC"},
     {"calendar", "standard"}};
 
-/// Chunks of some ten thousand numbers: a few times of a small scene, a part of a large one.
+/// Chunks of about ten thousand numbers: a few times of a small scene, or a part of a large one.
 std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& sizes) {
     constexpr std::size_t kNumbers = 1 << 15;
     std::vector<std::size_t> chunk(sizes.size(), 1);
@@ -108,7 +108,7 @@ void NetcdfLayout::define_points() {
             }
         }
         const bool is_number = numbers.size() == key.values.size();
-        // Of a key with an axis of its own the variable has the name of the dimension.
+        // A key with its own axis is a coordinate variable, with the name of the dimension.
         const bool is_axis = sweep_.axes()[key.axis].name == key.name;
         const std::string name = is_axis ? axis_names_[key.axis] : free_name(key.name);
         if (!is_axis) {

@@ -17,32 +17,32 @@
 
 namespace quasimc {
 
-/// A number and what is known of its error: four variables of one shape.
+/// An estimate with its error: four variables of one shape.
 struct NetcdfEstimates {
     std::array<int, 4> variables{};  ///< mean, standard error, ends of the interval
 };
 
-/// The variables of a file: what they are called and where the numbers of a run stand in them.
+/// Names and dimensions of the variables of a file, and positions of a run's numbers in them.
 class NetcdfLayout {
   public:
-    /// Defines and puts everything but the light.
-    /// @param program_version  that computed the light
+    /// Defines all variables and writes everything but the light.
+    /// @param program_version  version that computed the light
     NetcdfLayout(const RunFile& run, std::string_view program_version, NetcdfFile& file);
 
     const WrittenColumns columns;
     const std::vector<NetcdfBands> bands;
     std::vector<NetcdfEstimates> light;  ///< [bands * quantities + quantity]
-    std::vector<NetcdfEstimates> days;   ///< the same, summed; empty without [time]
+    std::vector<NetcdfEstimates> days;   ///< daily sums, same order; empty without [time]
     std::optional<NetcdfEstimates> sunlit, ratios;
     std::vector<std::vector<NetcdfEstimates>> detectors;  ///< [detector][list of bands]
 
-    /// Puts the areas of the organs of a run, where they may change from point to point.
+    /// Writes the areas of the organs of a run, if they may differ between points.
     void put_areas(const RunFile& run);
-    /// Where the numbers of a run stand, along the axes of the sweep.
+    /// Position of a run along the axes of the sweep.
     [[nodiscard]] std::vector<std::size_t> indices_of(const RunFile& run) const {
         return sweep_.indices_of(run.point);
     }
-    /// Where a time step stands; nothing of one that is not in the file.
+    /// Row of a time step; empty if it is not in the file.
     [[nodiscard]] std::optional<std::size_t> row_of(std::size_t time_step) const;
 
   private:
@@ -55,28 +55,28 @@ class NetcdfLayout {
     void define_points();
     void define_light();
     void define_detectors();
-    using Axis = std::pair<std::optional<int>, std::size_t>;  // dimension, if it is there, and size
+    using Axis = std::pair<std::optional<int>, std::size_t>;  // dimension, if present, and size
     [[nodiscard]] Axis time_axis() const { return {time_, std::max<std::size_t>(rows_.size(), 1)}; }
     [[nodiscard]] Axis band_axis() const { return {band_, columns.bands.size()}; }
-    /// Defines an estimate for each point of the sweep along those axes.
+    /// Defines an estimate along the axes of the sweep and those.
     NetcdfEstimates define_estimates(
         const std::string& name,
         const std::string& unit,
         const std::string& summary,
         const std::vector<Axis>& axes,
         const std::string& coordinates);
-    /// A name that netCDF takes, and no variable has yet.
+    /// A valid and unused name of a variable.
     std::string free_name(std::string_view wish);
 
     const RunFile& run_;
     NetcdfFile& file_;
     const NetcdfSweep sweep_;
     std::set<std::string> names_;
-    // Beside their dimensions, those of all variables, and of the light on organs.
+    // Auxiliary coordinates of all variables, and of the light on organs.
     std::string coordinates_, organ_coordinates_ = "organ_name area";
     std::vector<std::size_t> rows_;        // time steps in the file
     std::vector<int> points_;              // dimensions of the sweep
-    std::vector<std::string> axis_names_;  // theirs
+    std::vector<std::string> axis_names_;  // names of `points_`
     std::optional<int> time_, day_, band_, ratio_;
     int organ_ = 0, area_ = 0;
 };

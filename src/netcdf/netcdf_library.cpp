@@ -10,7 +10,7 @@ namespace quasimc {
 namespace {
 
 [[noreturn]] void refuse_library() {
-    const char* why = ::dlerror();  // NOLINT(concurrency-mt-unsafe): of this thread, on Linux
+    const char* why = ::dlerror();  // NOLINT(concurrency-mt-unsafe): per thread on Linux
     throw InputError(
         {{"NetCDF", "can't be written", why == nullptr ? "its library has another version" : why,
           "install the netCDF library for C (Debian and Ubuntu: libnetcdf-dev), or write CSV or "

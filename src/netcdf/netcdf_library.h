@@ -4,9 +4,8 @@
 
 namespace quasimc {
 
-/// The functions of the netCDF library that we call. It is loaded when they are first asked for:
-/// with the forty libraries that it needs, loading it takes three times as long as starting a
-/// program without it, and hardly any run writes NetCDF.
+/// The functions of the netCDF library in use. The library is loaded at the first call, as few runs
+/// write NetCDF and loading it with its dependencies takes longer than starting the program.
 struct NetcdfLibrary {
     decltype(&nc_strerror) strerror;
     decltype(&nc_create) create;
@@ -24,7 +23,7 @@ struct NetcdfLibrary {
     decltype(&nc_put_var_string) put_var_string;
 };
 
-/// @throws InputError  if it is not there
+/// @throws InputError  if it is not installed
 [[nodiscard]] const NetcdfLibrary& netcdf_library();
 
 }  // namespace quasimc

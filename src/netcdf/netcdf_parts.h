@@ -10,26 +10,27 @@
 
 namespace quasimc {
 
-/// Bands that have one unit: the variables of a quantity have them as a dimension, or there is one
-/// for each variable.
+/// Bands with one unit, which are a dimension of the variables, or a single band with its own
+/// variables.
 struct NetcdfBands {
-    std::vector<std::size_t> bands;  ///< of the scene
-    std::string suffix;              ///< of the names of variables; "" with a dimension
+    std::vector<std::size_t> bands;  ///< indices in the scene
+    std::string suffix;              ///< suffix of variable names; "" with a dimension
 };
-/// One list of all bands if they have one unit, else a list for each.
+/// Returns one list of all bands if they have one unit, else a list for each band.
 [[nodiscard]] std::vector<NetcdfBands> netcdf_bands(
     const RunFile& run, const WrittenColumns& columns);
 
-/// Seconds since 1970 began, UTC; rounded to the millisecond that a Julian day tells.
-/// @param time  as TimeStepNotes has it
+/// Seconds since 1970-01-01 UTC, rounded to a millisecond, the resolution of a Julian day.
+/// @param time  text of a TimeStepNotes
 [[nodiscard]] double netcdf_seconds(const std::string& time);
 
-/// The time steps that are in the file: those with light, or all with `night`, within the hours.
-/// @param may_be_dark  whether light may shine at other points of the sweep: all have rows
+/// The time steps in the file: those with light, or all with `include_night`, within `time_of_day`.
+/// @param may_be_dark  whether other points of the sweep may have light: then all time steps have
+/// rows
 [[nodiscard]] std::vector<std::size_t> netcdf_rows(const RunFile& run, bool may_be_dark);
 
-/// What a file says of itself: where its numbers come from.
-/// @param program_version  that computed them
+/// Attributes of the file that describe the origin of its numbers.
+/// @param program_version  version that computed them
 [[nodiscard]] NetcdfAttributes netcdf_attributes(
     const RunFile& run, std::string_view program_version);
 

@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-/// Sections that say when there is how much light.
+/// Sections that determine the light over time.
 constexpr std::array<std::string_view, 3> kLightSections{"source", "site", "time"};
 
 }  // namespace

@@ -9,15 +9,15 @@
 
 namespace quasimc {
 
-/// How the points of a sweep stand in a file: each swept key is a dimension, the last one varying
-/// fastest, or all points are one dimension, `point`, where keys vary together.
+/// Dimensions of the points of a sweep: each swept key is a dimension, the last one varying
+/// fastest; with combine = "zip" all points are one dimension, `point`.
 class NetcdfSweep {
   public:
-    /// @param run  one of a sweep or not; then there are no dimensions
+    /// @param run  run of a sweep; there are no dimensions for others
     explicit NetcdfSweep(const RunFile& run);
 
     struct Axis {
-        std::string name;  ///< as [sweep] states the key; "point"
+        std::string name;  ///< the key in [sweep], or "point"
         std::size_t size = 0;
     };
     /// The values of a key, along one of the axes.
@@ -29,11 +29,11 @@ class NetcdfSweep {
 
     [[nodiscard]] const std::vector<Axis>& axes() const { return axes_; }
     [[nodiscard]] const std::vector<Key>& keys() const { return keys_; }
-    /// Where a point stands, along each axis.
+    /// Index of a point along each axis.
     [[nodiscard]] std::vector<std::size_t> indices_of(std::size_t point) const;
-    /// Whether organs may change from point to point, though they stay the same organs.
+    /// Whether the geometry of organs may differ between points.
     [[nodiscard]] bool changes_geometry() const { return changes_geometry_; }
-    /// Whether times with light may have none at other points.
+    /// Whether times with light may be dark at other points.
     [[nodiscard]] bool changes_daylight() const { return changes_daylight_; }
 
   private:

@@ -67,7 +67,7 @@ class NetcdfLight final : public NetcdfWriter {
         put_light(layout_.days, start, sum);
     }
 
-    void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
+    void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
         if (times_of(run) != times_) {
             throw InputError(
                 {{"NetCDF", "the points of the sweep have different time steps",
@@ -83,7 +83,7 @@ class NetcdfLight final : public NetcdfWriter {
         layout_.put_areas(run);
     }
 
-    void finish(const SeriesSummary& /*of_the_last*/) override { file_.copy_to(sink_); }
+    void finish(const SeriesSummary& /*series_summary*/) override { file_.copy_to(sink_); }
 
   private:
     static std::vector<std::string> times_of(const RunFile& run) {
@@ -136,7 +136,7 @@ class NetcdfLight final : public NetcdfWriter {
         }
     }
 
-    /// Puts a block: `estimate(i)` for each of its numbers.
+    /// Writes a block: `estimate(i)` for each of its numbers.
     template <typename GetEstimate>
     void put(
         const NetcdfEstimates& to,
@@ -165,7 +165,7 @@ class NetcdfLight final : public NetcdfWriter {
     TextSink sink_;
     NetcdfFile file_;
     NetcdfLayout layout_;
-    std::vector<std::string> times_;  // of the first point, as are
+    std::vector<std::string> times_;  // of the first point, like `organs_`
     std::vector<Organ> organs_;
 };
 

@@ -14,18 +14,17 @@ namespace quasimc {
 /// Whether the program was built with the netCDF library.
 [[nodiscard]] bool has_netcdf();
 
-/// Writes the light on organs and in detectors as netCDF-4 after the CF conventions
-/// (docs/reference/netcdf.md): by organ and band, of a run with [time] by time and, summed, by day,
-/// of a sweep by point.
+/// Writes the light on organs and in detectors as netCDF-4 with the CF conventions
+/// (docs/reference/netcdf.md): by organ and band, with [time] also by time and (sums) by day, in
+/// sweeps also by point.
 class NetcdfWriter : public OutputWriter {
   public:
-    /// As on_day(). @param sum  in the units of sums (in_summed_units)
+    /// Adds a day, like on_day(). @param sum  in the units of sums (in_summed_units)
     virtual void add_day(std::size_t day, const SeriesSum& sum) = 0;
 };
 
-/// Makes the writer. Of a sweep whose points have times or organs of their own, next_run() throws
-/// InputError.
-/// @param program_version  that computed the light
+/// Makes the writer. Its next_run() throws InputError if the points of a sweep have different times
+/// or organs. @param program_version  version that computed the light
 /// @throws InputError  if the program was built without netCDF, or a temporary file can't be made
 [[nodiscard]] std::unique_ptr<NetcdfWriter> make_netcdf_writer(
     const RunFile& run, TextSink sink, std::string_view program_version = version());

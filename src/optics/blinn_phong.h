@@ -1,7 +1,7 @@
 // The Blinn-Phong lobe: a power of the cosine of half the angle to the specular direction.
 //
-// What     p = (n + 2) / (8 pi) cos^n(theta / 2) over the whole sphere about the mirror direction
-//          (reflected) or the unchanged direction (transmitted). What would leave on the wrong side
+// Model    p = (n + 2) / (8 pi) cos^n(theta / 2) over the whole sphere about the mirror direction
+//          (reflected) or the unchanged direction (transmitted). Light on the wrong side
 //          is mirrored at the surface: pdf(wo) = p(wo) + p(image of wo), with integral 1 for
 //          any angle of incidence. Symmetric, but the BSDF is not reciprocal.
 // Papers   Blinn (1977), SIGGRAPH '77, 192-198. Shirley and Wang (1992). Mech (1997), thesis.

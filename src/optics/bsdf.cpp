@@ -11,7 +11,7 @@ double Bsdf::relative_albedo(double /*cosine*/) const {
 }
 
 double Bsdf::bsdf(const Vec3& n, const Vec3& wi, const Vec3& wo) const {
-    constexpr double kAlongTheSurface = 1e-100;  // what is nearer could overflow
+    constexpr double kAlongTheSurface = 1e-100;  // smaller ones could overflow
     const double cosine = std::abs(dot(wo, n));
     if (!(cosine > kAlongTheSurface)) {
         return 0;
@@ -30,7 +30,7 @@ double peak_brightness(const Bsdf& lobe) {
 }
 
 bool is_narrow(const Bsdf& lobe) {
-    return peak_brightness(lobe) >= kSharpPeak;
+    return peak_brightness(lobe) >= kNarrowPeak;
 }
 
 }  // namespace quasimc

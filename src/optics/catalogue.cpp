@@ -41,7 +41,7 @@ constexpr std::array kCoat{BsdfParameter{
     .usual = 0.04,
     .summary = "reflectance of the coat at normal incidence"}};
 
-// (tools/new.py tells the parameters of a model above this line)
+// (tools/new.py enters the parameters of a model above this line)
 
 constexpr std::array kModels = {
     BsdfEntry{

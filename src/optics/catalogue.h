@@ -14,12 +14,12 @@
 namespace quasimc {
 
 /// The largest exponent that glossy models take: the lobe is then 0.1 degrees wide, less than the
-/// sun. A sharper lobe is a mirror.
+/// sun. A narrower lobe is a mirror.
 inline constexpr double kMaxExponent = 1e6;
 
 /// One row of the table of lobe models.
 struct BsdfEntry {
-    std::string_view name;     ///< as in `reflection_model = "..."`
+    std::string_view name;     ///< in run files: `reflection_model = "..."`
     std::string_view summary;  ///< one line for the manual
     std::span<const BsdfParameter> parameters;
     /// @param values  one for each of the parameters, in their order and domains
@@ -39,8 +39,8 @@ struct BsdfEntry {
 [[nodiscard]] std::vector<BsdfParameter> parameters_of_all(
     std::span<const BsdfEntry> models = bsdf_catalogue());
 
-/// The values of a model's parameters in the order of its row: those stated, or else the usual
-/// ones; NaN for one that has neither. What the model does not take is passed over.
+/// The values of a model's parameters in the order of its row: the given ones, or else the
+/// defaults; NaN for one that has neither. Parameters of other models are ignored.
 [[nodiscard]] std::vector<double> parameter_values(
     const BsdfEntry& model, const BsdfParameters& given);
 

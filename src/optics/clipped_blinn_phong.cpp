@@ -1,6 +1,6 @@
 // The Blinn-Phong lobe cut off at the surface: the model `modified` of the original QuasiMC.
 //
-// What     theta, the angle to the mirror direction (reflected) or the unchanged direction
+// Model    theta, the angle to the mirror direction (reflected) or the unchanged direction
 //          (transmitted), follows cos^n(theta / 2) up to pi - alpha, where alpha is the elevation
 //          of that direction above the surface; the azimuth about it is uniform in the arc that is
 //          above the surface, of half-width H(theta):
@@ -31,12 +31,12 @@ struct Axis {
           sine(dot(direction, out)),
           cosine(length(direction - sine * out)) {}
 
-    /// K: the part of the lobe at no larger an angle than the last that is above the surface.
+    /// K: the fraction of the lobe at angles up to the largest one above the surface.
     [[nodiscard]] double within(double exponent) const {
         // The square of the cosine of half the angle pi - alpha.
         return 1 - std::pow((1 - cosine) / 2, exponent / 2 + 1);
     }
-    /// Straight up from the surface, at right angles to the axis; any such where the axis is the
+    /// Normal to the axis, towards the normal of the surface; any such direction if the axis is the
     /// normal.
     [[nodiscard]] Vec3 up() const {
         const Vec3 raw = out - sine * direction;
@@ -56,7 +56,7 @@ struct Axis {
 
     Vec3 direction;
     Vec3 out;             ///< normal on the side where light leaves
-    double sine, cosine;  ///< of the elevation alpha
+    double sine, cosine;  ///< sine and cosine of the elevation alpha
 };
 
 class ClippedBlinnPhong final : public Bsdf {
@@ -66,7 +66,7 @@ class ClippedBlinnPhong final : public Bsdf {
 
     [[nodiscard]] Vec3 sample(const Vec3& n, const Vec3& wi, double u0, double u1) const override {
         const Axis axis(hemisphere(), n, wi);
-        // As in blinn_phong.cpp, through the square of the sine of half the angle.
+        // Uses the square of the sine of half the angle, as blinn_phong.cpp does.
         const double sine2 =
             -std::expm1(two_over_power_ * std::log1p(-u0 * axis.within(exponent_)));
         const double cosine = 1 - 2 * sine2;
@@ -77,7 +77,7 @@ class ClippedBlinnPhong final : public Bsdf {
         const Vec3 d = normalized(
             cosine * axis.direction + (sine * std::cos(azimuth)) * up +
             (sine * std::sin(azimuth)) * aside);
-        return folded(hemisphere(), n, d);  // what rounding put under the surface
+        return folded(hemisphere(), n, d);  // if rounding put it under the surface
     }
 
     [[nodiscard]] double pdf(const Vec3& n, const Vec3& wi, const Vec3& wo) const override {

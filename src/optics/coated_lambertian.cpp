@@ -1,9 +1,8 @@
-// The cosine law under a smooth coat: a waxy leaf, whose matt interior gets less light the more
-// obliquely it comes, because the coat reflects more of it.
+// The cosine law under a smooth coat: a waxy leaf, whose Lambertian interior receives less of the
+// light at grazing angles, as the coat reflects more of it.
 //
-// What     p = cos(theta) / pi, as of the cosine law; the albedo is the stated one times 1 - F,
-// with
-//          F = F0 + (1 - F0) (1 - cos(theta_i))^5 of the angle at which light arrives. What the
+// Model    p = cos(theta) / pi, as of the cosine law; the albedo is the given one times 1 - F,
+//          with F = F0 + (1 - F0) (1 - cos(theta_i))^5 for the angle of arrival. Light that the
 //          coat itself reflects is another lobe, or lost.
 // Paper    Schlick (1994), Computer Graphics Forum 13(3), equation 15, for F.
 // Sampling that of the cosine law.

@@ -23,7 +23,7 @@ constexpr std::array kUsual{
     DefaultOptics{"woody_stem", "stems of trees and shrubs", {.16, .39}, {.001, .001}},
     DefaultOptics{"grass_stem", "stems of grasses and crops", {.31, .53}, {.12, .25}}};
 
-/// Of each colour, dry and saturated.
+/// Reflectance of a soil colour, dry and saturated.
 struct SoilColor {
     OpticsByRegion dry, saturated;
 };

@@ -28,7 +28,7 @@ inline double outgoing_cosine(Hemisphere hemisphere, const Vec3& n, const Vec3& 
     return hemisphere == Hemisphere::reflected ? dot(wo, n) : -dot(wo, n);
 }
 
-/// The direction in which a smooth surface would send the light: mirrored, or straight on.
+/// The specular direction of a smooth surface: mirrored, or unchanged.
 inline Vec3 specular_direction(Hemisphere hemisphere, const Vec3& n, const Vec3& wi) {
     return hemisphere == Hemisphere::reflected ? reflected(wi, n) : wi;
 }

@@ -1,9 +1,8 @@
-// Lambert's cosine law: a perfectly matt surface.
+// Lambert's cosine law: an ideal diffuse surface.
 //
-// What     Light leaves with density |cos(wo, n)| / pi wherever it came from: a constant BSDF.
-// Paper    Lambert (1760), Photometria.
-// Sampling Malley's method: cos^2 = 1 - u0, azimuth = 2 pi u1.
-// Theory   docs/theory/leaf-and-soil-models.md
+// Model    Light leaves with density |cos(wo, n)| / pi for every direction of incidence: a constant
+// BSDF. Paper    Lambert (1760), Photometria. Sampling Malley's method: cos^2 = 1 - u0, azimuth = 2
+// pi u1. Theory   docs/theory/leaf-and-soil-models.md
 #pragma once
 
 #include <memory>

@@ -88,7 +88,7 @@ LobeTable::LobeTable(std::span<const Lobe> lobes, std::size_t bands) : bands_(ba
              .delta = lobe.shape->is_delta(),
              .lambertian = lobe.shape->is_lambertian(),
              .reciprocal = lobe.shape->is_reciprocal(),
-             .sharp = is_narrow(*lobe.shape),
+             .narrow = is_narrow(*lobe.shape),
              .peak = peak_brightness(*lobe.shape),
              .alone = true,
              .constant = lobe.shape->has_constant_albedo()});
@@ -115,7 +115,7 @@ double LobeTable::power(const Row& row, std::span<const double> weights) const {
         &albedo_[row.offset + row.begin], &weights[row.begin], row.end - row.begin);
 }
 
-/// Without a branch that depends on the outcome, which no processor could predict.
+/// Avoids branches on the outcome, which no processor could predict.
 template <typename Power>
 LobeTable::Choice LobeTable::choose_among(double u0, double total, const Power& power_of) const {
     if (rows_.empty()) {
@@ -135,15 +135,15 @@ LobeTable::Choice LobeTable::choose_among(double u0, double total, const Power& 
         end += power;
     }
     const double rest = target - start;
-    const bool is_certain = total <= end && share > 0;  // whatever the rounding of `target`
+    const bool is_certain = total <= end && share > 0;  // for any rounding of `target`
     if (!(rest < share || is_certain)) {
         return {};
     }
     return {&rows_[chosen], std::min(rest / share, kBelowOne), total, total / share};
 }
 
-/// @param share_of  gives the part of its stated albedo that a lobe scatters
-/// @param largest_sum  over the bands, of the albedos of all lobes
+/// @param share_of  gives the fraction of its given albedo that a lobe scatters
+/// @param largest_sum  largest sum of the albedos of all lobes over the bands
 template <typename Share>
 LobeTable::Choice LobeTable::choose_by(
     const Draw& draw,
@@ -155,7 +155,7 @@ LobeTable::Choice LobeTable::choose_by(
         if (!(weights[0] > 0)) {
             return {};
         }
-        // Relative to the weight. Little light is the rule, for which nothing need be divided.
+        // Relative to the weight. Most light is below the threshold and needs no division.
         const double whole =
             weights[0] <= draw.roulette_threshold ? 1 : draw.roulette_threshold / weights[0];
         const double total = std::max(largest_sum, whole);

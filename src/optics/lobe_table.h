@@ -13,23 +13,23 @@
 
 namespace quasimc {
 
-/// The share of one lobe in what a side scatters.
+/// One lobe of a side, with its albedo.
 struct Lobe {
     std::shared_ptr<const Bsdf> shape;
     std::vector<double> albedo;  ///< per band; times the shape's relative_albedo
 };
 
-/// What decides where light goes from a surface, and whether it goes on.
+/// The random numbers of a scattering, and the limit of Russian roulette.
 struct Draw {
     double u0 = 0, u1 = 0;  ///< a point of the unit square; u0 also decides survival and lobe
-    /// Light whose weights sum to less is played for by its albedo (Russian roulette); light of
-    /// more goes on surely and loses weight instead, until its weights have come down to this.
+    /// Light whose weights sum to less survives with the probability of its albedo (Russian
+    /// roulette). Other light always survives and loses weight instead, down to this limit.
     double roulette_threshold = std::numeric_limits<double>::infinity();
 };
 
-/// The lobes among which the light of a hit is divided, laid out for speed: the arithmetic of
-/// weights that Side (light followed forwards) and Material (backwards) have in common. See
-/// docs/theory/what-is-computed.md. Immutable.
+/// The lobes that share the light of a hit, in a layout for speed: the arithmetic of weights that
+/// Side (forwards) and Material (backwards) have in common. See docs/theory/what-is-computed.md.
+/// Immutable.
 class LobeTable {
   public:
     /// @param lobes  each with an albedo above 0 in some band
@@ -38,10 +38,10 @@ class LobeTable {
     struct Row {
         std::shared_ptr<const Bsdf> shape;
         std::size_t begin, end;  ///< bands outside have albedo 0
-        std::size_t offset;      ///< of its albedos, one for every band
+        std::size_t offset;      ///< index of its albedos, one for every band
         double sign;             ///< 1 reflected, -1 transmitted
         bool delta, lambertian, reciprocal;
-        bool sharp;     ///< see is_narrow()
+        bool narrow;    ///< see is_narrow()
         double peak;    ///< see peak_brightness()
         bool alone;     ///< no other lobe can give the same direction
         bool constant;  ///< the albedo is the same at every angle
@@ -63,23 +63,22 @@ class LobeTable {
     /// Whether the albedo of every lobe is the same at every angle.
     [[nodiscard]] bool has_constant_albedo() const { return constant_; }
 
-    /// A lobe drawn. `row` is null if none is: the light ends.
+    /// A sampled lobe. `row` is null if the light ends.
     struct Choice {
         const Row* row = nullptr;
-        double u = 0;      ///< what is left of the random number, in [0, 1)
+        double u = 0;      ///< the random number, rescaled to [0, 1)
         double total = 0;  ///< the probability of a lobe is its power divided by this (one band:
                            ///< its albedo)
-        double scale = 0;  ///< 1 / the probability of the lobe drawn
+        double scale = 0;  ///< 1 / the probability of the sampled lobe
     };
 
-    /// Draws a lobe with probability power(lobe) / total. The total is the sum of the weights, or
+    /// Samples a lobe with probability power(lobe) / total. The total is the sum of the weights, or
     /// draw.roulette_threshold if that is less, or the powers of all lobes if they are more. None
-    /// if the weights are all 0. The albedos are those stated, of which the power of a lobe at an
-    /// angle is never more.
+    /// if the weights are all 0. The albedos are the given ones, an upper bound at every angle.
     [[nodiscard]] Choice choose(const Draw& draw, std::span<const double> weights) const;
 
-    /// The same for light that arrives along `wi` at a surface with normal `n`: the power of each
-    /// lobe is that at this angle.
+    /// Samples a lobe for light that arrives along `wi` at a surface with normal `n`: with the
+    /// power of each lobe at this angle.
     [[nodiscard]] Choice choose(
         const Vec3& n, const Vec3& wi, const Draw& draw, std::span<const double> weights) const;
 
@@ -110,27 +109,27 @@ class LobeTable {
 
     std::size_t bands_;
     std::vector<Row> rows_;
-    std::vector<double> albedo_;  ///< of all lobes, one after the other
-    double largest_sum_ = 0;      ///< over the bands, of the sum of the lobes' albedos
+    std::vector<double> albedo_;  ///< albedos of all lobes, one after the other
+    double largest_sum_ = 0;      ///< largest sum of the lobes' albedos over the bands
     bool constant_ = true;
 };
 
-/// The lobes that can give one direction, weighed against each other by the balance heuristic
-/// (Veach and Guibas 1995).
+/// The lobes that can give one direction, combined by the balance heuristic (Veach and Guibas
+/// 1995).
 class LobeMix {
   public:
-    /// @param weights  those before the hit; must outlive this object
+    /// @param weights  weights before the hit; must outlive this object
     LobeMix(const LobeTable& table, std::span<double> weights);
     ~LobeMix() = default;
     LobeMix(const LobeMix&) = delete;
     LobeMix& operator=(const LobeMix&) = delete;
 
-    /// Takes a lobe into account: what it sends in the direction, per albedo, and the density with
-    /// which it draws the direction.
+    /// Adds a lobe: its value in the direction, per albedo, and the density with which it samples
+    /// the direction.
     void add(const LobeTable::Row& row, double value, double density);
 
-    /// w_b *= sum_k a_kb value_k / (sum_k power_k density_k / total). False, and the weights as
-    /// they were, if no lobe can draw the direction.
+    /// w_b *= sum_k a_kb value_k / (sum_k power_k density_k / total). False, with unchanged
+    /// weights, if no lobe can sample the direction.
     [[nodiscard]] bool apply(double total);
 
   private:
@@ -139,7 +138,7 @@ class LobeMix {
     const LobeTable& table_;
     std::span<double> weights_;
     std::array<double, kInline> small_;
-    std::vector<double> large_;  ///< for more bands than that
+    std::vector<double> large_;  ///< for more bands than kInline
     double* sums_;
     double density_ = 0;
 };

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// The lobes that send light to a side: its own reflected and the other's transmitted.
+/// The lobes that scatter light to a side: its own reflected and the other's transmitted.
 LobeTable lobes_leading_to(const Side& side, const Side& other) {
     std::vector<Lobe> lobes;
     for (const Lobe& lobe : side.lobes()) {
@@ -33,14 +33,14 @@ bool passes_everything(const Side& side) {
            std::all_of(side.albedo().begin(), side.albedo().end(), is_one);
 }
 
-/// A lobe seen backwards, of a surface with normal `n` on the side where light leaves along `wo`.
-/// `value` is BSDF |cos wi| at stated albedo 1, `density` that with which the reversed lobe draws
+/// A lobe sampled backwards, of a surface with normal `n` on the side where light leaves along
+/// `wo`. `value` is BSDF |cos wi| at albedo 1, `density` that with which the reversed lobe samples
 /// wi. For a reciprocal lobe of constant albedo they are equal.
 struct Backwards {
     double value, density;
 };
 
-/// Whether what the lobe sends backwards is what it draws backwards.
+/// Whether value and density of the lobe are equal backwards.
 bool is_symmetric(const LobeTable::Row& row) {
     return row.reciprocal && row.constant;
 }
@@ -95,12 +95,12 @@ std::optional<Material::Gathered> Material::gather(
     if (!row.alone) {
         LobeMix mix(table, weights);
         for (const LobeTable::Row& other : table.rows()) {
-            if (other.shares(row) && other.sharp == row.sharp) {
+            if (other.shares(row) && other.narrow == row.narrow) {
                 const auto [value, density] = backwards(other, n, wi, wo);
                 mix.add(other, value, density);
             }
         }
-        return mix.apply(choice.total) ? std::optional(Gathered{wi, row.sharp}) : std::nullopt;
+        return mix.apply(choice.total) ? std::optional(Gathered{wi, row.narrow}) : std::nullopt;
     }
 
     const double ratio = backwards_ratio(row, n, wi, wo);
@@ -108,7 +108,7 @@ std::optional<Material::Gathered> Material::gather(
         return std::nullopt;  // exactly along the surface, where no light is
     }
     table.follow(row, ratio * choice.scale, weights);
-    return Gathered{wi, row.sharp};
+    return Gathered{wi, row.narrow};
 }
 
 // NOLINTNEXTLINE(readability-function-size): eight arguments, none of which belong together.

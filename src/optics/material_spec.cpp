@@ -1,4 +1,4 @@
-// From what a person states of a material to the lobes that are traced.
+// Makes the lobes of a material from its specification.
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ void check_fraction(double value, std::string_view name, const std::string& wher
     }
 }
 
-/// A parameter as the model has it; of one that it passes over, what the other models say.
+/// A parameter of the model; if the model ignores it, that of the other models.
 std::optional<BsdfParameter> domain_of(const BsdfEntry* model, std::string_view name) {
     if (const BsdfParameter* own = model == nullptr ? nullptr : model->find_parameter(name)) {
         return *own;

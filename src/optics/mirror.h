@@ -1,9 +1,8 @@
 // A mirror, or a clear pane: all light in one direction.
 //
-// What     Reflected light leaves along the mirror image of wi, transmitted light straight on (no
-//          refraction: leaves are thin). A lobe of one direction has no density; it is followed,
-//          never evaluated.
-// Theory   docs/theory/leaf-and-soil-models.md
+// Model    Reflected light leaves along the mirror image of wi, transmitted light straight on (no
+// refraction: leaves are thin). A delta lobe has no density; it is sampled, never evaluated. Theory
+// docs/theory/leaf-and-soil-models.md
 #pragma once
 
 #include <memory>

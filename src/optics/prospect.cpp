@@ -13,7 +13,7 @@ constexpr LeafConstants kLeafConstants[] = {
 #include "optics/prospect_d.inc"
 };
 
-/// Of one plate, or of a pile of plates, for diffuse light.
+/// Optics of one plate, or of a pile of plates, for diffuse light.
 struct Plates {
     double reflectance, transmittance;
 };
@@ -28,7 +28,7 @@ double fresnel_transmissivity(double n, double cosine) {
 }
 
 /// A pile of `count` plates, any number of them from 0 on: Stokes (1862), Proceedings of the Royal
-/// Society 11, 545-556. @param plate  of less than 1 in all, or without absorption
+/// Society 11, 545-556. @param plate  with a sum below 1, or without absorption
 Plates pile(const Plates& plate, double count) {
     const double r = plate.reflectance, t = plate.transmittance;
     const double product = (1 + r + t) * (1 + r - t) * (1 - r + t) * (1 - r - t);
@@ -92,7 +92,7 @@ LeafOptics prospect(const LeafConstants& constants, const LeafConstituents& leaf
     const double out = in / (n * n);
     const double back = 1 - out;  // reflectivity from within
 
-    // The first plate gets what comes to the leaf, the others diffuse light.
+    // The first plate receives the incident light of the leaf, the others diffuse light.
     const double again = 1 - back * back * inside * inside;
     const double first_transmittance = in_40 * inside * out / again;
     const double first_reflectance = 1 - in_40 + back * inside * first_transmittance;

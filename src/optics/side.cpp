@@ -40,7 +40,7 @@ Side::Side(const std::vector<Lobe>& lobes, std::size_t bands)
     : lobes_(merged(lobes)), table_(lobes_, bands), albedo_(bands), absorptance_(bands) {
     for (const Lobe& lobe : lobes_) {
         has_delta_ = has_delta_ || lobe.shape->is_delta();
-        sharpest_peak_ = std::max(sharpest_peak_, peak_brightness(*lobe.shape));
+        largest_peak_ = std::max(largest_peak_, peak_brightness(*lobe.shape));
         for (std::size_t b = 0; b < bands; ++b) {
             albedo_[b] += lobe.albedo[b];
         }
@@ -79,7 +79,7 @@ Side::Scattered Side::scatter_by(
     const LobeTable::Row& row = *choice.row;
     const Scattered scattered{row.sample(n, wi, choice.u, u1), row.delta};
     if (weights.size() == 1) {
-        weights[0] *= choice.total;  // 1 where the light was played for by its albedo
+        weights[0] *= choice.total;  // 1 after Russian roulette
         return scattered;
     }
     if (!row.alone) {

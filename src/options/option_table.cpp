@@ -1,4 +1,4 @@
-// The table of run options: one row for each field of RunSpec that a person may set.
+// The table of run options: one row for each field of RunSpec that users can set.
 
 #include <algorithm>
 #include <limits>
@@ -71,7 +71,7 @@ Option choice_option(OptionWords words, Enum RunSpec::*field, const Named<Enum>&
         }};
 }
 
-/// Those of the catalogue of solvers, and "auto".
+/// The methods of the catalogue of solvers, and "auto".
 Named<Method> names_of_methods() {
     Named<Method> names;
     for (const SolverEntry& solver : solver_catalogue()) {
@@ -87,7 +87,7 @@ Named<Method> names_of_methods() {
 // here. The key in [run], the flag of the program, the range check with its message,
 // --dump-default, the table in docs/reference/options.md (copy it from `quasimc list options
 // -markdown`; a test compares), the keyword in Python and the echo in the JSON result follow from
-// the row. python/quasimc/__init__.pyi lists it too, for who types (a test compares).
+// the row. python/quasimc/__init__.pyi lists it too, for type checkers (a test compares).
 std::vector<Option> rows_of_sampling() {
     constexpr std::int64_t kAnySeed = std::numeric_limits<std::int64_t>::max();
     return {

@@ -28,7 +28,7 @@ std::string format_value(const OptionValue& value) {
     return text ? "'" + *text + "'" : option_toml(value);
 }
 
-/// What a value of a domain is called.
+/// The kind of values in a domain: "a whole number".
 std::string domain_kind(const OptionDomain& domain) {
     switch (domain.index()) {
         case 0:
@@ -160,10 +160,9 @@ std::optional<Fault> check_option(const Option& option, const OptionValue& value
     }
     if (const auto* choice = std::get_if<ChoiceDomain>(&option.domain)) {
         const auto* word = std::get_if<std::string>(&value);
-        const std::string_view near = word ? nearest_word(*word, choice->names) : "";
         return Fault{
             "", fmt::format("{} is not {}", format_value(value), domain_text(option)), "",
-            near.empty() ? "" : fmt::format("did you mean '{}'?", near)};
+            word != nullptr ? near_word_text(*word, choice->names) : ""};
     }
     if (has_type && is_number(option.domain)) {
         return Fault{
@@ -182,7 +181,7 @@ std::string method_name(Method from) {
 
 namespace {
 
-/// What stands between commas.
+/// The items between commas.
 std::vector<std::string> split_list(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {

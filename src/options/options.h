@@ -14,11 +14,11 @@
 
 namespace quasimc {
 
-/// The value of an option, whoever states it: a file, a command line, a program.
+/// The value of an option, from a file, a command line or a program.
 using OptionValue =
     std::variant<std::int64_t, double, std::string, std::vector<std::string>, std::vector<double>>;
 
-/// What values an option takes.
+/// The values that an option accepts.
 struct IntegerDomain {
     std::int64_t low, high;
 };
@@ -29,12 +29,12 @@ struct ChoiceDomain {
     std::vector<std::string_view> names;
 };
 struct ListDomain {
-    std::string_view form;  ///< how a word looks, "BAND:BAND"
+    std::string_view form;  ///< form of an item, "BAND:BAND"
 };
 struct RealsDomain {};  ///< a list of finite numbers
 using OptionDomain = std::variant<IntegerDomain, RealDomain, ChoiceDomain, ListDomain, RealsDomain>;
 
-/// The words of a row.
+/// The texts of a row.
 struct OptionWords {
     std::string_view key;         ///< in the run file's [run]; the flag is --key with '-' for '_'
     std::string_view unit;        ///< may be empty
@@ -46,7 +46,7 @@ struct OptionWords {
 struct Option : OptionWords {
     OptionDomain domain;
     std::function<void(RunSpec&, const OptionValue&)>
-        set;  ///< of a value that check_option accepts
+        set;  ///< takes values that check_option accepts
     std::function<OptionValue(const RunSpec&)> get;
 };
 
@@ -75,14 +75,14 @@ struct Option : OptionWords {
 /// as they are.
 [[nodiscard]] OptionValue whole_if_integer(const Option& option, OptionValue value);
 
-/// What is wrong with a value for this option; nothing if it may be set. An integer passes for a
-/// real. The fault has no location.
+/// The error in a value for this option, without a location; nothing if the value is valid. An
+/// integer is accepted as a real.
 [[nodiscard]] std::optional<Fault> check_option(const Option& option, const OptionValue& value);
 
 /// How run files name a method: "first_hits".
 [[nodiscard]] std::string method_name(Method from);
 
-/// The value that a text on the command line states ("65536", "sobol", "R:FR,B:R"); a text that is
+/// The value of a text on the command line ("65536", "sobol", "R:FR,B:R"); a text that is
 /// no number stays text, for check_option to refuse.
 [[nodiscard]] OptionValue parse_option(const Option& option, std::string_view text);
 

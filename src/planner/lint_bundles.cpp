@@ -16,7 +16,7 @@ std::vector<Warning> lint_long(const Scene& scene, const PatchSize& size) {
     WarningKind found("organ has long thin triangles", "organs have long thin triangles");
     for (const Organ* organ : find_long_patches(scene, size).organs) {
         found.add(
-            words_for(*organ),
+            describe_organ(*organ),
             "has long thin triangles; ray_bundles can be wrong there by more than its errors say; "
             "subdivide them or use method = \"first_hits\"");
     }

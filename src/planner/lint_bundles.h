@@ -6,14 +6,14 @@
 #include "quasimc/run_spec.h"
 #include "scene/scene.h"
 
-// What ray bundles that are asked for by name get wrong without telling: light that changes within
-// patches on both of their levels. Nothing of other methods, and nothing where "auto" takes
-// bundles.
+// Warnings about errors that ray bundles do not report: light that changes within patches on both
+// of their levels. They concern ray bundles that were requested by name, if "auto" would not choose
+// them.
 
 namespace quasimc {
 
-/// Of surfaces of long thin triangles, patches too large beside organs, and of lamps amid or next
-/// to surfaces.
+/// Warns of surfaces of long thin triangles, of patches that are too large for organs, and of lamps
+/// between or next to surfaces.
 [[nodiscard]] std::vector<Warning> lint_bundles(
     const Scene& scene, const Sources& sources, const RunSpec& spec);
 

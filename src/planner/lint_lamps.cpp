@@ -18,7 +18,7 @@ bool has_lamp(const Sources& sources) {
         sources.begin(), sources.end(), [](const auto& source) { return source->is_lamp(); });
 }
 
-/// "the median organ measures 10 m" if plants are not so large or so small; "" if they may be.
+/// "the median organ is 10 m large" if plants are unlikely to have this size; otherwise "".
 std::string strange_size(const Scene& scene) {
     constexpr double kLargeOrgan = 2, kSmallPlant = 5e-3;
     const std::optional<double> metres = metres_per(scene.length_unit());
@@ -33,7 +33,7 @@ std::string strange_size(const Scene& scene) {
                                  : "";
 }
 
-/// The middle of a lamp, as seen from the middle of the scene's box or from far away on one of its
+/// The centre of a lamp, searched from the centre of the scene's box or from far away on one of its
 /// axes: a lamp below the ground mostly shines away from the box.
 std::optional<Vec3> find_lamp(const Source& source, const Bounds& bounds) {
     constexpr std::array<Vec3, 7> kDirections{Vec3{0, 0, 0}, Vec3{0, 0, -1}, Vec3{0, 0, 1},

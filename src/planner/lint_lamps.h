@@ -7,16 +7,15 @@
 
 namespace quasimc {
 
-/// Where a scene has its unit of length from.
+/// The origin of a scene's unit of length.
 enum class UnitOrigin { given, assumed };
 
-/// The light of lamps, unlike that of suns and skies, depends on how long the unit of length is. It
-/// warns of a unit that was assumed, and of plants whose size is strange in it: a median organ
-/// above 2 m, all organs together below 5 mm.
+/// Warns of a unit of length that was assumed, and of plants of unlikely size, as the light of
+/// lamps depends on the unit: a median organ above 2 m, all organs together below 5 mm.
 [[nodiscard]] std::vector<Warning> lint_lamp_unit(
     const Scene& scene, const Sources& sources, UnitOrigin origin);
 
-/// Lamps below a horizontal ground.
+/// Warns of lamps below a horizontal ground.
 [[nodiscard]] std::vector<Warning> lint_lamp_positions(const Scene& scene, const Sources& sources);
 
 }  // namespace quasimc

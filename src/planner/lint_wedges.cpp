@@ -13,8 +13,8 @@
 namespace quasimc {
 namespace {
 
-constexpr double kNextTo = 1e-4;  ///< of the scene
-constexpr double kNarrow = 0.1;   ///< a wedge: how far apart its sides are for its length
+constexpr double kNextTo = 1e-4;  ///< fraction of the scene size
+constexpr double kNarrow = 0.1;   ///< distance of the sides of a wedge over its length
 
 Vec3 closest_on_edge(const Vec3& from, const Vec3& to, const Vec3& point) {
     const Vec3 along = to - from;

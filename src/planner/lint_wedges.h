@@ -5,7 +5,7 @@
 #include "light/models/source.h"
 #include "scene/scene.h"
 
-// What every method gets wrong without telling: light in wedges narrower than rays resolve.
+// Warnings about an error that no method reports: light in wedges narrower than rays resolve.
 
 namespace quasimc {
 

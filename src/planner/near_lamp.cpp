@@ -14,7 +14,7 @@ Illumination light_of(const Source& source, const Vec3& position) {
     return model_of(source).illuminate(position, kMiddle, kMiddle);
 }
 
-/// On the middle of the box and half way from `nearest` to its corners, of those that are lit.
+/// The least light on the centre of the box and half way from `nearest` to its corners, if lit.
 double dimmest_light(const Source& source, const Bounds& bounds, const Vec3& nearest) {
     double dimmest = light_of(source, bounds.center()).weight;
     for (const Vec3& corner : corners_of(bounds)) {

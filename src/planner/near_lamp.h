@@ -6,12 +6,12 @@
 
 namespace quasimc {
 
-/// The middle of a lamp that shines on the middle of the scene's box; none of other sources.
+/// The centre of a lamp that shines on the centre of the scene's box; none for other sources.
 [[nodiscard]] std::optional<Vec3> position_of_lamp(const Source& source, const Bounds& bounds);
 
-/// Whether a source is a lamp that is in the scene's box, does not shine on its middle, or shines
-/// much more brightly on the point of the box next to it than on its middle or half way
-/// from there to a corner.
+/// Whether a source is a lamp that is in the scene's box, does not shine on its centre, or gives a
+/// much larger irradiance at the nearest point of the box than at its centre or half way from there
+/// to a corner.
 [[nodiscard]] bool is_near_lamp(const Source& source, const Bounds& bounds);
 
 }  // namespace quasimc

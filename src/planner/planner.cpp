@@ -1,5 +1,5 @@
-// Which way of tracing has the smallest errors for its time: rules of thumb, each from a
-// measurement (docs/develop/notebook/choosing.md; `./dev bench planner` repeats them).
+// The most efficient method: rules of thumb, each from a measurement
+// (docs/develop/notebook/choosing.md; `./dev bench planner` repeats them).
 
 #include "planner/planner.h"
 
@@ -20,40 +20,41 @@
 namespace quasimc {
 namespace {
 
-/// From which gain of equal shares on tracing from organs is better than following light.
+/// The gain of equal shares from which on paths from organs are more efficient than paths of light.
 struct Thresholds {
-    double dark, bright;  ///< where leaves absorb most light, or scatter most
+    double dark, bright;  ///< for leaves that absorb most light, or scatter most
 };
-// THE THRESHOLDS. First hits have direct light almost without noise: the more of the light is
-// direct, the more organs must gain elsewhere.
+// First hits have direct light almost without noise: the more of the light is direct, the larger
+// the gain must be.
 constexpr Thresholds kSun{8, 5};
 constexpr Thresholds kSky{7, 4};
 constexpr Thresholds kLamps{2, 5};
-/// Where bundles would be taken, with paths to spare for each organ.
+/// If bundles would be chosen, with many paths for each organ.
 constexpr Thresholds kBundles{14, 7};
 constexpr double kPathsForBundles = 8;
-/// Lamps outside the scene's box, as long as organs have so many paths each: few things if any are
-/// near enough to a lamp to be much brighter than the rest.
+/// Lamps outside the scene's box, if organs have at least kPathsToSpare paths each: hardly any
+/// surface is near enough to a lamp to be much brighter than others.
 constexpr double kDarkBelowFarLamps = 0.5;
 constexpr double kPathsToSpare = 16;
-/// Mean albedo from which on leaves count as bright.
+/// The mean albedo from which on leaves count as bright.
 constexpr double kBright = 0.5;
-/// The part of all scattered light that sharp lobes scatter, from which on dark leaves under a sun
-/// are never traced from the organs: what is left to noise is the light of these lobes, and it has
-/// paths from the sun.
-constexpr double kMuchSharpLight = 0.3;
-/// Paths from the source that meet a typical organ, fewer than which tell nothing of the light that
-/// is followed through lobes: what they may bring is then the error of every method, and those that
-/// start from the sources alone are faster.
+/// The fraction of all scattered light in narrow lobes from which on paths from organs are not used
+/// for dark leaves under a sun: the noise is in the light of these lobes, which is sampled by paths
+/// from the sun.
+constexpr double kMuchNarrowLight = 0.3;
+/// Minimum number of paths from the source that hit a typical organ. With fewer, light through
+/// narrow lobes dominates the error of every method, and methods with paths from sources only are
+/// faster.
 constexpr double kFewPaths = 5;
-/// The most that shiny surfaces take from the gain: what sharp lobes and mirrors do, whose light
-/// has paths of its own.
+/// The largest factor by which glossy surfaces reduce the gain: that of narrow lobes and mirrors,
+/// whose light has paths of its own.
 constexpr double kMaxLostToGloss = 12;
 
-/// What the sources are, dark ones left out.
+/// The kinds of sources with light.
 struct Lighting {
     bool lamp = false, sun = false, sky = false;
-    bool near_lamp = false;  ///< in the scene's box, or so near that some of it is much brighter
+    bool near_lamp =
+        false;  ///< a lamp in the scene's box, or near enough to make a part of it much brighter
 };
 
 Lighting lighting_of(const Scene& scene, const Sources& sources) {
@@ -70,17 +71,17 @@ Lighting lighting_of(const Scene& scene, const Sources& sources) {
     return lighting;
 }
 
-/// What surfaces do to light, means over organs (by area) and sides; sensors left out.
+/// Scattering of surfaces, means over organs (by area) and sides; without sensors.
 struct Scattering {
-    double mean_albedo = 0;     ///< of the bands
-    double brightest_band = 0;  ///< the largest of their albedos
-    double sharp_part = 0;      ///< of the scattered light: that of lobes that are followed
+    double mean_albedo = 0;     ///< mean over bands
+    double brightest_band = 0;  ///< the largest albedo of a band
+    double narrow_part = 0;     ///< fraction of the scattered light in narrow lobes
     [[nodiscard]] bool is_bright() const { return mean_albedo >= kBright; }
 };
 
 Scattering scattering_of(const Scene& scene) {
     const double narrow_from = followed_peak(scene);
-    double area = 0, sharp = 0;
+    double area = 0, narrow = 0;
     std::vector<double> scattered(scene.bands().size());
     for (const Region& region : scene.regions()) {
         const Material& material = data_of(scene).material(region);
@@ -93,8 +94,8 @@ Scattering scattering_of(const Scene& scene) {
                 scattered[b] += region.area * material.side(side).albedo()[b];
             }
             for (const Lobe& lobe : material.side(side).lobes()) {
-                const bool is_followed = peak_brightness(*lobe.shape) >= narrow_from;
-                sharp += is_followed ? region.area * mean_of(lobe.albedo) : 0;
+                const bool is_narrow = peak_brightness(*lobe.shape) >= narrow_from;
+                narrow += is_narrow ? region.area * mean_of(lobe.albedo) : 0;
             }
         }
     }
@@ -104,7 +105,7 @@ Scattering scattering_of(const Scene& scene) {
     const double all = mean_of(scattered);
     return {
         all / area, *std::max_element(scattered.begin(), scattered.end()) / area,
-        all > 0 ? sharp / all : 0};
+        all > 0 ? narrow / all : 0};
 }
 
 double brightest_peak(const Side& side, double narrow_from) {
@@ -125,22 +126,23 @@ bool has_paths_to_spare(const Scene& scene, const RunSpec& spec, double for_each
     return static_cast<double>(spec.paths) >= for_each * static_cast<double>(measured);
 }
 
-/// About how many of as many paths from far away meet a typical organ.
+/// Approximate number of paths from far away that hit a typical organ.
 double paths_per_organ(const Scene& scene, const RunSpec& spec) {
     return static_cast<double>(spec.paths) * median_measured_area(scene) / seen_area(scene);
 }
 
-/// The gain of equal shares from which on organs are better. From organs the light of a sun or a
-/// lamp that a sharp lobe sends on is hard to find: the square root of the lobe's peak is lost.
-/// @param bundles  whether bundles would find the light if points on organs don't
-double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& spec, bool bundles) {
+/// The gain of equal shares from which on paths from organs are more efficient. They hardly sample
+/// light of a sun or a lamp through a narrow lobe, which costs the square root of the lobe's peak.
+/// @param bundles  whether bundles would be used otherwise
+double required_gain(
+    const Scene& scene, const Lighting& lighting, const RunSpec& spec, bool bundles) {
     const Scattering scattering = scattering_of(scene);
     const double peak = brightest_peak(scene);
     const bool is_small = lighting.sun || lighting.lamp;
     if (is_small && std::isinf(peak) && paths_per_organ(scene, spec) < kFewPaths) {
         return std::numeric_limits<double>::infinity();
     }
-    if (lighting.sun && !scattering.is_bright() && scattering.sharp_part >= kMuchSharpLight) {
+    if (lighting.sun && !scattering.is_bright() && scattering.narrow_part >= kMuchNarrowLight) {
         return std::numeric_limits<double>::infinity();
     }
     const Thresholds& table = bundles && has_paths_to_spare(scene, spec, kPathsForBundles)
@@ -157,17 +159,16 @@ double gain_asked(const Scene& scene, const Lighting& lighting, const RunSpec& s
     return is_small ? gain * std::clamp(std::sqrt(peak), 1.0, kMaxLostToGloss) : gain;
 }
 
-/// About how many of the scan lines across the scene meet a typical organ.
+/// Approximate number of scan lines across the scene that meet a typical organ.
 double lines_per_organ(const Scene& scene, std::uint64_t paths) {
     constexpr double kPathsPerLine = 80, kMinLines = 128;
     const double lines = std::max(kMinLines, static_cast<double>(paths) / kPathsPerLine);
     return lines * std::sqrt(median_measured_area(scene)) / length(scene.bounds().size());
 }
 
-/// How many times as large as its organs the scene looks from the mean direction (Cauchy: a quarter
-/// of the surface of its box, of leaves half their area; of an endless stand its cell), where
-/// organs are so small in it that lines miss them; else 1. Most light that comes to such a scene
-/// meets nothing.
+/// The mean projected area of the scene over that of its organs (Cauchy: a quarter of the surface
+/// of its box, half the area of leaves; for an infinite stand its cell), if organs are so small
+/// that lines miss them; else 1. Most light in such a scene meets nothing.
 double emptiness(const Scene& scene, std::uint64_t paths) {
     constexpr double kFewLines = 2;
     double organs = 0;
@@ -210,7 +211,8 @@ double brightest_peak(const Scene& scene) {
     return brightest;
 }
 
-/// Copies of meshes may be more triangles than memory could hold; rasters keep something of each.
+/// Instances of meshes may have more triangles than memory could hold; projections store data of
+/// each.
 constexpr std::size_t kMaxForRasters = 100'000'000;
 
 ChosenMethod plan_method(const Scene& scene, const Sources& sources, const RunSpec& spec) {
@@ -228,14 +230,14 @@ ChosenMethod plan_method(
     const Lighting lighting = lighting_of(scene, sources);
     const bool is_far = lighting.sun || lighting.sky;
     const double gain = (is_far ? emptiness(scene, spec.paths) : 1) * gain_of_equal_shares(scene);
-    // Lamps repeat with the scene; organs would have to pick one of infinitely many. Light that
-    // escapes is not followed from organs.
+    // Lamps repeat with the scene; paths from organs would have to pick one of infinitely many.
+    // They do not sample light that escapes.
     const bool can_start_from_organs = std::isfinite(gain) &&
                                        !(lighting.lamp && scene.cell().periodic()) &&
                                        !need_escaped_light(scene.detectors());
     const bool takes_bundles = is_far && !lighting.lamp && gain < kBundles.dark &&
                                suits_bundles(scene, spec, gain, lighting.sun) && !refuse_bundles();
-    if (can_start_from_organs && gain >= gain_asked(scene, lighting, spec, takes_bundles)) {
+    if (can_start_from_organs && gain >= required_gain(scene, lighting, spec, takes_bundles)) {
         if (gain < kLamps.dark) {
             return {
                 Method::from_organs,

@@ -8,22 +8,22 @@
 
 namespace quasimc {
 
-/// plan_method() where it can be told whether so many surfaces cross each other that ray bundles
-/// refuse the scene: it is asked only if bundles would be chosen.
+/// plan_method() with a test whether ray bundles refuse the scene because too many surfaces
+/// intersect: it is called only if bundles would be chosen.
 [[nodiscard]] ChosenMethod plan_method(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
     const std::function<bool()>& refuse_bundles);
 
-/// How much the errors of the measured organs would gain if every one of them got as many paths,
-/// instead of each as many as light finds it by: area of all organs over (number of measured organs
-/// x their median area). 1 for equal organs that are all measured; infinite if none is.
+/// Efficiency of equal shares of paths for the measured organs, relative to the paths that hit each
+/// of them: area of all organs over (number of measured organs x their median area). 1 for equal
+/// organs that are all measured; infinite if none is.
 [[nodiscard]] double gain_of_equal_shares(const Scene& scene);
 
-/// The brightest of the scene's lobes at its peak, light arriving straight on, relative to a white
-/// surface of the cosine law: its albedo (mean over the bands) times its sharpness. Infinite with a
-/// mirror, 0 if nothing scatters; sensors that light passes don't count.
+/// The largest peak of the scene's lobes, for light along the normal, relative to a white
+/// Lambertian surface: albedo (mean over the bands) times peak_brightness(). Infinite for narrow
+/// lobes and mirrors, 0 if nothing scatters; without sensors.
 [[nodiscard]] double brightest_peak(const Scene& scene);
 
 }  // namespace quasimc

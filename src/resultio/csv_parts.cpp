@@ -26,7 +26,7 @@ std::string options_line(const RunSpec& spec) {
     return "# options: " + one_line(text) + "\n";
 }
 
-/// Where the light comes from; of a sweep at every point, and what the point sets.
+/// The comments on sources; in a sweep, for every point, with the values that the point sets.
 std::string source_comments(const RunFile& run) {
     std::string out;
     if (!run.sweep) {
@@ -222,8 +222,8 @@ std::string csv_light_columns(const RunFile& run, LightAmount amount) {
 
 std::string csv_organ_columns(const RunFile& run) {
     return fmt::format(
-        "# column id, name, labels: of the organ, as given\n"
-        "# column area [{}2]: of one side\n",
+        "# column id, name, labels: of the organ\n"
+        "# column area [{}2]: one-sided area of the organ\n",
         one_line(run.scene.length_unit()));
 }
 

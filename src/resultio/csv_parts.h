@@ -23,18 +23,18 @@ void append_csv(std::string& out, const Estimate& estimate);
 /// Every key of a label, in the order in which they first appear: the same for all points of a
 /// sweep.
 [[nodiscard]] std::vector<std::string> label_columns(const Scene& scene);
-/// The line of names: `first`, those of the organ with its labels (renamed if they clash),
-/// `columns` each with _se and _high.
+/// The header line: `first`, the organ's columns with its labels (renamed if they clash), and
+/// `columns`, each with _se and _ci95_high.
 [[nodiscard]] std::string csv_organ_header(
     const std::vector<std::string>& first,
     const std::vector<std::string>& labels,
     const std::vector<std::string>& columns);
-/// The same of a group.
+/// The header line of a table of groups.
 [[nodiscard]] std::string csv_group_header(
     const std::vector<std::string>& first, const std::vector<std::string>& columns);
 /// "id,name,labels,area" of an organ.
 void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels);
-/// What comes before the columns of light of a group.
+/// The columns of a group before its light.
 void append_group(std::string& out, const OrganGroup& group);
 
 /// The light of an organ or of a group, column by column.
@@ -54,19 +54,19 @@ enum class LightAmount { rate, sum };
 /// The comments on the columns of light.
 [[nodiscard]] std::string csv_light_columns(const RunFile& run, LightAmount amount);
 
-// Of a run of a sweep; all of them are empty without one.
+// Parts for sweeps; all are empty in a run without [sweep].
 /// A column for each swept key, and its comment.
 [[nodiscard]] std::vector<std::string> csv_point_names(const RunFile& run);
 [[nodiscard]] std::string csv_point_columns(const RunFile& run);
-/// The values of the run's point, each with a comma: what rows begin with.
+/// The values of the run's point, each with a comma, at the beginning of rows.
 [[nodiscard]] std::string csv_point_fields(const RunFile& run);
 
-/// How a run without [time] was computed, as comments; nothing of a sweep, whose points differ.
+/// How a run without [time] was computed, as comments; empty in a sweep, whose points differ.
 [[nodiscard]] std::string csv_result_comments(const RunFile& run, const Result& result);
 
-/// The comments on where the numbers come from, but for what was traced and the columns.
+/// The comments on program, files and scene.
 [[nodiscard]] std::string csv_origin(const RunFile& run, std::string_view what);
-/// The comments on what tells organs and groups, and those on errors.
+/// The comments on the columns that identify organs and groups, and on errors.
 [[nodiscard]] std::string csv_organ_columns(const RunFile& run);
 [[nodiscard]] std::string csv_group_columns(const RunFile& run);
 [[nodiscard]] std::string csv_error_columns();

@@ -24,14 +24,15 @@ std::string band_line(const BandAudit& audit, const Band& band, const std::strin
     if (std::isfinite(audit.difference)) {
         const FluxUnit unit = named_flux_unit(band.unit, length_unit);
         text += fmt::format(
-            "; organs absorb {:.3g} +- {:.2g} {} {} than in the audit",
-            unit.factor * std::abs(audit.difference), unit.factor * audit.standard_error, unit.name,
+            "; organs absorb {:.4g} +- {} {} {} than in the audit",
+            unit.factor * std::abs(audit.difference),
+            two_digits(unit.factor * audit.standard_error), unit.name,
             audit.difference < 0 ? "less" : "more");
     }
     return text;
 }
 
-/// Empty where nothing cut the run short.
+/// Empty if the run completed.
 std::string reason(const RunSpec& spec, StopReason stop) {
     switch (stop) {
         case StopReason::interrupted:

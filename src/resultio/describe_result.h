@@ -1,6 +1,6 @@
 #pragma once
 
-// What is said of audits, and of runs that ended before all was done.
+// Texts on audits, and on runs that ended early.
 
 #include <string>
 #include <vector>
@@ -11,19 +11,19 @@
 
 namespace quasimc {
 
-/// What the audit of a result says, one line for the whole and one for each of the first bands;
+/// The outcome of a result's audit, one line for the whole and one for each of the first bands;
 /// none without an audit.
 [[nodiscard]] std::vector<std::string> audit_lines(const RunFile& run, const Result& result);
-/// What all audits of a series say; empty without any.
+/// The outcome of all audits of a series; empty without any.
 [[nodiscard]] std::string audit_line(const SeriesSummary& summary);
 
 /// A warning to print if audits find a difference beyond chance; otherwise empty.
 /// @param p_value  Audit::p_value, SeriesSummary::audit_p_value
 [[nodiscard]] std::string audit_warning(double p_value);
 
-/// Why a result is of fewer paths than were asked for; empty if it isn't.
+/// The reason why a result has fewer paths than requested; empty if it has all.
 [[nodiscard]] std::string describe_stop(const RunSpec& spec, const Result& result);
-/// The same of times.
+/// The reason why a series has fewer time steps or paths than requested; empty if it has all.
 [[nodiscard]] std::string describe_stop(const RunFile& run, const SeriesSummary& summary);
 
 }  // namespace quasimc

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "text/line_scanner.h"
 #include "text/numbers.h"
@@ -11,18 +12,19 @@
 namespace quasimc {
 namespace {
 
-std::string cumulated_words(const TimeStepNotes& notes) {
+std::string describe_cumulated(const TimeStepNotes& notes) {
     const TimeStepNotes::Cumulated& times = *notes.cumulated;
     return fmt::format(
-        "{} to {}, {} s: {} times, {} with daylight, as {} sun positions and {} skies; mean on the "
+        "{} to {}, {} s: {}, {} with daylight, as {} and {}; mean on the "
         "horizontal direct {:.6g}, diffuse {:.6g} W m-2",
-        notes.time, times.until, shortest(notes.seconds), times.times, times.with_light, notes.suns,
-        times.skies, notes.daylight.direct, notes.daylight.diffuse);
+        notes.time, times.until, shortest(notes.seconds), counted(times.times, "time step"),
+        times.with_light, counted(notes.suns, "sun position"), counted(times.skies, "sky", "skies"),
+        notes.daylight.direct, notes.daylight.diffuse);
 }
 
 std::string describe_time_step(const TimeStepNotes& notes) {
     if (notes.cumulated) {
-        return cumulated_words(notes);
+        return describe_cumulated(notes);
     }
     std::string text = notes.time;
     text += notes.seconds > 0 ? fmt::format(", {} s", shortest(notes.seconds)) : ", an instant";
@@ -31,8 +33,9 @@ std::string describe_time_step(const TimeStepNotes& notes) {
         notes.sun.azimuth_deg, notes.sun.elevation_deg, without_rounding(notes.to_sun.x),
         without_rounding(notes.to_sun.y), without_rounding(notes.to_sun.z));
     return text + fmt::format(
-                      "; on the horizontal direct {:.6g}, diffuse {:.6g} W m-2; {} sun positions",
-                      notes.daylight.direct, notes.daylight.diffuse, notes.suns);
+                      "; on the horizontal direct {:.6g}, diffuse {:.6g} W m-2; {}",
+                      notes.daylight.direct, notes.daylight.diffuse,
+                      counted(notes.suns, "sun position"));
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// Words and units of results.
+// Texts and units of results.
 
 #include <string>
 #include <string_view>

@@ -20,13 +20,13 @@ struct OrganField {
     std::vector<double> values;  ///< in the order of the scene's organs; NaN where it is unknown
 };
 
-/// A scene and what other programs are to show of it.
+/// A scene with the numbers and colours that other programs show.
 struct FieldScene {
     const Scene& scene;
     std::vector<OrganField> fields = {};
-    /// Of each organ red, green and blue, as on a screen; empty: none.
+    /// Colour of each organ: red, green and blue, sRGB; may be empty.
     std::vector<std::array<std::uint8_t, 3>> colors = {};
-    std::string colors_of = {};  ///< what they show, with the ends of the scale; "" for none
+    std::string colors_of = {};  ///< quantity shown, with the ends of the scale; "" for none
 };
 
 /// One row of the table of formats for a scene with numbers, the only list of them.
@@ -48,7 +48,7 @@ void write_vtp(const FieldScene& shown, const TextSink& sink);
 /// Binary PLY, double precision: each face has the id of its organ and its numbers.
 void write_field_ply(const FieldScene& shown, const TextSink& sink);
 /// Binary glTF 2.0, single precision: each vertex has the numbers and the colour of its organ.
-/// @throws InputError  of more organs than single precision can count, or 4 GiB and more
+/// @throws InputError  for more organs than single precision can count, or 4 GiB and more
 void write_field_glb(const FieldScene& shown, const TextSink& sink);
 
 }  // namespace quasimc

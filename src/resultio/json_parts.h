@@ -20,7 +20,7 @@ namespace quasimc {
 inline constexpr int kResultVersion = 2;
 
 // Members of the outermost object, as objects.
-/// What is known before anything is traced.
+/// The members that are known before the run: program, files, settings, scene.
 [[nodiscard]] Json json_head(const RunFile& run);
 [[nodiscard]] Json json_warnings(const RunFile& run);
 /// A value of a run file.
@@ -28,10 +28,10 @@ inline constexpr int kResultVersion = 2;
 
 /// "time_limit".
 [[nodiscard]] std::string_view stop_name(StopReason stop);
-/// What is known of one result beside groups and organs: method, what was done, rounds, energy.
+/// A result without groups and organs: method, completed work, rounds, energy.
 [[nodiscard]] Json json_light(
     std::span<const Band> bands, const std::string& length_unit, const Result& result);
-/// The same of a run, with the method that was asked for, audit, canopy and detectors.
+/// A result of a run file: also requested method, audit, canopy and detectors.
 [[nodiscard]] Json json_light(const RunFile& run, const Result& result);
 [[nodiscard]] Json json_vector(const Vec3& vector);
 
@@ -43,10 +43,10 @@ struct JsonNames {
 [[nodiscard]] JsonNames json_names(const RunFile& run, WrittenColumns columns);
 
 // Rows, each on one line: there may be millions.
-/// An organ with what a result says of it.
+/// An organ with its estimates.
 [[nodiscard]] std::string json_organ(
     const Organ& organ, const Result& result, std::size_t index, const JsonNames& names);
-/// The same of a sum, whose values are in the units of the sum.
+/// An organ with its sums, in the units of the sum.
 [[nodiscard]] std::string json_organ(
     const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names);
 [[nodiscard]] std::string json_group(

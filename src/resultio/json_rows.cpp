@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// The shortest text, which results are compared by; null if it is not finite.
+/// The shortest exact text, so that results can be compared as text; null if it is not finite.
 void append_number(std::string& row, double value) {
     std::isfinite(value) ? fmt::format_to(std::back_inserter(row), "{}", value)
                          : fmt::format_to(std::back_inserter(row), "null");
@@ -44,7 +44,7 @@ void append_quantities(
         append_key(row, names.quantities[static_cast<std::size_t>(entry.quantity)]);
         row += '{';
         for (const std::size_t b : names.columns.bands) {
-            if (b < light.bands) {  // a total that nobody wanted has none
+            if (b < light.bands) {  // a total that was not requested has none
                 append_estimate(row, names.bands[b], light.at(index, entry.quantity, b));
             }
         }

@@ -8,11 +8,11 @@
 
 namespace quasimc {
 
-/// What the writer of an output is made from.
+/// The arguments for making the writer of an output.
 struct OutputInput {
-    const RunFile& run;      ///< the first of a sweep
-    TextSink sink;           ///< of the file
-    std::string path = {};   ///< of the file
+    const RunFile& run;      ///< first point in a sweep
+    TextSink sink;           ///< receives the bytes of the file
+    std::string path = {};   ///< path of the file
     std::string where = {};  ///< where the path was given, for messages: "--csv"
 };
 

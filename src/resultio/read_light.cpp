@@ -16,7 +16,7 @@
 namespace quasimc {
 namespace {
 
-/// Which estimates of a result are read, and where they stand in a Result.
+/// The estimates that are read, and their positions in a Result.
 class LightColumns {
   public:
     explicit LightColumns(const RunFile& run)
@@ -57,7 +57,7 @@ class LightColumns {
         return result;
     }
 
-    /// As Result::values.
+    /// The estimates in the order of Result::values.
     [[nodiscard]] std::vector<Estimate> light(const RowColumns& columns) const {
         std::vector<Estimate> all(organs_ * kQuantities * bands_, kUnknownEstimate);
         std::size_t number = 0;
@@ -103,8 +103,8 @@ const Node* item_at(const Node* list, std::size_t index) {
     return items != nullptr && index < items->size() ? &(*items)[index] : nullptr;
 }
 
-/// What detectors saw, NaN where the result does not say it.
-/// @param rest  of the result
+/// The values of detectors, NaN where they are missing.
+/// @param rest  the result without its rows
 std::vector<DetectorResult> read_detectors(
     const Node& rest, const RowsPosition& position, const RunFile& run) {
     const Node* at = run.sweep ? item_at(rest.find("points"), position.point) : &rest;
@@ -169,7 +169,7 @@ void read_light(
         return result;
     };
     std::optional<std::size_t> point;
-    std::size_t next_time = 0, next_day = 0;  // of the point; two times may be called the same
+    std::size_t next_time = 0, next_day = 0;  // within the point; labels of times may repeat
     const auto take = [&](PlacedRows rows) {
         const RowsPosition& position = rows.position;
         if (point != position.point) {

@@ -70,7 +70,7 @@ fs::path input_folder(
     return all_there ? beside : fs::path(text_in(head, "directory"));
 }
 
-/// Reads inputs, and refuses those that are no longer what they were.
+/// Reads inputs, and refuses those that have changed since.
 InputFiles::Reader checking_reader(
     const std::vector<InputFile>& inputs,
     const fs::path& folder,
@@ -96,7 +96,7 @@ bool names_a_file(const Member& key) {
         keys.begin(), keys.end(), [&](const OutputKey& output) { return output.name == key.key; });
 }
 
-/// Leaves out where the run wrote to; what it wrote of its numbers stays.
+/// Removes the paths of outputs; the choice of quantities and bands stays.
 void forget_outputs(Node::Table& members) {
     for (Member& member : members) {
         auto* output = std::get_if<Node::Table>(&member.node.value);

@@ -11,7 +11,7 @@ namespace quasimc {
 
 /// read_result_sweep() from text.
 /// @param name    for messages
-/// @param folder  that of the result
+/// @param folder  folder of the result
 [[nodiscard]] StoredSweep read_result_text(
     const std::string& text,
     const std::string& name,
@@ -19,7 +19,7 @@ namespace quasimc {
     const FileAccess& access = {},
     const std::vector<Override>& overrides = {});
 
-/// read_result_sweep() of files that are reached otherwise.
+/// read_result_sweep() with another way to reach files.
 [[nodiscard]] StoredSweep read_result_sweep(
     const std::string& path, const std::vector<Override>& overrides, const FileAccess& access);
 

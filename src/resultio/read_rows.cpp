@@ -104,7 +104,7 @@ class RowsBuilder : public JsonNodeBuilder {
         return list == "groups" && query_.rest == RowsQuery::Rest::all ? Entry::build : Entry::skip;
     }
 
-    /// The keys that lead to the value that begins; "" stands for an item of a list.
+    /// The keys that lead to the value that begins; "" denotes an item of a list.
     [[nodiscard]] std::vector<std::string_view> steps_to_next() const {
         std::vector<std::string_view> steps;
         for (std::size_t i = 0; i < open().size(); ++i) {
@@ -124,7 +124,7 @@ class RowsBuilder : public JsonNodeBuilder {
         return level + 1 == open().size() ? size : size - 1;
     }
 
-    /// @returns whether nothing is built of what begins
+    /// @returns whether the value that begins is skipped
     bool enters() {
         if (depth_ == 0) {
             const Entry next = entry();
@@ -183,9 +183,9 @@ class RowsBuilder : public JsonNodeBuilder {
 
     const RowsQuery& query_;
     const std::function<void(PlacedRows)>& take_;
-    std::map<std::string, std::vector<std::size_t>> columns_;  // by the names that lead to them
-    std::size_t depth_ = 0;                                    // of what is not built; 0: it is
-    bool takes_ = false;                                       // rows of what is not built
+    std::map<std::string, std::vector<std::size_t>> columns_;  // by their path of keys
+    std::size_t depth_ = 0;  // nesting in the skipped value; 0: none is skipped
+    bool takes_ = false;     // whether the skipped value has requested rows
     RowsPosition position_;
     RowColumns rows_;
     std::size_t row_ = 0;

@@ -14,29 +14,29 @@ namespace quasimc {
 
 /// The position of a list of organs or groups in a JSON result.
 struct RowsPosition {
-    std::size_t point = 0;   ///< of a sweep
+    std::size_t point = 0;   ///< point of a sweep
     std::string part = {};   ///< "time_steps", "days" or "total"; empty without [time]
-    std::size_t index = 0;   ///< of the moment or the day
-    std::string label = {};  ///< its time or date, which stands before the list
+    std::size_t index = 0;   ///< index of the time step or the day
+    std::string label = {};  ///< its time or date, which precedes the list
 };
 
-/// Which numbers of a JSON result are wanted.
+/// The numbers of a JSON result to read.
 struct RowsQuery {
     std::string list = "organs";  ///< or "groups"
-    /// What leads to each kind of estimates: a quantity and a band, "ratios" and a ratio,
+    /// Path of keys to each kind of estimate: a quantity and a band, "ratios" and a ratio,
     /// "sunlit_fraction".
     std::vector<std::vector<std::string>> columns = {};
     std::optional<std::string> part = {};   ///< RowsPosition::part; any by default
     std::string label = {};                 ///< how RowsPosition::label begins
     std::optional<std::size_t> point = {};  ///< any by default
 
-    /// What is kept beside the lists: the members of the outermost object but for points, times and
-    /// sums; or the names of times alone; or everything but organs.
+    /// The part of the result that is kept beside the lists: the members of the outermost object
+    /// but for points, times and sums; or the names of times alone; or everything but organs.
     enum class Rest { head, labels, all } rest = Rest::labels;
 };
 
-/// The estimates of each kind, one for each organ or group; NaN what the result does not know.
-/// Those of a kind may be fewer than there are rows: the last ones have none.
+/// The estimates of each kind, one for each organ or group; NaN where the result has none.
+/// A kind may have fewer estimates than there are rows: the last rows have none.
 using RowColumns = std::vector<std::vector<Estimate>>;
 
 struct PlacedRows {
@@ -45,9 +45,9 @@ struct PlacedRows {
 };
 
 /// Goes once through the text of a JSON result.
-/// @param take  is told of each list that is wanted and has rows, in the order of the file
+/// @param take  called with each requested list that has rows, in the order of the file
 /// @param path  for messages
-/// @returns  the rest, as the query wants it
+/// @returns  the part chosen by RowsQuery::rest
 /// @throws InputError  if it is not JSON
 Node read_rows(
     std::string_view text,
@@ -55,11 +55,11 @@ Node read_rows(
     const RowsQuery& query,
     const std::function<void(PlacedRows)>& take);
 
-/// The same, all at once.
+/// All requested lists of a JSON result.
 [[nodiscard]] std::vector<PlacedRows> read_rows(
     std::string_view text, const std::string& path, const RowsQuery& query);
 
-/// The rest of a result, all of it; of a sweep as if the point were alone.
+/// A result without its rows; for a point of a sweep, as if it were the only one.
 /// @throws InputError  if it is no object, or lacks the point
 [[nodiscard]] Node only_point(
     Node document, std::optional<std::size_t> point, const std::string& path);

@@ -18,8 +18,7 @@ std::string_view object_of(std::string_view line) {
     return line.substr(0, line.rfind('}') + 1);
 }
 
-/// Whether both have a value somewhere, and these differ. What one of them leaves out was not asked
-/// for.
+/// Whether a value that both have differs. Values that one of them lacks were not requested.
 bool differ(const Row& there, const Row& here) {
     if (!there.is_object() || !here.is_object()) {
         return there != here;
@@ -73,7 +72,7 @@ void RowComparison::compare(std::string_view line) {
 std::string RowComparison::difference() {
     for (std::string rest; next_stored(rest);) {
     }
-    // Other times may have been asked for: which row is which can't be told then.
+    // Rows correspond only if the same times were requested.
     if (differing_ == 0 || stored_rows_ != rows_) {
         return "";
     }

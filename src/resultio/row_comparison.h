@@ -11,15 +11,15 @@ namespace quasimc {
 /// is stored, in their order. Neither needs to fit in memory.
 class RowComparison {
   public:
-    /// @param path  of the stored result; one whose rows do not stand on lines of their own
-    /// (another program wrote it anew) has none
+    /// @param path  stored result; if its rows are not one per line (rewritten by another
+    /// program), it has none
     explicit RowComparison(const std::string& path) : stored_(path, std::ios::binary) {}
 
-    /// More of the text of the result that is written.
+    /// Adds text of the result that is being written.
     void add(std::string_view text);
 
-    /// How many rows differ, in words; "" if none, or if they have not as many rows (of other
-    /// times). Numbers that one of them leaves out don't count. To be asked at the end.
+    /// The number of rows that differ, as text; "" if none, or if the numbers of rows differ (other
+    /// times). Values that only one of them has are ignored. To be called at the end.
     [[nodiscard]] std::string difference();
 
   private:

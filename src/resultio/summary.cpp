@@ -20,7 +20,7 @@ namespace quasimc {
 namespace {
 
 std::string line(std::string_view subject, const std::string& text) {
-    return fmt::format("{:<10}{}\n", subject, text);
+    return fmt::format("{:<9} {}\n", subject, text);
 }
 
 std::string scene_line(const Scene& scene) {
@@ -51,7 +51,7 @@ std::string title_lines(const RunFile& run) {
            scene_line(run.scene);
 }
 
-/// What is computed: program, file, scene, lights.
+/// The subject of the run: program, file, scene, lights.
 std::string subject_lines(const RunFile& run) {
     std::string text = title_lines(run);
     for (const std::string& note : run.source_notes) {
@@ -74,7 +74,7 @@ std::string sampling_line(const RunSpec& spec, const Result& result) {
             "{} x {}", counted(result.paths, "path"), counted(result.replicates, "replicate")));
 }
 
-/// How light was followed, and why.
+/// The method, and the reason for its choice.
 std::string method_line(const RunSpec& spec, const Result& result) {
     const bool is_automatic = spec.method == Method::automatic;
     const bool has_reason = is_automatic || result.stop == StopReason::no_light;
@@ -145,7 +145,7 @@ std::string energy_lines(
     return text;
 }
 
-/// Adds what a flux brings in so many seconds.
+/// Adds the energy of a flux over `seconds`.
 void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
     for (Estimate BandBudget::*part :
          {&BandBudget::emitted, &BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground,
@@ -154,7 +154,7 @@ void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
     }
 }
 
-/// "reflectance .08 +- .001, ..."; "" of what can't be told.
+/// "reflectance 0.08 +- 0.001, ..."; unknown fractions are left out.
 std::string describe_fractions(const CanopyFractions& fractions) {
     std::string text;
     for (const FractionEntry& entry : fraction_table()) {
@@ -218,9 +218,8 @@ std::string describe_times(const TimeSeries& series, const SeriesSummary& summar
     if (series.cumulative_sky == CumulativeSky::none) {
         return fmt::format(
             "{} from {} to {}, {}: {} computed, {} at night or scaled from another",
-            counted(series.time_steps.size(), "time step"), first.time, last.time,
-            counted(series.days.size(), "day"), summary.computed,
-            summary.completed - std::min(summary.computed, summary.completed));
+            series.time_steps.size(), first.time, last.time, counted(series.days.size(), "day"),
+            summary.computed, summary.completed - std::min(summary.computed, summary.completed));
     }
     std::size_t times = 0;
     std::size_t suns = 0;
@@ -229,8 +228,8 @@ std::string describe_times(const TimeSeries& series, const SeriesSummary& summar
         suns += notes.suns;
     }
     return fmt::format(
-        "{} from {} to {}, in {} with {}: {} computed", counted(times, "time step"), first.time,
-        last.cumulated->until, counted(series.notes.size(), "cumulative sky", "cumulative skies"),
+        "{} from {} to {}, in {} with {}: {} computed", times, first.time, last.cumulated->until,
+        counted(series.notes.size(), "cumulative sky", "cumulative skies"),
         counted(suns, "sun position"), summary.computed);
 }
 
@@ -258,7 +257,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
         const std::size_t end = words.find(": ");
         text += line(words.substr(0, end), one_line(words.substr(end + 2)));
     }
-    text += line("steps", describe_times(series, summary));
+    text += line("time steps", describe_times(series, summary));
     text += sampling_line(
         run.spec,
         fmt::format(
@@ -387,7 +386,7 @@ std::string Summary::series_quality() const {
     return text + (advice.empty() ? "" : line("advice", advice));
 }
 
-/// What a point of a sweep sets, and how well its light is known.
+/// The values that a point of a sweep sets, and its errors.
 std::string Summary::point_line() const {
     const std::string words = fmt::format(
         "{} of {}: {}", run_->point + 1, run_->sweep->size(),

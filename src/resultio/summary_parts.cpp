@@ -36,11 +36,11 @@ class PartFormat {
         const bool has_error = std::isfinite(part.standard_error) &&
                                part.standard_error > kRounding * std::abs(part.mean);
         return (*this)(part.mean) +
-               (has_error ? fmt::format(" +- {:.2g}", part.standard_error) : std::string());
+               (has_error ? " +- " + two_digits(part.standard_error) : std::string());
     }
 
   private:
-    /// What is exact differs between replicates by rounding alone.
+    /// Relative standard error below which a value is exact: replicates differ by rounding alone.
     static constexpr double kRounding = 1e-13;
 
     double rounding_;

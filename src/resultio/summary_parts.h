@@ -1,6 +1,6 @@
 #pragma once
 
-// What summaries say of energy and errors. Included by the summary only.
+// Texts on energy and errors in summaries. Included by the summary only.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,13 +12,12 @@
 
 namespace quasimc {
 
-/// How well the light that organs absorb is known.
+/// Statistics of the errors of absorbed light.
 struct ErrorStatistics {
-    std::size_t organs = 0;   ///< that are measured, without the ground
-    std::size_t unknown = 0;  ///< organs of which some band has no standard error
-    std::size_t badly_known =
-        0;              ///< of the others: with a relative standard error above kBadlyKnown
-    double median = 0;  ///< relative standard error, over the organs and bands that have one
+    std::size_t organs = 0;       ///< measured organs, without the ground
+    std::size_t unknown = 0;      ///< organs of which some band has no standard error
+    std::size_t badly_known = 0;  ///< other organs with a relative standard error above kBadlyKnown
+    double median = 0;            ///< relative standard error of organs and bands that have one
     double worst = 0;
     std::int64_t worst_id = 0;
 
@@ -34,7 +33,7 @@ inline constexpr double kBadlyKnown = 0.5;
 /// How to get a median error down; empty if it is small, or a target was set.
 [[nodiscard]] std::string advice_on_error(const RunFile& run, double median);
 
-/// Flux or energy in words. What was emitted and the parts where it went add up.
+/// Flux or energy as text. The printed parts add up to the emitted light.
 /// @param unit  of the numbers
 [[nodiscard]] std::string describe_energy(
     const BandBudget& budget, const std::string& unit, bool escaped_by_difference);

@@ -45,7 +45,7 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
     return columns;
 }
 
-/// The comments on the columns that a time has and a day has not.
+/// The comments on the columns of time steps that days lack.
 std::string time_step_columns(const RunFile& run, CsvRows rows) {
     const bool is_of_groups = rows == CsvRows::groups;
     std::string out;
@@ -70,7 +70,7 @@ std::string time_step_columns(const RunFile& run, CsvRows rows) {
     return out;
 }
 
-/// What is sunlit, and ratios.
+/// Appends the sunlit fraction and the ratios.
 /// @param light  a Result or a GroupResults
 template <typename Light>
 void append_traits(
@@ -113,7 +113,7 @@ CsvWriter::CsvWriter(const RunFile& run, TextSink sink, CsvRows rows, CsvTimes t
     }
 }
 
-/// @param result  of the first time; null in a table of days
+/// @param result  first time step; null in a table of days
 void CsvWriter::write_head(const Result* result) {
     const RunFile& run = *run_;
     const bool is_of_organs = rows_ == CsvRows::organs;
@@ -145,8 +145,8 @@ void CsvWriter::write_head(const Result* result) {
     has_head_ = true;
 }
 
-/// @param first   what each row begins with
-/// @param append  adds what follows the organ or the group, whose number it takes
+/// @param first   beginning of each row
+/// @param append  appends the columns after the organ or the group of a given index
 template <typename Append>
 void CsvWriter::write_rows(
     const std::string& first, const std::vector<OrganGroup>& groups, Append append) const {

@@ -20,7 +20,7 @@ class DetectorTable final : public OutputWriter {
   public:
     explicit DetectorTable(const OutputInput& input) : run_(&input.run), sink_(input.sink) {}
 
-    void next_run(const RunFile& run, const SeriesSummary& /*of_the_last*/) override {
+    void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
         run_ = &run;
     }
 
@@ -40,7 +40,7 @@ class DetectorTable final : public OutputWriter {
     }
 
   private:
-    /// @param result  of the first time
+    /// @param result  first time step
     void write_head(const Result& result) {
         const RunFile& run = *run_;
         std::vector<std::string> names = csv_point_names(run);
@@ -67,7 +67,7 @@ class DetectorTable final : public OutputWriter {
         sink_(out + fmt::format("{}\n", fmt::join(names, ",")));
     }
 
-    /// @param first  what each row begins with
+    /// @param first  beginning of each row
     void write_rows(const std::string& first, const DetectorResult& detector) const {
         const std::vector<std::size_t> bands = written_columns(*run_).bands;
         std::string out;

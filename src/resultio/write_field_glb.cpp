@@ -14,10 +14,10 @@
 namespace quasimc {
 namespace {
 
-/// Organs are named by numbers in single precision: more can't be told apart.
+/// Organs are identified by numbers in single precision, which are distinct up to here.
 constexpr std::size_t kMaxGlbOrgans = std::size_t{1} << 24U;
 
-/// A name of an attribute of one's own begins with '_'; custom is capital letters.
+/// The name of an application-specific attribute begins with '_', by custom in capital letters.
 std::string attribute_name(const std::string& name, std::set<std::string>& taken) {
     std::string wish = "_";
     for (const unsigned char c : name) {
@@ -30,7 +30,7 @@ std::string attribute_name(const std::string& name, std::set<std::string>& taken
     return free;
 }
 
-/// The numbers of a colour are of light, not of a screen (IEC 61966-2-1).
+/// The linear value of an sRGB colour (IEC 61966-2-1).
 std::uint16_t linear(std::uint8_t screen) {
     const double c = screen / 255.0;
     const double light = c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -109,7 +109,7 @@ class FieldGlbWriter {
         return named;
     }
 
-    /// A number for each vertex, that of its organ. What is not known is -1: glTF has no NaN.
+    /// The number of its organ for each vertex. Unknown numbers are -1: glTF has no NaN.
     template <typename Value>
     std::size_t add_numbers(const Value& value) {
         std::string bytes;
@@ -139,7 +139,8 @@ class FieldGlbWriter {
         return parts_.add_list(parts_.add_view(kGlbColors), bytes);
     }
 
-    /// What the numbers mean, of the mesh: some programs take none that are nested from nodes.
+    /// The meaning of the numbers, as extras of the mesh: some programs ignore nested ones of
+    /// nodes.
     [[nodiscard]] std::string extras() const {
         Json units = Json::object();
         for (const auto& [name, field] : named_fields()) {

@@ -14,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-/// What precedes the moments of a run with [time].
+/// The members before the time steps of a run with [time].
 Json series_head(const RunFile& run) {
     Json units = Json::object();  // of the sums
     for (const Band& band : run.scene.bands()) {
@@ -25,7 +25,7 @@ Json series_head(const RunFile& run) {
     return {{"time", run.series->words}, {"sum_units", units}};
 }
 
-/// When a moment is, and where its light comes from.
+/// The time of a time step, and its sources.
 Json time_step_head(const TimeStepNotes& notes) {
     Json head = {{"time", notes.time}, {"seconds", notes.seconds}};
     if (notes.cumulated) {
@@ -76,7 +76,7 @@ void write_sum(JsonLines& json, const RunFile& run, const SeriesSum& raw) {
 
 }  // namespace
 
-/// What a JsonWriter writes, and where it stands.
+/// The state of a JsonWriter.
 class JsonWriter::State {
   public:
     State(const RunFile& run, TextSink sink);
@@ -103,8 +103,8 @@ class JsonWriter::State {
     std::unique_ptr<Spool> days_text_;
     std::unique_ptr<JsonLines> days_;
     Sha256 digest_;
-    std::size_t time_steps_ = 0;  // of the point
-    std::size_t points_ = 0;      // of a sweep, that are done
+    std::size_t time_steps_ = 0;  // of the current point
+    std::size_t points_ = 0;      // completed points of a sweep
     bool is_point_open_ = false;
     StopReason stop_ = StopReason::finished;
 };
@@ -176,7 +176,7 @@ void JsonWriter::State::write_light(const Result& result) {
     json_.end(']');
 }
 
-/// The digest is of everything, whatever of it is written.
+/// The digest covers all organs, even those that are not written.
 void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
     const WrittenColumns columns = written_columns(*run_);
     const JsonNames all = json_names(*run_, all_columns(*run_));
@@ -287,12 +287,12 @@ void JsonWriter::on_day(std::size_t day, const SeriesSum& sum) {
     state_->add_day(day, sum);
 }
 
-void JsonWriter::finish(const SeriesSummary& of_the_last) {
-    state_->finish(of_the_last);
+void JsonWriter::finish(const SeriesSummary& series_summary) {
+    state_->finish(series_summary);
 }
 
-void JsonWriter::next_run(const RunFile& run, const SeriesSummary& of_the_last) {
-    state_->next_run(run, of_the_last);
+void JsonWriter::next_run(const RunFile& run, const SeriesSummary& series_summary) {
+    state_->next_run(run, series_summary);
 }
 
 bool JsonWriter::wants(SeriesPart part) const {

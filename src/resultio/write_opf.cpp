@@ -37,7 +37,7 @@ void remove_with_blanks(pugi::xml_node child) {
     parent.remove_child(child);
 }
 
-/// Puts what is new into the nodes of a file.
+/// Adds the numbers to the nodes of a file.
 class OpfWriter : pugi::xml_tree_walker {
   public:
     explicit OpfWriter(const FieldScene& shown) : shown_(shown) {
@@ -102,7 +102,7 @@ class OpfWriter : pugi::xml_tree_walker {
         }
     }
 
-    /// Sets what the head of the file says of the attributes.
+    /// Sets the attributes' entries in the file's header.
     void set_table(pugi::xml_node table) const {
         for (const std::string& name : names_) {
             while (const pugi::xml_node old =
@@ -124,7 +124,7 @@ class OpfWriter : pugi::xml_tree_walker {
     std::set<std::size_t> found_;
 };
 
-/// The library takes elements away by recursion, and no plant is so deep.
+/// The library removes elements recursively; no plant is this deep.
 constexpr int kDeepest = 20'000;
 
 struct DepthWalker : pugi::xml_tree_walker {

@@ -13,11 +13,10 @@ struct OpfMatches {
     std::size_t found = 0, missing = 0;
 };
 
-/// Writes an OPF file anew, with numbers as attributes of the nodes that organs were made of: those
-/// whose id and class are an organ's. Attributes of the same names that were there before are
-/// replaced; numbers that are not known are left out; all else stays, but for how quotes and
-/// entities are written.
-/// @param bytes  of the file
+/// Writes an OPF file anew, with numbers as attributes of the nodes whose id and class are
+/// an organ's. Existing attributes of the same names are replaced, unknown numbers are left out.
+/// Everything else is unchanged, apart from the spelling of quotes and entities.
+/// @param bytes  content of the file
 /// @throws InputError  if it is no XML, or no organ is found in it
 OpfMatches write_opf(std::string_view bytes, const FieldScene& shown, const TextSink& sink);
 

@@ -33,7 +33,7 @@ std::string xml_escaped(std::string_view text) {
     return escaped;
 }
 
-/// The arrays of the file: told of in its XML, and then written behind it in the same order.
+/// The arrays of the file: declared in its XML, and appended to it in the same order.
 class AppendedArrays {
   public:
     /// The element of an array of `bytes` bytes.

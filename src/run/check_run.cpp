@@ -97,11 +97,10 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
         }
         for (const std::string& name : {ratio.substr(0, colon), ratio.substr(colon + 1)}) {
             if (std::find(names.begin(), names.end(), name) == names.end()) {
-                const std::string_view near = nearest_word(name, names);
                 faults.add(
                     {"ratios",
                      fmt::format("'{}' is not a band (bands: {})", name, joined(names, ", ")), "",
-                     near.empty() ? "" : fmt::format("did you mean '{}'?", near)});
+                     near_word_text(name, names)});
             }
         }
     }

@@ -18,10 +18,10 @@ constexpr std::size_t kBinsAtOnce = std::size_t{1} << 18U;
 
 void put_steps(const ExactBins& bins, std::size_t first, std::vector<std::int64_t>& numbers) {
     for (std::size_t i = 0; 3 * i < numbers.size(); ++i) {
-        const ExactBins::Steps steps = bins.steps(first + i);
-        numbers[3 * i] = steps.carries;
-        numbers[3 * i + 1] = steps.low >> kHalf;
-        numbers[3 * i + 2] = steps.low & kLowHalf;
+        const ExactBins::Quanta quanta = bins.quanta(first + i);
+        numbers[3 * i] = quanta.carries;
+        numbers[3 * i + 1] = quanta.low >> kHalf;
+        numbers[3 * i + 2] = quanta.low & kLowHalf;
     }
 }
 
@@ -29,7 +29,7 @@ void take_steps(const std::vector<std::int64_t>& numbers, std::size_t first, Exa
     for (std::size_t i = 0; 3 * i < numbers.size(); ++i) {
         const Wide low = (Wide{numbers[3 * i + 1]} << kHalf) + numbers[3 * i + 2];
         bins.add(
-            first + i, ExactBins::Steps{
+            first + i, ExactBins::Quanta{
                            numbers[3 * i] + static_cast<std::int64_t>(low / ExactBins::kCarry),
                            static_cast<std::int64_t>(low % ExactBins::kCarry)});
     }

@@ -55,7 +55,7 @@ CumulativeStep::Made CumulativeStep::make(const Sources& lamps, std::size_t day)
     made.time_step.name = begin_ + " to " + end_;
     made.time_step.sources = lamps;
     if (!daylight.empty()) {
-        made.time_step.shapes = "cumulative " + made.time_step.name;
+        made.time_step.directional_key = "cumulative " + made.time_step.name;
         std::move(daylight.begin(), daylight.end(), std::back_inserter(made.time_step.sources));
     }
     made.time_step.seconds = seconds_;

@@ -11,15 +11,15 @@
 
 namespace quasimc {
 
-/// Gathers times into one moment: with the mean of their light, and as long as all of them. Its
-/// light times its length is then the sum over the times.
+/// Combines times into one time step (cumulative sky): its light is their mean, its length their
+/// sum, so that light times length is the sum over the times.
 class CumulativeStep {
   public:
     explicit CumulativeStep(std::size_t bands) : bands_(bands), light_(bands) {}
 
     [[nodiscard]] bool empty() const { return times_ == 0; }
-    /// @param seconds  how long the time is, over 0
-    /// @param begin, end  texts of its ends
+    /// @param seconds  length of the time, positive
+    /// @param begin, end  texts of its beginning and end
     void add(
         const HourParts& parts,
         const Daylight& daylight,
@@ -31,18 +31,19 @@ class CumulativeStep {
         TimeStep time_step;
         TimeStepNotes notes;
     };
-    /// The moment of what was added, which must not be nothing. @param lamps  shine all the time
+    /// The time step of the added times, at least one. @param lamps  sources that shine all the
+    /// time
     [[nodiscard]] Made make(const Sources& lamps, std::size_t day) const;
 
   private:
-    /// A sky and what it brings, summed over the times that it looks like this, x s.
+    /// A sky and its irradiance, summed over the times with this shape, x s.
     struct SameSky {
         SkyShape shape;
         std::vector<double> horizontal;
     };
 
     std::size_t bands_;
-    std::map<std::string, SameSky> skies_;  // by the text that tells the shape
+    std::map<std::string, SameSky> skies_;  // by the text that describes the shape
     PeriodLight light_;                     // the suns
     Daylight daylight_;                     // x s
     double seconds_ = 0;

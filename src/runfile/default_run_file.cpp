@@ -29,7 +29,7 @@ csv = "result.csv"
 json = "result.json"
 )";
 
-/// The names of the other outputs.
+/// Names of the other outputs.
 std::string other_outputs() {
     std::string names;
     for (const OutputKey& key : output_keys()) {

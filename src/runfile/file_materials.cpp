@@ -18,7 +18,7 @@ std::set<std::string> used_names(const MeshFile& mesh) {
     return names;
 }
 
-/// The materials that a file defines, by their names; the first of each name.
+/// Materials that a file defines, by name; the first of each name.
 using Definitions = std::map<std::string_view, const MeshMaterial*>;
 
 Definitions definitions_of(const MeshFile& mesh) {
@@ -31,15 +31,15 @@ Definitions definitions_of(const MeshFile& mesh) {
     return definitions;
 }
 
-/// The material of that name, or null.
+/// The material with a name, or null.
 const MeshMaterial* definition_of(const std::string& name, const Definitions& definitions) {
     const auto found = definitions.find(name);
     return found == definitions.end() ? nullptr : found->second;
 }
 
-/// What a file gives for a material that the run file does not.
+/// Describes the optics of a material in its file, which the run file does not define.
 std::string describe_optics(const MeshMaterial& material) {
-    if (!material.is_stated) {
+    if (!material.has_optics) {
         return "its library has no colour, and black is used";
     }
     return fmt::format(
@@ -60,7 +60,7 @@ MaterialSpec spec_of(std::string name, const MeshMaterial& material, std::size_t
     return {std::move(name), sides, sides};
 }
 
-/// The first few of many, and how many more.
+/// The first few of many, and the number of the others.
 std::string listed(const std::vector<std::string>& words, std::string_view separator) {
     constexpr std::size_t kShown = 3;
     const auto end = words.begin() + static_cast<std::ptrdiff_t>(std::min(words.size(), kShown));
@@ -73,14 +73,16 @@ std::string listed(const std::vector<std::string>& words, std::string_view separ
 
 }  // namespace
 
-/// A file whose materials are looked for, and what is to be said of them.
+/// The materials of a file, and the data for warnings about them.
 struct FileMaterials::Search {
     const GeometryFile& file;
     TableReader& table;
     SceneBuilder& builder;
     Definitions by_name;
-    std::vector<std::string> known, unknown;  ///< to the run file, where `material` is for the rest
-    std::vector<std::string> defined;  ///< names of those that the file defines, and their optics
+    /// Names known and unknown to the run file, where `material` is for the others.
+    std::vector<std::string> known, unknown;
+    /// Names of materials that the file defines, and their optics.
+    std::vector<std::string> defined;
     std::vector<std::string> definitions;
     std::size_t renamed = 0;
 
@@ -116,7 +118,7 @@ void FileMaterials::Search::warn_of_definitions() {
         listed(words, "; "), clash));
 }
 
-/// Keys of `materials` that the file does not use.
+/// Warns of keys of `materials` that the file does not use.
 void FileMaterials::Search::warn_of_unmatched_keys() {
     const std::set<std::string> used = used_names(file.mesh);
     const auto is_used = [&](const std::string& name) {
@@ -131,7 +133,7 @@ void FileMaterials::Search::warn_of_unmatched_keys() {
     }
 }
 
-/// Where the run file knows none of the file's materials, `material` is for all of them.
+/// Warns of materials that are unknown to the run file; if all are, `material` is meant for all.
 void FileMaterials::Search::warn_of_unknown() {
     if (known.empty() || unknown.empty()) {
         return;
@@ -170,7 +172,7 @@ void FileMaterials::note(const GeometryFile& file) {
     const Definitions definitions = definitions_of(file.mesh);
     for (const std::string& name : used_names(file.mesh)) {
         const MeshMaterial* material = definition_of(name, definitions);
-        // What the run file gives for this file alone changes no name of others.
+        // Materials of the run file for this file alone do not affect names of others.
         const std::optional<std::string> given = from_run_file(file, name);
         const bool is_of_all = given && *given != file.name + " " + name;
         if (material != nullptr && !file.keys.material && !is_of_all) {
@@ -231,7 +233,7 @@ std::string FileMaterials::missing(Search& search, const std::string& name) cons
             fmt::format(
                 "add a [[material]] of that name, or materials = {{ \"{}\" = \"...\" }}", name));
     }
-    // Any other one, so that no fault says besides that "" does not exist.
+    // Any other one, to avoid a further fault that "" does not exist.
     return context_.materials.empty() ? "" : *context_.materials.begin();
 }
 

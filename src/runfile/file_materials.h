@@ -11,13 +11,13 @@
 
 namespace quasimc {
 
-/// What a [[geometry]] table says of materials.
+/// The keys of a [[geometry]] table for materials.
 struct MaterialKeys {
-    std::optional<std::string> material;              ///< for what is not known otherwise
-    std::map<std::string, std::string> by_file_name;  ///< of the run, by the file's
+    std::optional<std::string> material;              ///< for materials that are unknown otherwise
+    std::map<std::string, std::string> by_file_name;  ///< names in the run, by names in the file
 };
 
-/// The run's names of a file's materials, by the file's.
+/// Names of materials in the run, by names in the file.
 using FoundMaterials = std::map<std::string, std::string>;
 
 /// A file that a [[geometry]] table names.
@@ -27,21 +27,20 @@ struct GeometryFile {
     MaterialKeys keys;
 };
 
-/// Finds the materials of a run for those of its files. The run file overrides what files say of
-/// theirs; what it does not give belongs to the file that defines it. Where files define different
-/// materials of one name, the name of its file stands before each.
+/// Maps materials of geometry files to materials of the run. The run file overrides the definitions
+/// in files; a material without one in the run file belongs to its file. If files define different
+/// materials with one name, each is prefixed with the name of its file.
 class FileMaterials {
   public:
     explicit FileMaterials(const RunFileContext& context) : context_(context) {}
 
-    /// Notes what a file defines and uses. All files are noted before materials are found, so that
-    /// their order does not matter.
+    /// Records the materials that a file defines and uses. All files are recorded before find(), so
+    /// that their order does not matter.
     void note(const GeometryFile& file);
-    /// The materials of a file; adds to the builder those that the file defines. Faults where there
-    /// is none.
+    /// The materials of a file; adds those that it defines to the builder. Reports missing ones.
     FoundMaterials find(const GeometryFile& file, TableReader& table, SceneBuilder& builder);
-    /// Warns of materials of the run file that seem to be meant for one of a file, and are for
-    /// none.
+    /// Warns of materials of the run file that no file uses although their names resemble one in a
+    /// file.
     void warn_of_unmatched(Reporter& reporter) const;
 
   private:
@@ -56,9 +55,9 @@ class FileMaterials {
     std::string missing(Search& search, const std::string& name) const;
 
     const RunFileContext& context_;
-    std::map<std::string, std::set<Optics>> defined_;  ///< by the names in the files
-    std::map<std::string, Optics> added_;              ///< to the builder, by name
-    std::set<std::string> matched_;                    ///< materials of the run file
+    std::map<std::string, std::set<Optics>> defined_;  ///< by name in the files
+    std::map<std::string, Optics> added_;              ///< materials in the builder, by name
+    std::set<std::string> matched_;  ///< names of matched materials of the run file
 };
 
 }  // namespace quasimc

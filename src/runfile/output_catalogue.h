@@ -15,32 +15,32 @@ namespace quasimc {
 class OutputWriter;  // quasimc/result_file.h
 struct OutputInput;  // resultio/output_input.h
 
-/// What a run file must have for an output; nothing by default.
+/// A table that a run file must have for an output; none by default.
 struct OutputNeed {
     std::string_view table = {};   ///< the key of a table: "time"
-    std::string_view shown = {};   ///< the same for messages: "[time]"
-    std::string_view reason = {};  ///< why it must be there
+    std::string_view shown = {};   ///< the key in messages: "[time]"
+    std::string_view reason = {};  ///< why it is needed
 };
 inline constexpr OutputNeed kNeedsTimes{"time", "[time]", "daily sums need [time]"};
 inline constexpr OutputNeed kNeedsDetectors{
     "detector", "[[detector]]", "there is nothing to be written without"};
 
-/// An output as users see it.
+/// Key and description of an output for users.
 struct OutputKey {
-    std::string_view name;     ///< the key of [output]; its flag is called so too, with hyphens
+    std::string_view name;     ///< the key of [output]; the flag is the same with hyphens
     std::string_view summary;  ///< one line for the manual
     OutputNeed need = {};
 };
 
-/// Makes the writer of an output. The modules that write stand above this one: a program that reads
-/// run files alone links none of them.
+/// Function that makes the writer of an output. Programs that only read run files need not link the
+/// writers, which are in higher modules.
 using MakeOutput = std::unique_ptr<OutputWriter>(const OutputInput& input);
 MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_detectors,
     make_picture, make_vtp, make_ply, make_glb, make_netcdf, make_json;
 // (tools/new.py declares an output above this line)
 
-/// Calls take(key, make) for each output, in the order in which files get their names: the result
-/// that has everything is the last. `make` may be stored as a MakeOutput*.
+/// Calls take(key, make) for each output, in the order in which files get their names: the complete
+/// result is the last. `make` may be stored as a MakeOutput*.
 template <typename Take>
 void for_each_output(Take take) {
     take(
@@ -59,7 +59,7 @@ void for_each_output(Take take) {
         OutputKey{"detectors", "write the table of detectors", kNeedsDetectors},
         [](const auto& input) { return make_detectors(input); });
     take(
-        OutputKey{"picture", "draw absorbed light, PNG or SVG (`quasimc show` draws more)"},
+        OutputKey{"picture", "draw absorbed light, PNG (`quasimc show` draws more)"},
         [](const auto& input) { return make_picture(input); });
     take(OutputKey{"vtp", "write scene and results for ParaView"}, [](const auto& input) {
         return make_vtp(input);
@@ -79,7 +79,7 @@ void for_each_output(Take take) {
     });
 }
 
-/// The rows without their makers.
+/// The keys of all outputs.
 [[nodiscard]] std::vector<OutputKey> output_keys();
 
 }  // namespace quasimc

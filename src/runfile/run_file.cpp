@@ -55,7 +55,7 @@ std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Report
                                            : std::move(builder).build();
     } catch (const InputError& error) {
         for (Fault fault : error.faults()) {
-            // What has no line of a file is of the run file.
+            // Faults without a line belong to the run file.
             const bool has_line = fault.where.find(':') != std::string::npos;
             fault.where = has_line ? fault.where : reporter.file + ": " + fault.where;
             reporter.faults.add(std::move(fault));
@@ -64,9 +64,8 @@ std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Report
     }
 }
 
-/// Adds an organ in place of those that could not be read, so that nobody is told that there are
-/// none.
-void add_stand_in(SceneBuilder& builder, const RunFileContext& context) {
+/// Adds a substitute for unreadable organs, to avoid a further fault that there are none.
+void add_substitute(SceneBuilder& builder, const RunFileContext& context) {
     std::string material = "stand-in";
     if (context.materials.empty()) {
         const std::vector<SideOptics> black(context.bands.size());
@@ -75,18 +74,18 @@ void add_stand_in(SceneBuilder& builder, const RunFileContext& context) {
         material = *context.materials.begin();
     }
     OrganSpec organ;
-    organ.parts.push_back({std::move(material), std::vector<Triangle>(1, kStandIn)});
+    organ.parts.push_back({std::move(material), std::vector<Triangle>(1, kSubstitute)});
     builder.add_organ(std::move(organ));
 }
 
-/// Keys that another reader reads.
+/// Marks keys as read that another reader reads.
 void pass_over(TableReader& top, std::initializer_list<std::string_view> keys) {
     for (const std::string_view key : keys) {
         static_cast<void>(top.any(key));
     }
 }
 
-/// What the sections of a run file give together.
+/// The content of all sections of a run file.
 struct Sections {
     std::string title;
     std::optional<Scene> scene;
@@ -94,7 +93,7 @@ struct Sections {
     std::optional<TimeSeries> series;
     RunOptions options;
     OutputSpec output;
-    bool is_on_base = false;  ///< whether its geometry is that of the base
+    bool is_on_base = false;  ///< whether it shares the geometry of the base
     UnitOrigin unit_origin = UnitOrigin::assumed;
 };
 
@@ -105,7 +104,7 @@ void read_geometry_sections(TableReader& top, RunFileContext& context, SceneBuil
     read_cell(top, context, builder);
 }
 
-/// What all sections ask for.
+/// Reads the keys that all sections need.
 RunFileContext read_context(TableReader& top, InputFiles& files) {
     read_format_version(top);
     return {
@@ -151,18 +150,19 @@ Sections read_sections(
         read_geometry_sections(top, context, builder);
     }
     read_detectors(top, builder);
-    sections.output = read_output(top, files, context.bands);  // when all is known that is read
+    sections.output =
+        read_output(top, files, context.bands);  // after all sections that it refers to
     refuse_options_at_the_top(top);
     top.finish();
     if (!top.reporter().faults.empty()) {
-        add_stand_in(builder, context);
+        add_substitute(builder, context);
     }
     sections.is_on_base = known.same != nullptr;
     sections.scene = build(std::move(builder), known, top.reporter());
     return sections;
 }
 
-/// A day's sum needs times with lengths.
+/// Checks that times have lengths, which a day's sum needs.
 void check_path_allocation(const Sections& sections, Faults& faults) {
     if (sections.options.spec.path_allocation == PathAllocation::equal) {
         return;
@@ -191,19 +191,19 @@ void check_hours(const Sections& sections, Faults& faults) {
     }
 }
 
-/// Nights need no source; everything else is checked with a substitute.
-void check_in_darkness(const Scene& scene, const RunSpec& spec, Faults& faults) {
+/// Checks a run without light, with a substitute for its sources.
+void check_without_light(const Scene& scene, const RunSpec& spec, Faults& faults) {
     const std::vector<double> one(scene.bands().size(), 1.0);
     check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
 }
 
-/// Checks the run with its sources, or those of a moment of its series that has light, if any.
+/// Checks the run with its sources, or those of a time step with light, if any.
 void check_with_sources(
     const Sections& sections, const Scene& scene, Faults& faults, NoLightPolicy no_light_policy) {
     const RunSpec& spec = sections.options.spec;
     if (!sections.series && no_light_policy == NoLightPolicy::allowed &&
         is_dark(sections.sources.sources)) {
-        check_in_darkness(scene, spec, faults);
+        check_without_light(scene, spec, faults);
         return;
     }
     if (!sections.series) {
@@ -214,23 +214,23 @@ void check_with_sources(
     const auto lit =
         std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor > 0; });
     if (lit == plans.end()) {
-        check_in_darkness(scene, spec, faults);
+        check_without_light(scene, spec, faults);
         return;
     }
     const auto time_step = static_cast<std::size_t>(lit - plans.begin());
     check_run(scene, sections.series->time_steps[time_step].sources, spec, faults);
 }
 
-/// A sweep is several scenes, or several lights.
+/// Refuses [sweep], which has several scenes or lights.
 void refuse_sweep(TableReader& top) {
     if (const Node* sweep = top.any("sweep")) {
         top.fault_at(
-            *sweep, "[sweep] states several runs", "a scene to work with is one",
+            *sweep, "[sweep] describes several runs", "a scene is one run",
             "run the file with the program, `quasimc run`, or take [sweep] out");
     }
 }
 
-/// The part of a document that makes the scene.
+/// Reads the part of a document that defines the scene.
 SceneBuilder read_builder(
     const Node& document, InputFiles& files, const AddOrgans& add_organs, Reporter& reporter) {
     TableReader top(document, "", reporter);
@@ -250,12 +250,12 @@ SceneBuilder read_builder(
     refuse_options_at_the_top(top);
     top.finish();
     if (!reporter.faults.empty()) {
-        add_stand_in(builder, context);
+        add_substitute(builder, context);
     }
     return builder;
 }
 
-/// The line of a location "file:line"; other locations come after all lines.
+/// The line of a location "file:line"; other locations sort after all lines.
 std::uint64_t line_of(const std::string& where, const std::string& file) {
     constexpr std::uint64_t kNowhere = std::numeric_limits<std::uint64_t>::max();
     if (!where.starts_with(file + ":")) {
@@ -266,7 +266,7 @@ std::uint64_t line_of(const std::string& where, const std::string& file) {
     return line ? static_cast<std::uint64_t>(*line) : kNowhere;
 }
 
-/// Throws what was found, in the order of the file's lines.
+/// Throws the faults in the order of the file's lines.
 void throw_in_order(const Reporter& reporter) {
     if (reporter.faults.empty()) {
         return;
@@ -276,7 +276,7 @@ void throw_in_order(const Reporter& reporter) {
     throw InputError(std::move(faults));
 }
 
-/// What silently spoils results. What is of the geometry alone was reported with the base.
+/// Warnings of lint(). Those of the geometry alone were reported with the base.
 std::vector<Warning> lint_of(const Sections& sections) {
     const Scene& scene = *sections.scene;
     std::vector<Warning> found =
@@ -290,7 +290,7 @@ std::vector<Warning> lint_of(const Sections& sections) {
     return found;
 }
 
-/// Parses a run file. A file of another kind, geometry perhaps, is reported as such.
+/// Parses a run file. Reports files of another kind, such as geometry.
 Node read_file_of_run(const std::string& text, const std::string& name) {
     const std::string extension = std::filesystem::path(name).extension().string();
     try {

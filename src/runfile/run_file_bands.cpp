@@ -64,7 +64,7 @@ Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
     return band;
 }
 
-/// What would break a column's name or a ratio "A:B". (The scene checks the rest.)
+/// Reports band names that are invalid in columns or in a ratio "A:B". (The scene checks the rest.)
 void check_band_names(TableReader& top, const std::vector<Band>& bands, const Node& node) {
     for (const Band& band : bands) {
         if (band.name.find_first_of(":,\"\n\r#") != std::string::npos) {
@@ -75,7 +75,7 @@ void check_band_names(TableReader& top, const std::vector<Band>& bands, const No
     }
 }
 
-/// More than lamps and lenses bring, in that unit; of other units nothing is known.
+/// Largest plausible irradiance in a unit; no bound for unknown units.
 double brightest_of(const std::string& unit) {
     constexpr double kBrightest = 1e5;
     constexpr double kBrightestLux = 1e7;

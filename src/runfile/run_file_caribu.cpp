@@ -8,7 +8,7 @@
 namespace quasimc {
 namespace {
 
-/// Gives the bytes of a file to a reader, with faults of its own; nothing after a fault.
+/// Passes the bytes of a file to a reader; empty after a fault.
 template <typename Read>
 auto read_caribu(
     TableReader& table, const std::string& file, const RunFileContext& context, const Read& read)
@@ -25,7 +25,7 @@ auto read_caribu(
     }
 }
 
-/// The optics of each band; nothing after a fault.
+/// The optics of each band; empty after a fault.
 std::optional<std::vector<CaribuOptics>> read_optics_of_bands(
     TableReader& table, const RunFileContext& context) {
     std::vector<CaribuOptics> bands;

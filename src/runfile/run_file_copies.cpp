@@ -13,8 +13,8 @@ namespace {
 constexpr std::string_view kKey = "at";
 constexpr std::size_t kFewest = 3, kMost = 5;
 
-/// [x, y, z], [x, y, z, heading_deg] or [x, y, z, heading_deg, scale]; the numbers left out are 0
-/// and 1. Nothing after a fault.
+/// [x, y, z], [x, y, z, heading_deg] or [x, y, z, heading_deg, scale]; the defaults are 0 and 1.
+/// Empty after a fault.
 std::optional<std::array<double, kMost>> read_numbers(TableReader& table, const Node& node) {
     const auto* list = node.as<Node::List>();
     if (list == nullptr || list->size() < kFewest || list->size() > kMost) {
@@ -39,7 +39,8 @@ std::optional<std::array<double, kMost>> read_numbers(TableReader& table, const 
     return numbers;
 }
 
-/// Scaled, turned clockwise as seen from above, and moved; the file's axes.
+/// The transform of a copy: scaling, clockwise rotation seen from above, and shift; the file's
+/// axes.
 Affine copy_at(const std::array<double, kMost>& numbers, const Orientation& orientation) {
     const auto& [x, y, z, heading_deg, scale] = numbers;
     const double angle = heading_deg * std::numbers::pi / 180;

@@ -13,7 +13,7 @@
 namespace quasimc {
 namespace {
 
-/// What an irradiance of this unit counts; nothing for units that daylight has not.
+/// Whether an irradiance of a unit counts energy or photons; empty for units without daylight.
 std::optional<SpectralSpan::Count> count_of(std::string_view unit) {
     if (unit == "W m-2") {
         return SpectralSpan::Count::energy;
@@ -38,7 +38,7 @@ struct DaylightColumns {
     Spectrum direct, diffuse;
 };
 
-/// The share of a span's light that lies outside the wavelengths of the rows.
+/// Fraction of a span's light outside the wavelengths of the rows.
 double share_outside(
     const Spectrum& light, const SpectralSpan& span, const std::vector<double>& nm) {
     SpectralSpan inside = span;
@@ -88,7 +88,7 @@ std::optional<DaylightSpectra> read_spectra(
         const Spectrum diffuse(nm, diffuse_values);
         const SpectralSpan all = span_of(LightUnit::full_spectrum);
         if (direct.within(all) > 0 && diffuse.within(all) > 0) {
-            // Under clouds the sky's light has the spectrum of the global light.
+            // Under clouds skylight has the spectrum of global light.
             const DaylightColumns whole{
                 continued(direct, reference_direct()), continued(diffuse, reference_global())};
             warn_of_short_rows(nm, whole, bands, own);
@@ -103,7 +103,7 @@ std::optional<DaylightSpectra> read_spectra(
     return spectra;
 }
 
-/// Bands that daylight has nothing in are seldom meant.
+/// Warns of bands without daylight.
 void warn_of_dark_bands(TimeContext& context, const DaylightSources& how) {
     constexpr Daylight kOne{0.5, 0.5};
     for (std::size_t b = 0; b < how.bands.size() && b < context.run->bands.size(); ++b) {

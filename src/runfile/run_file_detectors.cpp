@@ -32,7 +32,7 @@ void read_detector(const Node& node, Reporter& reporter, SceneBuilder& builder) 
     const std::string name = table.text("name").value_or(type.value_or("detector"));
     table.rename(fmt::format("detector '{}'", name));
     if (!type) {
-        return;  // which keys are meant can't be told
+        return;  // the type of the keys is unknown
     }
     DetectorSpec detector{.type = *type, .name = name, .parameters = {}, .where = table.where()};
     for (const DetectorParameter& parameter : find_detector(*type)->parameters) {

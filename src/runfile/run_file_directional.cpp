@@ -5,10 +5,10 @@
 namespace quasimc {
 namespace {
 
-/// The unit vector in which light travels, z up; nothing after a fault.
+/// The unit vector of travel, z up; empty after a fault.
 std::optional<Vec3> read_travel(TableReader& table, const RunFileContext& context) {
     const bool has_direction = table.any("direction") != nullptr;
-    // Each is looked at, or a fault below would leave the other a key that nobody knows.
+    // Both keys are read, so that a fault below does not make the other an unknown key.
     const bool has_azimuth = table.any("azimuth_deg") != nullptr;
     const bool has_elevation = table.any("elevation_deg") != nullptr;
     const bool has_angles = has_azimuth || has_elevation;

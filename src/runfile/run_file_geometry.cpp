@@ -17,13 +17,14 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kOrganWords{"each", "groups", "one"};
 
-/// What a [[geometry]] table states of the organs of its file.
+/// The keys of a [[geometry]] table for the organs of its file.
 struct GeometryKeys {
     std::string file, name, organs;
     Labels labels;
     std::optional<std::int64_t> first_id;
     std::optional<Affine> transform;
-    std::vector<Affine> copies;  ///< where copies stand, after `transform`; none: once, as it is
+    /// Transforms of copies, after `transform`; empty: one copy without a transform.
+    std::vector<Affine> copies;
 };
 
 std::map<std::string, std::string> read_material_map(TableReader& table) {
@@ -84,8 +85,7 @@ class OrganAdder {
     }
 
   private:
-    /// One group with one part for each material: few large meshes are better to copy than many
-    /// small ones.
+    /// Merges groups into one with one part per material, as few large meshes are faster to copy.
     static MeshGroup merged(std::vector<MeshGroup> groups) {
         MeshGroup all;
         for (MeshGroup& group : groups) {
@@ -133,7 +133,7 @@ class OrganAdder {
         }
     }
 
-    /// @param make_part  makes the part of that number, counted through all groups
+    /// @param make_part  makes a part by its index over all groups
     template <typename MakePart>
     void add_organs(const std::vector<MeshGroup>& groups, const MakePart& make_part) {
         std::size_t number = 0;
@@ -163,7 +163,7 @@ class OrganAdder {
         }
     }
 
-    /// The stated name, the number of the copy if there are several, and the name in the file.
+    /// The given name, the number of the copy if there are several, and the name in the file.
     [[nodiscard]] std::string name_of(const std::string& group) const {
         std::string name = keys_.name;
         if (!keys_.copies.empty()) {
@@ -172,8 +172,8 @@ class OrganAdder {
         return name + (name.empty() || group.empty() ? "" : " ") + group;
     }
 
-    /// An organ without parts; its id is the file's, unless the run file numbers them or there are
-    /// copies.
+    /// An organ without parts, with the id in the file, unless the run file numbers organs or there
+    /// are copies.
     [[nodiscard]] OrganSpec make_organ(std::optional<std::int64_t> id, std::string name) const {
         OrganSpec organ;
         organ.id = keys_.first_id         ? std::optional(*keys_.first_id + count_ - 1)
@@ -184,7 +184,7 @@ class OrganAdder {
         return organ;
     }
 
-    /// The labels of the file, but for those that the run file states.
+    /// Adds the labels of the file, except those that the run file gives.
     void add_labels(const Labels& labels, OrganSpec& organ) const {
         for (const auto& label : labels) {
             const auto is_same = [&](const auto& given) { return given.first == label.first; };
@@ -213,7 +213,7 @@ struct Geometry {
     GeometryFile file;
 };
 
-/// Warns of a scale that is right only if plants are in the unit of their positions.
+/// Warns of a scale that is correct only if plants are in the unit of their positions.
 void warn_of_second_scale(const Affine& transform, const NamedMesh& named, TableReader& table) {
     constexpr double kRounding = 1e-6;
     const bool is_scaled = std::abs(std::abs(determinant(transform)) - 1) > kRounding;
@@ -225,7 +225,7 @@ void warn_of_second_scale(const Affine& transform, const NamedMesh& named, Table
     }
 }
 
-/// Nothing after a fault.
+/// Reads one table; empty after a fault.
 std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     constexpr Range kFirstId{-1e15, 1e15};
     TableReader table(node, "geometry", *context.reporter);

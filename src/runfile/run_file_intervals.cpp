@@ -12,14 +12,14 @@ namespace quasimc {
 namespace {
 
 constexpr std::size_t kMaxTimeSteps = 1000000;
-/// Times are computed to 0.1 ms.
+/// Tolerance of computed times, which are accurate to 0.1 ms.
 constexpr double kSlack = 1e-3;
 
 double seconds_from(const CivilTime& a, const CivilTime& b) {
     return kSecondsADay * (julian_day(b) - julian_day(a));
 }
 
-/// A date of [time], at midnight; nothing after a fault.
+/// A date of [time], at midnight; empty after a fault.
 std::optional<CivilTime> read_date(TimeContext& context, std::string_view key) {
     const std::optional<std::string> text = context.table->time_text(key);
     if (!text) {
@@ -37,7 +37,7 @@ std::optional<CivilTime> read_date(TimeContext& context, std::string_view key) {
     return time;
 }
 
-/// hours = [from, to], of each day.
+/// Reads hours = [from, to] of each day.
 void read_hours(TableReader& table, TimeSpan& span) {
     const Node* node = table.any("hours");
     const auto hours = node ? table.interval_at("hours", *node, {0, 24}) : std::nullopt;
@@ -45,7 +45,7 @@ void read_hours(TableReader& table, TimeSpan& span) {
     span.to_hour = hours ? hours->high : 24;
 }
 
-/// The amounts of light of each of `times`; lists, or numbers for all.
+/// The amounts of light of `times`: lists, or numbers for all.
 std::optional<std::vector<Reading>> read_amounts(TableReader& table, std::size_t count) {
     std::vector<Reading> readings(count);
     bool any = false;
@@ -70,7 +70,7 @@ std::optional<std::vector<Reading>> read_amounts(TableReader& table, std::size_t
     return any ? std::optional(readings) : std::nullopt;
 }
 
-/// What falls into two intervals is summed twice. @param intervals  sorted
+/// Warns of overlapping intervals, whose light counts twice. @param intervals  sorted
 void warn_of_overlaps(const std::vector<Interval>& intervals, TableReader& table) {
     std::size_t overlaps = 0;
     std::string first;
@@ -124,7 +124,7 @@ std::vector<Interval> read_times(TimeContext& context) {
     return intervals;
 }
 
-/// Steps of a span, day by day.
+/// The steps of a span, day by day.
 std::vector<Interval> steps_of(TimeContext& context, const TimeSpan& span, double step) {
     TableReader& table = *context.table;
     std::vector<Interval> intervals;
@@ -152,7 +152,7 @@ TimeSpan::Part TimeSpan::part_of(const CivilTime& start, double seconds) const {
     if (seconds_from(first, middle) < 0 || seconds_from(middle, last) <= 0) {
         return {start, 0};
     }
-    // The day of the middle is whole if no hours are stated.
+    // Without hours, the whole day of the middle.
     CivilTime midnight = middle;
     midnight.hour = midnight.minute = 0;
     midnight.second = 0;
@@ -177,7 +177,7 @@ std::optional<TimeSpan> read_span(TimeContext& context) {
     }
     if (has_day && has_period) {
         table.fault("both day and from, to are given", "", "give one of them");
-        static_cast<void>(table.any("hours"));  // a key that is known all the same
+        static_cast<void>(table.any("hours"));  // marks the key as known
         return std::nullopt;
     }
     TimeSpan span;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr Range kPositive{std::numeric_limits<double>::min(), TableReader::kFinite.high};
 
-/// Keys that state what a lamp emits, and the unit of the irradiance that belongs to each.
+/// Keys for the flux of a lamp, with the corresponding unit of irradiance.
 struct FluxKey {
     std::string_view key, unit, of_band;
 };
@@ -26,7 +26,7 @@ constexpr std::array kFluxKeys{
     FluxKey{"power", "W", "W m-2"}, FluxKey{"photon_flux", "umol s-1", "umol m-2 s-1"},
     FluxKey{"luminous_flux", "lm", "lx"}};
 
-/// Square metres of a square unit of the scene; nothing after a fault.
+/// Square metres per square unit of the scene; empty after a fault.
 std::optional<double> square_metres(TableReader& table, const RunFileContext& context) {
     if (const auto metres = metres_per(context.length_unit)) {
         return *metres * *metres;
@@ -38,8 +38,7 @@ std::optional<double> square_metres(TableReader& table, const RunFileContext& co
     return std::nullopt;
 }
 
-/// Sets where the lamp stands and aims. Without `aim` it aims down, without `along` its x axis is
-/// towards north.
+/// Sets position and direction of a lamp. By default it aims down, with its x axis towards north.
 bool read_pose(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
     const std::optional<Vec3> position = table.required("position", table.vector("position"));
     const auto aim = read_direction(table, "aim", Vec3{0, 0, -1}, context);
@@ -133,7 +132,7 @@ bool read_line(TableReader& table, const RunFileContext& context, LampSpec& lamp
     return true;
 }
 
-/// A photometric file: the opening it states, in the scene's unit, or a point.
+/// Reads a photometric file: a lamp with the file's opening, in the scene's unit, or a point.
 bool read_ies_lamp(TableReader& table, const RunFileContext& context, LampSpec& lamp) {
     constexpr std::array<std::string_view, 2> kOpenings{"file", "point"};
     const std::optional<std::string> path = table.required("file", table.text("file"));
@@ -165,7 +164,7 @@ bool read_ies_lamp(TableReader& table, const RunFileContext& context, LampSpec& 
     return is_placed;
 }
 
-/// Reads the keys of one kind of lamp, whose words stand in the catalogue.
+/// Reader of one kind of lamp, which the catalogue describes.
 struct LampKind {
     std::string_view name;
     bool (*read)(TableReader& table, const RunFileContext& context, LampSpec& lamp);
@@ -180,8 +179,8 @@ std::string format_point(const Vec3& p) {
     return fmt::format("({}, {}, {})", shortest(p.x), shortest(p.y), shortest(p.z));
 }
 
-/// Adds what a key states, of the bands in its unit; of others it must state nothing.
-/// @returns  whether it is so
+/// Adds the flux of a key to the bands in its unit; it must be 0 for other bands. @returns false
+/// after a fault
 bool add_flux(
     TableReader& table,
     const FluxKey& key,
@@ -202,18 +201,18 @@ bool add_flux(
     return given.has_value();
 }
 
-/// What a lamp emits, per band, in irradiance unit x square scene unit; nothing after a fault.
+/// The flux of a lamp, per band, in irradiance unit x square scene unit; empty after a fault.
 std::optional<std::vector<double>> read_flux(TableReader& table, const RunFileContext& context) {
     std::vector<double> flux(context.bands.size());
-    bool is_stated = false;
+    bool is_given = false;
     bool is_good = true;
     for (const FluxKey& key : kFluxKeys) {
         if (table.any(key.key) != nullptr) {
-            is_stated = true;
+            is_given = true;
             is_good = add_flux(table, key, context, flux) && is_good;
         }
     }
-    if (!is_stated) {
+    if (!is_given) {
         table.fault(
             "its flux is missing", "",
             "give power [W], photon_flux [umol s-1] or luminous_flux [lm], per band");

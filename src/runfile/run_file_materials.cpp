@@ -13,7 +13,7 @@ namespace {
 
 constexpr Range kFraction{0, 1};
 
-/// The name of a lobe model, or nothing after a fault.
+/// The name of a lobe model; empty after a fault.
 std::optional<std::string> read_model(TableReader& table, std::string_view key, const Node& node) {
     const auto* text = node.as<std::string>();
     if (text == nullptr) {
@@ -21,9 +21,10 @@ std::optional<std::string> read_model(TableReader& table, std::string_view key, 
         return std::nullopt;
     }
     if (find_bsdf(*text) == nullptr) {
+        const auto names = names_in(bsdf_catalogue());
         table.fault_at(
-            node, fmt::format("{} is '{}'", key, *text), "unknown model",
-            did_you_mean(*text, names_in(bsdf_catalogue())));
+            node, fmt::format("{}: '{}' is not one of {}", key, *text, joined(names, ", ")), "",
+            near_word_text(*text, names));
         return std::nullopt;
     }
     return *text;
@@ -42,11 +43,11 @@ std::optional<std::vector<std::string>> models_per_band(
     return models.empty() ? std::nullopt : std::optional(models);
 }
 
-/// What a table states of one lobe, per band.
+/// The keys of one lobe, per band.
 struct LobeKeys {
     std::optional<std::vector<double>> amount;
     std::optional<std::vector<std::string>> model;
-    std::map<std::string_view, std::vector<double>> parameters;  ///< by name, those stated
+    std::map<std::string_view, std::vector<double>> parameters;  ///< the given ones, by name
     friend bool operator==(const LobeKeys&, const LobeKeys&) = default;
 };
 
@@ -55,11 +56,11 @@ struct SideKeys {
     friend bool operator==(const SideKeys&, const SideKeys&) = default;
 };
 
-/// The names of the keys that state a lobe. They outlive every reader, which keeps views of them.
+/// Names of the keys of a lobe. Readers keep views of them.
 struct LobeKeyNames {
     std::string_view amount;
     std::string model;
-    std::vector<std::pair<std::string, BsdfParameter>> parameters;  ///< the key of each
+    std::vector<std::pair<std::string, BsdfParameter>> parameters;  ///< each with its key
 };
 
 /// @param word  "reflection" or "transmission"
@@ -105,7 +106,7 @@ SideKeys read_side(TableReader& table, const RunFileContext& context) {
 LobeKeys overridden(LobeKeys common, const LobeKeys& side) {
     common.amount = side.amount ? side.amount : common.amount;
     if (side.model) {
-        common.parameters.clear();  // another model has parameters of its own
+        common.parameters.clear();  // another model has other parameters
         common.model = side.model;
     }
     for (const auto& [name, values] : side.parameters) {
@@ -118,7 +119,7 @@ LobeKeys overridden(LobeKeys common, const LobeKeys& side) {
 struct BandLobe {
     double amount = 0;
     std::string model = "lambertian";
-    BsdfParameters parameters;  ///< those that the model takes
+    BsdfParameters parameters;  ///< the parameters of the model
 };
 
 BandLobe lobe_of(const LobeKeys& keys, std::size_t band) {
@@ -167,7 +168,7 @@ void check_stated(TableReader& table, const SideKeys& keys) {
     }
 }
 
-/// One side of a material. @param words  "" or which side it is, for messages
+/// Makes one side of a material. @param words  name of the side in messages, or ""
 std::vector<SideOptics> make_side(
     TableReader& table,
     const SideKeys& keys,
@@ -204,7 +205,7 @@ SideKeys read_own_side(
         overridden(common.transmission, side.transmission)};
 }
 
-/// Warns where a forgotten reflectance makes a material black.
+/// Warns of a material that is black without a reflectance.
 void warn_of_black(
     TableReader& table, const MaterialSpec& spec, std::array<const SideKeys*, 2> sides) {
     const bool is_given = sides[0]->reflection.amount && sides[1]->reflection.amount;
@@ -220,7 +221,7 @@ void warn_of_black(
     }
 }
 
-/// A material with faults is black, so that nobody is told besides that it does not exist.
+/// Makes a material; one with faults is black, to avoid a further fault that it does not exist.
 MaterialSpec make_material_spec(
     TableReader& table,
     std::string name,

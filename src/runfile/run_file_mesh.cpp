@@ -40,7 +40,7 @@ std::size_t triangle_count(const MeshFile& mesh) {
     return count;
 }
 
-/// Reads the file; nothing after a fault.
+/// Reads the file; empty after a fault.
 std::optional<MeshFile> read_bytes(
     TableReader& table,
     const std::string& file,
@@ -88,7 +88,7 @@ std::optional<MeshFile> read_bytes(
     return mesh;
 }
 
-/// `plant_unit`: metres in the unit of the plants of a scene of plants. Nothing if it is absent.
+/// Reads `plant_unit`: metres per unit of the plants in a scene of plants. Empty if it is absent.
 std::optional<double> read_plant_unit(TableReader& table, const FormatEntry* format) {
     const Node* node = table.any("plant_unit");
     if (node == nullptr) {

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// A list of texts, or of numbers, as a value.
+/// Converts a list of texts or of numbers.
 std::optional<OptionValue> list_value(const Node::List& list) {
     std::vector<std::string> words;
     std::vector<double> numbers;
@@ -29,7 +29,7 @@ std::optional<OptionValue> list_value(const Node::List& list) {
     return numbers.size() == list.size() ? std::optional<OptionValue>(numbers) : std::nullopt;
 }
 
-/// The value a node states, if it is of a type that options have.
+/// The value of a node, if options have its type.
 std::optional<OptionValue> option_value(const Node& node) {
     if (const auto* integer = node.as<std::int64_t>()) {
         return *integer;

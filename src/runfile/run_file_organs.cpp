@@ -19,7 +19,7 @@ std::array<std::string_view, 2> horizontal_axes(const Orientation& orientation) 
                                          : std::array<std::string_view, 2>{"z", "x"};
 }
 
-/// A pair low, high with low < high.
+/// Reads a pair [low, high] with low < high.
 std::optional<Range> read_horizontal_range(TableReader& table, std::string_view key) {
     const Node* node = table.any(key);
     return node ? table.interval_at(key, *node, TableReader::kFinite) : std::nullopt;
@@ -74,12 +74,12 @@ void read_organ(const Node& node, RunFileContext& context, SceneBuilder& builder
     table.finish();
     if (material) {
         organ.parts.push_back(
-            {*material, table.failed() ? std::vector{kStandIn} : std::move(triangles)});
+            {*material, table.failed() ? std::vector{kSubstitute} : std::move(triangles)});
         builder.add_organ(std::move(organ));
     }
 }
 
-/// The rectangle of a ground, horizontal axes of the world; both intervals or none.
+/// The rectangle of a ground, horizontal axes of the world; empty if it is absent.
 std::optional<std::array<double, 4>> read_extent(
     TableReader& table, const Orientation& orientation) {
     const auto [x, y] = horizontal_axes(orientation);
@@ -167,7 +167,7 @@ void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builde
 
 namespace {
 
-/// All triangles of the file that a table names; none after a fault.
+/// Reads all triangles of the file that a table names; empty after a fault.
 Mesh read_surface(TableReader& table, RunFileContext& context) {
     Mesh surface;
     const std::optional<Affine> transform = read_transform(table);

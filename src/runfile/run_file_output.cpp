@@ -1,4 +1,4 @@
-// [output]: the files that results go to, and what of them is written.
+// Reads [output]: the output files, and the selection of results.
 
 #include <array>
 #include <map>
@@ -46,7 +46,7 @@ void check_need(
     }
 }
 
-/// Reads the paths of all outputs, of which no two may be one file.
+/// Reads the paths of all outputs, which must be different files.
 std::map<std::string, std::string, std::less<>> read_paths(
     TableReader& table, const InputFiles& files, TableReader& top) {
     std::map<std::string, std::string, std::less<>> paths;
@@ -68,7 +68,7 @@ std::map<std::string, std::string, std::less<>> read_paths(
     return paths;
 }
 
-/// The groups of a run are asked for in [run], for they are computed, not only written.
+/// Refuses `groups`, a key of [run], because groups are computed and not only written.
 void refuse_groups(TableReader& table) {
     for (const std::string_view key : {"groups", "layers", "layer_heights"}) {
         if (const Node* node = table.any(key)) {
@@ -97,7 +97,7 @@ void read_choice(TableReader& table, const std::vector<Band>& bands, OutputSpec&
     }
 }
 
-/// A cumulative sky has no hours.
+/// Refuses hours with a cumulative sky.
 void check_cumulative_sky(TableReader& table, TableReader& top, const OutputSpec& output) {
     const Node* time = top.any("time");
     const Node* cumulative = time != nullptr ? time->find("cumulative_sky") : nullptr;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> kLeafModels{"prospect_d"};
 
-/// More than this of a constituent is a mistake in its unit.
+/// Reads the constituents of a leaf. The upper bounds detect wrong units.
 std::optional<LeafConstituents> read_constituents(TableReader& table) {
     constexpr double kMaxPlates = 10, kMaxPigment = 500, kMaxBrown = 10, kMaxWater = 1,
                      kMaxDryMatter = 0.5;

@@ -26,36 +26,36 @@
 
 namespace quasimc {
 
-/// Stands in for an organ with faults, so that its id and material are checked with the rest.
-inline constexpr Triangle kStandIn{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
+/// Substitute for the triangles of an organ with faults, so that its id and material are checked.
+inline constexpr Triangle kSubstitute{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}};
 
-/// Where the sun stands, as a run file states it.
+/// Position of the sun, as given in a run file.
 struct SunSpec {
     Vec3 to_sun;  ///< unit, world with z up
     double distance_au = 1;
-    std::string words;  ///< its time and site; "" if stated by angles
+    std::string description;  ///< time and site; "" if given by angles
 };
 
-/// What the sections know of each other.
+/// Data shared by the sections.
 struct RunFileContext {
     Reporter* reporter;
     InputFiles* files;
     std::vector<Band> bands;
     Orientation orientation;
-    std::set<std::string> materials;  ///< names that the run file gives, not its files of geometry
+    std::set<std::string> materials;  ///< defined in the run file itself
     std::optional<Site> site;         ///< [site]
-    std::optional<SunSpec> sun;       ///< of the first source of type "sun"
+    std::optional<SunSpec> sun;       ///< sun of the first source of type "sun"
     std::string length_unit = "m";
     bool has_time = false;        ///< whether there is a [time]
-    MeshCache* meshes = nullptr;  ///< files that are parsed already; or null
+    MeshCache* meshes = nullptr;  ///< cache of parsed files; or null
 };
 
 // run_file_sun.cpp
-/// [site]; nothing if it is absent or has faults.
+/// Reads [site]; empty if it is absent or has faults.
 [[nodiscard]] std::optional<Site> read_site(TableReader& top);
 
 // run_file_options.cpp
-/// The options of a run, and where each was stated.
+/// The options of a run, and the location of each.
 struct RunOptions {
     RunSpec spec;
     std::map<std::string_view, std::string> locations;
@@ -64,23 +64,23 @@ struct RunOptions {
 void read_run_options(TableReader& top, RunOptions& options);
 void apply_overrides(
     const std::vector<Override>& overrides, RunOptions& options, Reporter& reporter);
-/// Reports options that stand at the top by mistake.
+/// Reports options that are at the top by mistake.
 void refuse_options_at_the_top(TableReader& top);
-/// Adds the faults of check_run, which names keys only, with the locations of the options.
+/// Adds the faults of check_run(), whose locations are keys, with the locations of the options.
 void add_run_faults(const Faults& found, const RunOptions& options, Reporter& reporter);
-/// The run file with every option of the run in it.
+/// The run file with all options of the run.
 [[nodiscard]] Node completed(Node document, const RunSpec& spec);
 
 // run_file_bands.cpp
 [[nodiscard]] std::vector<Band> read_bands(TableReader& top);
-/// The value of a key for each band: one for all, a list with one for each, or a table by name.
+/// The value of a key for each band: one for all, a list with one per band, or a table by name.
 /// Empty if it is absent, or after a fault.
 [[nodiscard]] std::vector<const Node*> nodes_per_band(
     TableReader& table, std::string_view key, const std::vector<Band>& bands);
-/// The same as numbers.
+/// nodes_per_band() as numbers.
 [[nodiscard]] std::optional<std::vector<double>> read_per_band(
     TableReader& table, std::string_view key, const std::vector<Band>& bands, Range range);
-/// The same of irradiances. Warns of those that no light reaches.
+/// read_per_band() for irradiances. Warns of implausibly large ones.
 [[nodiscard]] std::optional<std::vector<double>> read_irradiances(
     TableReader& table, std::string_view key, const std::vector<Band>& bands);
 
@@ -98,43 +98,43 @@ void read_materials(TableReader& top, RunFileContext& context, SceneBuilder& bui
 struct SourceList {
     Sources sources;
     std::vector<std::string> notes;
-    std::vector<std::optional<DailyHours>> hours;  ///< nothing: it shines all the time
+    std::vector<std::optional<DailyHours>> hours;  ///< empty: it shines all the time
 };
-/// Sets context.sun.
+/// Reads all sources; sets context.sun.
 [[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
 
 // run_file_caribu.cpp
-/// [[material_file]]: the materials of Caribu's files of optics.
+/// Reads [[material_file]]: the materials in Caribu's files of optics.
 void read_material_files(TableReader& top, RunFileContext& context, SceneBuilder& builder);
-/// [[light_file]]: a directional source for each line of Caribu's files of light. False if there is
-/// none.
+/// Reads [[light_file]]: a directional source for each line of Caribu's files of light. Returns
+/// false if there is none.
 bool read_light_files(TableReader& top, const RunFileContext& context, SourceList& list);
-/// `file` of [cell]: low x, low y, high x, high y. Nothing if it is absent, or after a fault.
+/// Reads `file` of [cell]: low x, low y, high x, high y. Empty if it is absent, or after a fault.
 [[nodiscard]] std::optional<std::array<double, 4>> read_pattern_file(
     TableReader& table, const RunFileContext& context);
 
 // run_file_spectrum.cpp
-/// Reflectance and transmittance of each band, means over a spectrum.
+/// Reflectance and transmittance per band, means over a spectrum.
 struct SpectralOptics {
     std::vector<double> reflectance, transmittance;
 };
-/// By `spectrum` and `spectrum_light`; nothing if they are absent, or after a fault.
+/// Reads `spectrum` and `spectrum_light`; empty if they are absent, or after a fault.
 [[nodiscard]] std::optional<SpectralOptics> read_spectral_optics(
     TableReader& table, const RunFileContext& context);
 
 // run_file_usual_optics.cpp
-/// By `optics`, `soil_color` and `water_content`; nothing if they are absent, or after a fault.
+/// Reads `optics`, `soil_color` and `water_content`; empty if they are absent, or after a fault.
 [[nodiscard]] std::optional<SpectralOptics> read_usual_optics(
     TableReader& table, const RunFileContext& context);
 
 // run_file_prospect.cpp
-/// `optics` that is a table with a model of leaves. Nothing after a fault. @param node  the table
+/// Reads a table `optics` with a leaf model. Empty after a fault. @param node  the table
 [[nodiscard]] std::optional<SpectralOptics> read_leaf_model(
     TableReader& material, const Node& node, const RunFileContext& context);
 
 // run_file_time.cpp
-/// [time]: the moments of the run, each with the sources of the file that are on and its own
-/// daylight. Nothing if there is none, or after a fault.
+/// Reads [time]: the time steps of the run, each with its daylight and the sources that are on.
+/// Empty if it is absent, or after a fault.
 [[nodiscard]] std::optional<TimeSeries> read_time(
     TableReader& top, const RunFileContext& run, const SourceList& lamps);
 
@@ -149,7 +149,7 @@ void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builde
 void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builder);
 void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& builder);
 [[nodiscard]] Labels read_labels(TableReader& table);
-/// p -> translate + rotate (scale p), or nothing if there is no `transform`.
+/// Reads `transform`, p -> translate + rotate (scale p); empty if it is absent.
 [[nodiscard]] std::optional<Affine> read_transform(TableReader& table);
 void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
 void move_points(const Affine& transform, std::vector<Vec3>& points);
@@ -158,7 +158,7 @@ void move_points(const Affine& transform, std::vector<Vec3>& points);
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);
 
 // run_file_copies.cpp
-/// `at`: where copies of a geometry stand. Nothing if it is absent, or after a fault.
+/// Reads `at`: the transforms of copies of a geometry. Empty if it is absent, or after a fault.
 [[nodiscard]] std::optional<std::vector<Affine>> read_copies(
     TableReader& table, const Orientation& orientation);
 
@@ -169,7 +169,7 @@ struct NamedMesh {
     const FormatEntry* format = nullptr;
     MeshFile mesh;
 };
-/// Reads the file that a table names by `file` and `format`; nothing after a fault.
+/// Reads the file that a table names by `file` and `format`; empty after a fault.
 [[nodiscard]] std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context);
 
 }  // namespace quasimc

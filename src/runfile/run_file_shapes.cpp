@@ -24,7 +24,7 @@ std::optional<double> read_length(TableReader& table, std::string_view key) {
     return value;
 }
 
-/// A vector that is not zero.
+/// Reads a vector that is not zero.
 std::optional<Vec3> read_axis(TableReader& table, std::string_view key) {
     const std::optional<Vec3> value = table.required(key, table.vector(key));
     if (value && *value == Vec3{}) {
@@ -135,7 +135,7 @@ Triangles read_sphere(TableReader& table) {
     return table.failed() ? Triangles() : make_sphere(*center, *radius, levels);
 }
 
-/// The corners of a face of a mesh, or nothing after a fault.
+/// The corners of a face of a mesh; empty after a fault.
 std::optional<std::vector<Vec3>> read_face(
     TableReader& table, const Node& node, std::size_t index, const std::vector<Vec3>& vertices) {
     const auto* list = node.as<Node::List>();

@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// The name of the model that is no formula but a file.
+/// The model that is read from a file.
 constexpr std::string_view kTable = "table";
 
 std::vector<std::string_view> model_names() {
@@ -21,7 +21,7 @@ std::vector<std::string_view> model_names() {
     return names;
 }
 
-/// Of a sky with model = "table"; nothing after a fault.
+/// Reads the shape of a sky with model = "table"; empty after a fault.
 std::optional<SkyShapeSpec> read_table_shape(TableReader& table, const RunFileContext& context) {
     constexpr std::array<std::string_view, 2> kFormats{"cells", "vlab"};
     constexpr std::array<std::string_view, 2> kValues{"radiance", "flux"};
@@ -40,21 +40,21 @@ std::optional<SkyShapeSpec> read_table_shape(TableReader& table, const RunFileCo
             *values == "flux" ? SkyValues::flux : SkyValues::radiance);
         const Vec3 north = context.orientation.towards(0, 0);
         sky.first_azimuth = std::atan2(north.y, north.x);
-        const std::string words = fmt::format(
+        const std::string description = fmt::format(
             "sky of {} ({} x {} cells, values: {})", *file, sky.azimuths, sky.elevations, *values);
-        return SkyShapeSpec{table_shape(std::move(sky)), words};
+        return SkyShapeSpec{table_shape(std::move(sky)), description};
     } catch (const InputError& error) {
         table.reporter().faults.add(error);
         return std::nullopt;
     }
 }
 
-/// The sun of a sky: its own, or else that of the first sun in the file.
+/// The sun of a sky: its own, or else the first sun in the file.
 std::optional<SunSpec> read_sun_of_sky(TableReader& table, const RunFileContext& context) {
     const bool has_own = table.any("time") != nullptr || table.any("azimuth_deg") != nullptr ||
                          table.any("elevation_deg") != nullptr;
     if (has_own) {
-        return read_stated_sun(table, context);
+        return read_sun_spec(table, context);
     }
     if (!context.sun) {
         table.fault(
@@ -65,7 +65,7 @@ std::optional<SunSpec> read_sun_of_sky(TableReader& table, const RunFileContext&
     return context.sun;
 }
 
-/// What the model asks for besides the sun. False after a fault.
+/// Reads the parameters of the model except the sun. Returns false after a fault.
 bool read_state(TableReader& table, SkyNeeds needs, SkyState& state) {
     if (needs == SkyNeeds::sun_and_type) {
         const auto type = table.required("cie_type", table.integer("cie_type", {1, 15}));
@@ -149,7 +149,7 @@ std::optional<NotedSource> read_sky(
     const auto values = table.required(
         "irradiance_horizontal", read_irradiances(table, "irradiance_horizontal", context.bands));
     if (!model) {
-        // Which keys are meant can't be told.
+        // The model of the keys is unknown.
         for (const std::string_view key :
              {"time", "delta_t_s", "azimuth_deg", "elevation_deg", "cie_type", "turbidity",
               "direct_normal", "diffuse_horizontal", "file", "format", "values"}) {
@@ -167,9 +167,9 @@ std::optional<NotedSource> read_sky(
         return std::nullopt;
     }
     const std::string note = fmt::format(
-        "{}: {}; {}", name, sky->words,
+        "{}: {}; {}", name, sky->description,
         format_irradiance("the horizontal", *values, context.bands));
-    // Every path of the uniform sky's own source weighs the same.
+    // The special source of the uniform sky gives all paths equal weights.
     const bool is_uniform = *model == "uniform";
     return NotedSource{
         is_uniform ? make_uniform_sky(name, *values) : make_sky(name, sky->shape, *values),

@@ -10,7 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// How the keys of a kind of source are read; its words stand in light/models/catalogue.cpp.
+/// Reader of a kind of source, which light/models/catalogue.cpp describes.
 struct KindReader {
     std::string_view name;
     std::optional<NotedSource> (*read)(
@@ -29,7 +29,7 @@ constexpr std::array kKindReaders{
     KindReader{"sphere", read_lamp},
     KindReader{"ies", read_lamp}};
 
-/// One pair of hours; nothing after a fault.
+/// Reads one pair of hours; empty after a fault.
 std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Node& node) {
     const auto* pair = node.as<Node::List>();
     if (pair == nullptr || pair->size() != 2) {
@@ -51,7 +51,7 @@ std::optional<DailyHours::Span> read_span_of_hours(TableReader& table, const Nod
     return DailyHours::Span{*from, *to};
 }
 
-/// When the source shines; nothing if always, or after a fault.
+/// The hours in which a source shines; empty if always, or after a fault.
 std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext& context) {
     const Node* node = table.any("on_hours");
     if (node == nullptr) {
@@ -85,7 +85,7 @@ std::optional<NotedSource> read_source(const Node& node, const RunFileContext& c
     const std::string name = table.text("name").value_or(type.value_or("source"));
     table.rename(fmt::format("source '{}'", name));
     if (!type) {
-        return std::nullopt;  // which keys are meant can't be told
+        return std::nullopt;  // the type of the keys is unknown
     }
     const auto* kind = std::find_if(
         kKindReaders.begin(), kKindReaders.end(),
@@ -95,7 +95,7 @@ std::optional<NotedSource> read_source(const Node& node, const RunFileContext& c
     const std::optional<DailyHours> hours = read_on_hours(table, context);
     if (source && hours) {
         source->hours = hours;
-        source->note += "; on " + hours->words();
+        source->note += "; on " + hours->describe();
     }
     table.finish();
     return source;
@@ -111,7 +111,7 @@ bool is_sun(const Node& source) {
 
 SourceList read_sources(TableReader& top, RunFileContext& context) {
     const std::vector<const Node*> tables = top.tables("source");
-    // The suns first: skies are brighter around them.
+    // Suns first, as skies depend on them.
     std::vector<std::size_t> order(tables.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_partition(

@@ -18,12 +18,12 @@
 namespace quasimc {
 namespace {
 
-/// Collects the faults of a table's rows, to report each kind of fault once.
+/// Collects the faults of a table's rows and reports each kind once.
 class RowFaults {
   public:
     explicit RowFaults(Reporter& reporter) : reporter_(reporter) {}
 
-    /// @param problem, why  name the kind, and must outlive this
+    /// @param problem, why  identify the kind, and must outlive the object
     void add(std::uint32_t line, std::string_view problem, std::string_view why) {
         const auto known = std::find_if(kinds_.begin(), kinds_.end(), [&](const Kind& kind) {
             return kind.problem == problem;
@@ -62,7 +62,7 @@ constexpr SpectrumForm kOpticsForm{
                transmittance >= 0 && v[1] + transmittance <= 1;
     }};
 
-/// What is weighed by: daylight, its beam, or every wavelength alike.
+/// The weights of wavelengths: daylight, its beam, or constant.
 const Spectrum& light_of(const std::optional<std::string>& name, const Spectrum& flat) {
     if (name == "flat") {
         return flat;

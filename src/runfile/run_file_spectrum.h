@@ -14,32 +14,32 @@ namespace quasimc {
 /// Wavelengths [nm], in ascending order, and two values at each.
 using SpectrumColumns = std::array<std::vector<double>, 3>;
 
-/// What a file of such columns holds.
+/// Format of a file with such columns.
 struct SpectrumForm {
-    std::string_view names;  ///< with which its line of names begins
-    std::string_view row;    ///< what a row holds, for messages
+    std::string_view names;  ///< start of the line of names
+    std::string_view row;    ///< content of a row, for messages
     bool (*is_row)(const std::vector<double>& values);
 };
 
-/// Reads a line of names, then rows of which the last value may be left out; '#' begins a comment.
+/// Reads a line of names, then rows whose last value is optional; '#' begins a comment.
 [[nodiscard]] SpectrumColumns read_spectrum_columns(
     std::string_view text, const SpectrumForm& form, Reporter& reporter);
 
-/// What a surface reflects and transmits at some wavelengths, in ascending order; linear between.
+/// Reflectance and transmittance at wavelengths in ascending order; linear between.
 struct SurfaceSpectrum {
     std::vector<double> nm, reflectance, transmittance;
 };
 
-/// Where a spectrum is from, for messages, and what it is weighed by.
+/// Origin of a spectrum, for messages, and its weights.
 struct SpectrumUse {
-    std::string_view key;  ///< of the material, that asks for it
+    std::string_view key;  ///< key of the material
     std::string source;    ///< the file or model
-    std::optional<std::string>
-        light;  ///< `spectrum_light` of the material: global (usual), direct or flat
+    /// `spectrum_light` of the material: global (usual), direct or flat.
+    std::optional<std::string> light;
 };
 
-/// The means of a spectrum over each band, weighed by the light. Nothing after a fault: a band
-/// whose wavelengths are not known, or not those of the spectrum.
+/// Means of a spectrum over each band, weighted by the light. Empty after a fault: the wavelengths
+/// of a band are unknown, or outside the spectrum.
 [[nodiscard]] std::optional<SpectralOptics> optics_of_bands(
     TableReader& table,
     const RunFileContext& context,

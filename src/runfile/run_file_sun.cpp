@@ -30,11 +30,12 @@ std::optional<SunSpec> read_timed_sun(TableReader& table, const RunFileContext& 
         return std::nullopt;
     }
     const SunPosition sun = sun_position(*context.site, *time, delta_t_s);
-    const std::string words = fmt::format(
+    const std::string description = fmt::format(
         "{} at latitude {}, longitude {}", civil_time_text(*time),
         shortest(context.site->latitude_deg), shortest(context.site->longitude_deg));
     return SunSpec{
-        context.orientation.towards(sun.azimuth_deg, sun.elevation_deg), sun.distance_au, words};
+        context.orientation.towards(sun.azimuth_deg, sun.elevation_deg), sun.distance_au,
+        description};
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ std::optional<Vec3> read_towards(TableReader& table, const Orientation& orientat
                                 : std::nullopt;
 }
 
-std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext& context) {
+std::optional<SunSpec> read_sun_spec(TableReader& table, const RunFileContext& context) {
     const bool has_time = table.any("time") != nullptr;
     const bool has_angles =
         table.any("azimuth_deg") != nullptr || table.any("elevation_deg") != nullptr;
@@ -71,12 +72,12 @@ std::optional<SunSpec> read_stated_sun(TableReader& table, const RunFileContext&
 
 std::string describe_sun(const SunSpec& sun, const Orientation& orientation) {
     return format_angles(-sun.to_sun, orientation) +
-           (sun.words.empty() ? "" : fmt::format(" ({})", sun.words));
+           (sun.description.empty() ? "" : fmt::format(" ({})", sun.description));
 }
 
 std::optional<NotedSource> read_sun(
     TableReader& table, const std::string& name, const RunFileContext& context) {
-    const std::optional<SunSpec> sun = read_stated_sun(table, context);
+    const std::optional<SunSpec> sun = read_sun_spec(table, context);
     const bool is_disk = table.boolean("disk").value_or(false);
     std::optional<Irradiance> irradiance = read_irradiance(table, context.bands);
     if (!sun || !irradiance) {

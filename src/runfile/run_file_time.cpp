@@ -40,7 +40,7 @@ SeriesRules read_rules(TimeContext& context) {
     return rules;
 }
 
-/// Instants have no length by which they could be summed.
+/// Refuses a cumulative sky of instants, which have no length.
 void check_cumulative_sky(
     const SeriesRules& rules, const std::vector<Interval>& intervals, TableReader& table) {
     const bool has_instant = std::any_of(
@@ -58,13 +58,13 @@ double ahead_of_sun(double utc_offset_hours, double longitude_deg) {
     return std::remainder(utc_offset_hours - longitude_deg / 15, 24);
 }
 
-/// Whether some country has such a clock: from 1 hour behind the sun to 2.6 ahead (the west of
-/// Spain, in summer).
+/// Whether a clock is in civil use: from 1 hour behind the sun to 2.6 ahead (western Spain in
+/// summer).
 bool is_usual_clock(double ahead_hours) {
     return ahead_hours > -1.25 && ahead_hours < 2.75;
 }
 
-/// Warns of a clock that is far from the sun's: it is probably that of another site.
+/// Warns of a clock that is far from the sun's: it is probably the clock of another site.
 void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
     std::optional<double> offset = context.utc_offset_hours;
     if (!offset && !intervals.empty() && intervals.front().start.utc_offset_hours != 0) {
@@ -77,7 +77,7 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
     const double latitude = context.site->latitude_deg;
     const double longitude = context.site->longitude_deg;
     const double ahead = ahead_of_sun(*offset, longitude);
-    // A clock of UTC is used everywhere.
+    // UTC is used everywhere.
     const bool is_exchanged = *offset != 0 && std::abs(longitude) <= 90 && !is_usual_clock(ahead) &&
                               is_usual_clock(ahead_of_sun(*offset, latitude));
     if (std::abs(ahead) > kFarHours || is_exchanged) {
@@ -89,7 +89,7 @@ void check_clock(const std::vector<Interval>& intervals, TimeContext& context) {
     }
 }
 
-std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
+std::vector<std::string> describe_rules(const SeriesRules& rules, bool is_measured) {
     const Site& site = rules.site;
     std::vector<std::string> words{fmt::format(
         "site: latitude {} deg, longitude {} deg (east positive), elevation {} m",
@@ -111,7 +111,7 @@ std::vector<std::string> words_of(const SeriesRules& rules, bool is_measured) {
     return words;
 }
 
-/// Night at all times has a result, zeros; but is seldom meant.
+/// Warns if it is night at all times.
 void check_light(const TimeSeries& series, TableReader& table) {
     const auto plans = plan_series(series.time_steps);
     const bool is_dark =
@@ -138,7 +138,7 @@ std::optional<TimeSeries> read_time(
     SeriesRules rules = read_rules(context);
     check_cumulative_sky(rules, intervals, table);
     table.finish();
-    // Weather that can't be read would have told the site, or where to look for it.
+    // The unreadable weather file could have given the site.
     const bool is_weather_broken = has_weather && intervals.empty();
     if (!context.site && top.any("site") == nullptr && !is_weather_broken) {
         top.fault(
@@ -159,7 +159,7 @@ std::optional<TimeSeries> read_time(
         builder.add(interval);
     }
     TimeSeries series = builder.finish();
-    series.words = words_of(rules, is_measured);
+    series.words = describe_rules(rules, is_measured);
     if (!table.failed()) {
         check_light(series, table);
     }

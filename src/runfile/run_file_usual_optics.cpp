@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kSoil = "soil";
 
-/// Of all bands the value of their region; nothing after a fault.
+/// The value of each band's spectral region; empty after a fault.
 std::optional<std::vector<double>> by_band(
     TableReader& table, const RunFileContext& context, const OpticsByRegion& optics) {
     constexpr double kBorder = 700;
@@ -70,8 +70,8 @@ std::optional<SpectralOptics> read_usual_optics(TableReader& table, const RunFil
         std::vector<std::string_view> names = names_in(usual_optics());
         names.insert(names.begin(), kSoil);
         table.fault_at(
-            "optics", fmt::format("optics is '{}'", *name), "unknown optics",
-            did_you_mean(*name, names));
+            "optics", fmt::format("optics: '{}' is not one of {}", *name, joined(names, ", ")), "",
+            near_word_text(*name, names));
         return std::nullopt;
     }
     auto reflectance = by_band(table, context, usual->reflectance);

@@ -50,7 +50,7 @@ WeatherColumns read_columns(TimeContext& context) {
     return columns;
 }
 
-/// Takes site and time zone of the file where the run file has none.
+/// Uses the site and time zone of the file if the run file has none.
 void settle_site(const WeatherFile& file, TimeContext& context) {
     TableReader& table = *context.table;
     if (file.utc_offset_hours && context.utc_offset_hours &&
@@ -85,8 +85,8 @@ void settle_site(const WeatherFile& file, TimeContext& context) {
     }
 }
 
-/// The records of a typical year as if they were of the first year asked for, without a 29 February
-/// that this year has not. @returns  how many are left out, of the days asked for
+/// Moves the records of a typical year to the first requested year, without 29 February if this
+/// year has none. @returns number of omitted records in the requested days
 std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) {
     for (WeatherRecord& record : records) {
         const bool next_year =
@@ -114,7 +114,7 @@ std::size_t set_year(std::vector<WeatherRecord>& records, const TimeSpan& span) 
     return skipped;
 }
 
-/// Whether a span of a typical year is of 365 days at most; it holds no others.
+/// Whether a span of a typical year is at most 365 days.
 bool fits_a_year(TableReader& table, const TimeSpan& span) {
     if (julian_day(span.last) - julian_day(span.first) <= 366) {
         return true;
@@ -131,7 +131,7 @@ void warn_of_clock(const WeatherFile& file, TimeContext& context) {
     }
 }
 
-/// The records asked for. Those that are missing, and holes between records, are faults or skipped.
+/// The requested records. Missing records, and gaps between records, are faults or skipped.
 class Selection {
   public:
     Selection(
@@ -158,7 +158,7 @@ class Selection {
         intervals_.push_back(
             {part.start, part.seconds, record.reading, fmt::format("{}:{}", file_, record.line)});
     }
-    /// After the last record of the file.
+    /// Called after the last record of the file.
     void finish(const WeatherRecord& last) {
         if (span_ && found_) {
             note_hole(span_->last, last);
@@ -181,7 +181,7 @@ class Selection {
         return span_ ? span_->part_of(start, seconds) : TimeSpan::Part{start, seconds};
     }
 
-    /// Tells of steps that are asked for between the record before and `next`.
+    /// Reports requested steps between the last record and `next`.
     void note_hole(const CivilTime& next, const WeatherRecord& record) {
         constexpr double kMaxSteps = 1e6;
         const double length = end_ ? kSecondsADay * (julian_day(next) - julian_day(*end_)) : 0;
@@ -189,7 +189,7 @@ class Selection {
             note_gap(record.line, "more than a million rows are missing");
             return;
         }
-        // A second of slack: times are computed.
+        // One second of tolerance for computed times.
         const auto steps = static_cast<int>(std::ceil((length - 1) / record.seconds));
         int asked = 0;
         std::string first;
@@ -225,7 +225,7 @@ class Selection {
     std::string first_gap_;
 };
 
-/// The file's records, checked and named; nothing after a fault.
+/// Reads and checks a weather file; empty after a fault.
 std::optional<WeatherFile> read_file_of_weather(TimeContext& context, const std::string& path) {
     TableReader& table = *context.table;
     const bool looks_epw = path.ends_with(".epw") || path.ends_with(".EPW");

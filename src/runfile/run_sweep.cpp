@@ -21,7 +21,7 @@
 
 namespace quasimc {
 
-/// The bytes of files that are read for one point after the other: each is read from the disk once.
+/// The bytes of files, each read from the disk once for all points.
 class FileCache {
   public:
     [[nodiscard]] InputFiles::Reader around(InputFiles::Reader reader) {
@@ -39,10 +39,10 @@ class FileCache {
 
 namespace {
 
-/// No more points are read once so many faults were found.
+/// Number of faults after which no more points are read.
 constexpr std::size_t kMaxPointFaults = 100;
 
-/// Every key of labels of the organs, in order: the columns that they make.
+/// All keys of the organs' labels, in order, which become columns.
 std::set<std::string> label_keys_of(const Scene& scene) {
     std::set<std::string> keys;
     for (const Organ& organ : scene.organs()) {
@@ -55,7 +55,7 @@ std::set<std::string> label_keys_of(const Scene& scene) {
 
 }  // namespace
 
-/// What a RunSweep knows.
+/// State of a RunSweep.
 class RunSweep::State {
   public:
     State(
@@ -97,13 +97,13 @@ class RunSweep::State {
     }
 
   private:
-    /// A fault, the first point that has it, and how many do.
+    /// A fault, the first point with it, and the number of points with it.
     struct PointFault {
         Fault fault;
         std::size_t first = 0, points = 0;
     };
 
-    /// A flag would undo a part of the sweep.
+    /// Refuses flags that would override swept keys.
     void check_overrides() {
         for (const Override& given : overrides_) {
             for (const SweptKey& key : plan_.keys()) {
@@ -156,7 +156,7 @@ class RunSweep::State {
         warn_of_darkness();
     }
 
-    /// What is wrong at one point is often wrong at all of them.
+    /// Adds the faults of a point, each text once, as most occur at all points.
     void add_new(std::size_t point, const InputError& error) {
         for (const Fault& fault : error.faults()) {
             const auto [known, is_new] =
@@ -169,19 +169,19 @@ class RunSweep::State {
         }
     }
 
-    /// With the point, where a fault is of some points and has no line that would tell.
+    /// Adds the point to the location of a fault that only some points have, unless it has a line.
     [[nodiscard]] Fault named(PointFault each) const {
         const std::string line = reporter_.file + ":";
         const bool has_line = each.fault.where.starts_with(line) &&
                               each.fault.where.substr(line.size()).find_first_of("0123456789") == 0;
         if (is_swept() && !has_line && each.points < size()) {
-            each.fault.where += ", " + words_of(each.first);
+            each.fault.where += ", " + describe_point_at(each.first);
         }
         return std::move(each.fault);
     }
 
     /// "point 3 (seed = 2)".
-    [[nodiscard]] std::string words_of(std::size_t point) const {
+    [[nodiscard]] std::string describe_point_at(std::size_t point) const {
         return fmt::format(
             "point {} ({})", point + 1, describe_point({plan_.values_at(point), {}}));
     }
@@ -191,7 +191,7 @@ class RunSweep::State {
             reporter_.warn(fmt::format(
                 "[sweep]: no source gives light at {} of {} points, and all results are 0; the "
                 "first is {}",
-                dark_points_, size(), words_of(first_dark_)));
+                dark_points_, size(), describe_point_at(first_dark_)));
         }
     }
 
@@ -231,7 +231,7 @@ class RunSweep::State {
         }
         first_->warnings = reporter_.warnings;
         if (is_swept()) {
-            // With its [sweep]; what that sets in [run] does not matter.
+            // With [sweep], which overrides its keys in [run].
             first_->document = completed_document();
         }
     }
@@ -251,14 +251,14 @@ class RunSweep::State {
     Reporter reporter_;
     SweepPlan plan_;
     FileCache cache_;
-    KnownOverlaps overlaps_;  // of the point that was read last
+    KnownOverlaps overlaps_;  // of the last point read
     MeshCache meshes_;
     std::optional<RunFile> first_;
     std::vector<InputFile> inputs_;
     std::set<std::pair<std::string, std::string>> sent_;
     std::set<std::string> labels_;
     std::vector<PointFault> point_faults_;
-    std::unordered_map<std::string, std::size_t> indices_of_faults_;  // by their texts
+    std::unordered_map<std::string, std::size_t> indices_of_faults_;  // by text
     std::size_t dark_points_ = 0, first_dark_ = 0;
     std::shared_ptr<std::vector<SweepPoint>> points_ = std::make_shared<std::vector<SweepPoint>>();
 };

@@ -15,7 +15,7 @@
 namespace quasimc {
 namespace {
 
-/// A question after the unit of light that is so many times too bright.
+/// Suggests the probable unit of light that is too bright by a ratio.
 std::string_view unit_probably_meant(LightUnit unit, double ratio) {
     // On a clear day: PPFD in umol m-2 s-1 is twice the irradiance in W m-2, lux a hundred times.
     constexpr double kMaxPpfd = 4, kMaxLux = 200, kMaxHourly = 5000;
@@ -33,7 +33,7 @@ std::string_view unit_probably_meant(LightUnit unit, double ratio) {
     return "is it in J m-2 a day (divide by 86400)?";
 }
 
-/// What is said of times with a note, after how many they are.
+/// Texts of warnings about times with a note, which follow their number.
 constexpr std::array<std::pair<ReadingNote, std::string_view>, 7> kNotes{{
     {ReadingNote::more_direct_than_global,
      "times have direct light above the total by up to 10 % or 5 W m-2; the total is used as "
@@ -58,7 +58,7 @@ constexpr std::array<std::pair<ReadingNote, std::string_view>, 7> kNotes{{
      "for direct light, and the sum of direct and diffuse for global"},
 }};
 
-/// The lowest number of a reading.
+/// The smallest amount of a reading.
 double lowest(const std::optional<Reading>& reading) {
     double low = 0;
     if (reading) {
@@ -106,14 +106,14 @@ TimeSeries SeriesBuilder::finish() {
     add_faults();
     series_.cumulative_sky = rules_.cumulative_sky;
     warn_of_brightness();
-    warn_of_darkness();
+    warn_of_dim_light();
     for (const auto& [note, text] : kNotes) {
         warn(noted_[note], text);
     }
     return std::move(series_);
 }
 
-/// The sources of the file, each times what `share` says of its hours.
+/// The sources of the file, each multiplied by the share of its hours.
 template <typename Share>
 Sources SeriesBuilder::dimmed_lamps(const Share& share) const {
     Sources sources;
@@ -133,7 +133,7 @@ void SeriesBuilder::add_time_step(
     time_step.sources = dimmed_lamps(
         [&](const DailyHours& hours) { return hours.share(interval.start, interval.seconds); });
     std::move(hour.sources.begin(), hour.sources.end(), std::back_inserter(time_step.sources));
-    time_step.shapes = std::move(hour.shapes);
+    time_step.directional_key = std::move(hour.directional_key);
     time_step.seconds = interval.seconds;
     time_step.day = day_of(interval.start);
     const SunPosition sun = path.middle();
@@ -144,7 +144,7 @@ void SeriesBuilder::add_time_step(
     series_.time_steps.push_back(std::move(time_step));
 }
 
-/// Adds to the moment that times share, which a new day may end.
+/// Adds an interval to the cumulative sky, which a new day may end.
 void SeriesBuilder::gather(
     const Interval& interval, const Daylight& daylight, const HourParts& parts) {
     const std::string date = date_text(interval.start);
@@ -191,8 +191,8 @@ void SeriesBuilder::warn(const Noted& noted, std::string_view text) {
     }
 }
 
-/// Clouds at the sun's side and clocks a little off make light brighter than outside the
-/// atmosphere, but not by much, and not for long.
+/// Records light that is brighter than outside the atmosphere. Reflecting clouds and slightly wrong
+/// clocks cause small excesses for a short time.
 void SeriesBuilder::note_brightness(
     const Daylight& daylight, const SunPath& path, const Interval& interval) {
     constexpr double kMuch = 1.25;
@@ -233,9 +233,10 @@ void SeriesBuilder::note_darkness(
     }
 }
 
-/// Under the darkest clouds there is some 5 % of the light outside the atmosphere, on a clear day
-/// some 80 %, which in MJ m-2 an hour is 0.3 % and in MJ m-2 a day 7 %.
-void SeriesBuilder::warn_of_darkness() {
+/// Warns of a probably wrong unit. Of the light outside the atmosphere, the darkest clouds transmit
+/// about 5 % and a clear day 80 %, which reads as 0.3 % in MJ m-2 per hour and as 7 % in MJ m-2 per
+/// day.
+void SeriesBuilder::warn_of_dim_light() {
     warn(
         dark_by_day_,
         "times have no light with the sun more than 10 degrees up: is the clock wrong, or does 0 "

@@ -11,30 +11,30 @@
 
 namespace quasimc {
 
-/// How intervals become moments.
+/// Rules to convert intervals to time steps.
 struct SeriesRules {
     Site site;
     DaylightSources how;
     LightUnit unit = LightUnit::full_spectrum;
     DiffuseModel model = DiffuseModel::erbs;
     ClearAir air;
-    double sun_step = 300;  ///< seconds; 0: the sun stands still in the middle
+    double sun_step = 300;  ///< seconds; 0: one sun position in the middle
     CumulativeSky cumulative_sky = CumulativeSky::none;
 };
 
-/// Builds the moments of a series, and gathers what is to be said of them.
+/// Builds the time steps of a series, and collects warnings about them.
 class SeriesBuilder {
   public:
-    /// All outlive the builder. @param lamps  the sources of the file
+    /// All arguments must outlive the builder. @param lamps  the sources of the file
     SeriesBuilder(const SeriesRules& rules, const SourceList& lamps, Reporter& reporter);
 
-    /// Adds a time, or reports what is wrong with its light.
+    /// Adds an interval, or reports a fault of its light.
     void add(const Interval& interval);
     /// The series, after the last time.
     [[nodiscard]] TimeSeries finish();
 
   private:
-    /// Times with the same note, and the first.
+    /// Number of times with one note, and the first one.
     struct Noted {
         std::size_t count = 0;
         std::string first;
@@ -52,7 +52,7 @@ class SeriesBuilder {
     void warn(const Noted& noted, std::string_view text);
     void note_darkness(const HourLight& light, const SunPath& path, const Interval& interval);
     void warn_of_brightness();
-    void warn_of_darkness();
+    void warn_of_dim_light();
     void report(ReadingFault fault, const SunPath& path, const Interval& interval);
     void add_faults();
     [[nodiscard]] std::size_t day_of(const CivilTime& time);
@@ -62,17 +62,17 @@ class SeriesBuilder {
     Reporter& reporter_;
     TimeSeries series_;
     CumulativeStep gathered_;
-    std::vector<std::pair<CivilTime, double>> gathered_times_;  // with their seconds
-    std::string first_date_, last_date_;                        // of what is gathered
+    std::vector<std::pair<CivilTime, double>> gathered_times_;  // with their lengths in seconds
+    std::string first_date_, last_date_;                        // of the cumulative sky
     std::map<ReadingNote, Noted> noted_;
-    std::map<ReadingFault, std::pair<Fault, std::size_t>> faults_;  // the first, and how many
+    std::map<ReadingFault, std::pair<Fault, std::size_t>> faults_;  // the first, and their number
     Noted too_bright_;
     double brightest_ = 0;        // W m-2, of the times that are too bright
-    double brightest_ratio_ = 0;  // of it to the light outside the atmosphere
+    double brightest_ratio_ = 0;  // ratio to the light outside the atmosphere
     Noted dark_by_day_;           // times without light, with the sun high
     Noted by_day_;                // times with the sun well up
-    double clearest_ = 0;         // of these, the largest ratio to the light outside the atmosphere
-    double longest_ = 0;          // of these, seconds
+    double clearest_ = 0;         // largest ratio of by_day_ to the light outside the atmosphere
+    double longest_ = 0;          // longest time of by_day_, seconds
 };
 
 }  // namespace quasimc

@@ -21,13 +21,13 @@ std::string suggest(std::string_view word, const std::vector<std::string>& names
     return did_you_mean(word, std::vector<std::string_view>(names.begin(), names.end()));
 }
 
-/// Sets the value of a key somewhere in a document.
+/// Sets the value of a key in a document.
 class Setter {
   public:
     Setter(const SweptKey& key, const Node& value, Reporter& reporter)
         : key_(key), value_(value), reporter_(reporter) {}
 
-    /// @param path  from `node` on
+    /// @param path  relative to `node`
     void set(Node& node, std::string_view path) {
         if (auto* table = std::get_if<Node::Table>(&node.value)) {
             set_in_table(*table, path);
@@ -113,7 +113,7 @@ class Setter {
             names.empty() ? "" : suggest(first, names));
     }
 
-    /// What precedes `rest` in the path, with its dot.
+    /// The part of the path before `rest`, with its dot.
     [[nodiscard]] std::string prefix(std::string_view rest) const {
         const std::string path = key_.from_top();
         return path.substr(0, path.size() - rest.size());

@@ -105,7 +105,7 @@ void SweepPlan::read_combination(const Member& member, Reporter& reporter) {
     }
 }
 
-/// No key may set what another one sets.
+/// Refuses keys that set the same value.
 void SweepPlan::check_keys(Reporter& reporter) const {
     for (std::size_t i = 0; i < keys_.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// [sweep]: the keys of a run file that take several values, one after the other.
+// [sweep]: the keys of a run file that take several values in turn.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,38 +14,37 @@
 
 namespace quasimc {
 
-/// The most points that a sweep may have.
+/// Largest number of points of a sweep.
 inline constexpr std::size_t kMaxSweepPoints = 100000;
 
 /// A key of [sweep] and its values.
 struct SweptKey {
-    std::string path;        ///< as stated: "material.leaf.reflectance"
-    std::uint32_t line = 0;  ///< 0: not known
+    std::string path;        ///< given path: "material.leaf.reflectance"
+    std::uint32_t line = 0;  ///< 0: unknown
     Node::List values;       ///< one or more
 
-    /// The path from the top of the file: options may be stated by their key alone.
+    /// The full path, as options may be given by their key alone.
     [[nodiscard]] std::string from_top() const;
 };
 
-/// Which runs a file asks for. Without [sweep] there is one point, which sets nothing.
+/// The runs of a file. Without [sweep] there is one point, which sets no key.
 class SweepPlan {
   public:
-    /// Of a document; reports what is wrong with its [sweep].
+    /// Plans the sweep of a document; reports faults of its [sweep].
     SweepPlan(const Node& document, Reporter& reporter);
 
     [[nodiscard]] const std::vector<SweptKey>& keys() const { return keys_; }
     [[nodiscard]] std::size_t points() const { return points_; }
-    /// Whether every value of a key is combined with those of the others, or else the first values
-    /// of all keys are a point, and so on. A single key is a product.
+    /// Whether all combinations of values are points (combine = "product"); otherwise the n-th
+    /// values of all keys are a point ("zip"). A single key is a product.
     [[nodiscard]] bool is_product() const { return !is_zip_ || keys_.size() < 2; }
-    /// Which of its values a key has at a point. Of a product the last key varies fastest.
+    /// Index of a key's value at a point. In a product the last key varies fastest.
     [[nodiscard]] std::size_t value_at(std::size_t key, std::size_t point) const;
-    /// What a point sets.
+    /// The values of a point.
     [[nodiscard]] std::vector<SweptValue> values_at(std::size_t point) const;
-    /// Whether no key is of organs, ground or cell: all points have the same triangles.
+    /// Whether no key changes organs, ground or cell, so that all points have the same triangles.
     [[nodiscard]] bool keeps_geometry() const;
-    /// The document of a point: with its values, and without [sweep]. Reports keys that there are
-    /// not.
+    /// The document of a point, with its values and without [sweep]. Reports missing keys.
     [[nodiscard]] Node document_at(
         const Node& document, std::size_t point, Reporter& reporter) const;
 

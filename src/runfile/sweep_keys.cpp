@@ -8,15 +8,15 @@
 namespace quasimc {
 namespace {
 
-/// Keys at the top of a file that are of the scene and its units.
+/// Keys at the top of a file that are common to all points.
 constexpr std::array<std::string_view, 10> kOfAllPoints{
     "title",       "bands",           "band",   "up",     "north",
     "length_unit", "irradiance_unit", "format", "output", "detector"};
-/// Options that decide which rows and columns there are, or are of all points together.
+/// Options that determine the rows and columns of outputs, or that concern all points together.
 constexpr std::array<std::string_view, 6> kFixedOptions{"groups",      "layers", "layer_heights",
                                                         "max_seconds", "ratios", "threads"};
 
-/// The section in which a table has that name, or "".
+/// The section with a table of a name, or "".
 std::string_view section_with(const Node& document, std::string_view name) {
     for (const std::string_view section : {"source", "material", "organ", "geometry"}) {
         const Node* list = document.find(section);
@@ -61,7 +61,7 @@ bool has_empty_part(std::string_view path) {
            path.find("..") != std::string_view::npos;
 }
 
-/// A key without a section is that of an option. @returns whether it is none, which is reported
+/// Checks a key without a section, which must be an option. @returns whether it is refused
 bool refuse_single(const Node& document, const SweptKey& key, Reporter& reporter) {
     if (find_option(key.path) != nullptr) {
         return false;

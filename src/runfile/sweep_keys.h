@@ -1,6 +1,6 @@
 #pragma once
 
-// The keys of [sweep]: which there may be, and how they are found in a document.
+// The keys of [sweep]: valid ones, and their search in a document.
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace quasimc {
 
-/// Sections whose values can be swept; of the second, values change triangles.
+/// Sections whose values can be swept, and sections whose values change triangles.
 inline constexpr std::array<std::string_view, 5> kSweptSections{
     "run", "source", "material", "site", "time"};
 inline constexpr std::array<std::string_view, 4> kSweptGeometry{
@@ -28,17 +28,17 @@ bool is_among(std::string_view name, const Names& names) {
 
 [[nodiscard]] std::string_view first_part(std::string_view path);
 
-/// What follows `name` in a path "name.rest"; nothing if it does not begin so.
+/// The rest of a path "name.rest"; empty if it does not begin with `name`.
 [[nodiscard]] std::optional<std::string_view> rest_after(
     std::string_view path, std::string_view name);
 
-/// The names of a list's tables, for suggestions.
+/// Names of a list's tables, for suggestions.
 [[nodiscard]] std::vector<std::string> names_of_items(const Node::List& list);
 
-/// Reports a key that is no value of the run, or one for all points.
+/// Reports a key that does not exist, or that is common to all points.
 [[nodiscard]] bool is_refused(const Node& document, const SweptKey& key, Reporter& reporter);
 
-/// Sets the value of a key in a document; reports a key that is not there.
+/// Sets the value of a key in a document; reports a missing key.
 void set_swept_value(Node& document, const SweptKey& key, const Node& value, Reporter& reporter);
 
 }  // namespace quasimc

@@ -33,7 +33,7 @@ void check_names(
     }
 }
 
-/// The clock time at which a moment begins: "2024-06-21T12:30+02:00" is 12.5.
+/// The clock time at which a time step begins: "2024-06-21T12:30+02:00" is 12.5.
 double clock_hours(const std::string& time) {
     constexpr double kMinutes = 60;
     const std::size_t clock = time.find('T');

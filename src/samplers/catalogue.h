@@ -11,11 +11,11 @@ namespace quasimc {
 
 /// One row of the table of samplers.
 struct SamplerEntry {
-    std::string_view name;     ///< as in `sampler = "..."`
+    std::string_view name;     ///< in run files: `sampler = "..."`
     std::string_view summary;  ///< one line for the manual
     std::unique_ptr<Sampler> (*make)();
-    /// Whether its points are independent; else they are more even than random ones, which the
-    /// tests of every sampler hold it to.
+    /// Whether its points are independent; otherwise tests of every sampler expect them to be more
+    /// uniform than random ones.
     bool is_random = false;
     /// Whether a set of more points begins with the same points.
     bool is_sequence = true;

@@ -20,8 +20,7 @@ class DigitScramble {
   public:
     explicit DigitScramble(std::uint32_t base);
 
-    /// p^M, the largest power of the base within 32 bits: the number of points that can be told
-    /// apart.
+    /// p^M, the largest power of the base within 32 bits: the number of distinct points.
     [[nodiscard]] std::uint32_t period() const { return period_; }
 
     /// M.
@@ -34,14 +33,14 @@ class DigitScramble {
     [[nodiscard]] Key key(std::uint64_t random_bits) const;
 
     /// The scrambled number in [0, 1) of the digits of x < period(), first digit least significant.
-    /// Behind digit M come random ones.
+    /// Digits after digit M are random.
     [[nodiscard]] double coordinate(std::uint32_t x, const Key& key) const;
 
   private:
     std::uint32_t base_;
     std::uint32_t period_ = 0;
     std::uint32_t group_size_ = 0;  ///< digits are treated in groups: p^(digits of a group)
-    std::uint64_t reciprocal_ = 0;  ///< of group_size_
+    std::uint64_t reciprocal_ = 0;  ///< for division by group_size_
     int groups_ = 0;
     int digits_ = 0;
     double scale_ = 0;

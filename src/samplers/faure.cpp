@@ -107,7 +107,7 @@ class Faure final : public Sampler {
 
   private:
     struct Keys {
-        std::uint64_t order;  ///< of the points of a block of dimensions
+        std::uint64_t order;  ///< key of the order of points in a block of dimensions
         DigitScramble::Key digits;
     };
 
@@ -127,9 +127,9 @@ class Faure final : public Sampler {
             product(kColumns[dimension % kFaureDimensions], index), both.digits);
     }
 
-    /// Another order of the points in which aligned blocks of p^k points stay together: each digit
-    /// d of the index becomes a d + b mod p, with a and b drawn by a hash of all more significant
-    /// digits.
+    /// A permutation of the points that maps aligned blocks of p^k points to such blocks: each
+    /// digit d of the index becomes a d + b mod p, with a and b drawn by a hash of all more
+    /// significant digits.
     static std::uint32_t shuffled(std::uint32_t index, std::uint64_t key) {
         std::array<std::uint32_t, kFaureDigits> digits{};
         for (std::uint32_t& digit : digits) {

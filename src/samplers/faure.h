@@ -1,6 +1,6 @@
 // Faure's sequence under Owen's scrambling.
 //
-// What     Digital sequence in base p = 11 whose generator matrix of dimension j is the j-th power
+// Method   Digital sequence in base p = 11 whose generator matrix of dimension j is the j-th power
 //          of Pascal's matrix mod p. A (0, 11)-sequence: every elementary box of volume p^-m holds
 //          exactly one of p^m consecutive aligned points. Each dimension is scrambled on its own
 //          (digit_scramble.h).

@@ -1,6 +1,6 @@
 // Halton's sequence under Owen's scrambling.
 //
-// What     Dimension j is the radical inverse of the point's index in the j-th prime base,
+// Method   Dimension j is the radical inverse of the point's index in the j-th prime base,
 //          scrambled on its own in every replicate (digit_scramble.h).
 // Papers   Halton (1960), Numerische Mathematik 2, 84-90. Owen (2017), "A randomized Halton
 //          algorithm in R", arXiv:1706.02808. Faure and Lemieux (2009), "Generalized Halton

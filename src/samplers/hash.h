@@ -27,9 +27,8 @@ namespace quasimc {
     return multiply_high(a, b) ^ (a * b);
 }
 
-/// 64 random bits for one dimension of one replicate of one point set; `part` tells apart the
-/// rounds of a lattice or the periods of a sequence. Two products that do not wait for each other
-/// and one finalizer.
+/// 64 random bits for one dimension of one replicate of one point set; `part` is the round of a
+/// lattice or the period of a sequence. Two independent products and one finalizer.
 [[nodiscard]] constexpr std::uint64_t stream_key(
     const Stream& stream, std::uint64_t part, std::uint32_t dimension) {
     // The fractional parts of the square roots of 2, 3, 5, 7.

@@ -1,6 +1,6 @@
 // Korobov's lattice rule under a random shift.
 //
-// What     The n = 2^m points of a round are i (1, a, a^2, a^3, ...) / n mod 1, i = 0 ... n - 1,
+// Method   The n = 2^m points of a round are i (1, a, a^2, a^3, ...) / n mod 1, i = 0 ... n - 1,
 //          plus a random vector mod 1. The coordinates are computed in 64-bit fixed point, exactly:
 //          one multiplication, one addition. The sampler of the first QuasiMC (Cieslak et al.
 //          2008).

@@ -15,7 +15,7 @@ struct KorobovLattice {
 inline constexpr int kMaxKorobovLog2 = 40;
 
 /// The lattices of 2^m points, m = 0 ... kMaxKorobovLog2, as printed by
-/// bench/samplers/search_korobov.cpp, which states how they were chosen. Behind each:
+/// bench/samplers/search_korobov.cpp, which describes their choice. Behind each:
 /// korobov_merit, and the merits of coordinates (0, 1) and (0, 1, 2, 3).
 inline constexpr std::array<KorobovLattice, kMaxKorobovLog2 + 1> kKorobovLattices{{
     {5U, 1},               // 2^0: 1.00 0.93 0.84

@@ -1,6 +1,6 @@
 // Monte Carlo: independent random numbers.
 //
-// What     The number of a point and a dimension is 53 bits of the keyed bijection Philox2x64-10 of
+// Method   The number of a point and a dimension is 53 bits of the keyed bijection Philox2x64-10 of
 //          the counter (point / 2, replicate and dimension), under a key made of seed and sequence.
 //          Counter-based: no state, no order, no skipping.
 // Paper    Salmon, Moraes, Dror and Shaw (2011), "Parallel random numbers: as easy as 1, 2, 3",
@@ -24,7 +24,7 @@ namespace quasimc {
     std::array<std::uint64_t, 2> counter, std::uint64_t key);
 
 /// A number in [0, 1) that is independent of all those of other points, dimensions, replicates,
-/// sequences and seeds. What every sampler falls back on where its own structure ends.
+/// sequences and seeds. All samplers use it beyond their own dimensions or points.
 [[nodiscard]] double random_number(
     const Stream& stream, std::uint64_t point, std::uint32_t dimension);
 

@@ -5,11 +5,11 @@
 
 namespace quasimc {
 
-/// Which points a number is drawn for: everything but the point and the dimension.
+/// The point set of a number: everything but the point and the dimension.
 struct Stream {
     std::uint64_t seed = 1;  ///< the run's seed
     std::uint64_t sequence =
-        0;  ///< which point set of the run: 0 for light tracing, else e.g. organ index + 1
+        0;  ///< index of the point set in the run: 0 for light tracing, else e.g. organ index + 1
     std::uint32_t replicate = 0;  ///< independent randomization
     std::uint64_t first = 0;      ///< points [first, first + count) make up the current round
     std::uint64_t count = 0;      ///< number of points in the round; a power of two for lattices
@@ -17,9 +17,9 @@ struct Stream {
 
 /// A randomized point set in the unit cube of any number of dimensions.
 ///
-/// A number is a pure function of (stream, point, dimension): asking again, in any order and from
-/// any thread, gives the same bits. Over the replicates each point is uniform in [0, 1)^s.
-/// Dimensions are meant to be used from 0 upwards in order of importance.
+/// A number is a pure function of (stream, point, dimension): the same bits in any order and from
+/// any thread. Over the replicates each point is uniform in [0, 1)^s. Dimensions are meant to be
+/// used from 0 upwards in order of importance.
 class Sampler {
   public:
     virtual ~Sampler() = default;

@@ -17,8 +17,7 @@ constexpr int kBlock = kSobolBlock;
 /// Digits contributed by each value of each nibble of the index.
 using NibbleTable = std::array<std::array<std::uint32_t, 16>, kNibbles>;
 
-/// What the earlier direction numbers of a row say of the next one, m[k] (Bratley & Fox 1988, eq.
-/// 3).
+/// The recurrence for the next direction number of a row, m[k] (Bratley & Fox 1988, eq. 3).
 constexpr std::uint32_t next_direction(
     const SobolDirection& row, const std::array<std::uint32_t, kDigits>& m, int k) {
     std::uint32_t next = m[k - row.degree] ^ (m[k - row.degree] << row.degree);
@@ -65,7 +64,7 @@ constexpr std::array<NibbleTable, kSobolDimensions> make_tables() {
 
 constexpr std::array<NibbleTable, kSobolDimensions> kTables = make_tables();
 
-/// The matrix product, one table look-up a nibble; few runs have more than 2^16 points.
+/// The matrix product, one table entry per nibble; few runs have more than 2^16 points.
 inline std::uint32_t digits_of(const NibbleTable& table, std::uint32_t index) {
     std::uint32_t digits = 0;
     for (int nibble = 0; nibble < kNibbles / 2; ++nibble) {
@@ -79,12 +78,12 @@ inline std::uint32_t digits_of(const NibbleTable& table, std::uint32_t index) {
     return digits;
 }
 
-/// Everything that the points of one dimension and one period of 2^32 points share.
+/// Data shared by the points of one dimension and one period of 2^32 points.
 struct Dimension {
     ScrambleKey key;
     const NibbleTable& table;
     bool shuffled;
-    ScrambleKey order;  ///< of the shuffle of the index, for the dimensions beyond the table
+    ScrambleKey order;  ///< key of the shuffle of the index, for the dimensions beyond the table
 
     Dimension(const Stream& stream, std::uint64_t period, std::uint32_t dimension)
         : key(stream_key(stream, period, dimension)),

@@ -1,6 +1,6 @@
 // Sobol's sequence under Owen's scrambling.
 //
-// What     Digital sequence in base 2 with the direction numbers of Joe and Kuo; every dimension of
+// Method   Digital sequence in base 2 with the direction numbers of Joe and Kuo; every dimension of
 //          every replicate is scrambled on its own. A number is computed from the bits of its point
 //          directly, without the point before.
 // Scramble Let x be the 32 digits of a coordinate, read with the first digit as bit 0. Two

@@ -5,7 +5,7 @@
 
 namespace quasimc {
 
-/// What generates one dimension of Sobol's sequence: a primitive polynomial over GF(2) of this
+/// The generator of one dimension of Sobol's sequence: a primitive polynomial over GF(2) of this
 /// degree, its inner coefficients as bits, and the first odd integers m_1, ..., m_degree.
 struct SobolDirection {
     int degree;

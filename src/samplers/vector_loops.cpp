@@ -1,5 +1,5 @@
-// Compiled once for each vector unit: foreach_target.h includes this file again and again. The
-// loops are left to the compiler's vectorizer.
+// Compiled once for each vector unit: foreach_target.h includes this file repeatedly. The loops are
+// left to the compiler's vectorizer.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "samplers/vector_loops.cpp"
 #include "samplers/vector_loops.h"

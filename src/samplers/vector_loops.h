@@ -24,8 +24,7 @@ struct ScrambleKey {
     return digits;
 }
 
-/// 32 more bits, of which a number takes 21: they follow from the number's first 32 bits and the
-/// key.
+/// 32 more bits, of which a number uses 21: a function of its first 32 bits and the key.
 [[nodiscard]] constexpr std::uint32_t more_bits(std::uint32_t first, ScrambleKey key) {
     return (first ^ (first >> 15)) * 0x2c1b3c6dU + key.odd_factor * 0x9e3779b9U;
 }
@@ -44,7 +43,7 @@ struct VectorLoops {
         std::uint64_t position, std::uint64_t step, double* out, std::size_t count);
 };
 
-/// Those for the vector unit of this machine. All variants compute the same bits.
+/// The loops for the vector unit of this machine. All variants compute the same bits.
 [[nodiscard]] VectorLoops best_vector_loops();
 
 }  // namespace quasimc

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-/// The factor of a transform that changes no shape; nothing if it shears or segments.
+/// The scale factor of a similarity transform; empty if the transform changes shapes.
 std::optional<double> similarity(const Affine& a) {
     const double square = dot(a.rows[0], a.rows[0]);
     constexpr double kRounding = 1e-12;
@@ -25,7 +25,7 @@ std::optional<double> similarity(const Affine& a) {
     return similar && square > 0 ? std::optional(std::sqrt(square)) : std::nullopt;
 }
 
-/// Areas of instances; that of a mesh is summed once for all copies of one shape.
+/// Areas of instances. The area of a mesh is summed once for all copies of one shape.
 class InstanceAreas {
   public:
     double of(const Instance& instance) {
@@ -45,7 +45,7 @@ class InstanceAreas {
     std::unordered_map<const Mesh*, double> areas_;
 };
 
-/// Whether rays can be turned back through a transform without losing digits to it.
+/// Whether the inverse transform of rays keeps their precision.
 bool is_well_conditioned(const Affine& a) {
     const double volume = std::abs(dot(a.rows[0], cross(a.rows[1], a.rows[2])));
     const double lengths = length(a.rows[0]) * length(a.rows[1]) * length(a.rows[2]);
@@ -53,7 +53,7 @@ bool is_well_conditioned(const Affine& a) {
     return volume > kFlat * lengths && volume > 0;
 }
 
-/// Which copies are kept as instances: for each copy of the draft.
+/// Chooses the copies of the draft that are stored as instances.
 std::vector<bool> choose_instances(const SceneDraft& draft) {
     std::unordered_map<const Mesh*, std::size_t> uses;
     for (const Instance& copy : draft.copies) {
@@ -138,8 +138,8 @@ class Assembler {
         }
     }
 
-    /// Adds a region for each material of the organ's parts that have triangles. Returns these
-    /// parts, those of one region together.
+    /// Adds a region for each material of the organ's non-empty parts. Returns these parts, sorted
+    /// by region.
     std::vector<std::uint32_t> add_regions(std::size_t number) {
         const std::span<const DraftPart> given = draft_.parts_of(number);
         const auto region = [&](std::uint32_t i) -> std::uint32_t& {
@@ -181,7 +181,8 @@ class Assembler {
         own_triangles_ = static_cast<std::uint32_t>(mesh_.size());
     }
 
-    /// A part of an organ that has instances; its own triangles become a mesh with one instance.
+    /// Adds a part of an organ that has instances; its own triangles become a mesh with one
+    /// instance.
     void add_instance(const DraftPart& part, std::uint32_t region) {
         Instance instance;
         if (part.copy != DraftPart::kNoCopy) {
@@ -201,13 +202,14 @@ class Assembler {
     }
 
     SceneDraft draft_;
-    std::span<const MaterialId> materials_;  // of each name of the draft
-    std::vector<bool> is_instance_;          // of each copy of the draft
+    std::span<const MaterialId> materials_;  // by material name of the draft
+    std::vector<bool> is_instance_;          // by copy of the draft
     DraftAssembly result_;
     Mesh mesh_;
     InstanceAreas areas_;
-    std::vector<std::uint32_t> region_of_;       // of the organ at hand, for each material
-    std::vector<std::size_t> instanced_organs_;  // whose triangles are counted from 0 until the end
+    std::vector<std::uint32_t> region_of_;  // by material, of the current organ
+    // Their triangle numbers are relative until the end.
+    std::vector<std::size_t> instanced_organs_;
     std::uint32_t own_triangles_ = 0, instance_triangles_ = 0;
 };
 

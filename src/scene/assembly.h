@@ -8,9 +8,8 @@
 
 namespace quasimc {
 
-/// How often a mesh must be used, and how many triangles it must have, to be kept once for all its
-/// copies (OrganPart::shared). Copies of others are stored like any triangles, which is faster to
-/// trace.
+/// Smallest number of copies for which a mesh is stored once as instances (OrganPart::shared).
+/// Fewer copies are stored as triangles, which is faster to trace.
 inline constexpr std::size_t kMinCopies = 3;
 inline constexpr std::size_t kSmallestPrototype = 64;
 
@@ -25,7 +24,7 @@ struct DraftAssembly {
 
 /// Puts the parts of organs together by material.
 /// @param draft      checked, its triangles z up
-/// @param materials  of each name of the draft
+/// @param materials  by material name of the draft
 [[nodiscard]] DraftAssembly assemble(SceneDraft draft, std::span<const MaterialId> materials);
 
 }  // namespace quasimc

@@ -11,7 +11,7 @@ namespace quasimc {
 
 class KnownOverlaps;
 
-/// What a SceneBuilder was given.
+/// Input of a SceneBuilder.
 struct BuilderData {
     std::vector<Band> bands;
     Orientation orientation;
@@ -23,18 +23,18 @@ struct BuilderData {
     Cell cell;
 };
 
-/// Returns the scene that build() gives, in less time if it differs little from the one before.
-/// @param known  overlaps of the scene before, which become those of this one; or null
+/// Returns the scene of build(), in less time if it differs little from the previous scene.
+/// @param known  overlaps of the previous scene, replaced by those of this one; or null
 [[nodiscard]] Scene build_after(SceneBuilder builder, KnownOverlaps* known);
 
-/// Returns whether build_on() gives what build() would with the organs, ground, cell and axes of
-/// `scene`: it has the same bands, and materials of the same names in the same order, of which
-/// the same ones let all light pass (what coincides is cut accordingly).
+/// Returns whether build_on() has the result of build() with the organs, ground, cell and axes of
+/// `scene`: the bands are the same, and so are the names and order of the materials and which of
+/// them let all light pass (coplanar overlaps are cut accordingly).
 [[nodiscard]] bool can_build_on(const SceneBuilder& builder, const Scene& scene);
 
 /// Returns a scene with the organs, ground, cell and axes of another one, whose triangles it
 /// shares, and with the materials and detectors of a builder. Organs of the builder are left out.
-/// Takes no time for the triangles.
+/// The time does not depend on the number of triangles.
 /// @param scene  on which can_build_on()
 /// @throws InputError  with every fault of materials and detectors
 [[nodiscard]] Scene build_on(const SceneBuilder& builder, const Scene& scene);

@@ -1,4 +1,4 @@
-// Fields of view: sensors that count only light from near their normals.
+// Fields of view: sensors that count only light near their normals.
 
 #include <algorithm>
 #include <cmath>

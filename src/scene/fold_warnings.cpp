@@ -40,7 +40,7 @@ bool varies(std::string_view word) {
     return false;
 }
 
-/// A text without names in quotation marks, numbers and names of files.
+/// A text without quoted names, numbers and file names.
 std::string kind_of(const std::string& text) {
     std::string kind, word;
     const auto end_word = [&] {
@@ -69,7 +69,7 @@ std::string kind_of(const std::string& text) {
 
 constexpr std::string_view kEndOfFolded = " warnings of this kind)";
 
-/// A text without the count at its end, and the count: 1 if the text has none.
+/// Splits off the count at the end of a text; 1 if there is none.
 std::pair<std::string, std::size_t> without_count(const std::string& text) {
     const std::size_t open = text.rfind(" (");
     std::size_t count = 0;
@@ -82,7 +82,7 @@ std::pair<std::string, std::size_t> without_count(const std::string& text) {
     return {text.substr(0, open), count};
 }
 
-/// One warning for all those of a kind, some of which may be folded already.
+/// Folds warnings of one kind, some of which may be folded already.
 Warning folded(const std::vector<Warning>& all) {
     constexpr std::size_t kShown = 3;
     std::size_t count = 0;

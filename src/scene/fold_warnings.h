@@ -6,9 +6,9 @@
 
 namespace quasimc {
 
-/// Makes one warning of more than three that differ in names and numbers alone: the text of the
+/// Replaces more than three warnings that differ only in names and numbers by one: the text of the
 /// first, with the first three locations and the count. Folded warnings can be folded again.
-/// @param others  follow as they are
+/// @param others  appended unchanged
 [[nodiscard]] std::vector<Warning> fold_warnings(
     std::vector<Warning> warnings, std::vector<Warning> others = {});
 

@@ -19,7 +19,7 @@ std::string text_of(const Interval& i) {
     return fmt::format("from {} to {}", shortest(i.low), shortest(i.high));
 }
 
-/// What bounds a horizontal ground along one axis.
+/// Bounds of a horizontal ground along one axis.
 struct AxisRules {
     char axis;
     std::optional<Interval> cell;    ///< if the scene is periodic along the axis
@@ -100,7 +100,7 @@ std::vector<Triangle> horizontal_ground(
     return rectangle(along_x, along_y, ground.height);
 }
 
-/// Triangles were given: nothing may be stated that only a horizontal ground has.
+/// Checks that a ground with triangles has no keys of a horizontal ground.
 void check_given_surface(const GroundSpec& ground, Faults& faults) {
     const std::string why = "it is given as triangles";
     if (ground.extent) {

@@ -15,7 +15,7 @@
 namespace quasimc {
 namespace {
 
-/// @param instances  the bounds of each
+/// @param instances  bounds of each instance
 Bounds bounds_of(const Scene& scene, const Organ& organ, const std::vector<Bounds>& instances) {
     const SceneGeometry& triangles = data_of(scene).triangles();
     const std::size_t end = organ.first_triangle + organ.triangle_count;
@@ -97,7 +97,7 @@ const Organ* ground_of(const Scene& scene) {
     return last.is_ground ? &last : nullptr;
 }
 
-std::string words_for(const Organ& organ) {
+std::string describe_organ(const Organ& organ) {
     return fmt::format("organ '{}' (id {})", organ.name, organ.id);
 }
 
@@ -139,7 +139,7 @@ std::vector<Warning> lint_sizes(const Survey& survey) {
         const double part = part_of_scene(survey, i);
         if (part > 0 && part < kSmallestPart) {
             blurred.add(
-                words_for(scene.organs()[i]),
+                describe_organ(scene.organs()[i]),
                 fmt::format(
                     "is {:.1g} times as large as the scene, and rounding changes its shape: do all "
                     "coordinates have the same unit?",
@@ -166,7 +166,7 @@ std::vector<Warning> lint_materials(const Survey& survey) {
 
 namespace {
 
-/// Counts the triangles of no area. A mesh with many instances is looked at once.
+/// Counts the triangles of zero area. A mesh with many instances is examined once.
 class DegenerateCount {
   public:
     explicit DegenerateCount(const Scene& scene) : triangles_(data_of(scene).triangles()) {}
@@ -208,16 +208,17 @@ std::vector<Warning> lint_areas(const Survey& survey) {
     WarningKind empty("organ has triangles without area", "organs have triangles without area");
     for (const Organ& organ : scene.organs()) {
         if (organ.covered_area > 0) {
-            continue;  // what is left of it is said by lint_overlap
+            continue;  // lint_overlap reports such an organ
         }
         const std::size_t flat = degenerate.count(organ);
         if (flat == organ.triangle_count) {
-            empty.add(words_for(organ), "has no area and receives no light");
+            empty.add(describe_organ(organ), "has no area and receives no light");
         } else if (flat > 0) {
             empty.add(
-                words_for(organ), fmt::format(
-                                      "{} of its {} triangles have no area and receive no light",
-                                      flat, organ.triangle_count));
+                describe_organ(organ),
+                fmt::format(
+                    "{} of its {} triangles have no area and receive no light", flat,
+                    organ.triangle_count));
         }
     }
     return std::move(empty).finish();

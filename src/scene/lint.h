@@ -8,7 +8,7 @@
 #include "quasimc/mesh.h"
 #include "scene/scene.h"
 
-// What lint() is made of. To add a warning: write a function like these, and call it in
+// The checks of lint(). To add a warning, write a function like these and call it in
 // lint_by_check().
 
 namespace quasimc {
@@ -18,18 +18,18 @@ struct LintFinding {
     std::string_view check;  ///< its name: "overlap"
     std::vector<Warning> warnings;
 };
-/// What lint() tells, check by check; without those that have found nothing.
+/// The warnings of lint() by check, without checks that have none.
 [[nodiscard]] std::vector<LintFinding> lint_by_check(const Scene& scene);
 
-/// What lint() finds but for black materials, where zeros are given or were reported when materials
-/// were read.
+/// The warnings of lint() except for black materials, whose zeros are given or were reported by a
+/// reader.
 [[nodiscard]] std::vector<Warning> lint_geometry(const Scene& scene);
 
 /// A scene and the bounds of each of its organs.
 struct Survey {
     const Scene& scene;
     std::vector<Bounds> organ_bounds;
-    Bounds canopy;  ///< of all organs but the ground; empty if there is only ground
+    Bounds canopy;  ///< bounds of all organs but the ground; empty if there is only ground
 };
 
 [[nodiscard]] Survey survey_of(const Scene& scene);
@@ -39,17 +39,18 @@ struct Survey {
 [[nodiscard]] const Organ* ground_of(const Scene& scene);
 
 /// "organ 'leaf 7' (id 7)"
-[[nodiscard]] std::string words_for(const Organ& organ);
+[[nodiscard]] std::string describe_organ(const Organ& organ);
 
-/// How large an organ is beside the whole scene.
+/// Size of an organ relative to the scene.
 [[nodiscard]] double part_of_scene(const Survey& survey, std::size_t organ);
-/// Organs smaller than this are too small for single precision: it moves corners by 1 % of it.
+/// Smallest relative size for single precision, which moves the corners of such an organ by 1 % of
+/// its size.
 inline constexpr double kSmallestPart = 5e-6;
 
-/// Of many things that deserve the same warning only the first few are named, the rest is counted.
+/// Collects items with the same warning; names the first few and counts the others.
 class WarningKind {
   public:
-    /// @param one, many  what is said of one or several not named: "organs are below the ground"
+    /// @param one, many  singular and plural text for the items without names
     WarningKind(std::string_view one, std::string_view many) : one_(one), many_(many) {}
     void add(std::string where, std::string text);
     [[nodiscard]] std::vector<Warning> finish() &&;
@@ -62,24 +63,24 @@ class WarningKind {
     std::size_t count_ = 0;
 };
 
-/// Sizes that smell of a wrong unit.
+/// Warns of sizes that suggest a wrong unit.
 [[nodiscard]] std::vector<Warning> lint_unit(const Survey& survey);
-/// Organs too small beside the scene for single precision.
+/// Warns of organs too small for single precision relative to the scene.
 [[nodiscard]] std::vector<Warning> lint_sizes(const Survey& survey);
-/// Materials that scatter nothing.
+/// Warns of materials that scatter no light.
 [[nodiscard]] std::vector<Warning> lint_materials(const Survey& survey);
-/// Triangles and organs of no area.
+/// Warns of triangles and organs of zero area.
 [[nodiscard]] std::vector<Warning> lint_areas(const Survey& survey);
-/// Organs so thin beside the scene that single precision changes their shape.
+/// Warns of organs so thin relative to the scene that single precision changes their shape.
 [[nodiscard]] std::vector<Warning> lint_thin(const Survey& survey);
-/// Periodic cells that are small beside the organs.
+/// Warns of periodic cells that are small relative to the organs.
 [[nodiscard]] std::vector<Warning> lint_cell(const Survey& survey);
-/// A ground that is smaller than the canopy; organs below a horizontal ground.
+/// Warns of a ground smaller than the canopy, and of organs below a horizontal ground.
 [[nodiscard]] std::vector<Warning> lint_ground(const Survey& survey);
-/// Triangles that lie in one plane, one upon the other, or are the same.
+/// Warns of coplanar triangles that overlap.
 [[nodiscard]] std::vector<Warning> lint_overlap(const Survey& survey);
 
-/// Whether a triangle has no area but for rounding.
+/// Whether the area of a triangle is zero within rounding.
 [[nodiscard]] bool is_degenerate(const Triangle& triangle);
 
 }  // namespace quasimc

@@ -28,7 +28,7 @@ double period(const Cell& cell, const Axis& axis) {
 
 std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground) {
     const Scene& scene = survey.scene;
-    const std::string where = words_for(scene.organs().back());
+    const std::string where = describe_organ(scene.organs().back());
     std::vector<Warning> warnings;
     for (const Axis& axis : kAxes) {
         constexpr double kOverhang = 0.01;
@@ -74,9 +74,9 @@ std::vector<Warning> lint_below(const Survey& survey, double height) {
             continue;
         }
         below.add(
-            words_for(organ), bounds.high.z <= height
-                                  ? fmt::format("is below the ground (height {:.6g})", height)
-                                  : fmt::format("extends {:.3g} below the ground", depth));
+            describe_organ(organ), bounds.high.z <= height
+                                       ? fmt::format("is below the ground (height {:.6g})", height)
+                                       : fmt::format("extends {:.3g} below the ground", depth));
     }
     return std::move(below).finish();
 }
@@ -96,7 +96,7 @@ std::vector<Warning> lint_cell(const Survey& survey) {
             const double cell_size = period(scene.cell(), axis);
             if (cell_size > 0 && size > kManyCells * cell_size) {
                 wide.add(
-                    words_for(scene.organs()[i]),
+                    describe_organ(scene.organs()[i]),
                     fmt::format(
                         "is {:.3g} long along {}, the cell {:.3g}: it overlaps its periodic copies",
                         size, axis.name, cell_size));

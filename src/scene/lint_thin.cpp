@@ -1,5 +1,5 @@
-// Organs so thin beside the scene that single precision, in which rays are traced, changes their
-// areas. What it does to each is known: corners are rounded here as the ray engine's are.
+// Warnings about organs so thin relative to the scene that the single precision of ray tracing
+// changes their areas. Corners are rounded here as in the ray tracer.
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,11 @@
 namespace quasimc {
 namespace {
 
-/// Squares of what rounding does to the area vectors of triangles, and their lengths.
+/// Sums of the squared changes of area vectors by rounding, and of the lengths of these vectors.
 struct Blur {
     double squares = 0, lengths = 0;
 
-    /// How much of the area may be wrong.
+    /// Relative error of the area.
     [[nodiscard]] double part() const { return lengths > 0 ? std::sqrt(squares) / lengths : 0; }
 };
 
@@ -41,7 +41,7 @@ Blur blur_of(const Scene& scene, const Organ& organ, const Bounds& bounds, doubl
     return blur;
 }
 
-/// What rays see of a periodic scene is the cell and what reaches over it.
+/// Bounds of the traced scene; of a periodic one, the cell with what extends above and below it.
 Bounds traced_bounds(const Survey& survey) {
     Bounds bounds = survey.scene.bounds();
     const Cell& cell = survey.scene.cell();
@@ -69,11 +69,12 @@ std::vector<Warning> lint_thin(const Survey& survey) {
         const double part = blur_of(scene, organ, bounds, scale).part();
         if (part > kMaxBlur && part_of_scene(survey, i) >= kSmallestPart) {
             thin.add(
-                words_for(organ), fmt::format(
-                                      "is so thin compared with the scene that rounding to single "
-                                      "precision changes its area by {:.0f} %; its light is "
-                                      "corrected for that, but its direction and shadow are not",
-                                      std::ceil(100 * part)));
+                describe_organ(organ),
+                fmt::format(
+                    "is so thin compared with the scene that rounding to single "
+                    "precision changes its area by {:.0f} %; its light is "
+                    "corrected for that, but its direction and shadow are not",
+                    std::ceil(100 * part)));
         }
     }
     return std::move(thin).finish();

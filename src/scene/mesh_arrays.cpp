@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-/// Makes the organs of arrays one after the other.
+/// Makes organs from arrays, one after the other.
 class OrganMaker {
   public:
     explicit OrganMaker(const MeshArrays& arrays) : arrays_(arrays) {
@@ -41,7 +41,7 @@ class OrganMaker {
   private:
     static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-    /// Whether all faces are one part, whose vertices are those of the arrays.
+    /// Whether all faces form one part with all vertices of the arrays.
     [[nodiscard]] bool is_single() const {
         return arrays_.starts.size() == 2 && arrays_.material_of_face.empty();
     }
@@ -70,7 +70,7 @@ class OrganMaker {
     [[noreturn]] void refuse(std::size_t face, std::int64_t vertex) const {
         throw InputError(
             {{arrays_.where,
-              "face " + std::to_string(face) + " names vertex " + std::to_string(vertex),
+              "face " + std::to_string(face) + " refers to vertex " + std::to_string(vertex),
               "there are " + std::to_string(vertex_count()) + " vertices, counted from 0", ""}});
     }
 
@@ -140,7 +140,7 @@ class OrganMaker {
     }
 
     const MeshArrays& arrays_;
-    std::vector<std::uint32_t> number_;  // of each vertex in the part that is made
+    std::vector<std::uint32_t> number_;  // by vertex, in the current part
     std::vector<std::uint32_t> used_;
 };
 

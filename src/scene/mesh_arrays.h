@@ -11,21 +11,21 @@
 
 namespace quasimc {
 
-/// Organs as arrays, which must outlive it.
+/// Organs as arrays. The arrays must outlive it.
 struct MeshArrays {
     std::string where;                 ///< for messages: "mesh 1"
     std::span<const double> vertices;  ///< x, y, z of each; the file's axes
-    /// Three numbers of vertices for each face; empty: every three vertices are a face.
+    /// Three vertex indices per face; empty: every three vertices are a face.
     std::variant<std::span<const std::int32_t>, std::span<const std::int64_t>> faces;
-    /// The faces, organ by organ; empty: as they stand.
+    /// Face indices, organ by organ; empty: in their order.
     std::span<const std::int64_t> order;
-    /// Where among them each organ begins, and behind the last: where it ends.
+    /// First face of each organ in that order, and the end of the last organ.
     std::span<const std::int64_t> starts;
-    std::span<const std::int64_t> ids;  ///< of each organ; empty: the next that are free
+    std::span<const std::int64_t> ids;  ///< by organ; empty: the next free ones
     std::vector<std::string> materials;
-    std::span<const std::uint32_t> material_of_face;  ///< empty: the first, of all
-    std::vector<std::string> names;                   ///< of each organ; empty: as the builder does
-    /// Each for all organs (one value), or of each.
+    std::span<const std::uint32_t> material_of_face;  ///< empty: the first one for all faces
+    std::vector<std::string> names;                   ///< by organ; empty: names by the builder
+    /// Labels: a key with one value for all organs, or one per organ.
     std::vector<std::pair<std::string, std::vector<std::string>>> labels;
     bool measured = true;
     double field_of_view_deg = 90;

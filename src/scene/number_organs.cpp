@@ -13,7 +13,7 @@ namespace {
 /// Counts the ids of organs, from the first on.
 class IdCounter {
   public:
-    /// The id of the next organ: the one that was stated, or the first that is free.
+    /// The id of the next organ: the given one, or the first free one.
     std::int64_t next(const SceneDraft& draft, std::size_t organ) {
         const std::int64_t id = draft.given[organ].has_id ? draft.organs[organ].id : free();
         largest_ = std::clamp(id, largest_, kLastId - 1);

@@ -13,11 +13,11 @@ namespace quasimc {
 
 namespace {
 
-/// Where a number falls among sums that grow: which of them is the first beyond it, and how far.
+/// Position of a number among increasing sums: the first sum beyond it, and the fraction within it.
 struct CdfInterval {
     std::uint32_t number = 0;
     double before = 0;    ///< the sum before it
-    double fraction = 0;  ///< of what it adds, 0 to 1
+    double fraction = 0;  ///< within the interval, 0 to 1
 };
 
 CdfInterval interval_at(std::span<const double> until, double pick) {
@@ -29,9 +29,8 @@ CdfInterval interval_at(std::span<const double> until, double pick) {
     return {i, before, own > 0 ? std::clamp((pick - before) / own, 0.0, 1.0) : 0};
 }
 
-/// How a map segments: the products of its columns, as fractions of their sum of squares, in steps
-/// of 1e-12. Maps alike in this change the areas of all triangles by one factor, that of
-/// square_size().
+/// The metric of an affine map: the products of its columns, as fractions of their sum of squares,
+/// in steps of 1e-12. Maps with equal metrics change all areas by the ratio of their square_size().
 using LinearPart = std::array<std::int64_t, 6>;
 
 double square_size(const Affine& a) {
@@ -72,7 +71,7 @@ OrganAreas::OrganAreas(
     for (std::size_t i = 0; i < own; ++i) {
         until_.push_back(area(geometry_->mesh()[i]));
     }
-    // Shares of triangles are the same in all copies of a mesh that were not stretched.
+    // All copies of a mesh with the same metric share the fractions of their triangles.
     std::map<std::pair<const Mesh*, LinearPart>, std::uint32_t> known;
     for (const Instance& instance : geometry_->instances()) {
         const auto [shape, is_new] = known.try_emplace(

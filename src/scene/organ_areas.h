@@ -9,15 +9,15 @@
 
 namespace quasimc {
 
-/// The areas of triangles, summed within each organ. Those of an instance follow from its mesh.
+/// Cumulative areas of the triangles of each organ. Instances use those of their mesh.
 class OrganAreas {
   public:
     OrganAreas(std::shared_ptr<const SceneGeometry> geometry, const std::vector<Organ>& organs);
 
-    /// A triangle of an organ, and where in it a number falls that runs through the organ's area.
+    /// A triangle of an organ chosen by cumulative area, and the position within it.
     struct Pick {
         std::uint32_t triangle = 0;
-        double fraction = 0;  ///< of the triangle's area before it, 0 to 1
+        double fraction = 0;  ///< part of the triangle's area before it, 0 to 1
     };
     [[nodiscard]] Pick pick(const Organ& organ, double area) const;
 
@@ -27,9 +27,9 @@ class OrganAreas {
     void sum_within(const Organ& organ);
 
     std::shared_ptr<const SceneGeometry> geometry_;
-    std::vector<double> until_;           // of each triangle that belongs to no instance
-    std::vector<double> instance_until_;  // of each instance, summed within its organ
-    std::vector<std::uint32_t> sums_;     // of each instance: which of the lists below is its own
+    std::vector<double> until_;                    // by triangle that belongs to no instance
+    std::vector<double> instance_until_;           // by instance, summed within its organ
+    std::vector<std::uint32_t> sums_;              // by instance: index of its list below
     std::vector<std::vector<double>> mesh_until_;  // sums over the triangles of a mesh
 };
 

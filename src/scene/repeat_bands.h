@@ -6,11 +6,11 @@
 
 namespace quasimc {
 
-/// The same surfaces in `times` as many wavebands, each several times in a row, so that several
-/// lights are told apart in one run. Without detectors.
+/// A scene with each waveband repeated `times` times, so that one run separates several lights.
+/// Without detectors.
 [[nodiscard]] Scene with_repeated_bands(const Scene& scene, std::size_t times);
 
-/// Which band of with_repeated_bands() a copy of a band is.
+/// Index of a copy of a band in with_repeated_bands().
 [[nodiscard]] constexpr std::size_t repeated_band(
     std::size_t band, std::size_t copy, std::size_t times) {
     return band * times + copy;

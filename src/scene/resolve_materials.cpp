@@ -1,4 +1,4 @@
-// Checks the materials, and finds those that organs name.
+// Checks the materials, and resolves the names of the organs' materials.
 
 #include <unordered_map>
 
@@ -36,7 +36,7 @@ MaterialNumbers number_materials(GivenMaterials materials, std::size_t bands, Fa
     return numbers;
 }
 
-/// Names of materials that do not exist; each is reported once, with the first organ that names it.
+/// Collects names of missing materials; each is reported once, with the first organ that names it.
 class Missing {
   public:
     void add(std::size_t organ, std::string_view material) {

@@ -18,7 +18,7 @@ class KnownOverlaps;
 class OrganAreas;
 struct Coincidences;
 
-/// The part of a scene that the engine alone reads. Copies of a scene share it.
+/// The internal part of a scene, which its copies share.
 struct SceneData {
     std::vector<Material> materials;  ///< by MaterialId
     /// The triangles of an organ are contiguous, those of its first region first. Organs that are
@@ -27,7 +27,7 @@ struct SceneData {
     /// The region of each triangle that belongs to no instance.
     std::shared_ptr<const std::vector<RegionIndex>> triangle_regions;
     std::vector<RegionIndex> instance_regions;  ///< the region of each instance
-    /// Coplanar triangles that overlap, which were cut where they are not seen.
+    /// The coplanar overlaps that were cut away.
     std::shared_ptr<const Coincidences> coincidences;
     std::shared_ptr<const Lazy<OrganAreas>> areas;
 
@@ -61,7 +61,7 @@ struct SceneAccess {
     return SceneAccess::data(scene);
 }
 
-/// Which materials an organ is made of, by MaterialId. The others must change nothing.
+/// Whether an organ uses each material, by MaterialId. Unused materials must not change results.
 [[nodiscard]] std::vector<bool> used_materials(const Scene& scene);
 
 /// Per band, the largest albedo in [0, 1] of a surface in use that is no sensor.

@@ -26,13 +26,12 @@ bool is_usable(const Vec3& p) {
     return small(p.x) && small(p.y) && small(p.z);
 }
 
-/// Whether all corners of a triangle are usable. A corner of two numbers that are too large may
-/// be moved to where it is not finite.
+/// Whether all corners of a triangle are finite and not too large.
 bool is_usable(const Triangle& t) {
     return std::all_of(t.begin(), t.end(), [](const Vec3& p) { return is_usable(p); });
 }
 
-/// A fault about the first corner of an organ that is not usable, or nothing.
+/// The fault of an organ's first unusable corner; empty if there is none.
 std::optional<Fault> corner_fault(
     const SceneDraft& draft, std::size_t organ, const Orientation& orientation) {
     std::size_t number = 0, bad = 0, first_bad = 0;
@@ -87,8 +86,8 @@ void check_axis_of_cell(char axis, double low, double size, double extent, Fault
     }
 }
 
-/// About how many cells the triangles lie in, each counted by itself. Of an instance, each counts
-/// as one.
+/// Approximate sum over the triangles of the number of cells that each extends over. Each triangle
+/// of an instance counts as one.
 double images_in(const Cell& cell, const SceneDraft& draft) {
     double images = 0;
     for (std::size_t i = 0; i < draft.mesh.size(); ++i) {
@@ -104,7 +103,7 @@ double images_in(const Cell& cell, const SceneDraft& draft) {
     return images;
 }
 
-/// Horizontal surfaces, whose images in a periodic cell lie on each other.
+/// Horizontal surfaces, whose periodic copies overlap.
 class FlatSurfaces {
   public:
     explicit FlatSurfaces(double scene_size) : scene_size_(scene_size) {}
@@ -113,14 +112,15 @@ class FlatSurfaces {
         const Bounds bounds = bounds_of(t);
         const double rise = bounds.size().z;
         const double tolerance = coplanar_tolerance(size_of(bounds), scene_size_);
-        const double part = tolerance / std::max(rise, tolerance);  // of its images, in one plane
+        const double part =
+            tolerance / std::max(rise, tolerance);  // fraction of its copies in one plane
         constexpr double kMinPart = 0.01;
         if (part > kMinPart) {
             area_ += part * std::abs(area_vector(t).z) / 2;
             bounds_.include(bounds);
         }
     }
-    /// How many layers they form in the cell on average, wherever they are along an open axis.
+    /// Mean number of layers that they form in the cell, for any position along an open axis.
     [[nodiscard]] double layers_in(const Cell& cell) const {
         const double x = cell.along_x ? cell.size_x : bounds_.size().x;
         const double y = cell.along_y ? cell.size_y : bounds_.size().y;
@@ -154,10 +154,10 @@ double flat_layers_in(const Cell& cell, const SceneDraft& draft, double scene_si
     return flat.layers_in(cell);
 }
 
-/// Whether everything is finite and not too large: then organs need not be looked at one by one.
+/// Whether all coordinates are finite and not too large, so that organs need no check one by one.
 bool is_usable(const SceneDraft& draft, const std::vector<Bounds>& copies) {
     const auto is_small = [](const Bounds& b) { return is_usable(b.low) && is_usable(b.high); };
-    // Of numbers that are none, bounds know nothing.
+    // Bounds ignore NaN.
     const auto has_usable_mesh = [](const Instance& copy) {
         return std::all_of(
             copy.mesh->vertices.begin(), copy.mesh->vertices.end(),
@@ -181,7 +181,7 @@ bool is_usable(const SceneDraft& draft, const std::vector<Bounds>& copies) {
            std::all_of(copies.begin(), copies.end(), is_small);
 }
 
-/// Widens bounds by the faces of a part that stand in the draft's own mesh.
+/// Widens bounds by the faces of a part in the draft's own mesh.
 void add_faces(const SceneDraft& draft, const DraftPart& part, Bounds& bounds) {
     for (std::size_t k = 0; k < part.face_count; ++k) {
         for (const Vec3& corner : draft.mesh[part.first_face + k]) {

@@ -8,7 +8,7 @@
 namespace quasimc {
 namespace {
 
-/// The mesh with its vertices in order, as a scene wants them.
+/// The mesh with its vertices in the order of use, as scenes need it.
 std::shared_ptr<const Mesh> in_order(const std::shared_ptr<const Mesh>& mesh) {
     Mesh copy = *mesh;
     order_vertices(copy);

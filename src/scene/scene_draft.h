@@ -27,7 +27,7 @@ struct DraftPart {
     std::uint32_t copy = kNoCopy;
 };
 
-/// What was stated of an organ beside what the scene keeps.
+/// Properties of an organ that the scene does not keep.
 struct DraftOrgan {
     std::size_t location_end = 0;  ///< end of its location in SceneDraft::locations
     double field_of_view_deg = 90;
@@ -39,12 +39,12 @@ struct DraftOrgan {
 /// triangle.
 struct SceneDraft {
     std::vector<Organ> organs;
-    std::vector<DraftOrgan> given;  ///< of each organ
+    std::vector<DraftOrgan> given;  ///< by organ
     std::vector<DraftPart> parts;
     Mesh mesh;                     ///< the faces of all parts
-    std::vector<Instance> copies;  ///< of meshes that parts share
+    std::vector<Instance> copies;  ///< instances of meshes that parts share
     std::vector<std::string> material_names;
-    std::string locations;  ///< where each organ was stated, one after the other
+    std::string locations;  ///< locations of the organs in their files, concatenated
 
     void add(OrganSpec spec);
     [[nodiscard]] std::span<const DraftPart> parts_of(std::size_t organ) const {
@@ -54,7 +54,7 @@ struct SceneDraft {
         const std::size_t begin = organ == 0 ? 0 : given[organ - 1].location_end;
         return std::string_view(locations).substr(begin, given[organ].location_end - begin);
     }
-    /// How many triangles a part has.
+    /// Number of triangles of a part.
     [[nodiscard]] std::size_t size_of(const DraftPart& part) const {
         return part.copy == DraftPart::kNoCopy ? part.face_count : copies[part.copy].mesh->size();
     }
@@ -62,7 +62,7 @@ struct SceneDraft {
         return part.copy == DraftPart::kNoCopy ? mesh[part.first_face + i]
                                                : copies[part.copy].triangle(i);
     }
-    /// How many triangles there are in all.
+    /// Number of all triangles.
     [[nodiscard]] std::size_t triangle_count() const;
 
   private:
@@ -70,7 +70,7 @@ struct SceneDraft {
     [[nodiscard]] SharedLabels share(Labels labels);
 
     std::unordered_map<std::string, std::uint32_t> material_numbers_;
-    /// A mesh that was given, and the same with its vertices in order.
+    /// A given mesh, and the same mesh with its vertices in order.
     struct SharedMesh {
         std::shared_ptr<const Mesh> given;
         std::shared_ptr<const Mesh> ordered;

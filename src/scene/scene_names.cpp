@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kSeveral = static_cast<std::size_t>(-1);
 
-/// What to do instead of asking for an unknown name.
+/// Advice for an unknown name.
 std::string suggestion(
     const char* what, std::string_view word, const std::vector<std::string_view>& names) {
     constexpr std::size_t kShown = 10;

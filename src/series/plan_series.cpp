@@ -51,7 +51,7 @@ std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps) {
         if (plans[i].factor == 0) {
             continue;
         }
-        const auto [first, last] = traced.equal_range(time_steps[i].shapes);
+        const auto [first, last] = traced.equal_range(time_steps[i].directional_key);
         const auto same = std::find_if(first, last, [&](const auto& entry) {
             const auto factor = factor_between(time_steps[entry.second], time_steps[i]);
             if (factor) {
@@ -60,7 +60,7 @@ std::vector<TimeStepPlan> plan_series(const std::vector<TimeStep>& time_steps) {
             return factor.has_value();
         });
         if (same == last) {
-            traced.emplace(time_steps[i].shapes, i);
+            traced.emplace(time_steps[i].directional_key, i);
         }
     }
     return plans;

@@ -21,7 +21,7 @@ namespace quasimc {
 struct BlockRange {
     std::uint64_t begin = 0, end = 0;
 };
-/// The items of a block: `size` of them, or what is left of `total` in the last one.
+/// The items of a block: `size` of them, or the remainder of `total` in the last one.
 [[nodiscard]] constexpr BlockRange block_range(
     std::uint64_t total, std::uint64_t size, std::uint64_t block) {
     return {block * size, std::min(total, (block + 1) * size)};
@@ -29,8 +29,8 @@ struct BlockRange {
 
 /// Runs the rounds of a solver that cuts them into independent blocks.
 ///
-/// A block is a pure function of its number but for the order of its additions, and sums are exact:
-/// so threads, and the order in which blocks are done, change nothing.
+/// A block is a pure function of its number except for the order of its additions, and sums are
+/// exact. So results do not depend on threads or the order of blocks.
 /// @tparam Scratch  memory of a worker between blocks, made from the number of bands. Workers share
 /// no cache line.
 template <typename Scratch>

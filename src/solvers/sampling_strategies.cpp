@@ -256,7 +256,7 @@ SamplingStrategy strategy_of_traced_suns(
         }
         const Vec3 direction = direction_of(light);
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
-            // A path is one contribution, whichever region of the organ it meets.
+            // A path is one contribution to an organ, for any of its regions.
             const Organ& organ = scene.organs()[scene.regions()[region].organ.value];
             const double along = dot(area, direction);
             if (std::abs(along) > kEdgeOn * length(area)) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// How much few contributions may hide: docs/theory/statistics.md.
+// Error estimates for few contributions: docs/theory/statistics.md.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace quasimc {
 
-/// A bound is the largest contribution that a single sample makes to a quantity of a region: after
-/// n samples (Sums) `largest[column] * scale[region] / n`. The upper limit of a quantity to which
-/// nothing was contributed is made of it.
+/// The largest contribution of a single sample to a quantity of a region: after n samples (Sums)
+/// `largest[column] * scale[region] / n`. The upper limit of a quantity with zero contributions
+/// follows from it.
 struct ContributionBound {
     std::string quantity;  ///< "direct", "scattered", "sunlit", "light_path", ...
     std::vector<double> largest;
@@ -24,28 +24,28 @@ struct ContributionBound {
     friend bool operator==(const ContributionBound&, const ContributionBound&) = default;
 };
 
-/// What a contribution to direct light is: a path, all that comes along a scan line, or a
-/// direction of the skies.
+/// The sample that makes one contribution to direct light: a path, a scan line, or a direction of
+/// the skies.
 enum class SampledBy { paths, lines, directions };
 
-/// A sampling strategy finds the direct light of some lights in one way. What a run may have
-/// overlooked is estimated strategy by strategy: their contributions are of different sizes, and
-/// what the sun lights the sky may not have reached.
+/// One technique that samples the direct light of some lights. The error of few contributions is
+/// estimated strategy by strategy, as their contributions differ in size, and a region may have
+/// light of the sun but none of the sky.
 struct SamplingStrategy {
     SampledBy by = SampledBy::paths;
     bool has_suns = false;
-    /// Of these lights, and of no others; empty: of another strategy's lights too, so that it is
-    /// not known what this one has contributed of their light.
+    /// The strategy samples these lights and no others. Empty: their light is summed with that of
+    /// another strategy, so the contributions of this one are unknown.
     std::vector<std::size_t> spectra;
-    std::vector<double> flux;  ///< per band, as SumUnits::flux: of the brightest spectrum
-    /// By side of a region (2 * region + side): how much of the light of one contribution it can
-    /// get, 0 where it faces none of the lights. Of lines: a length, in local units. Empty: all.
+    std::vector<double> flux;  ///< per band, as SumUnits::flux, of the brightest spectrum
+    /// By side of a region (2 * region + side): largest fraction of a contribution's light that it
+    /// receives, 0 if it faces none of the lights. For lines a length, in local units. Empty: 1.
     std::vector<double> reach = {};
-    std::vector<double> sunlit_reach = {};  ///< of suns, by region: the same of the area lit
+    std::vector<double> sunlit_reach = {};  ///< for suns, by region: the same for sunlit area
     double step = 1;  ///< light of a contribution in the first round, in units
-    double many = 5;  ///< contributions in each replicate from which on replicates tell all
-    /// How much of `reach` one contribution could be of light that no replicate has met at all: of
-    /// a lit part that slips through between lines none could cut more than that.
+    double many = 5;  ///< contributions per replicate from which on replicates suffice
+    /// Upper bound of `reach` for light that no replicate has sampled: the length of a segment on a
+    /// lit part between the lines.
     double unseen_reach = std::numeric_limits<double>::infinity();
 
     friend bool operator==(const SamplingStrategy&, const SamplingStrategy&) = default;

@@ -10,27 +10,27 @@
 namespace quasimc {
 namespace {
 
-/// Takes whole carries out of a number; what is left lies within (-kCarry, kCarry).
-std::int64_t take_carries(std::int64_t& steps) {
-    const std::int64_t carries = steps / ExactBins::kCarry;
-    steps -= carries * ExactBins::kCarry;
+/// Takes whole carries out of a number; the remainder is within (-kCarry, kCarry).
+std::int64_t take_carries(std::int64_t& quanta) {
+    const std::int64_t carries = quanta / ExactBins::kCarry;
+    quanta -= carries * ExactBins::kCarry;
     return carries;
 }
 
 }  // namespace
 
-ExactBins::Steps ExactBins::steps_with_carries(std::size_t bin) const {
-    Steps steps{carries_[bin], low_[bin]};
-    if (steps.carries > 0 && steps.low < 0) {
-        steps = {steps.carries - 1, steps.low + kCarry};
-    } else if (steps.carries < 0 && steps.low > 0) {
-        steps = {steps.carries + 1, steps.low - kCarry};
+ExactBins::Quanta ExactBins::quanta_with_carries(std::size_t bin) const {
+    Quanta quanta{carries_[bin], low_[bin]};
+    if (quanta.carries > 0 && quanta.low < 0) {
+        quanta = {quanta.carries - 1, quanta.low + kCarry};
+    } else if (quanta.carries < 0 && quanta.low > 0) {
+        quanta = {quanta.carries + 1, quanta.low - kCarry};
     }
-    return steps;
+    return quanta;
 }
 
 double ExactBins::value_with_carries(std::size_t bin) const {
-    const Steps sum = steps_with_carries(bin);
+    const Quanta sum = quanta_with_carries(bin);
     return from_fixed(sum.low) + static_cast<double>(sum.carries) * from_fixed(kCarry);
 }
 
@@ -40,26 +40,26 @@ void ExactBins::carry(std::size_t bin, std::int64_t carries) {
     }
     carries_.resize(low_.size());
     if (__builtin_add_overflow(carries_[bin], carries, &carries_[bin])) {
-        throw std::overflow_error("a sum of light exceeds 2^125 steps");
+        throw std::overflow_error("a sum of light exceeds 2^125 quanta");
     }
 }
 
-void ExactBins::add_with_carry(std::size_t bin, std::int64_t steps) {
-    carry(bin, take_carries(steps));
-    std::int64_t sum = low_[bin] + steps;  // of two numbers within (-2^62, 2^62)
+void ExactBins::add_with_carry(std::size_t bin, std::int64_t quanta) {
+    carry(bin, take_carries(quanta));
+    std::int64_t sum = low_[bin] + quanta;  // of two numbers within (-2^62, 2^62)
     carry(bin, take_carries(sum));
     low_[bin] = sum;
 }
 
-void ExactBins::add(std::size_t bin, Steps steps) {
-    add(bin, steps.low);
-    carry(bin, steps.carries);
+void ExactBins::add(std::size_t bin, Quanta quanta) {
+    add(bin, quanta.low);
+    carry(bin, quanta.carries);
 }
 
 ExactBins& ExactBins::operator+=(const ExactBins& other) {
     EXPECT(size() == other.size());
     for (std::size_t i = 0; i < size(); ++i) {
-        add(i, other.steps(i));
+        add(i, other.quanta(i));
     }
     return *this;
 }
@@ -89,7 +89,7 @@ bool operator==(const ExactBins& a, const ExactBins& b) {
         return false;
     }
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a.steps(i) != b.steps(i)) {
+        if (a.quanta(i) != b.quanta(i)) {
             return false;
         }
     }

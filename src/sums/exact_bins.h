@@ -7,17 +7,17 @@
 
 namespace quasimc {
 
-/// Exact sums of any size: one 64-bit number for each bin, and a second one, which counts carries,
-/// for all of them once the first of them needs it.
+/// Exact sums of any size: one 64-bit number for each bin, and a second one for carries, which is
+/// allocated for all bins when one needs it.
 ///
-/// Between calls every bin's lower number lies within (-kCarry, kCarry), but for those that others
-/// add to through shared().
+/// Between calls every bin's lower number is within (-kCarry, kCarry), except those that are added
+/// to through shared().
 class ExactBins {
   public:
-    /// Steps that a carry stands for.
+    /// Quanta of a carry.
     static constexpr std::int64_t kCarry = std::int64_t{1} << 62U;
 
-    /// Steps of a unit.
+    /// Quanta of a unit.
     static constexpr double kQuantaPerUnit = 268435456.0;
 
     ExactBins() = default;
@@ -29,44 +29,44 @@ class ExactBins {
         return carries_.empty() ? static_cast<double>(low_[bin]) / kQuantaPerUnit
                                 : value_with_carries(bin);
     }
-    /// The sum as steps: carries * kCarry + low, both of one sign. One sum is one pair, in whatever
-    /// order it was added up.
-    struct Steps {
+    /// The sum in quanta: carries * kCarry + low, both of one sign. The pair of a sum does not
+    /// depend on the order of additions.
+    struct Quanta {
         std::int64_t carries = 0, low = 0;
-        friend bool operator==(const Steps&, const Steps&) = default;
+        friend bool operator==(const Quanta&, const Quanta&) = default;
     };
-    [[nodiscard]] Steps steps(std::size_t bin) const {
-        return carries_.empty() ? Steps{0, low_[bin]} : steps_with_carries(bin);
+    [[nodiscard]] Quanta quanta(std::size_t bin) const {
+        return carries_.empty() ? Quanta{0, low_[bin]} : quanta_with_carries(bin);
     }
 
-    /// Adds any number of steps to a bin.
-    void add(std::size_t bin, std::int64_t steps) {
+    /// Adds any number of quanta to a bin.
+    void add(std::size_t bin, std::int64_t quanta) {
         std::int64_t sum = 0;
-        const bool is_out = __builtin_add_overflow(low_[bin], steps, &sum);
+        const bool is_out = __builtin_add_overflow(low_[bin], quanta, &sum);
         if (is_out || sum >= kCarry || sum <= -kCarry) [[unlikely]] {
-            add_with_carry(bin, steps);
+            add_with_carry(bin, quanta);
         } else {
             low_[bin] = sum;
         }
     }
-    void add(std::size_t bin, Steps steps);
+    void add(std::size_t bin, Quanta quanta);
     /// Adds the sums of another, of the same size.
     ExactBins& operator+=(const ExactBins& other);
 
-    /// The lower numbers, to which workers may add atomically. settle() carries what has grown too
+    /// The lower numbers, to which workers may add atomically. settle() carries those that are too
     /// large; each may grow by kCarry in between.
     [[nodiscard]] std::span<std::int64_t> shared() { return low_; }
     void settle();
 
-    /// Makes the bins from `first` up to `last` 0, which most of their memory is not needed for.
+    /// Sets the bins in [first, last) to 0.
     void clear(std::size_t first, std::size_t last);
 
     friend bool operator==(const ExactBins& a, const ExactBins& b);
 
   private:
-    [[nodiscard]] Steps steps_with_carries(std::size_t bin) const;
+    [[nodiscard]] Quanta quanta_with_carries(std::size_t bin) const;
     [[nodiscard]] double value_with_carries(std::size_t bin) const;
-    void add_with_carry(std::size_t bin, std::int64_t steps);
+    void add_with_carry(std::size_t bin, std::int64_t quanta);
     void carry(std::size_t bin, std::int64_t carries);
 
     std::vector<std::int64_t> low_;

@@ -7,7 +7,7 @@ using Rows = SumBlock::Rows;
 using Of = SumColumn::Of;
 
 constexpr std::array kSideNames{"_upper", "_lower"};
-/// Names of detectors are the user's, and may be those of other blocks.
+/// Names of detectors are chosen by users, and may be those of other blocks.
 const std::string kDetector = "detector ";
 
 }  // namespace

@@ -32,11 +32,11 @@ class SideBlocks {
 /// Declares a pair of blocks.
 void declare_sides(const std::string& name, const SumColumns& columns, SumBlocks& blocks);
 
-/// Begins the names of blocks of scattered light on the coarser of two levels of patches. The
-/// difference of the two tells the error of the finer (docs/theory/ray-bundles.md).
+/// Prefix of the names of blocks of scattered light on the coarser of two levels of patches. The
+/// difference of the two estimates the error of the finer (docs/theory/ray-bundles.md).
 inline constexpr const char* kCoarse = "coarse_";
 
-/// The blocks of scattered light: what falls on surfaces, and where the rest went.
+/// The blocks of scattered light: incident on surfaces, escaped, scattered and cut off.
 struct ScatteredBlocks {
     /// @param prefix  of their names
     explicit ScatteredBlocks(const SumLayout& layout, const std::string& prefix = {});
@@ -45,16 +45,16 @@ struct ScatteredBlocks {
     BlockBins escaped, scattered_out, cut_off;  ///< per band
 };
 
-/// Declares blocks of scattered light on surfaces, and of where the rest went.
+/// Declares blocks of scattered light, on surfaces and of the run.
 void declare_scattered_on_surfaces(const std::string& prefix, std::size_t bands, SumBlocks& blocks);
 void declare_scattered_of_run(const std::string& prefix, std::size_t bands, SumBlocks& blocks);
 
 /// Declares the blocks that every method sums.
 ///
-/// Light that arrives straight from a source is summed per spectrum, not per band: all bands of it
-/// follow by multiplication. So a band costs memory and time only where light has been scattered.
-/// @param sums_absorbed  whether what surfaces absorb is summed on its own, per band. It follows
-///        from the light that falls on them, and need not be, where no albedo depends on the angle.
+/// Direct light is summed per spectrum, not per band: all bands of it follow by multiplication. So
+/// a band costs memory and time only for scattered light.
+/// @param sums_absorbed  whether absorbed light is summed separately, per band. It follows from
+/// incident light if no albedo depends on the angle.
 [[nodiscard]] SumBlocks light_blocks(
     std::size_t spectra, std::size_t bands, bool sums_absorbed = false);
 
@@ -63,7 +63,7 @@ void declare_scattered_of_run(const std::string& prefix, std::size_t bands, SumB
     const std::string& name, std::size_t axis_bins, std::size_t bands);
 
 /// The handles of light_blocks() and of detectors. Functions give the first bin of a row, or that
-/// of a column where they ask for one.
+/// of a column if they have one as parameter.
 class LightBlocks {
   public:
     explicit LightBlocks(const SumLayout& layout);

@@ -50,7 +50,7 @@ void visit_strategy(Visit& visit, StrategyOrConst& strategy) {
 
 class Writer {
   public:
-    /// @param bytes  about as many as there will be
+    /// @param bytes  approximate size
     explicit Writer(std::size_t bytes) { bytes_.reserve(bytes); }
     template <Plain T>
     void operator()(const T& value) {
@@ -77,8 +77,8 @@ class Writer {
     void operator()(const ExactBins& bins) {
         (*this)(std::uint64_t{bins.size()});
         for (std::size_t i = 0; i < bins.size(); ++i) {
-            const ExactBins::Steps steps = bins.steps(i);
-            (*this)(steps.carries), (*this)(steps.low);
+            const ExactBins::Quanta quanta = bins.quanta(i);
+            (*this)(quanta.carries), (*this)(quanta.low);
         }
     }
     [[nodiscard]] std::string take() {
@@ -122,15 +122,15 @@ class Reader {
     void operator()(ExactBins& bins) {
         bins = ExactBins(length(2 * sizeof(std::int64_t)));
         for (std::size_t i = 0; i < bins.size(); ++i) {
-            ExactBins::Steps steps;
-            (*this)(steps.carries), (*this)(steps.low);
-            bins.add(i, steps);
+            ExactBins::Quanta quanta;
+            (*this)(quanta.carries), (*this)(quanta.low);
+            bins.add(i, quanta);
         }
     }
     [[nodiscard]] bool is_at_end() const { return rest_.empty(); }
 
   private:
-    /// A number of things that take at least so many bytes each.
+    /// A number of items that take at least the given number of bytes each.
     std::size_t length(std::size_t bytes_each) {
         std::uint64_t size = 0;
         (*this)(size);

@@ -42,20 +42,20 @@ ContributionSize larger(const ContributionSize& a, const ContributionSize& b) {
     return {std::max(a.more, b.more), std::max(a.less, b.less)};
 }
 
-Estimate estimate_contributions(std::span<const double> values, const ContributionSize& find) {
+Estimate estimate_contributions(std::span<const double> values, const ContributionSize& size) {
     const Estimate e =
-        estimate_seen_or_bound(values, find.more * static_cast<double>(values.size()));
-    return widened(e, find);
+        estimate_seen_or_bound(values, size.more * static_cast<double>(values.size()));
+    return widened(e, size);
 }
 
-Estimate widened(const Estimate& e, const ContributionSize& find) {
-    if (!std::isfinite(e.standard_error) || (find.more == 0 && find.less == 0)) {
+Estimate widened(const Estimate& e, const ContributionSize& size) {
+    if (!std::isfinite(e.standard_error) || (size.more == 0 && size.less == 0)) {
         return e;
     }
     const double half = e.ci95_high - e.mean;
     return not_negative(
-        {e.mean, std::hypot(e.standard_error, std::max(find.more, find.less)),
-         e.mean - std::hypot(half, 3 * find.less), e.mean + std::hypot(half, 3 * find.more)});
+        {e.mean, std::hypot(e.standard_error, std::max(size.more, size.less)),
+         e.mean - std::hypot(half, 3 * size.less), e.mean + std::hypot(half, 3 * size.more)});
 }
 
 Estimate not_negative(const Estimate& e) {
@@ -78,7 +78,7 @@ double f_tail(double f, double above, double below) {
 }
 
 double interval_quantile(unsigned df) {
-    // From a table, for there are millions of estimates.
+    // From a table, as there are millions of estimates.
     static const auto table = [] {
         std::array<double, 64> quantiles{};
         for (unsigned i = 1; i < quantiles.size(); ++i) {
@@ -96,7 +96,8 @@ Estimate not_above(const Estimate& e, double most) {
     if (std::isnan(e.ci95_high) && e.mean > most) {  // in one replicate the limit alone is known
         return {e.mean, e.standard_error, e.ci95_low, most};
     }
-    // All of the interval above the limit: it missed. What can be has its width below the limit.
+    // An interval wholly above the limit has missed the value: the new one has its width below the
+    // limit.
     const double low = e.ci95_low > most ? std::max(0.0, most - (e.mean - e.ci95_low)) : e.ci95_low;
     return {e.mean, e.standard_error, low, e.ci95_high > most ? most : e.ci95_high};
 }

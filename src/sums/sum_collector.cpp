@@ -5,9 +5,9 @@
 namespace quasimc {
 namespace {
 
-/// Whether there are so many regions that their sums are in no cache, and workers hardly ever meet
-/// in one: tallies of their own then save no time, and take as much memory as the sums. Not so of
-/// many bands, which are added to in a row.
+/// Whether there are too many regions for their sums to fit into a cache. Workers then hardly ever
+/// add to the same one, and tallies of their own save no time, but take as much memory as the sums.
+/// Bands do not matter: they are added to in a row.
 bool are_rarely_met(const SumLayout& layout) {
     constexpr std::size_t kManyRegions = 1 << 17;
     constexpr std::size_t kFewBins = 8;

@@ -9,22 +9,22 @@
 
 namespace quasimc {
 
-/// Where workers leave what they summed: hands each a tally for the replicate it works on.
+/// Collects the sums of workers: gives each a tally for the replicate in progress.
 class SumCollector {
   public:
     /// @param sums  to add to; must outlive the collector
-    /// @param workers  that will trace at the same time
+    /// @param workers  number of concurrent workers
     /// @param most_private_bytes  for all workers' own tallies; beyond it they share one per
-    ///        replicate, as they do where there are very many regions
-    /// @param private_regions  the last so many regions are always the workers' own: those that
-    ///        most light hits
+    /// replicate, as for very many regions
+    /// @param private_regions  number of last regions that are always the workers' own: those that
+    /// most light hits
     SumCollector(
         SumData& sums, unsigned workers, double most_private_bytes, std::size_t private_regions);
 
-    /// The worker's tally, set to add to `replicate`. What it holds of another replicate, or more
-    /// than it should, is left there first.
+    /// The worker's tally, set to add to `replicate`. Amounts of another replicate, or of a full
+    /// tally, are moved to the sums first.
     [[nodiscard]] Tally& tally_for(unsigned worker, std::uint32_t replicate);
-    /// Leaves what every worker still holds with its replicate. No worker may be tracing.
+    /// Moves the amounts of all workers to the sums. No worker may be tracing.
     void collect();
 
   private:

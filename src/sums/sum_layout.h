@@ -8,12 +8,12 @@
 
 namespace quasimc {
 
-/// A column of a block tells what its bins sum: light of a spectrum or of a band, contributions of
-/// a sampling strategy, a sunlit area, or a number.
+/// The quantity in a column of a block: light of a spectrum or of a band, contributions of a
+/// sampling strategy, a sunlit area, or a number.
 struct SumColumn {
     enum class Of : std::uint8_t { spectrum, band, strategy, area, number };
     Of of = Of::number;
-    std::uint32_t index = 0;  ///< of the spectrum, the band or the strategy
+    std::uint32_t index = 0;  ///< spectrum, band or strategy
 
     friend bool operator==(const SumColumn&, const SumColumn&) = default;
 };
@@ -34,11 +34,10 @@ struct SumBlock {
 };
 using SumBlocks = std::vector<SumBlock>;
 
-/// A handle tells where the bins of a block are. That of a block which was not declared has no
-/// columns.
+/// The location of a block's bins. A block that was not declared has no columns.
 struct BlockBins {
     std::size_t first = 0;
-    std::size_t stride = 0;  ///< bins from one region to the next; 0 of a block of the run
+    std::size_t stride = 0;  ///< bins from one region to the next; 0 for a block of the run
     std::size_t columns = 0;
 
     [[nodiscard]] bool exists() const { return columns > 0; }
@@ -49,7 +48,7 @@ struct BlockBins {
 
 /// A layout numbers the bins of all blocks of a run. For each region the bins of all blocks are
 /// next to each other, in the order of their declaration, because a hit adds to several; those of
-/// the run come behind all regions.
+/// the run follow all regions.
 class SumLayout {
   public:
     SumLayout() = default;
@@ -57,7 +56,7 @@ class SumLayout {
     SumLayout(std::size_t regions, SumBlocks blocks);
 
     [[nodiscard]] const SumBlocks& blocks() const { return blocks_; }
-    /// The handle of a block, found by its name: to be asked for once, not for each hit.
+    /// The handle of a block by its name: a slow search, not for each hit.
     [[nodiscard]] BlockBins find(std::string_view name) const;
 
     [[nodiscard]] std::size_t regions() const { return regions_; }

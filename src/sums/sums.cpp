@@ -46,7 +46,7 @@ Sums& Sums::operator=(const Sums& other) {
 }
 
 Sums& Sums::operator=(Sums&& other) noexcept {
-    Sums taken(std::move(other));  // whatever was here is gone at the end
+    Sums taken(std::move(other));  // its previous data are destroyed with it
     data_.swap(taken.data_);
     return *this;
 }
@@ -74,7 +74,7 @@ std::uint64_t Sums::rays() const {
     const BlockBins block = data_->layout.find("rays");
     std::uint64_t rays = 0;
     for (const ExactBins& bins : data_->replicates) {
-        rays += block.exists() ? static_cast<std::uint64_t>(bins.steps(block.first).low) : 0;
+        rays += block.exists() ? static_cast<std::uint64_t>(bins.quanta(block.first).low) : 0;
     }
     return rays;
 }

@@ -15,8 +15,8 @@ namespace quasimc {
 /// The bins one worker adds to: its own, or, for the first regions, an array that all workers share
 /// (relaxed atomic additions; the sums are the same).
 ///
-/// Amounts are not negative (but for add_signed), so a bin that wraps around turns negative: signs
-/// of all that was written are gathered, which costs next to nothing.
+/// Amounts are not negative (except add_signed), so a bin that wraps around turns negative: the
+/// signs of all written numbers are collected, at hardly any cost.
 class Tally {
   public:
     /// Bins of regions [0, shared_regions) go to `shared`, which has layout.bins() bins; the others
@@ -78,10 +78,10 @@ class Tally {
     [[nodiscard]] bool is_full() const { return (written_ & ExactBins::kCarry) != 0; }
 
     /// Adds this worker's own bins to `total` (layout.bins() bins) and sets them to zero.
-    /// @throws InputError  if some bin has wrapped around since the last call: of amounts that each
-    ///         could be summed, but bring too much together
+    /// @throws InputError  if some bin has wrapped around since the last call: each amount was
+    /// small enough, but not their sum
     void move_into(ExactBins& total);
-    /// Lets the shared bins be those of another array.
+    /// Sets another array of shared bins.
     void share(std::span<std::int64_t> shared) { shared_ = shared; }
 
   private:
@@ -101,7 +101,7 @@ class Tally {
     std::size_t shared_bins_ = 0;
     std::span<std::int64_t> shared_;
     std::vector<std::int64_t> own_;
-    std::int64_t written_ = 0;  // all that was written, by "or"
+    std::int64_t written_ = 0;  // all written numbers, by "or"
 };
 
 }  // namespace quasimc

@@ -8,7 +8,7 @@ namespace {
 constexpr std::string_view kBase64Digits =
     "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
-/// What a letter stands for, or -1.
+/// The value of a base64 digit, or -1.
 int base64_digit(char c) {
     const std::size_t digit = kBase64Digits.find(c);
     return digit == std::string_view::npos ? -1 : static_cast<int>(digit);

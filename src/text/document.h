@@ -10,19 +10,19 @@ namespace quasimc {
 
 struct Member;
 
-/// A value of a run file, whatever language it was written in (TOML, JSON).
+/// A value of a document in TOML or JSON.
 struct Node {
     using List = std::vector<Node>;
     using Table = std::vector<Member>;  ///< in the order of the file
 
-    /// A date or time, kept as its text (TableReader::time_text); or what no run file uses: null.
+    /// A date or time as its text (TableReader::time_text), or null, which run files do not use.
     struct Other {
         std::string type;
         std::string text = {};
     };
 
     std::variant<bool, std::int64_t, double, std::string, List, Table, Other> value;
-    std::uint32_t line = 0;  ///< from 1; 0: not known
+    std::uint32_t line = 0;  ///< from 1; 0: unknown
 
     template <typename T>
     [[nodiscard]] const T* as() const {
@@ -39,17 +39,17 @@ struct Member {
     Node node;
 };
 
-/// Values are nested no deeper than this.
+/// Largest depth of nested values.
 inline constexpr int kDeepestNesting = 64;
 
 /// Reads a TOML document.
 /// @param file  its name, for messages
-/// @throws InputError  where the text is not TOML
+/// @throws InputError  if the text is not TOML
 [[nodiscard]] Node read_toml(std::string_view text, const std::string& file);
 
-/// Reads a JSON document; lines are not known.
+/// Reads a JSON document, without line numbers.
 /// @param file  its name, for messages
-/// @throws InputError  where the text is not JSON
+/// @throws InputError  if the text is not JSON
 [[nodiscard]] Node read_json(std::string_view text, const std::string& file);
 
 }  // namespace quasimc

@@ -1,7 +1,7 @@
 #pragma once
 
-// JSON that is written: values are those of the library, long documents are put together from the
-// texts of their parts, so that none need fit in memory.
+// Writing of JSON. Values are those of the library; long documents are composed of the texts of
+// their parts, so that they need not fit in memory.
 
 #include <string>
 #include <string_view>
@@ -15,32 +15,32 @@ namespace quasimc {
 /// A value whose members keep their order.
 using Json = nlohmann::ordered_json;
 
-/// The text of a value, on one line; what is no UTF-8 in it is replaced.
+/// The text of a value on one line; invalid UTF-8 is replaced.
 [[nodiscard]] std::string json_text(const Json& value);
 
-/// The text of an object with one more member, whose text is JSON already.
+/// The text of an object with an additional member, given as JSON text.
 [[nodiscard]] std::string json_text_with(
     const Json& object, std::string_view key, std::string_view value);
 
-/// Adds the text of a value to those of a list, with a comma between.
+/// Appends the text of a value to the items of a list, with a comma.
 void append_json(std::string& list, const Json& value);
 
-/// Writes a long document: objects and lists whose members stand on lines of their own. The caller
-/// sees to it that each member of an object has a key.
+/// Writes a long document: objects and lists with one member per line. The caller must give each
+/// member of an object a key.
 class JsonLines {
   public:
     explicit JsonLines(TextSink sink) : sink_(std::move(sink)) {}
 
-    /// @param bracket  of the object or list that begins, as a member
+    /// @param bracket  of the object or list that begins
     void begin(char bracket, std::string_view key = {});
     void end(char bracket);
-    /// A member that is JSON already, with its key if it needs one.
+    /// Writes a member given as JSON text, with its key if it needs one.
     void line(std::string_view json);
-    /// Members, each on a line; what they hold is indented.
+    /// Writes the members of an object, each on a line; nested ones are indented.
     void members(const Json& object);
-    /// Text that follows what was written.
+    /// Writes a text.
     void text(std::string_view text);
-    /// Gives the sink all that was written.
+    /// Sends the buffered text to the sink.
     void flush();
 
   private:
@@ -49,7 +49,7 @@ class JsonLines {
     TextSink sink_;
     std::string out_;
     bool is_begun_ = false;
-    bool is_first_ = true;  // of its object or list
+    bool is_first_ = true;  // in its object or list
 };
 
 }  // namespace quasimc

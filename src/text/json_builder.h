@@ -1,7 +1,6 @@
 #pragma once
 
-// What the readers of JSON in this program are made of. To be included by sources alone: the
-// library takes long to compile.
+// Parts of the readers of JSON. Included only by sources, as the library takes long to compile.
 
 #include <cstddef>
 #include <cstdint>
@@ -31,7 +30,7 @@ inline void check_depth(std::size_t depth, const std::string& file) {
     }
 }
 
-/// Takes what the parser tells of, value by value.
+/// Builds nodes from the events of the parser.
 class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
   public:
     explicit JsonNodeBuilder(const std::string& file) : file_(file) {}
@@ -69,7 +68,7 @@ class JsonNodeBuilder : public nlohmann::json_sax<nlohmann::ordered_json> {
 
   protected:
     [[nodiscard]] const std::string& file() const { return file_; }
-    /// The tables and lists that the next value stands in, and its key in a table.
+    /// The open tables and lists around the next value.
     [[nodiscard]] const std::vector<Node*>& open() const { return open_; }
     [[nodiscard]] const std::string& key() const { return key_; }
 

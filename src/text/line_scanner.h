@@ -11,7 +11,7 @@
 
 namespace quasimc {
 
-/// The text without the byte-order mark that some editors put in front.
+/// The text without a byte-order mark.
 [[nodiscard]] inline std::string_view without_bom(std::string_view text) {
     return text.starts_with("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
@@ -47,10 +47,10 @@ class LineScanner {
 /// Blanks within a line.
 inline constexpr std::string_view kBlanks = " \t\r\v\f";
 
-/// A set of characters; large files ask it for each of theirs.
+/// A set of characters, with a fast test.
 class Separators {
   public:
-    constexpr Separators(std::string_view characters) {  // NOLINT(*-explicit-*): a text is one
+    constexpr Separators(std::string_view characters) {  // NOLINT(*-explicit-*)
         for (const char c : characters) {
             words_[index(c) / 64] |= std::uint64_t{1} << index(c) % 64;
         }
@@ -68,7 +68,7 @@ class Separators {
 
 inline constexpr Separators kBetweenWords = kBlanks;
 
-/// Takes the next word off a line, between `separators`; "" at its end.
+/// Removes the next word between `separators` from a line; "" at its end.
 [[nodiscard]] inline std::string_view take_word(
     std::string_view& line, const Separators& separators = kBetweenWords) {
     const auto is_separator = [&](char c) { return separators.has(c); };
@@ -78,7 +78,7 @@ inline constexpr Separators kBetweenWords = kBlanks;
     return {begin, end};
 }
 
-/// The words that are left of a line, with a blank between two.
+/// The words of a line, separated by one blank.
 [[nodiscard]] std::string rest_of_line(std::string_view line);
 
 }  // namespace quasimc

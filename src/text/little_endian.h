@@ -19,7 +19,7 @@ void append_little_endian(std::string& bytes, T number) {
     bytes.append(raw.begin(), raw.end());
 }
 
-/// The number whose bytes start at `at`, lowest first; all of them must be there.
+/// The number with bytes from `at` on, lowest first; all bytes must be in range.
 template <typename T>
 [[nodiscard]] T little_endian_at(std::string_view bytes, std::size_t at) {
     std::array<char, sizeof(T)> raw{};

@@ -7,22 +7,21 @@
 
 namespace quasimc {
 
-/// The whole of `text` as a number ("1", "+2.5", "1e-3", also "nan" and "inf": whoever asks must
-/// check), or nothing, also when it is out of the range of double precision. Never depends on the
-/// locale.
+/// Parses all of `text` as a number ("1", "+2.5", "1e-3"; also "nan" and "inf", which callers must
+/// check). Empty if it is none, or out of the range of double precision. Independent of the locale.
 [[nodiscard]] std::optional<double> parse_real(std::string_view text);
 
-/// The whole of `text` as an integer, or nothing (also when it does not fit 64 bits).
+/// Parses all of `text` as an integer; empty if it is none or exceeds 64 bits.
 [[nodiscard]] std::optional<std::int64_t> parse_integer(std::string_view text);
 
-/// The integer that a number is; nothing if it is none, or so large that it might stand for others.
+/// Converts an integral number; empty if it is not integral, or not exact in double precision.
 [[nodiscard]] inline std::optional<std::int64_t> whole_number(double x) {
     constexpr double kExact = 9007199254740992;  // 2^53
     const bool is_whole = std::abs(x) <= kExact && x == std::floor(x);
     return is_whole ? std::optional(static_cast<std::int64_t>(x)) : std::nullopt;
 }
 
-/// A coordinate of a unit vector, to be shown: what is but rounding is 0.
+/// A coordinate of a unit vector for output: values within rounding of 0 become 0.
 [[nodiscard]] inline double without_rounding(double x) {
     constexpr double kRounding = 1e-12;
     return std::abs(x) < kRounding ? 0 : x;

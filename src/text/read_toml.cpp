@@ -25,7 +25,7 @@ Node::List converted_list(const toml::array& array, const std::string& file, int
     return list;
 }
 
-/// The parser sorts a table by key; a person reads it in the order of the file.
+/// Converts a table of the parser, which sorts by key, to the order of the file.
 Node::Table converted_table(const toml::table& table, const std::string& file, int depth) {
     std::vector<std::pair<toml::source_position, Member>> members;
     for (const auto& [key, node] : table) {
@@ -77,7 +77,7 @@ Node converted(const toml::node& node, const std::string& file, int depth) {
     return result;
 }
 
-/// Where a string of TOML that begins at `at` ends: behind its last quote.
+/// End of a TOML string that begins at `at`: after its last quote.
 std::size_t end_of_string(std::string_view text, std::size_t at) {
     const char quote = text[at];
     const bool is_long = text.substr(at, 3) == std::string(3, quote);
@@ -95,8 +95,8 @@ bool is_end_of_key(char c) {
     return std::string_view("=,[]{}\n").find(c) != std::string_view::npos;
 }
 
-/// Refuses keys of very many parts (a.a.a...) before they are parsed: the parser would take one
-/// level of the stack for each.
+/// Refuses keys of very many parts (a.a.a...) before they are parsed: the parser recurses for each
+/// part.
 void refuse_deep_keys(std::string_view text, const std::string& file) {
     std::uint32_t line = 1;
     int dots = 0;

@@ -197,10 +197,9 @@ std::optional<std::string> TableReader::choice(
     std::string_view key, std::span<const std::string_view> names) {
     std::optional<std::string> name = text(key);
     if (name && std::find(names.begin(), names.end(), *name) == names.end()) {
-        const std::string_view near = nearest_word(*name, names);
         fault_at(
             key, fmt::format("{}: '{}' is not one of {}", key, *name, joined(names, ", ")), "",
-            near.empty() ? "" : fmt::format("did you mean '{}'?", near));
+            near_word_text(*name, names));
         return std::nullopt;
     }
     return name;

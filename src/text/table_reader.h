@@ -26,36 +26,36 @@ template <typename Rows>
     return names;
 }
 
-/// Where the reader of a document puts what it has to say.
+/// Collects the faults and warnings of a document's reader.
 struct Reporter {
     std::string file;  ///< name of the document
     Faults faults;
     std::vector<Warning> warnings;
 
-    /// "leaves.toml:12", or "leaves.toml" when the line is not known.
+    /// "leaves.toml:12", or "leaves.toml" if the line is unknown.
     [[nodiscard]] std::string where(std::uint32_t line) const;
-    /// Whether there are so many faults that more of them help nobody.
+    /// Whether there are too many faults to report more.
     [[nodiscard]] bool is_full() const { return faults.size() >= 100; }
     void fault(
         std::uint32_t line, std::string problem, std::string why, std::string suggestion = {});
     void warn(std::string text, std::uint32_t line = 0) {
         warnings.push_back({where(line), std::move(text)});
     }
-    /// Takes over what another one has collected.
+    /// Adds the faults and warnings of another one.
     void add(const Reporter& other);
 };
 
-/// Reads one table: each key once, by its type. What is wrong with a value is reported and the
-/// value is then absent; finish() reports the keys that nobody asked for.
+/// Reads one table: each key once, by its type. A value with a fault is reported and then absent;
+/// finish() reports the keys that were not read.
 class TableReader {
   public:
-    /// @param what  how messages call the table: "material 'leaf'", "[run]"
+    /// @param what  name of the table in messages: "material 'leaf'", "[run]"
     TableReader(const Node& node, std::string what, Reporter& reporter);
 
-    /// The value of a key, of whatever type, or null.
+    /// The value of a key, of any type, or null.
     [[nodiscard]] const Node* any(std::string_view key);
     [[nodiscard]] std::optional<std::string> text(std::string_view key);
-    /// A time as a text or as a date-time of TOML, in the words of ISO 8601.
+    /// A time as a text or as a date-time of TOML, in ISO 8601.
     [[nodiscard]] std::optional<std::string> time_text(std::string_view key);
     /// A list of such times.
     [[nodiscard]] std::optional<std::vector<std::string>> time_texts(std::string_view key);
@@ -70,20 +70,19 @@ class TableReader {
     /// The tables of a list of tables; empty if absent.
     [[nodiscard]] std::vector<const Node*> tables(std::string_view key);
 
-    /// A number somewhere in the value of a key.
+    /// A number within the value of a key.
     [[nodiscard]] std::optional<double> real_at(
         std::string_view key, const Node& node, Range range);
     /// Two numbers [low, high] of a range, the first less than the second, in the value of a key.
     [[nodiscard]] std::optional<Range> interval_at(
         std::string_view key, const Node& node, Range range);
-    /// A list of points somewhere in the value of a key.
+    /// A list of points within the value of a key.
     [[nodiscard]] std::optional<std::vector<Vec3>> vectors_at(
         std::string_view key, const Node& node);
 
     /// Reports that a key must be there.
     void missing(std::string_view key, const std::string& suggestion = {});
-    /// `value`, or a report that the key must be there (not twice for a value that was there but
-    /// wrong).
+    /// Returns `value`, or reports that the key is missing, unless its value had a fault.
     template <typename T>
     std::optional<T> required(std::string_view key, std::optional<T> value) {
         if (!value && node_->find(key) == nullptr) {
@@ -103,12 +102,12 @@ class TableReader {
     void fault_at(
         const Node& node, std::string problem, std::string why = {}, std::string suggestion = {});
     void warn_at(const Node& node, std::string text);
-    /// At the table itself; the text says what it is.
+    /// Adds a warning about this table.
     void warn(std::string text) { reporter_->warnings.push_back({where(), std::move(text)}); }
 
-    /// Reports the keys that were never asked for.
+    /// Reports the keys that were not read.
     void finish();
-    /// Whether anything of this table was reported so far.
+    /// Whether this table has had faults so far.
     [[nodiscard]] bool failed() const { return reporter_->faults.size() > faults_before_; }
 
     [[nodiscard]] const std::string& what() const { return what_; }
@@ -119,13 +118,13 @@ class TableReader {
 
     static constexpr Range kFinite{-1.7976931348623157e308, 1.7976931348623157e308};
     static constexpr Range kNotNegative{0, kFinite.high};
-    /// Amounts of light: more can't be computed with.
+    /// Range of amounts of light that can be computed.
     static constexpr Range kLight{0, 1e15};
 
   private:
     template <typename T>
     [[nodiscard]] std::optional<T> typed(std::string_view key, std::string_view expected);
-    /// @param read   an item; @param items  what they are, for messages: "times"
+    /// @param read  reads an item; @param items  name of the items in messages: "times"
     [[nodiscard]] std::optional<std::vector<std::string>> list_of(
         std::string_view key,
         std::optional<std::string> (*read)(const Node& node),

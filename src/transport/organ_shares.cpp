@@ -47,7 +47,8 @@ double followed_peak(const Scene& scene) {
     constexpr double kPart = 0.5, kMost = 1e5;
     const std::vector<double> areas = measured_areas(scene);
     const double found = static_cast<double>(areas.size()) * middle_of(areas);
-    return found > 0 ? std::clamp(kPart * seen_area(scene) / found, kSharpPeak, kMost) : kSharpPeak;
+    return found > 0 ? std::clamp(kPart * seen_area(scene) / found, kNarrowPeak, kMost)
+                     : kNarrowPeak;
 }
 
 }  // namespace quasimc

@@ -13,7 +13,7 @@ namespace quasimc {
 
 /// The peak_brightness() from which on a lobe counts as narrow in from_organs, which then samples
 /// light of suns and lamps through it by light subpaths. At this limit light subpaths hit a typical
-/// organ as often as samples from it hit a lit lobe; at least kSharpPeak. Delta lobes are always
+/// organ as often as samples from it hit a lit lobe; at least kNarrowPeak. Delta lobes are always
 /// narrow.
 [[nodiscard]] double followed_peak(const Scene& scene);
 

@@ -20,8 +20,8 @@ OpticsTraits optics_of(const Scene& scene) {
         optics.has_constant_albedos = optics.has_constant_albedos && material.has_constant_albedo();
         for (const SurfaceSide side : kSurfaceSides) {
             // Light passes a sensor as if it were not there.
-            const double peak = material.is_transparent() ? 0 : material.side(side).sharpest_peak();
-            optics.sharpest_peak = std::max(optics.sharpest_peak, peak);
+            const double peak = material.is_transparent() ? 0 : material.side(side).largest_peak();
+            optics.largest_peak = std::max(optics.largest_peak, peak);
         }
     }
     return optics;

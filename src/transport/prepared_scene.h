@@ -24,7 +24,7 @@ struct PrimitiveInfo {
 
 /// Properties of all materials in use, by which faster or simpler methods are chosen.
 struct OpticsTraits {
-    double sharpest_peak = 0;          ///< largest peak_brightness() of a lobe, without sensors
+    double largest_peak = 0;           ///< largest peak_brightness() of a lobe, without sensors
     bool has_constant_albedos = true;  ///< no albedo depends on the angle of the light
     bool has_transparent = false;      ///< some material is a sensor that light passes
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-// How a path interacts with a surface, whichever method follows it.
+// Interaction of a path with a surface, for all methods.
 
 #include <cstdint>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-// How light that arrives at a surface is scored, whichever method has found it.
+// Score of light that arrives at a surface, for all methods.
 
 #include <cstdint>
 #include <span>

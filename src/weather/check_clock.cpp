@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-/// A record as the comparison sees it: the middle of its time, and whether it has light.
+/// The middle of a record's time, and whether the record has light.
 struct LitTime {
     std::int64_t solar_day = 0;
     double day_of_year = 0, clock_hours = 0, utc_offset_hours = 0;
@@ -20,20 +20,20 @@ struct LitTime {
     bool is_lit = false;
 };
 
-/// Hours of each day in which the light and the sun disagree.
+/// Hours per day in which light and sun disagree.
 using Mismatch = std::map<std::int64_t, double>;
 
-/// All light of a reading, whatever parts tell it.
+/// The global light of a reading, from any of its parts.
 double amount_of(const Reading& reading) {
     return reading.global.value_or(
         reading.direct_horizontal.value_or(reading.beam_normal.value_or(0)) +
         reading.diffuse.value_or(0));
 }
 
-/// The records of days spread over the whole file.
+/// The records of a sample of days, spread over the whole file.
 std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const Site& site) {
     constexpr double kLongest = 3 * 3600;
-    constexpr double kDark = 0.005;  // of the brightest: sensors are a little off at night
+    constexpr double kDark = 0.005;  // of the brightest: sensors do not read exactly 0 at night
     constexpr std::int64_t kMaxDays = 60;
     const auto solar_day = [&](const CivilTime& time) {
         return static_cast<std::int64_t>(
@@ -41,7 +41,7 @@ std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const 
     };
     double brightest = 0;
     std::int64_t first = solar_day(records.front().start);
-    std::int64_t last = first;  // months of a typical year are of years in any order
+    std::int64_t last = first;  // the years of a typical year are in any order
     for (const WeatherRecord& record : records) {
         brightest = std::max(brightest, record.is_missing ? 0 : amount_of(record.reading));
         first = std::min(first, solar_day(record.start));
@@ -62,9 +62,9 @@ std::vector<LitTime> lit_times(const std::vector<WeatherRecord>& records, const 
     return times;
 }
 
-/// Leaves only the days that have light and no_light_policy, which alone tell their hours.
-void keep_telling_days(std::vector<LitTime>& times) {
-    std::map<std::int64_t, std::pair<bool, bool>> seen;  // light, no_light_policy
+/// Removes days that are all light or all dark, which do not constrain the clock.
+void remove_uniform_days(std::vector<LitTime>& times) {
+    std::map<std::int64_t, std::pair<bool, bool>> seen;  // has light, has dark times
     for (const LitTime& time : times) {
         auto& [light, dark] = seen[time.solar_day];
         light = light || time.is_lit;
@@ -76,7 +76,7 @@ void keep_telling_days(std::vector<LitTime>& times) {
     });
 }
 
-/// @param shift_hours  by which all clocks are put forward
+/// @param shift_hours  added to all clocks
 Mismatch mismatch_of(
     const std::vector<LitTime>& times, double latitude, double longitude, double shift_hours) {
     constexpr double kSunriseDeg = -0.833;
@@ -99,7 +99,7 @@ double sum_of(const Mismatch& days) {
     return sum;
 }
 
-/// The shift of the clock with the smallest mismatch, the mean of several that are alike.
+/// The shift of the clock with the smallest mismatch; the mean of several equal ones.
 double best_shift(const std::vector<LitTime>& times, const Site& site) {
     constexpr int kSteps = 48;
     constexpr double kStepHours = 1 / 12.0;
@@ -131,9 +131,9 @@ std::optional<std::string> warning_of_clock(
         return std::nullopt;
     }
     constexpr std::size_t kMinDays = 3;
-    constexpr double kFarHours = 0.6;  // a record of an hour tells its edges to half of it
+    constexpr double kFarHours = 0.6;  // hourly records give sunrise and sunset to half an hour
     std::vector<LitTime> times = lit_times(records, site);
-    keep_telling_days(times);
+    remove_uniform_days(times);
     const auto at = [&](double latitude, double longitude, double shift) {
         return mismatch_of(times, latitude, longitude, shift);
     };

@@ -12,12 +12,12 @@
 namespace quasimc {
 namespace {
 
-/// Takes a text apart from the front.
+/// Parses a text from left to right.
 class Cursor {
   public:
     explicit Cursor(std::string_view text) : rest_(text) {}
 
-    /// The number made of the next digits (with decimals if asked for); nothing if there is none.
+    /// The number of the next digits and the characters of `more`; empty if there is none.
     std::optional<double> number(std::string_view more = "") {
         std::size_t n = 0;
         while (n < rest_.size() && (std::isdigit(static_cast<unsigned char>(rest_[n])) != 0 ||
@@ -28,7 +28,7 @@ class Cursor {
         rest_.remove_prefix(n);
         return value;
     }
-    /// Whether the next character is one of these; it is passed.
+    /// Skips the next character if it is one of these; returns whether it was.
     bool skip(std::string_view any_of) {
         const bool found = !rest_.empty() && any_of.find(rest_[0]) != std::string_view::npos;
         rest_.remove_prefix(found ? 1 : 0);
@@ -74,7 +74,7 @@ bool read_clock(Cursor& cursor, CivilTime& time) {
     return true;
 }
 
-/// "Z", "+02:00", "-0330", "+2" or nothing. False if it is none of these.
+/// "Z", "+02:00", "-0330", "+2" or nothing. Returns false otherwise.
 bool read_offset(Cursor& cursor, std::optional<double>& offset) {
     if (cursor.skip("Zz")) {
         offset = 0;
@@ -150,7 +150,7 @@ std::string date_text(const CivilTime& time) {
 }
 
 std::string civil_time_text(const CivilTime& time) {
-    // Rounded to the second; a time that was computed is some 1e-5 s off.
+    // Computed times are rounded to the second.
     const int second = static_cast<int>(std::lround(time.second));
     const int offset = static_cast<int>(std::lround(60 * std::abs(time.utc_offset_hours)));
     const CivilTime shown_time =

@@ -9,14 +9,15 @@
 
 namespace quasimc {
 
-/// Where else than in the text of a time its offset to UTC may be stated.
+/// Key that may give the offset to UTC of times without one.
 enum class OffsetKey { utc_offset_hours, none };
 
-/// Reads a time as ISO 8601 writes it: "2024-06-21T12:30:15+02:00", with a blank for the T, without
-/// seconds, with Z, without an offset. A date alone is its midnight. "24:00" is the midnight after.
-/// @param utc_offset_hours  where the text has no offset; nothing: it must have one
-/// @param where  for messages. Nothing after a fault.
-/// @param key  what is advised where the text has none
+/// Reads a time in ISO 8601: "2024-06-21T12:30:15+02:00", optionally with a blank for the T,
+/// without seconds, with Z, or without an offset. A date alone is its first midnight, "24:00" its
+/// last one.
+/// @param utc_offset_hours  for texts without an offset; empty: the text must have one
+/// @param where  for messages
+/// @param key  advice for a missing offset. @returns empty after a fault
 [[nodiscard]] std::optional<CivilTime> parse_civil_time(
     std::string_view text,
     std::optional<double> utc_offset_hours,

@@ -11,7 +11,7 @@ namespace quasimc {
 
 namespace {
 
-/// The end, counted on from the beginning: up to 48.
+/// The end, later than the beginning: up to 48.
 double end_of(const DailyHours::Span& span) {
     return span.to > span.from ? span.to : span.to + 24;
 }
@@ -55,12 +55,12 @@ double DailyHours::share(const CivilTime& start, double seconds) const {
             }
         }
     }
-    // Rounding must not make a lamp that is on all the time another one.
+    // Rounding must not change a lamp that is always on.
     constexpr double kRounding = 1e-9;
     return std::abs(within - 1) < kRounding ? 1 : within < kRounding ? 0 : within;
 }
 
-std::string DailyHours::words() const {
+std::string DailyHours::describe() const {
     std::string out;
     for (const Span& span : spans) {
         out += fmt::format(

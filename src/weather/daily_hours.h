@@ -7,22 +7,22 @@
 
 namespace quasimc {
 
-/// Parts of every day, on the clock of whoever asks.
+/// Parts of every day, in the local time of the argument.
 struct DailyHours {
-    /// 0 to 24; one that ends before it begins goes on over midnight.
+    /// Hours, 0 to 24; a span that ends before it begins includes midnight.
     struct Span {
         double from = 0, to = 24;
     };
-    std::vector<Span> spans;  ///< that must not overlap
+    std::vector<Span> spans;  ///< without overlaps
 
     /// Whether two spans have a time in common.
     [[nodiscard]] bool overlap() const;
 
-    /// The share of a time that lies within; of an instant (0 seconds) 0 or 1. A span holds its
-    /// beginning, not its end.
+    /// The fraction of an interval within the spans; 0 or 1 for an instant (0 seconds). A span
+    /// includes its beginning, not its end.
     [[nodiscard]] double share(const CivilTime& start, double seconds) const;
     /// "from 6 to 10 h, from 16 to 22 h"
-    [[nodiscard]] std::string words() const;
+    [[nodiscard]] std::string describe() const;
 };
 
 }  // namespace quasimc

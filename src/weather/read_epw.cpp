@@ -17,10 +17,10 @@ namespace {
 constexpr std::size_t kYear = 0, kMonth = 1, kDay = 2, kHour = 3, kMinute = 4;
 constexpr std::size_t kBeamNormal = 14, kDiffuse = 15;
 constexpr std::size_t kMinFields = 16;
-/// From here on a value of light is missing.
+/// Values of light from this one on mean a missing value.
 constexpr double kMissing = 9999;
 
-/// A year of two digits as POSIX has it, 1969 to 2068; others as they are.
+/// Completes a year of two digits as POSIX does, 1969 to 2068; other years are unchanged.
 int year_of_two_digits(int year) {
     constexpr int kFirst = 69;
     return year < 0 || year > 99 ? year : year + (year < kFirst ? 2000 : 1900);
@@ -148,7 +148,7 @@ class EpwReader {
             return;
         }
         const double length = 3600 / per_hour_;
-        // Of several records an hour, the minute says when each ends.
+        // With several records per hour, the minute is the end of each.
         const double end = per_hour_ == 1 ? 3600 : 60 * (minute == 0 ? 60 : minute);
         WeatherRecord record;
         record.start = later(day, 3600 * (hour - 1) + end - length);
@@ -160,7 +160,7 @@ class EpwReader {
         file_.records.push_back(record);
     }
 
-    /// Whether the year changes while the calendar goes on, as from January to February.
+    /// Detects a typical year: the year changes within the calendar, as from January to February.
     void note_typical_year() {
         const auto date = [](const WeatherRecord& record) {
             return std::pair(record.start.month, record.start.day);
@@ -173,8 +173,8 @@ class EpwReader {
         }
     }
 
-    /// Light of a time that stands twice would count twice. In a typical year the years don't
-    /// count: its records go once around a calendar, from whatever month they begin in.
+    /// Checks that no time occurs twice, as its light would count twice. The records of a typical
+    /// year cover the calendar once, from any month, and their years are ignored.
     void check_order() {
         constexpr double kSlack = 1, kYearSeconds = 366 * kSecondsADay;
         double turned = 0, first_begin = 0, end = 0;

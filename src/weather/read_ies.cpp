@@ -20,12 +20,12 @@ constexpr std::size_t kMaxIntensities = 1000000;
 constexpr double kMaxIntensity = 1e30;
 constexpr double kMetresPerFoot = 0.3048;
 
-/// The numbers of the file, one after the other, over its lines.
+/// Reads the numbers of the file in sequence, across lines.
 class Numbers {
   public:
     Numbers(LineScanner& scanner, Reporter& reporter) : scanner_(scanner), reporter_(reporter) {}
 
-    /// The next number; 0 once something was wrong.
+    /// The next number; 0 after a fault.
     double next(std::string_view what) {
         if (failed_) {
             return 0;
@@ -48,7 +48,7 @@ class Numbers {
         }
         return values;
     }
-    /// The first word that is left; "" at the end of the file, which DOS marks by a character.
+    /// The first unread word; "" at the end of the file, which DOS marks by a character.
     std::string_view rest() {
         constexpr std::string_view kEndOfFile = "\x1A";
         std::string_view word = take();
@@ -68,7 +68,7 @@ class Numbers {
     [[nodiscard]] bool failed() const { return failed_; }
 
   private:
-    /// Numbers are parted by blanks or commas.
+    /// Blanks or commas separate numbers.
     std::string_view take() { return take_word(line_, " \t,\v\f"); }
 
     LineScanner& scanner_;
@@ -77,7 +77,7 @@ class Numbers {
     bool failed_ = false;
 };
 
-/// The value of the line TILT=, after the label and the keywords; nothing if there is none.
+/// The value of the line TILT=, after the label and the keywords; empty if there is none.
 std::optional<std::string> find_tilt(LineScanner& scanner) {
     while (scanner.next()) {
         const std::string_view line = trimmed(scanner.line());
@@ -88,8 +88,8 @@ std::optional<std::string> find_tilt(LineScanner& scanner) {
     return std::nullopt;
 }
 
-/// TILT=INCLUDE: how much a lamp emits that is tilted. Whoever uses the file states what the lamp
-/// emits, so the factors (here, or in the file that TILT names) do not count.
+/// Skips TILT=INCLUDE, the factors of a tilted lamp. The flux of a lamp is given in the run file,
+/// so these factors (here, or in the file that TILT names) are ignored.
 void skip_tilt(Numbers& numbers) {
     numbers.next("the lamp's position in the luminaire");
     const double pairs = numbers.next("the number of tilt angles");
@@ -100,7 +100,7 @@ void skip_tilt(Numbers& numbers) {
     numbers.list(static_cast<std::size_t>(2 * pairs), "tilt angles and factors");
 }
 
-/// Metres, with the negative numbers by which round openings are marked (LM-63-2002, table 1).
+/// Sets the opening from sizes in metres; negative numbers mark round ones (LM-63-2002, table 1).
 void set_opening(double width, double length, IesFile& file) {
     if (width < 0) {
         file.radius_m = -0.5 * width;
@@ -142,7 +142,7 @@ void check_angles(const PhotometricWeb& web, Numbers& numbers) {
     }
 }
 
-/// Metres of the unit that a number stands for.
+/// Metres per unit of length, by the number of the unit.
 double unit_of_length(double number, Numbers& numbers) {
     constexpr double kFeet = 1, kMetres = 2;
     if (number != kFeet && number != kMetres) {
@@ -151,7 +151,7 @@ double unit_of_length(double number, Numbers& numbers) {
     return number == kFeet ? kMetresPerFoot : 1;
 }
 
-/// How many angles a number says there are.
+/// Converts a number to a count of angles.
 std::size_t count_of(double value, std::string_view what, Numbers& numbers) {
     if (!(value >= 1 && value <= kMaxAngles) || value != std::floor(value)) {
         numbers.fail(
@@ -162,7 +162,7 @@ std::size_t count_of(double value, std::string_view what, Numbers& numbers) {
     return static_cast<std::size_t>(value);
 }
 
-/// Goes to the number of lamps. @returns false  after a fault
+/// Skips to the number of lamps. @returns false  after a fault
 bool pass_head(LineScanner& scanner, Numbers& numbers) {
     const std::optional<std::string> tilt = find_tilt(scanner);
     if (!tilt) {

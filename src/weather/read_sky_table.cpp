@@ -42,7 +42,7 @@ class SkyFile {
 
     static constexpr std::size_t kMaxFaults = 100;
 
-    /// The next line that holds anything; "#" begins a comment.
+    /// Goes to the next line with content; "#" begins a comment.
     bool next_line() {
         while (scanner_.next()) {
             line_ = scanner_.line();
@@ -78,7 +78,7 @@ class SkyFile {
         return true;
     }
 
-    /// A number that is 0 or more; 0 after a fault.
+    /// A number of at least 0; 0 after a fault.
     double value(std::string_view word) {
         const auto number = parse_real(word);
         if (!number || !std::isfinite(*number) || *number < 0) {
@@ -90,7 +90,7 @@ class SkyFile {
         return *number;
     }
 
-    /// Goes on to the line of `what`; false after a fault.
+    /// Goes to the line of `what`; false after a fault.
     bool advance(std::string_view what, std::size_t index, std::size_t count) {
         if (faults_.size() >= kMaxFaults) {
             return false;
@@ -152,7 +152,7 @@ class SkyFile {
     Faults faults_;
 };
 
-/// Divides by the solid angle of each cell, but for a factor.
+/// Divides by the solid angle of each cell, up to a common factor.
 void divide_by_solid_angle(SkyTable& table) {
     const auto sine = [&](std::size_t e) {
         return std::sin(

@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// How a file states a sky.
+/// Format of a sky file.
 enum class SkyFileFormat {
     cells,  ///< "azimuths elevations", then a line of values for each ring, from the horizon up;
             ///< the first value of a ring is that of the cell that begins in the north, the others
@@ -17,14 +17,14 @@ enum class SkyFileFormat {
             ///< by azimuth; the angles don't count: the first azimuth begins in the north and they
             ///< run over west, as the original program has it
 };
-/// What a value of a cell is.
+/// Quantity of a cell's value.
 enum class SkyValues {
     radiance,  ///< proportional to radiance
     flux,  ///< proportional to radiance x solid angle: the light of the cell on a plane facing it
 };
 
-/// Cells of azimuth and elevation as a file has them; azimuths begin in the north and run clockwise
-/// or, of SkyFileFormat::vlab, over west.
+/// Reads cells of azimuth and elevation; azimuths begin in the north and run clockwise or, with
+/// SkyFileFormat::vlab, over west.
 /// @param name  of the file, for messages
 /// @throws InputError  with all faults of the file
 [[nodiscard]] SkyTable read_sky_table(

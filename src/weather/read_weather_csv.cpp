@@ -75,7 +75,7 @@ class TableOfWeather {
         return reporter_.faults.empty();
     }
 
-    /// The time of a row; nothing after a fault.
+    /// The time of a row; empty after a fault.
     std::optional<CivilTime> time_of(const std::vector<std::string>& fields) {
         const std::string where = reporter_.where(scanner_.number());
         if (header_.time) {
@@ -113,7 +113,7 @@ class TableOfWeather {
         return time;
     }
 
-    /// A number of a field; nothing after a fault.
+    /// A number of a field; empty after a fault.
     std::optional<double> number(
         const std::vector<std::string>& fields, std::size_t i, std::string_view what, Range range) {
         const std::string_view field = trimmed(fields[i]);
@@ -164,14 +164,14 @@ class TableOfWeather {
             ENSURE(given != nullptr);
             *given = *value;
         }
-        // A fraction of nothing says nothing.
+        // A fraction of zero light is ignored.
         if (fraction && record.reading.global.value_or(0) > 0) {
             record.reading.diffuse = *fraction * *record.reading.global;
         }
         file_.records.push_back(record);
     }
 
-    /// The shortest time between rows. Rows that are not in the order of time are faults.
+    /// The shortest time between rows. Reports rows that are not in temporal order.
     double shortest_step() {
         double step = std::numeric_limits<double>::infinity();
         for (std::size_t i = 1; i < file_.records.size(); ++i) {
@@ -190,10 +190,10 @@ class TableOfWeather {
         return step;
     }
 
-    /// Finds how long rows stand, and moves the times to the beginnings.
+    /// Finds the duration of rows, and sets the times to their beginnings.
     void set_times() {
         const double apart = shortest_step();
-        // A date alone is that day.
+        // A date alone means the whole day.
         const double step = columns_.seconds > 0 ? columns_.seconds
                             : are_dates_         ? std::min(apart, kSecondsADay)
                                                  : apart;
@@ -218,7 +218,8 @@ class TableOfWeather {
         }
     }
 
-    /// Of rows that stand for longer than the next is away, the light in common counts twice.
+    /// Warns of rows that are longer than the distance to the next: their common light counts
+    /// twice.
     void warn_of_overlaps(double apart, double step) {
         constexpr double kSlack = 1;  // second
         if (apart < step - kSlack) {
@@ -231,12 +232,12 @@ class TableOfWeather {
         }
     }
 
-    /// Whole days of rows begin and end at other times of the day if these are the ends of steps
-    /// than if they are the beginnings or the middles: the first and the last row tell.
+    /// Warns of a wrong `stamp`: in whole days of rows, the first and last times of day show
+    /// whether times are beginnings, middles or ends of steps.
     void warn_of_stamp(double step) {
         const CivilTime& first = file_.records.front().start;
         const CivilTime& last = file_.records.back().start;
-        // How many of the two fit; the times lie `part` of a step after its beginning.
+        // Number of the two that fit times at a fraction `part` of a step.
         const auto fitting = [&](double part) {
             const auto is_at = [&](const CivilTime& time, double seconds) {
                 const double off = 3600 * time.hour + 60 * time.minute + time.second - seconds;
@@ -268,12 +269,12 @@ class TableOfWeather {
 
     LineScanner scanner_;
     const WeatherColumns& columns_;
-    std::set<double> missing_numbers_;  // however they are written
+    std::set<double> missing_numbers_;  // in any notation
     Reporter& reporter_;
     char separator_ = ',';
     WeatherHeader header_;
     WeatherFile file_;
-    bool are_dates_ = true;  // all times so far
+    bool are_dates_ = true;  // whether all times so far are dates
 };
 
 }  // namespace

@@ -13,47 +13,45 @@
 
 namespace quasimc {
 
-/// The light of a time, as a weather file has it.
+/// A record of a weather file.
 struct WeatherRecord {
     CivilTime start;
     double seconds = 0;
     Reading reading;
-    bool is_missing = false;  ///< some of what the file gives elsewhere is not known here
+    bool is_missing = false;  ///< a value that other records have is missing
     std::uint32_t line = 0;
 };
 
 /// A weather file.
 struct WeatherFile {
-    std::optional<Site> site;                ///< if the file tells it
-    std::optional<double> utc_offset_hours;  ///< of its clock
-    /// Whether its months are of different years (a typical year), so that only month, day and
-    /// hour count.
+    std::optional<Site> site;                ///< if the file gives it
+    std::optional<double> utc_offset_hours;  ///< offset of its clock
+    /// Whether its months are from different years (a typical year), so that the year is ignored.
     bool is_typical_year = false;
-    std::vector<WeatherRecord> records;  ///< in the order of time
+    std::vector<WeatherRecord> records;  ///< in temporal order
 };
 
 /// Reads EnergyPlus weather (EPW): beam normal and diffuse horizontal irradiance, W m-2. Records
-/// stand for the time before their hour, in local standard time.
-/// What is wrong goes to the reporter.
+/// cover the time before their hour, in local standard time. Faults go to the reporter.
 [[nodiscard]] WeatherFile read_epw(std::string_view text, Reporter& reporter);
 
-/// How a table of weather is to be read.
+/// Format of a table of weather.
 struct WeatherColumns {
-    /// Where the time of a row lies in the time it stands for.
+    /// Position of a row's time within its interval.
     enum class Stamp { start, middle, end };
 
-    /// Of the column of times; "": "time", or if there is none day of year and hour.
+    /// Name of the column of times; "": "time" or, without it, day of year and hour.
     std::string time;
-    /// Of the columns that tell the time together; "": as they are usually called.
+    /// Names of the columns that together give the time; "": their usual names.
     std::string day_of_year, hour, year_column;
-    std::optional<int> year;  ///< of files without a column of years
-    /// "global", "direct_horizontal", "beam_normal", "diffuse", "diffuse_fraction" (of global): the
-    /// names of their columns.
+    std::optional<int> year;  ///< year of files without a column of years
+    /// Column names of "global", "direct_horizontal", "beam_normal", "diffuse", "diffuse_fraction"
+    /// (of global).
     std::map<std::string, std::string, std::less<>> light;
-    std::optional<double> utc_offset_hours;  ///< of times without one
-    /// Nothing: the end; of dates without a clock the beginning.
+    std::optional<double> utc_offset_hours;  ///< offset of times without one
+    /// Empty: the end, but the beginning for dates without a time.
     std::optional<Stamp> stamp;
-    double seconds = 0;  ///< that a row stands for; 0: the step of the rows
+    double seconds = 0;  ///< duration of a row; 0: the step of the rows
     std::set<std::string, std::less<>> missing{"", "NA", "NaN", "nan", "-9999", "-999"};
 };
 
@@ -64,11 +62,11 @@ struct WeatherColumns {
 /// The fields of a line of a table; quotes as in RFC 4180.
 [[nodiscard]] std::vector<std::string> split_fields(std::string_view line, char separator);
 
-/// The part of a reading by its name, or null.
+/// The part of a reading with a name, or null.
 [[nodiscard]] std::optional<double>* part_of(Reading& reading, std::string_view name);
 /// The names of the parts.
 [[nodiscard]] std::span<const std::string_view> reading_names();
-/// The names of what columns of a table may hold: the parts, and the diffuse fraction.
+/// Names of the quantities of columns: the parts, and the diffuse fraction.
 [[nodiscard]] std::span<const std::string_view> weather_light_names();
 
 }  // namespace quasimc

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kLightNames{
     "global", "direct_horizontal", "beam_normal", "diffuse", kDiffuseFraction};
-/// Those that are parts of a reading.
+/// Names of the parts of a reading.
 constexpr std::span<const std::string_view, 4> kReadingNames = std::span(kLightNames).first<4>();
 
-/// Looks through the names.
+/// Searches the names of columns.
 class ColumnFinder {
   public:
     ColumnFinder(
@@ -100,8 +100,8 @@ class ColumnFinder {
         }
     }
 
-    /// Where some columns of light are named, no others are read; nor is a part of the global light
-    /// where parts are given.
+    /// Warns of unread columns of light: if some are named, no others are read, nor is global light
+    /// where its parts are given.
     void warn_of_unread() {
         for (std::size_t i = 0; i < header_.names.size(); ++i) {
             const auto is_read = std::any_of(
@@ -136,7 +136,7 @@ class ColumnFinder {
         header_.light[std::string(part)] = *i;
     }
 
-    /// The column of one of these names, whatever their case; nothing if there is none.
+    /// The column with one of these names, in any case; empty if there is none.
     std::optional<std::size_t> usual(std::initializer_list<std::string_view> usual_names) {
         for (const std::string_view wanted : usual_names) {
             const auto is_wanted = [&](const std::string& name) {
@@ -149,7 +149,7 @@ class ColumnFinder {
         return std::nullopt;
     }
 
-    /// The only column that is called so; a second one is a fault. Nothing if there is none.
+    /// The only column with such a name, or empty; a second one is a fault.
     template <typename IsNamed>
     std::optional<std::size_t> only(
         std::string_view called, const IsNamed& is_named, const char* why) {
@@ -166,7 +166,7 @@ class ColumnFinder {
         return static_cast<std::size_t>(found - names.begin());
     }
 
-    /// The column that is stated to be there; nothing after a fault.
+    /// The column named by a key; empty after a fault.
     std::optional<std::size_t> column(const std::string& name) {
         const auto found = only(
             name, [&](const std::string& other) { return other == name; },

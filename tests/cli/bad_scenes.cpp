@@ -74,7 +74,7 @@ const std::vector<BadInput> kBadScenes{
     {"ReflectanceForgotten", kReflectance + "\n" + kTransmittance, "", "reflectance is missing"},
     {"ReflectanceOfUnknownBand", kReflectance, "reflectance = { NIR = 0.1 }", "PAR is missing"},
     {"UnknownModel", kReflectance, kReflectance + "\nreflection_model = \"glossy\"",
-     "reflection_model is 'glossy' (unknown model)"},
+     "reflection_model: 'glossy' is not one of lambertian, "},
     {"ModelWithoutExponent", kReflectance, kReflectance + "\nreflection_model = \"phong\"",
      "reflection_exponent is missing"},
     {"ExponentNegative", kReflectance,

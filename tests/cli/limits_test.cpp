@@ -13,7 +13,7 @@ namespace quasimc::test {
 namespace {
 
 constexpr const char* kHuge = "1073741824";
-constexpr const char* kStopped = "\nstopped   on request: ";
+constexpr const char* kStopped = "\nstopped   interrupted: ";
 
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -57,10 +57,10 @@ class LimitsTest : public ProgramTest {
 
 TEST_F(LimitsTest, AHugeRunEndsInTimeWithItsFiles) {
     const Outcome outcome =
-        run_within(0.5, {"run", "run.toml", "--paths", kHuge}, "\nstopped   by max_seconds = ");
+        run_within(0.5, {"run", "run.toml", "--paths", kHuge}, "\nstopped   max_seconds = ");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
     EXPECT_TRUE(contains(outcome.out, " of 1073741824 paths completed")) << outcome.out;
-    EXPECT_TRUE(contains(folder_.read("out.csv"), "\n# stopped: by max_seconds = "));
+    EXPECT_TRUE(contains(folder_.read("out.csv"), "\n# stopped: max_seconds = "));
     EXPECT_TRUE(contains(folder_.read("out.json"), "\"stop\": \"time_limit\""));
 }
 
@@ -94,7 +94,7 @@ TEST_F(LimitsTest, ASeriesSharesItsTime) {
         3, {"run", "days.toml", "--paths", kHuge, "--daily-csv", "d.csv", "--progress"},
         ": 4 of 4 time steps completed; 4 of 4 computed with fewer paths");
     EXPECT_EQ(outcome.status, 4) << outcome.err;
-    EXPECT_TRUE(contains(outcome.out, "\nstopped   by max_seconds = ")) << outcome.out;
+    EXPECT_TRUE(contains(outcome.out, "\nstopped   max_seconds = ")) << outcome.out;
     EXPECT_TRUE(contains(outcome.err, " s of about ")) << "progress in a log: " << outcome.err;
     const std::string json = folder_.read("out.json");
     EXPECT_TRUE(contains(json, "\"time_steps_requested\": 4")) << json.substr(json.size() - 400);

@@ -98,7 +98,7 @@ TEST_F(PartsTest, ThatMissOverlapOrAreOfAnotherRunAreRefused) {
         EXPECT_EQ(outcome.status, 1);
         return outcome.err;
     };
-    EXPECT_EQ(refusal({"p1", "p3"}), "PART: part 2 of 3 is missing; add its file\n");
+    EXPECT_EQ(refusal({"p1", "p3"}), "error: PART: part 2 of 3 is missing; add its file\n");
     EXPECT_NE(
         refusal({"p1", "p2", "p2", "p3"}).find("p2: part 2 of 3 is given twice"),
         std::string::npos);
@@ -135,7 +135,7 @@ TEST_F(PartsTest, ThatAreDamagedAreRefused) {
         return outcome.err;
     };
     for (const std::size_t size : {0UL, 10UL, 30UL, 60UL, whole.size() / 2, whole.size() - 1}) {
-        EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("p2: is ")) << size;
+        EXPECT_TRUE(refusal(whole.substr(0, size)).starts_with("error: p2: is ")) << size;
     }
     EXPECT_NE(refusal(whole + "x").find("extra bytes at its end"), std::string::npos);
     std::string changed = whole;
@@ -183,7 +183,7 @@ TEST_F(PartsTest, CantBeOfRunsWhoseEndTheyDoNotKnow) {
 TEST_F(PartsTest, AreNoOutputOfTheirMerger) {
     compute_parts(1);
     const std::string before = folder_.read("p1");
-    EXPECT_EQ(run({"merge", "p1", "--csv", "p1"}).status, 1);
+    EXPECT_EQ(run({"merge", "p1", "--csv", "p1"}).status, 2);
     EXPECT_EQ(folder_.read("p1"), before);
 }
 

@@ -158,7 +158,7 @@ TEST_F(ShowCommand, TellsAllThatIsWrongAndWritesNothing) {
     expect_fault({"show", "out.json", "-o", "p.png", "--time", "2024"}, "the run has no [time]");
     expect_fault(
         {"show", "out.json", "-o", "p.png", "--clip", "z<-1000"}, "nothing of the scene is left");
-    expect_fault({"show", "out.json", "-o", "leaves.tri"}, "leaves.tri");
+    expect_fault({"show", "out.json", "-o", "leaves.tri"}, "can't write .tri");
     EXPECT_EQ(run({"show"}).status, 2);
     for (const std::string& file : new_files()) {
         EXPECT_EQ(file.find("p.png"), std::string::npos) << file;

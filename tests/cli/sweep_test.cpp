@@ -119,12 +119,12 @@ TEST_F(SweepCommand, IsCheckedWholeAndConvertedPointByPoint) {
     write_sweep("seed = [1, 2]\npaths = [-63, 0]\nsampler = [\"sobol\"]\n");
     const Outcome bad = run({"check", "sweep.toml"});
     EXPECT_EQ(bad.status, 1);
-    EXPECT_NE(bad.err.find("paths is -63"), std::string::npos) << bad.err;
-    EXPECT_NE(bad.err.find("paths is 0"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("paths: -63 is out of range"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("paths: 0 is out of range"), std::string::npos) << bad.err;
     write_sweep("seed = [1, 2]\n");
     EXPECT_NE(run({"check", "sweep.toml"}).out.find("a sweep of 2 points"), std::string::npos);
     EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--sweep-point", "2"}).status, 0);
-    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--sweep-point", "3"}).status, 1);
+    EXPECT_EQ(run({"convert", "sweep.toml", "scene.obj", "--sweep-point", "3"}).status, 2);
 }
 
 }  // namespace

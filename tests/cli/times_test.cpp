@@ -36,7 +36,8 @@ TEST_F(TimesTest, AreWrittenByTimeAndByDay) {
     const Outcome outcome =
         run({"run", "days.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find("4 from 2024-06-20T11:00+01:00"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("time steps 4 from 2024-06-20T11:00+01:00"), std::string::npos)
+        << outcome.out;
     const std::string times = folder_.read("t.csv");
     EXPECT_EQ(rows(times), 4 * 3);
     EXPECT_NE(times.find("\ntime,id,name,"), std::string::npos);
@@ -54,7 +55,8 @@ TEST_F(TimesTest, AreCollapsedOnDemand) {
     folder_.write("period.toml", run_file_of_days() + "cumulative_sky = \"period\"\n");
     const Outcome checked = run({"check", "period.toml"});
     EXPECT_NE(
-        checked.out.find("4 times collapsed into 1 trace of 12 suns in all"), std::string::npos)
+        checked.out.find("4 time steps in 1 cumulative sky with 12 sun positions"),
+        std::string::npos)
         << checked.out;
     const Outcome outcome =
         run({"run", "period.toml", "--csv", "t.csv", "--daily-csv", "d.csv", "--json", "r.json"});
@@ -88,7 +90,7 @@ TEST_F(TimesTest, AreComputedTogetherOnDemand) {
         folder_.read("r.json").find("\"time_method\": \"daylight_coefficients\""),
         std::string::npos);
     const Outcome kept = with({"--checkpoint", "c.checkpoint"});
-    EXPECT_EQ(kept.status, 1);
+    EXPECT_EQ(kept.status, 2);
     EXPECT_NE(kept.err.find("\"daylight_coefficients\", with a checkpoint"), std::string::npos)
         << kept.err;
 }
@@ -163,15 +165,15 @@ TEST_F(TimesTest, HaveSumsOfGroups) {
 TEST_F(TimesTest, ChoicesThatAreNoneAreRefused) {
     const Outcome outcome = run(
         {"run", "run.toml", "--quantities", "absorbd_flux", "--bands", "NIR", "--include-night"});
-    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(
         outcome.err.find(
             "--quantities: 'absorbd_flux' is not a quantity; did you mean 'absorbed_flux'?"),
         std::string::npos)
         << outcome.err;
     EXPECT_NE(outcome.err.find("--bands: 'NIR' is not a band"), std::string::npos);
-    EXPECT_NE(outcome.err.find("--night: the run has no [time]"), std::string::npos);
-    EXPECT_EQ(run({"run", "run.toml", "--groups-csv", "a", "--csv", "a"}).status, 1);
+    EXPECT_NE(outcome.err.find("--include-night: the run has no [time]"), std::string::npos);
+    EXPECT_EQ(run({"run", "run.toml", "--groups-csv", "a", "--csv", "a"}).status, 2);
     const Outcome unknown = run({"run", "run.toml", "--groups", "plant"});
     EXPECT_NE(
         unknown.err.find("--groups: groups: no organ has a label 'plant' (no organ has any label)"),
@@ -197,18 +199,19 @@ TEST_F(TimesTest, AreRepeatedFromTheirResult) {
 
 TEST_F(TimesTest, DaysNeedTimes) {
     const Outcome outcome = run({"run", "run.toml", "--daily-csv", "d.csv"});
-    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.status, 2);
     EXPECT_NE(outcome.err.find("--daily-csv: the run has no [time]"), std::string::npos)
         << outcome.err;
-    EXPECT_EQ(run({"run", "days.toml", "--daily-csv", "a.csv", "--csv", "a.csv"}).status, 1);
+    EXPECT_EQ(run({"run", "days.toml", "--daily-csv", "a.csv", "--csv", "a.csv"}).status, 2);
 }
 
 TEST_F(TimesTest, CheckCountsThem) {
     const Outcome outcome = run({"check", "days.toml"});
     EXPECT_EQ(outcome.status, 0);
-    EXPECT_NE(outcome.out.find("4 times of 2 days, 4 of them with daylight"), std::string::npos)
+    EXPECT_NE(outcome.out.find("4 time steps, 2 days, 4 of them with daylight"), std::string::npos)
         << outcome.out;
-    EXPECT_NE(outcome.out.find("1 band, sun, sky and 1 source\n"), std::string::npos)
+    EXPECT_NE(
+        outcome.out.find("1 band, sun and sky for 4 time steps, 1 source\n"), std::string::npos)
         << outcome.out;
 }
 

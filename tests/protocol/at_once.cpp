@@ -18,13 +18,13 @@
 namespace quasimc::test {
 namespace {
 
-/// Of the case that this process plays.
+/// Longest wait of the case in this process.
 double& longest_wait() {
     static double longest = 0;
     return longest;
 }
 
-/// The first of our children; 0 if there is none.
+/// The first child process; 0 if there is none.
 pid_t first_child() {
     const std::string list = "/proc/self/task/" + std::to_string(::getpid()) + "/children";
     pid_t id = 0;
@@ -32,7 +32,7 @@ pid_t first_child() {
     return id;
 }
 
-/// Whether descendants are left; they are killed. Those that have just ended don't count.
+/// Kills remaining descendants; returns whether there were any that had not just ended.
 bool has_left_processes() {
     bool has_left = false;
     while (true) {
@@ -49,7 +49,7 @@ bool has_left_processes() {
     }
 }
 
-/// In a process of its own: the reason of a failure, or nothing.
+/// Plays a case in this process; returns the reason of a failure, or "".
 std::string outcome_of(const Case& one) {
     ::prctl(PR_SET_CHILD_SUBREAPER, 1);
     std::string reason;
@@ -64,7 +64,7 @@ std::string outcome_of(const Case& one) {
     return reason;
 }
 
-/// Starts a case; the end of a pipe from which its outcome can be read.
+/// Starts a case; returns the end of a pipe with its outcome.
 int start(const Case& one) {
     std::array<int, 2> line{};
     if (::pipe2(line.data(), O_CLOEXEC) != 0) {
@@ -94,7 +94,7 @@ std::string read_all(int from) {
     }
 }
 
-/// Takes the outcome of a case.
+/// Reads the outcome of a case.
 void finish(const Case& one, int line, Played& played) {
     const std::string text = read_all(line);
     ::close(line);

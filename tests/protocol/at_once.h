@@ -6,24 +6,24 @@
 
 namespace quasimc::test {
 
-/// A conversation that is played in a process of its own.
+/// A session that is played in its own process.
 struct Case {
     std::string name;
-    /// Plays it; throws, with the reason, if it isn't as it should be.
+    /// Plays the session; throws with the reason of a failure.
     std::function<void()> play;
 };
 
-/// What became of cases.
+/// Outcome of cases.
 struct Played {
     std::vector<std::string> failures;  ///< "name: reason"
-    double longest_seconds = 0;         ///< of a wait that was measured (measure_wait)
+    double longest_seconds = 0;         ///< longest wait in measure_wait()
 };
 
-/// Plays cases, `most` at a time. Each is a process that adopts what its descendants leave: one
-/// that still runs at the end of its case is a failure, and killed.
+/// Plays cases, `most` at a time. The process of each case adopts orphaned descendants; one that
+/// still runs at the end of its case is a failure, and is killed.
 [[nodiscard]] Played play_at_once(const std::vector<Case>& cases, unsigned most);
 
-/// Runs `wait` in a case; how long it took is what Played::longest_seconds is the longest of.
+/// Runs `wait` in a case and measures its time for Played::longest_seconds.
 void measure_wait(const std::function<void()>& wait);
 
 /// Throws std::runtime_error with `reason` unless `good`.

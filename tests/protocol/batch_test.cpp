@@ -1,6 +1,6 @@
-// Programs that call QuasiMC once for a plant of their own, as YplantQMC (an R package) and
-// OpenAlea's vplants.quasimc do: the input is a file that ends with the order to exit, all organs
-// are polygons, and what is read afterwards is the table of areas and fluxes.
+// Programs that call QuasiMC once per plant, like YplantQMC (an R package) and OpenAlea's
+// vplants.quasimc: the input is a file that ends with the order to exit, all organs are polygons,
+// and the result is the table of areas and fluxes.
 
 #include <algorithm>
 #include <array>
@@ -16,10 +16,10 @@
 #include <fmt/format.h>
 
 #include "captures.h"
-#include "conversation.h"
 #include "optics/material.h"
 #include "quasimc/run.h"
 #include "scene/scene.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 namespace {
@@ -67,12 +67,12 @@ class Table {
     std::vector<std::vector<double>> rows_;
 };
 
-/// What was written between the first sign and the last.
+/// The output between the first and the last sign.
 std::string unsigned_text(const std::string& out) {
     return out.size() < 2 ? "" : out.substr(1, out.size() - 2);
 }
 
-/// What YplantQMC writes for a plant: numbers without a blank before them.
+/// The input of YplantQMC for a plant: numbers without a blank before them.
 std::string plant_text(const std::vector<Corners>& leaves, const std::string& end) {
     std::string text;
     for (std::size_t i = 0; i < leaves.size(); ++i) {
@@ -96,13 +96,13 @@ std::string yplant_configuration(const std::string& material, const std::string&
            material + "\nleaf material (bottom): " + material + "\n" + light + "\n";
 }
 
-class Batch : public ConversationTest {
+class Batch : public SessionTest {
   protected:
     void SetUp() override {
-        ConversationTest::SetUp();
+        SessionTest::SetUp();
         folder_.write("enviro.e", kEnviro);
     }
-    /// "QuasiMC -e enviro.e quasimc.cfg -no_xserver < in > out": what it wrote to out.
+    /// Runs "QuasiMC -e enviro.e quasimc.cfg -no_xserver < in > out"; returns the text of out.
     std::string call(const std::string& configuration, const std::string& input) {
         folder_.write("quasimc.cfg", configuration);
         const std::string name = folder_.write("in", input).string();
@@ -148,7 +148,7 @@ TEST_F(Batch, AsYplantCallsItGivesAreasAndFluxesOfBlackLeaves) {
         EXPECT_NEAR(table.column("rel_mean_flux0")[i], lit[i] / area[i] / sine, 2 * kTolerance);
         EXPECT_EQ(table.column("variance0")[i], 0);  // of one run
     }
-    // The answers are between two signs, and say the same.
+    // The answers, between two signs, have the same values.
     EXPECT_TRUE(out.starts_with('\x01') && out.ends_with("Control: 5\n\x01")) << out;
     const auto answers = values_of(unsigned_text(out));
     EXPECT_EQ(answers.size(), 3U);
@@ -157,7 +157,7 @@ TEST_F(Batch, AsYplantCallsItGivesAreasAndFluxesOfBlackLeaves) {
     }
 }
 
-/// Directions of a sky with zenith angle, azimuth and weight, as R's write.table does it.
+/// Directions of a sky with zenith angle, azimuth and weight, in the format of R's write.table.
 TEST_F(Batch, AsYplantCallsItForDiffuseLight) {
     std::string sky;
     constexpr int kRings = 6, kAround = 10;
@@ -175,14 +175,15 @@ TEST_F(Batch, AsYplantCallsItForDiffuseLight) {
         plant_text({three_leaves().front()}, "Control: 8\n\n")));
     const Table table(folder_.read("qmcarea.out"));
     ASSERT_EQ(table.size(), 1U);
-    // A single flat leaf keeps what it neither reflects nor transmits.
+    // A single flat leaf absorbs the light that it neither reflects nor transmits.
     EXPECT_NEAR(table.column("rel_mean_flux0")[0], 0.8, kTolerance);
-    // The mean of |cos| over such a sky is a half: of a horizontal leaf half is seen.
+    // The mean of |cos| over such a sky is 0.5, and so is the projected fraction of a horizontal
+    // leaf.
     EXPECT_NEAR(table.column("mean_projected_area")[0], 2, 1e-3);
     EXPECT_NEAR(table.column("sunlit_area")[0], 2, 4 * kTolerance);
 }
 
-/// What leaves that scatter light absorb per area, by the library with random numbers.
+/// Light absorbed per area by scattering leaves, computed by the library with random numbers.
 std::vector<double> library_fluxes(const std::vector<Corners>& leaves) {
     SceneBuilder builder({{"660", "1"}}, Orientation{UpAxis::y, {-1, 0, 0}});
     SideOptics side;
@@ -222,8 +223,8 @@ TEST_F(Batch, AgreesWithTheLibraryOnLeavesThatScatterLight) {
     for (std::size_t i = 0; i < ours.size(); ++i) {
         EXPECT_NEAR(ours[i], expected[i], 0.01) << "leaf " << i;
     }
-    // The lower leaf absorbs more than half of the light that reaches it straight: that is in it
-    // which the upper one has scattered.
+    // The lower leaf absorbs more than half of its direct light, because the upper one scatters
+    // light to it.
     EXPECT_GT(ours[1], 0.5 * 0.25 + 0.01);
 }
 
@@ -242,7 +243,7 @@ std::vector<Corners> octahedron(const Vec3& middle) {
 }
 
 /// OpenAlea gives every triangle the id of its shape, and reads seven numbers for each; more than a
-/// hundred answers come in several chunks.
+/// hundred answers need several chunks.
 TEST_F(Batch, AsOpenAleaCallsItForManyTrianglesOfAShape) {
     constexpr int kShapes = 15;
     std::string input;
@@ -264,7 +265,7 @@ TEST_F(Batch, AsOpenAleaCallsItForManyTrianglesOfAShape) {
         "leaf material (top): 0.0 0 0.0 0 1\nleaf material (bottom): 0.0 0 0.0 0 1\n"
         "light source: 0.0 -1.0 0.0 1.0\n",
         input + "Control: 8\n");
-    // It takes every line that begins with a number for an answer.
+    // It interprets every line that begins with a number as an answer.
     std::istringstream lines(out.substr(1));
     std::map<int, double> density;
     std::size_t answers = 0;
@@ -282,15 +283,15 @@ TEST_F(Batch, AsOpenAleaCallsItForManyTrianglesOfAShape) {
     const auto sunlit = Table(folder_.read("addoutput.dat")).column("sunlit_area");
     ASSERT_EQ(sunlit.size(), answers);
     for (int shape = 0; shape < kShapes; ++shape) {
-        // Seen from above: a square of diagonal 2, four faces of which each covers a quarter.
+        // From above the octahedron is a square of diagonal 2, of which each upper face covers a
+        // quarter.
         const double seen = std::accumulate(&sunlit[8 * shape], &sunlit[8 * shape] + 8, 0.0);
         EXPECT_NEAR(seen, 2, 0.05);
         EXPECT_NEAR(density[100 + shape], 4 / std::sqrt(3.0), 0.06);
     }
 }
 
-/// Every flag that orders to exit, with and without a line's end, from a file and from a pipe whose
-/// writer is gone.
+/// Every order to exit, with and without the end of its line, from a file and from a closed pipe.
 TEST_F(Batch, AnswersQueriesBeforeAnyOrderToExit) {
     const std::string black =
         "number of rays: 1024\nreturn type: D\nleaf material (top): 0 0 0 0\n";
@@ -311,7 +312,8 @@ TEST_F(Batch, AnswersQueriesBeforeAnyOrderToExit) {
     }
 }
 
-/// Tens of thousands of corners: what looks at all of them for each triangle takes an hour.
+/// With tens of thousands of corners, an algorithm that visits all of them for each triangle takes
+/// an hour.
 TEST_F(Batch, TakesAPolygonOfVeryManyCorners) {
     constexpr int kCorners = 30000;
     Corners circle;
@@ -327,7 +329,7 @@ TEST_F(Batch, TakesAPolygonOfVeryManyCorners) {
     EXPECT_NEAR(table.column("rel_mean_flux0").at(0), 1, kTolerance);
 }
 
-/// A table between the answers would be read as one.
+/// A table between the answers would be read as an answer.
 TEST_F(Batch, RefusesAnOutputFileThatIsTheLineOfTheAnswers) {
     for (const std::string name : {"/dev/stdout", "out"}) {
         folder_.write("quasimc.cfg", "number of rays: 64\noutput file: yes " + name + "\n");
@@ -355,7 +357,7 @@ TEST_F(Batch, SaysWhenItsAnswersCantBeWritten) {
     }
 }
 
-/// Every line says whose it is: a simulator writes into the same log.
+/// Every line begins with the program's name, as a simulator writes to the same log.
 TEST_F(Batch, NamesItselfInEveryLineOfItsMessages) {
     static_cast<void>(folder_.write("in", ""));
     folder_.write("quasimc.cfg", "number of rays: x\nnumber of runs: y\n");
@@ -372,7 +374,7 @@ TEST_F(Batch, NamesItselfInEveryLineOfItsMessages) {
     EXPECT_GE(count, 4);
 }
 
-/// A quarter of a gigabyte without the end of a line: read once, of which little is kept.
+/// 256 MB without the end of a line are read once, and most of them are dropped.
 TEST_F(Batch, EndsAfterALineWithoutEnd) {
     folder_.write("quasimc.cfg", "");
     const std::string name = folder_.write("in", "0 E(1)P(").string();

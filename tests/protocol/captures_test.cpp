@@ -2,18 +2,18 @@
 
 #include <csignal>
 
-#include "conversation.h"
 #include "coupling/protocol/trailing_values.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 namespace {
 
-/// A recorded conversation, who held it, and over what.
+/// A recorded session, its simulator, and its transport.
 struct Recorded {
     std::string name;
     Transport transport;
     Client client;
-    bool has_values;  ///< so many rays that its values can be compared
+    bool has_values;  ///< it has enough rays to compare its values
 };
 
 void PrintTo(const Recorded& recorded, std::ostream* out) {
@@ -29,11 +29,11 @@ Capture read(const Recorded& recorded) {
         recorded.name + ".pipes.to", recorded.name == "cpfg_tiny" ? from + ".full" : from);
 }
 
-class Captures : public ConversationTest,
+class Captures : public SessionTest,
                  public ::testing::WithParamInterface<std::tuple<Recorded, Transport>> {};
 
-/// The original's answers to single chunks of ours come between the messages; what it says last is
-/// the answer to the order to exit.
+/// The original's answers to single chunks are between the messages; the last one answers the order
+/// to exit.
 TEST_P(Captures, AreAnsweredInTheSameForm) {
     const auto& [recorded, transport] = GetParam();
     const Capture capture = read(recorded);
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
         return recorded.name + "_" + name_of(recorded.transport) + "_over_" + name_of(transport);
     });
 
-/// What lpfg writes behind parameters changes neither material nor size nor weather.
+/// The values that lpfg adds after parameters change neither material nor size nor weather.
 TEST(ValuesBehindParameters, AreNotTakenForParameters) {
     const Capture capture = read_file_capture("lpfg_quirks.files.txt");
     Notices silent([](const std::string&) {});

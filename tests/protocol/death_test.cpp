@@ -1,5 +1,5 @@
-// Either side is killed at every point of a conversation: the other side's process ends, and
-// nothing of ours is left.
+// Either side is killed at every point of a session: the other side's process ends, and no resource
+// of the program is left.
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <sys/prctl.h>
 #include <sys/sem.h>
 
-#include "conversation.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 namespace {
@@ -28,7 +28,7 @@ std::string chunk(int first, int count, const std::string& control) {
     return text + "Control: " + control + " 0\n";
 }
 
-/// A point of a conversation, and how a simulator gets there from the point before.
+/// A point of a session, and the actions of a simulator that lead there from the point before.
 struct Point {
     const char* name;
     void (*go)(Master& master);
@@ -51,12 +51,12 @@ constexpr std::array<Point, 9> kPoints{{
     {"FirstChunkAnswered", [](Master& m) { static_cast<void>(m.read()); }},
 }};
 
-/// What remains of a conversation that was cut off.
-class Deaths : public ConversationTest,
+/// Leftovers of a session that was cut off.
+class Deaths : public SessionTest,
                public ::testing::WithParamInterface<std::tuple<Transport, std::size_t>> {
   protected:
     void SetUp() override {
-        ConversationTest::SetUp();
+        SessionTest::SetUp();
         folder_.write(
             "comm.e", comm_text(transport()) + kThreeChunks + name_of(transport()) + " 2\n");
         folder_.write("light.qmc", kBlackLeaves);
@@ -67,7 +67,7 @@ class Deaths : public ConversationTest,
             kPoints[i].go(master);
         }
     }
-    /// Names in the folder that neither the test nor the program's shell made.
+    /// Files in the folder that neither the test nor the program's shell created.
     [[nodiscard]] std::vector<std::string> left_over() const {
         constexpr std::array<std::string_view, 4> kOwn{"comm.e", "light.qmc", "err", "out"};
         std::vector<std::string> names;
@@ -81,14 +81,14 @@ class Deaths : public ConversationTest,
     }
 };
 
-/// What the parent must know of a conversation that its child held.
+/// Data about the session of a child process, for its parent.
 struct Traces {
     pid_t program = -1;
     long key = -1;
 };
 
-/// Plays the simulator in a process of its own, which kills itself at a point. Returns the traces
-/// it left; its program is then our child.
+/// Plays the simulator in a child process, which kills itself at a point. Returns its traces; this
+/// process adopts its program.
 Traces play_and_die(
     const std::function<std::unique_ptr<Master>()>& make,
     std::size_t point,
@@ -155,8 +155,7 @@ INSTANTIATE_TEST_SUITE_P(
         return name_of(std::get<0>(test.param)) + "_" + kPoints[std::get<1>(test.param)].name;
     });
 
-class LongComputations : public ConversationTest,
-                         public ::testing::WithParamInterface<Transport> {};
+class LongComputations : public SessionTest, public ::testing::WithParamInterface<Transport> {};
 
 INSTANTIATE_TEST_SUITE_P(
     Protocol,
@@ -164,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Transport::pipes, Transport::files, Transport::memory, Transport::sockets),
     [](const auto& test) { return name_of(test.param); });
 
-/// A day of rays would be traced; the test would run into its limit of time.
+/// The computation would take a day, and exceed the time limit of the test.
 TEST_P(LongComputations, EndWhenTheSimulatorDies) {
     folder_.write("comm.e", comm_text(GetParam()));
     folder_.write("light.qmc", "number of rays: 1073741824\nnumber of runs: 10000\nverbose: 0\n");

@@ -3,12 +3,12 @@
 #include <cstdlib>
 
 #include "captures.h"
-#include "conversation.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 namespace {
 
-using Growth = ConversationTest;
+using Growth = SessionTest;
 
 TEST_F(Growth, OfTheExampleIsPrinted) {
     const std::filesystem::path example = QUASIMC_SOURCE_DIR "/examples/03-coupled";
@@ -17,13 +17,13 @@ TEST_F(Growth, OfTheExampleIsPrinted) {
     }
     const std::string command = "cd " + folder_.path().string() +
                                 " && python3 plant.py --steps 3 --program " QUASIMC_ENVIRONMENT
-                                " > told 2> err";
+                                " > printed 2> err";
     EXPECT_EQ(std::system(command.c_str()), 0) << folder_.read("err");
-    EXPECT_NE(folder_.read("told").find("step  2:"), std::string::npos);
+    EXPECT_NE(folder_.read("printed").find("step  2:"), std::string::npos);
     EXPECT_TRUE(folder_.read("light0002.ply").starts_with("ply\n"));
 }
 
-/// As in a test, a pipeline or a service: nobody can press Enter.
+/// Without a terminal, as in a test, a pipeline or a service, Enter is not awaited.
 TEST_F(Growth, OfTheExampleIsViewedWithoutATerminal) {
     const std::filesystem::path example = QUASIMC_SOURCE_DIR "/examples/03-coupled";
     for (const char* name : {"plant.py", "comm.e", "light.qmc"}) {
@@ -32,9 +32,9 @@ TEST_F(Growth, OfTheExampleIsViewedWithoutATerminal) {
     const std::string command =
         "cd " + folder_.path().string() +
         " && python3 plant.py --view --steps 1 --program " QUASIMC_ENVIRONMENT
-        " < /dev/null > told 2> err";
+        " < /dev/null > printed 2> err";
     EXPECT_EQ(std::system(command.c_str()), 0) << folder_.read("err");
-    EXPECT_NE(folder_.read("told").find("There is no terminal"), std::string::npos);
+    EXPECT_NE(folder_.read("printed").find("There is no terminal"), std::string::npos);
     EXPECT_EQ(folder_.read("err").find("Traceback"), std::string::npos);
 }
 

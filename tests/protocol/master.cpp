@@ -175,7 +175,7 @@ class SocketMaster final : public DescriptorMaster {
         }
         return made;
     }
-    /// Two ports in a row that nobody else uses.
+    /// Listens on two consecutive free ports.
     void listen() {
         constexpr int kFirst = 20000, kCount = 10000, kTries = 500;
         for (int i = 0; i < kTries; ++i) {
@@ -233,7 +233,7 @@ class SemaphoreMaster : public Master {
         ::semctl(set, 0, IPC_RMID);
     }
 
-    /// The simulators sleep for a second and then look; we look until it is so.
+    /// The simulators sleep for a second and then check; this one checks repeatedly.
     void await_sign() override {
         const auto until = std::chrono::steady_clock::now() + kPatience;
         while (!has_signed()) {
@@ -360,7 +360,7 @@ class MemoryMaster final : public SemaphoreMaster {
             throw MasterError("no shared memory");
         }
         bytes_ = static_cast<char*>(memory);
-        std::memset(bytes_, 'x', kToField + kFromField);  // what was there before is nobody's
+        std::memset(bytes_, 'x', kToField + kFromField);  // arbitrary content
     }
     ~MemoryMaster() override {
         ::shmdt(bytes_);

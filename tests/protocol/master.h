@@ -11,15 +11,15 @@
 
 namespace quasimc::test {
 
-/// Thrown when the program under test does not do what the protocol says.
+/// Thrown when the program under test violates the protocol.
 class MasterError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// A plant simulator's side of the line, as libs of cpfg and lpfg play it: starts the program,
-/// hands over texts, takes replies. Made, used and destroyed in one process; if that dies, its
-/// semaphores and files stay as those of a real simulator do.
+/// The plant simulator's side of a session, like that of cpfg and lpfg: starts the program, sends
+/// texts, reads replies. It is made, used and destroyed in one process; if that dies, its
+/// semaphores and files remain as those of a real simulator.
 class Master {
   public:
     virtual ~Master() = default;
@@ -29,23 +29,22 @@ class Master {
 
     /// Starts the program with the switches of the transport and these further words.
     virtual void start(const std::vector<std::string>& words) = 0;
-    /// Waits for the sign that it is there.
+    /// Waits for the program's first sign.
     virtual void await_sign() = 0;
-    /// Waits for the sign, or for the program's answer that there will be no light. Returns whether
-    /// it was the sign.
+    /// Waits for the first sign or for a refusal; returns whether it was the sign.
     virtual bool is_welcomed() = 0;
-    /// Whether the sign was given; for semaphores, which keep it.
+    /// Whether the sign was given; only for semaphores, which keep it.
     [[nodiscard]] virtual bool has_signed() const { return false; }
-    /// Writes a text without telling that it is there (pipes and sockets: there is no difference).
+    /// Writes a text without signalling it (the same as sending for pipes and sockets).
     virtual void write(std::string_view text) = 0;
     virtual void send() = 0;
     /// The next reply, up to and with its Control line.
     virtual std::string read() = 0;
-    /// The byte with which the program says good-bye, where there is one.
+    /// Waits for the program's last sign, where there is one.
     virtual void await_last_sign() = 0;
-    /// Of the semaphores, where there are any.
+    /// The key of the semaphores, if the transport has them.
     [[nodiscard]] virtual std::optional<long> semaphore_key() const { return std::nullopt; }
-    /// Removes and closes what a real simulator removes and closes in the end.
+    /// Removes and closes the resources of the simulator, as a real one does at the end.
     virtual void clean_up() = 0;
 
     [[nodiscard]] Process& process() { return *process_; }
@@ -57,17 +56,17 @@ class Master {
     /// A reply in one text: chunks are asked for until the last, Control lines between them left
     /// in.
     std::string read_all_chunks();
-    /// What follows a chunk of a reply that is not the last.
+    /// Requests the next chunk of a reply.
     virtual void ask_for_next_chunk() = 0;
 
   protected:
     std::unique_ptr<Process> process_;
 };
 
-/// Who is played: they differ in switches.
+/// The simulator that is played; they differ in switches.
 enum class Client { cpfg, lpfg };
 
-/// @param folder  the working folder of both
+/// @param folder  working folder of both processes
 [[nodiscard]] std::unique_ptr<Master> make_master(
     Transport transport, Client client, const std::filesystem::path& folder);
 

@@ -1,11 +1,11 @@
-// The simulator that the tests play is itself tested: with a program that does not do its part.
+// Tests of the simulator that the tests play, with a program that violates the protocol.
 
-#include "conversation.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 namespace {
 
-class Masters : public ConversationTest, public ::testing::WithParamInterface<Transport> {};
+class Masters : public SessionTest, public ::testing::WithParamInterface<Transport> {};
 
 INSTANTIATE_TEST_SUITE_P(
     Protocol,

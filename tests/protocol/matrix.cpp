@@ -59,7 +59,7 @@ std::string goodbye(Client client) {
     return client == Client::lpfg ? "Control: 9 0\nControl: 5 0\n" : "Control: 8 0\n";
 }
 
-Conversing::Conversing(Talk talk, const std::string& specification, const std::string& comm)
+PlayedSession::PlayedSession(Talk talk, const std::string& specification, const std::string& comm)
     : talk_(talk) {
     folder_.write("comm.e", comm_text(talk.transport) + comm);
     folder_.write("light.qmc", specification);
@@ -67,17 +67,17 @@ Conversing::Conversing(Talk talk, const std::string& specification, const std::s
     key_ = master_->semaphore_key().value_or(-1);
 }
 
-void Conversing::start(std::vector<std::string> words) {
+void PlayedSession::start(std::vector<std::string> words) {
     words.emplace_back("light.qmc");
     master_->start(words);
 }
 
-void Conversing::begin() {
+void PlayedSession::begin() {
     start();
     measure_wait([&] { master_->await_sign(); });
 }
 
-std::string Conversing::ask(const std::string& text) {
+std::string PlayedSession::ask(const std::string& text) {
     std::string reply;
     measure_wait([&] {
         master_->send(text);
@@ -86,7 +86,7 @@ std::string Conversing::ask(const std::string& text) {
     return reply;
 }
 
-void Conversing::say_goodbye() {
+void PlayedSession::say_goodbye() {
     if (talk_.client == Client::lpfg) {
         master_->send(goodbye(talk_.client));
         measure_wait([&] { require(master_->process().wait_for_end(), "it does not end"); });
@@ -96,20 +96,20 @@ void Conversing::say_goodbye() {
     master_->clean_up();
 }
 
-std::array<int, 2> Conversing::semaphores() const {
+std::array<int, 2> PlayedSession::semaphores() const {
     const int set = ::semget(static_cast<key_t>(key_), 2, 0);
     return {::semctl(set, 0, GETVAL), ::semctl(set, 1, GETVAL)};
 }
 
-void Conversing::expect_end(int status) {
+void PlayedSession::expect_end(int status) {
     expect({false, status});
 }
 
-void Conversing::expect_kill() {
+void PlayedSession::expect_kill() {
     expect({true, SIGKILL});
 }
 
-void Conversing::expect(const Ending& expected) {
+void PlayedSession::expect(const Ending& expected) {
     std::optional<Ending> ending;
     measure_wait([&] { ending = master_->process().wait(); });
     require(ending.has_value(), "the program does not end");
@@ -123,10 +123,10 @@ void Conversing::expect(const Ending& expected) {
     require(left.empty(), left + " is left");
 }
 
-void Conversing::expect_told(const std::string& words, int times) const {
+void PlayedSession::expect_reported(const std::string& words, int times) const {
     require(
         count_of(reported(), words) == static_cast<std::size_t>(times),
-        fmt::format("'{}' is to be told {} times: {}", words, times, reported()));
+        fmt::format("'{}' must be reported {} times: {}", words, times, reported()));
 }
 
 std::string left_over(const TemporaryFolder& folder, long key) {
@@ -154,7 +154,7 @@ void expect_all_good(const std::vector<Case>& cases) {
     }
     EXPECT_LT(played.longest_seconds, kLongestWait);
     std::cout << fmt::format(
-        "{} conversations, longest wait {:.3f} s\n", cases.size(), played.longest_seconds);
+        "{} sessions, longest wait {:.3f} s\n", cases.size(), played.longest_seconds);
 }
 
 }  // namespace quasimc::test

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "at_once.h"
-#include "conversation.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 
-/// A column of the matrix: who talks to the program, over what.
+/// A column of the matrix: simulator and transport.
 struct Talk {
     Transport transport = Transport::pipes;
     Client client = Client::cpfg;
@@ -23,38 +23,38 @@ struct Talk {
     [[nodiscard]] std::string name() const;
 };
 
-/// cpfg over everything, lpfg over files.
+/// cpfg over all transports, lpfg over files.
 [[nodiscard]] std::vector<Talk> all_talks();
 
-/// A leaf as its simulator writes it: flat in full sun, or upright as the first organ of a plant
-/// stands, edge-on to light from above. With its Control line.
+/// A leaf in the format of a simulator, with its Control line: flat in full sun, or upright like
+/// the first organ of a plant, edge-on to light from above.
 [[nodiscard]] std::string flat_leaf(Client client, int step);
 [[nodiscard]] std::string upright_leaf(Client client, int step);
 /// The order to exit.
 [[nodiscard]] std::string goodbye(Client client);
 
-/// One conversation in a folder of its own, from the start of the program to its end.
-class Conversing {
+/// One session in a temporary folder, from the start of the program to its end.
+class PlayedSession {
   public:
     /// Writes the environment file and the specification. @param comm  more lines of the former
-    Conversing(Talk talk, const std::string& specification, const std::string& comm = {});
+    PlayedSession(Talk talk, const std::string& specification, const std::string& comm = {});
     /// Starts the program. @param words  before the name of the specification
     void start(std::vector<std::string> words = {});
     /// start(), and waits for the sign.
     void begin();
-    /// Sends a text and gives the whole reply to it, the wait for which is measured.
+    /// Sends a text and returns the whole reply; measures the wait for it.
     std::string ask(const std::string& text);
-    /// The order to exit. cpfg closes its line as soon as it is acknowledged; lpfg asks for no
+    /// Orders the exit. cpfg closes its connection as soon as it is acknowledged; lpfg requests no
     /// answer and waits for the end of the program.
     void say_goodbye();
     /// The values of the two semaphores.
     [[nodiscard]] std::array<int, 2> semaphores() const;
     /// Waits for the end of the program and requires this status; then nothing may be left.
     void expect_end(int status);
-    /// The same of a program that was killed.
+    /// expect_end() for a program that was killed.
     void expect_kill();
-    /// Throws unless the program told this on stderr, so often.
-    void expect_told(const std::string& words, int times = 1) const;
+    /// Throws unless the program reported this text on stderr the given number of times.
+    void expect_reported(const std::string& words, int times = 1) const;
 
     [[nodiscard]] Master& master() { return *master_; }
     [[nodiscard]] std::string reported() const { return folder_.read("err"); }
@@ -70,11 +70,11 @@ class Conversing {
     long key_ = -1;
 };
 
-/// What a conversation has left: a name in the folder that is none of the test's, semaphores of the
-/// key, memory; or nothing.
+/// Leftovers of a session: a file in the folder that is not from the test, semaphores of the key,
+/// or memory; "" if there are none.
 [[nodiscard]] std::string left_over(const TemporaryFolder& folder, long key);
 
-/// No wait is longer, unless something is wrong; the machine may be loaded.
+/// Longest wait of a correct program, also on a loaded machine, s.
 inline constexpr double kLongestWait = 20;
 
 /// Plays the cases, a few at a time; fails for each that fails. Prints the longest wait.

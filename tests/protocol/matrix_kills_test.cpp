@@ -1,5 +1,5 @@
-// Either side of a growth is killed, at fifty moments from its start on, over every line and with
-// both simulators: the other side ends or goes on, and nothing stays behind.
+// Either side of a growth is killed, at fifty times from its start on, over every transport and
+// with both simulators: the other side ends or continues, and nothing is left.
 
 #include <array>
 #include <csignal>
@@ -13,10 +13,10 @@
 namespace quasimc::test {
 namespace {
 
-constexpr int kMoments = 50;
+constexpr int kKills = 50;
 constexpr int kMicrosecondsBetween = 2000;
 
-class MatrixOfKills : public ConversationTest, public ::testing::WithParamInterface<Talk> {};
+class MatrixOfKills : public SessionTest, public ::testing::WithParamInterface<Talk> {};
 
 INSTANTIATE_TEST_SUITE_P(
     Protocol, MatrixOfKills, ::testing::ValuesIn(all_talks()), [](const auto& test) {
@@ -43,7 +43,7 @@ void grow(Master& master, Talk talk, int step) {
     static_cast<void>(master.read_all_chunks());
 }
 
-/// A growth without an end.
+/// A growth that never ends.
 [[noreturn]] void grow_on(Master& master, Talk talk) {
     master.await_sign();
     for (int step = 0;; ++step) {
@@ -51,13 +51,13 @@ void grow(Master& master, Talk talk, int step) {
     }
 }
 
-/// What must be known of a simulator that has been killed.
+/// Data about a simulator that was killed.
 struct Left {
     pid_t program = -1;
     long key = -1;
 };
 
-/// Plays a simulator in a process of its own and kills it after a time.
+/// Plays a simulator in a child process and kills it after a time.
 Left kill_simulator(Talk talk, const TemporaryFolder& folder, int microseconds) {
     std::array<int, 2> line{};
     require(::pipe(line.data()) == 0, "no pipe");
@@ -84,7 +84,7 @@ Left kill_simulator(Talk talk, const TemporaryFolder& folder, int microseconds) 
 TEST_P(MatrixOfKills, OfTheSimulatorEndTheProgram) {
     const Talk talk = GetParam();
     std::vector<Case> cases;
-    for (int i = 0; i < kMoments; ++i) {
+    for (int i = 0; i < kKills; ++i) {
         cases.push_back({std::to_string(i), [=] {
                              TemporaryFolder folder;
                              folder.write("comm.e", environment_file(talk));
@@ -106,14 +106,14 @@ TEST_P(MatrixOfKills, OfTheSimulatorEndTheProgram) {
     expect_all_good(cases);
 }
 
-/// Semaphores answer for a program that was killed (once it was there), so that the simulator goes
-/// on; other lines end, which it sees.
+/// Semaphores answer for a program that was killed after its first sign, so that the simulator
+/// continues; it detects the end of other connections.
 TEST_P(MatrixOfKills, OfTheProgramLeaveNoSimulatorWaiting) {
     const Talk talk = GetParam();
     std::vector<Case> cases;
-    for (int i = 0; i < kMoments; ++i) {
+    for (int i = 0; i < kKills; ++i) {
         cases.push_back({std::to_string(i), [=] {
-                             Conversing c(talk, kBlackLeaves);
+                             PlayedSession c(talk, kBlackLeaves);
                              c.begin();
                              const pid_t program = c.master().process().pid();
                              const pid_t killer = ::fork();

@@ -1,5 +1,5 @@
-// What may go wrong in a growth x every line x both simulators: whoever is left learns it at once,
-// goes on or ends as the manual says, and nothing stays behind. (Kills: matrix_kills_test.cpp.)
+// Errors in a growth x every transport x both simulators: the remaining process detects it at once,
+// continues or ends as the manual says, and nothing is left. (Kills: matrix_kills_test.cpp.)
 
 #include "matrix.h"
 
@@ -17,9 +17,9 @@
 namespace quasimc::test {
 namespace {
 
-class Matrix : public ConversationTest {};
+class Matrix : public SessionTest {};
 
-/// The same conversation over every line.
+/// One session over every transport.
 std::vector<Case> over_all_lines(const std::function<void(Talk)>& play) {
     std::vector<Case> cases;
     for (const Talk talk : all_talks()) {
@@ -42,7 +42,7 @@ TEST_F(Matrix, NormalEnd) {
     std::vector<Case> cases;
     for (int i = 0; i < 15; ++i) {
         for (const Case& one : over_all_lines([](Talk talk) {
-                 Conversing c(talk, kBlackLeaves);
+                 PlayedSession c(talk, kBlackLeaves);
                  c.begin();
                  for (int step = 0; step < 2; ++step) {
                      require_light(c.ask(flat_leaf(talk.client, step)));
@@ -57,8 +57,9 @@ TEST_F(Matrix, NormalEnd) {
     expect_all_good(cases);
 }
 
-/// What lpfg finds when it ends: an answer that it does not take, and room to add one to it.
-void require_room(const Conversing& c, int most) {
+/// The state of the semaphores at the end of lpfg: an answer that it does not take, and room to add
+/// one.
+void require_room(const PlayedSession& c, int most) {
     const auto [questions, answers] = c.semaphores();
     require(
         questions == 0 && answers > 0 && answers <= most,
@@ -70,7 +71,7 @@ TEST_F(Matrix, NothingIsOwedToSemaphoresAfterTheOrderToExit) {
         if (!talk.has_semaphores()) {
             return;
         }
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.begin();
         require_light(c.ask(flat_leaf(talk.client, 0)));
         c.master().send(goodbye(talk.client));
@@ -87,7 +88,7 @@ TEST_F(Matrix, SemaphoresHaveRoomAfterEveryOtherEnd) {
             if (!talk.has_semaphores()) {
                 return;
             }
-            Conversing c(talk, kBlackLeaves);
+            PlayedSession c(talk, kBlackLeaves);
             c.begin();
             require_light(c.ask(flat_leaf(talk.client, 0)));
             c.master().process().send(signal);
@@ -98,13 +99,13 @@ TEST_F(Matrix, SemaphoresHaveRoomAfterEveryOtherEnd) {
     }
 }
 
-/// cpfg closes its line after one byte of our answer: here, before there is any.
+/// cpfg closes its connection after one byte of the answer; here it closes before there is any.
 TEST_F(Matrix, EndOfASimulatorThatDoesNotWait) {
     expect_all_good(over_all_lines([](Talk talk) {
         if (talk.has_semaphores()) {
-            return;  // there is nothing to close
+            return;  // there is no connection to close
         }
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.begin();
         c.master().process().send(SIGSTOP);
         c.master().send(goodbye(talk.client));
@@ -117,7 +118,7 @@ TEST_F(Matrix, EndOfASimulatorThatDoesNotWait) {
 
 TEST_F(Matrix, NoLight) {
     expect_all_good(over_all_lines([](Talk talk) {
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.begin();
         for (int step = 0; step < 2; ++step) {
             const std::string reply = c.ask(upright_leaf(talk.client, step));
@@ -126,14 +127,14 @@ TEST_F(Matrix, NoLight) {
         require_light(c.ask(flat_leaf(talk.client, 2)));
         c.say_goodbye();
         c.expect_end(0);
-        c.expect_told("no light reaches the plant");
+        c.expect_reported("no light reaches the plant");
     }));
 }
 
 /// In whatever step, light is computed again when the message is right again.
 TEST_F(Matrix, FaultOfAMessage) {
     expect_all_good(over_all_lines([](Talk talk) {
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.begin();
         const std::string bad = "24 E(1)P(0.5,2)\n 0 1\nControl: 5 2\n";
         for (int step = 0; step < 2; ++step) {
@@ -147,48 +148,49 @@ TEST_F(Matrix, FaultOfAMessage) {
         require_empty(c.ask(flat_leaf(talk.client, 6)));
         c.say_goodbye();
         c.expect_end(1);
-        c.expect_told("step 2: ");
-        c.expect_told("step 3: ", 0);
-        c.expect_told("step 4: ");
-        c.expect_told("step 5: answers continue");
-        c.expect_told("step 6: ");
+        c.expect_reported("step 2: ");
+        c.expect_reported("step 3: ", 0);
+        c.expect_reported("step 4: ");
+        c.expect_reported("step 5: answers continue");
+        c.expect_reported("step 6: ");
     }));
 }
 
-/// What is known is sent, though a file can't be written.
+/// The answers are sent even if a file can't be written.
 TEST_F(Matrix, FaultOfAFile) {
     expect_all_good(over_all_lines([](Talk talk) {
-        Conversing c(talk, kBlackLeaves + "output file: yes nowhere/light.dat\n");
+        PlayedSession c(talk, kBlackLeaves + "output file: yes nowhere/light.dat\n");
         c.begin();
         for (int step = 0; step < 3; ++step) {
             require_light(c.ask(flat_leaf(talk.client, step)));
         }
         c.say_goodbye();
         c.expect_end(1);
-        c.expect_told("nowhere/light", 3);  // another file at each step
+        c.expect_reported("nowhere/light", 3);  // another file at each step
     }));
 }
 
-/// A simulator that can be told so goes on by itself; another is answered until it says goodbye.
-void grow_in_the_dark(Conversing& c, const std::string& words, int status) {
+/// A refused simulator continues alone if the transport has a refusal; otherwise it receives empty
+/// answers until its order to exit.
+void grow_in_the_dark(PlayedSession& c, const std::string& words, int status) {
     const bool goes_on = !c.talk().has_semaphores();
     bool is_welcomed = false;
     measure_wait([&] { is_welcomed = c.master().is_welcomed(); });
-    require(is_welcomed != goes_on, "the simulator is told wrongly");
+    require(is_welcomed != goes_on, "the simulator receives the wrong first sign");
     if (!goes_on) {
-        c.expect_told(words);  // at once
+        c.expect_reported(words);  // at once
         for (int step = 0; step < 3; ++step) {
             require_empty(c.ask(flat_leaf(c.talk().client, step)));
         }
         c.say_goodbye();
     }
     c.expect_end(status);
-    c.expect_told(words);
+    c.expect_reported(words);
 }
 
 TEST_F(Matrix, RefusedSpecification) {
     expect_all_good(over_all_lines([](Talk talk) {
-        Conversing c(talk, "number of rays: none\n");
+        PlayedSession c(talk, "number of rays: none\n");
         c.start();
         grow_in_the_dark(c, "light.qmc:1", 1);
     }));
@@ -196,7 +198,7 @@ TEST_F(Matrix, RefusedSpecification) {
 
 TEST_F(Matrix, RefusedEnvironmentFile) {
     expect_all_good(over_all_lines([](Talk talk) {
-        Conversing c(talk, kBlackLeaves, "binary data: on\n");
+        PlayedSession c(talk, kBlackLeaves, "binary data: on\n");
         c.start();
         grow_in_the_dark(c, "comm.e:8: binary data", 1);
     }));
@@ -204,14 +206,14 @@ TEST_F(Matrix, RefusedEnvironmentFile) {
 
 TEST_F(Matrix, RefusedCommandLine) {
     expect_all_good(over_all_lines([](Talk talk) {
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.start({"-windows"});
         grow_in_the_dark(c, "-windows is no switch", 2);
     }));
 }
 
-/// A simulator whose semaphores stay is answered with nothing, though nobody is there.
-void grow_alone(Conversing& c) {
+/// The semaphores answer a simulator with nothing after the end of the program.
+void grow_alone(PlayedSession& c) {
     if (c.talk().has_semaphores()) {
         for (int step = 0; step < 3; ++step) {
             require_empty(c.ask(flat_leaf(c.talk().client, step)));
@@ -220,7 +222,7 @@ void grow_alone(Conversing& c) {
     }
 }
 
-void stop(Conversing& c, int signal) {
+void stop(PlayedSession& c, int signal) {
     c.master().process().send(signal);
     measure_wait([&] { require(c.master().process().wait_for_end(), "it does not end"); });
 }
@@ -238,20 +240,20 @@ std::vector<Case> stopped(const std::function<void(Talk, int)>& play) {
 
 TEST_F(Matrix, SignalWhileWaiting) {
     expect_all_good(stopped([](Talk talk, int signal) {
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.begin();
         require_light(c.ask(flat_leaf(talk.client, 0)));
         stop(c, signal);
         grow_alone(c);
         c.expect_end(128 + signal);
-        c.expect_told("ended by SIG");
+        c.expect_reported("ended by SIG");
     }));
 }
 
-/// A day of rays would be traced.
+/// The computation would take a day.
 TEST_F(Matrix, SignalWhileComputing) {
     expect_all_good(stopped([](Talk talk, int signal) {
-        Conversing c(talk, "number of rays: 1073741824\nnumber of runs: 10000\nverbose: 0\n");
+        PlayedSession c(talk, "number of rays: 1073741824\nnumber of runs: 10000\nverbose: 0\n");
         c.begin();
         c.master().send(flat_leaf(talk.client, 0));
         ::usleep(200'000);  // into the computation
@@ -264,11 +266,11 @@ TEST_F(Matrix, SignalWhileComputing) {
     }));
 }
 
-/// Of a terminal, whose shell has put us into the background.
+/// Signals of a terminal are ignored in a program that a shell started in the background.
 TEST_F(Matrix, SignalThatIsIgnored) {
     expect_all_good(over_all_lines([](Talk talk) {
         std::signal(SIGINT, SIG_IGN);
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.begin();
         c.master().process().send(SIGINT);
         ::usleep(50'000);
@@ -278,13 +280,13 @@ TEST_F(Matrix, SignalThatIsIgnored) {
     }));
 }
 
-/// The simulators leave their descriptors open to the program; the end of a line that it held would
-/// never be seen.
+/// The simulators leave their descriptors open to the program; if it held one, the end of that
+/// connection would never be detected.
 TEST_F(Matrix, NothingIsInherited) {
     expect_all_good(over_all_lines([](Talk talk) {
         std::array<int, 2> line{};
         require(::pipe(line.data()) == 0, "no pipe");
-        Conversing c(talk, kBlackLeaves);
+        PlayedSession c(talk, kBlackLeaves);
         c.begin();
         ::close(line[1]);
         pollfd end{line[0], POLLIN, 0};

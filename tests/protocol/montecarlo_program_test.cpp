@@ -1,15 +1,15 @@
 #include <cstdlib>
 
 #include "captures.h"
-#include "conversation.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 namespace {
 
-using MonteCarloProgram = ConversationTest;
+using MonteCarloProgram = SessionTest;
 
-/// By that name the light stands where the file says, not where it travels to, and the first
-/// material is number 1.
+/// With that name, vectors of lights point to the light instead of along its travel, and the first
+/// material has number 1.
 TEST_F(MonteCarloProgram, ReadsFilesOfMonteCarlo) {
     folder_.write("comm.e", comm_text(Transport::pipes));
     folder_.write(
@@ -25,7 +25,7 @@ TEST_F(MonteCarloProgram, ReadsFilesOfMonteCarlo) {
                                     " -e comm.e light.mc < in > out 2> err";
         EXPECT_EQ(std::system(command.c_str()), 0) << folder_.read("err");
         const std::string out = folder_.read("out");
-        const std::string first = out.substr(1, out.find('\n'));  // behind "here I am"
+        const std::string first = out.substr(1, out.find('\n'));  // after the first sign
         EXPECT_NEAR(values_of(first).at(0), expected, 1e-3) << name;
     }
 }

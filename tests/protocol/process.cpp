@@ -31,7 +31,7 @@ namespace {
     ::_exit(127);
 }
 
-/// Whether a process ends within our patience.
+/// Whether a process ends within kPatience.
 bool await_end(pid_t pid) {
     const auto process = static_cast<int>(::syscall(SYS_pidfd_open, pid, 0));
     pollfd end{process, POLLIN, 0};

@@ -10,7 +10,7 @@
 
 namespace quasimc::test {
 
-/// Long enough for a loaded machine; nothing waits so long unless something is wrong.
+/// Time limit of waits, enough for a loaded machine.
 inline constexpr std::chrono::seconds kPatience{60};
 
 /// How a process ended.
@@ -20,11 +20,11 @@ struct Ending {
     friend bool operator==(const Ending&, const Ending&) = default;
 };
 
-/// A program that runs in a folder beside us. Killed at the end of the object's life.
+/// A child process that runs in a folder. The destructor kills it.
 class Process {
   public:
-    /// @param in, out  its standard input and output; -1: nothing, and the file "out"
-    /// Standard error goes to the file "err" of the folder.
+    /// @param in, out  its standard input and output; -1: no input, and the file "out" Standard
+    /// error goes to the file "err" of the folder.
     Process(
         const std::string& program,
         const std::vector<std::string>& arguments,
@@ -36,9 +36,9 @@ class Process {
     Process& operator=(const Process&) = delete;
 
     [[nodiscard]] pid_t pid() const { return pid_; }
-    /// Waits for its end; nothing if it doesn't come.
+    /// Waits for its end; empty if it does not end.
     [[nodiscard]] std::optional<Ending> wait();
-    /// Waits for its end, which wait() still tells; false if it doesn't come.
+    /// Waits for its end, which wait() still returns; false if it does not end.
     [[nodiscard]] bool wait_for_end() const;
     [[nodiscard]] bool has_ended() const;
     void kill() const;

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include "captures.h"
-#include "conversation.h"
+#include "session_fixture.h"
 
 namespace quasimc::test {
 namespace {
 
-class Transports : public ConversationTest, public ::testing::WithParamInterface<Transport> {
+class Transports : public SessionTest, public ::testing::WithParamInterface<Transport> {
   protected:
     void SetUp() override {
-        ConversationTest::SetUp();
+        SessionTest::SetUp();
         folder_.write("comm.e", comm_text(GetParam()));
         folder_.write("light.qmc", kBlackLeaves);
     }
@@ -90,7 +90,7 @@ TEST_P(Transports, TakeAndGiveChunks) {
 
 TEST_P(Transports, CarryAThousandAnswers) {
     const auto master = started();
-    constexpr int kLeaves = 1000, kChunk = 300;  // what fits into the shared memory at a time
+    constexpr int kLeaves = 1000, kChunk = 300;  // capacity of the shared memory
     for (int i = 0; i < kLeaves; i += kChunk) {
         const int count = std::min(kChunk, kLeaves - i);
         const bool is_last = i + count == kLeaves;
@@ -126,7 +126,7 @@ TEST_P(Transports, EndAtTheOrderOfLpfg) {
 
 TEST_P(Transports, WaitForASimulatorThatIsLate) {
     const auto master = started();
-    std::this_thread::sleep_for(std::chrono::milliseconds(250));  // it looks at us every 100
+    std::this_thread::sleep_for(std::chrono::milliseconds(250));  // it checks every 100 ms
     master->send(kTwoLeaves);
     expect_full_light(master->read());
     end(*master);
@@ -145,9 +145,9 @@ TEST_P(Transports, TellWhatIsWrongWithAMessageAndLetTheSimulatorGoOn) {
     master->clean_up();
 }
 
-class FileTransport : public ConversationTest {};
+class FileTransport : public SessionTest {};
 
-/// The simulator is woken up, whatever stands in the file, and the next step is answered again.
+/// The simulator is woken up, whatever the file contains, and the next step is answered again.
 TEST_F(FileTransport, GoesOnAfterAnAnswerThatCantBeWritten) {
     namespace fs = std::filesystem;
     folder_.write("comm.e", comm_text(Transport::files));

@@ -1,4 +1,4 @@
-// Steps of a growing plant on the page in the browser. What the page makes of them: tests/web.
+// Steps of a growing plant in the browser. Tests of the page itself: tests/web.
 
 #include <cstdlib>
 #include <string>
@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "captures.h"
-#include "conversation.h"
 #include "growth.h"
+#include "session_fixture.h"
 #include "support/http_get.h"
 #include "window/page.h"
 
@@ -17,10 +17,10 @@ namespace {
 
 constexpr int kSteps = 4;
 
-class View : public ConversationTest {
+class View : public SessionTest {
   protected:
     void SetUp() override {
-        ConversationTest::SetUp();
+        SessionTest::SetUp();
         if (embedded_page().script.empty()) {
             GTEST_SKIP() << "built without the viewer";
         }
@@ -35,7 +35,7 @@ class View : public ConversationTest {
         master_->start(all);
         master_->await_sign();
     }
-    /// All answers of a plant that grows. @param on_step  is called after every step
+    /// All answers of a growing plant. @param on_step  called after every step
     template <typename OnStep>
     std::string grow(const OnStep& on_step) {
         std::string answers;
@@ -61,7 +61,7 @@ TEST_F(View, ChangesNoAnswer) {
     start("");
     const std::string alone = grow([](int) {});
     EXPECT_EQ(end(), (Ending{false, 0}));
-    EXPECT_EQ(address_in(folder_.read("err")), "") << "nobody asked for it";
+    EXPECT_EQ(address_in(folder_.read("err")), "") << "not requested";
     start("view: yes\n");
     EXPECT_EQ(grow([](int) {}), alone) << "no page is open";
     EXPECT_EQ(end(), (Ending{false, 0}));
@@ -71,7 +71,7 @@ TEST_F(View, ChangesNoAnswer) {
     const std::string watched = grow([&](int step) {
         const std::string number = std::to_string(step);
         if (step == 3) {
-            return;  // the page is away, and comes back
+            return;  // the page disconnects and comes back
         }
         EXPECT_NE(http_get(page + "live").find("\"step " + number + "\""), std::string::npos);
         EXPECT_NE(http_get(page + "scene-" + number).find("\"unit\":\"\""), std::string::npos)

@@ -56,7 +56,7 @@ def test_errors_reach_other_processes():
 @pytest.mark.parametrize(
     "keys, words",
     [
-        ({"paths": 0}, "paths is 0"),
+        ({"paths": 0}, "paths: 0 is out of range"),
         ({"pathes": 10}, "unknown key 'pathes'"),
         ({"sampler": "dice"}, "sampler"),
         ({"seed": 2**70}, "integer that is too large"),
@@ -79,8 +79,8 @@ def test_options_are_checked_as_those_of_a_run_file(keys, words):
         (lambda v, f, o: (v, f - 1, o), "refers to vertex -1"),
         (lambda v, f, o: (v * np.nan, f, o), "finite"),
         (lambda v, f, o: (v, f[:0], o[:0]), "no triangles"),
-        (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "integers end at 2.63"),
-        (lambda v, f, o: (v, f.astype(np.uint64) + np.uint64(2**63), o), "integers end at 2.63"),
+        (lambda v, f, o: (v, f, np.full(len(f), 2**63, dtype=np.uint64)), "largest integer is 2.63"),
+        (lambda v, f, o: (v, f.astype(np.uint64) + np.uint64(2**63), o), "largest integer is 2.63"),
         (lambda v, f, o: (v, f, [2**70] * len(f)), "must be integers"),
         (lambda v, f, o: (np.ma.masked_greater(v, 1.5), f, o), "some of vertices are masked"),
         (lambda v, f, o: (v, np.ma.masked_equal(f, 0), o), "some of faces are masked"),

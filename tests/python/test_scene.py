@@ -108,7 +108,7 @@ def test_a_faulty_mesh_is_refused_at_the_call_and_leaves_the_scene_as_it_was(cha
 def test_a_faulty_material_is_refused_at_the_call_and_leaves_the_scene_as_it_was():
     scene = scene_of_material().add_mesh(TRIANGLE, [[0, 1, 2]], material="leaf")
     before = scene.run(SKY, **FEW)
-    with pytest.raises(quasimc.InputError, match="leaf.*more than 1"):
+    with pytest.raises(quasimc.InputError, match="leaf.*exceeds 1"):
         scene.add_material("leaf", reflectance=0.9, transmittance=0.3)
     with pytest.raises(quasimc.InputError, match="3 values"):
         scene.add_material("leaf", reflectance=[0.1, 0.2, 0.3])
@@ -339,7 +339,7 @@ def test_a_sweep_is_left_to_the_program(tmp_path):
         'bands = ["PAR"]\n[[material]]\nname = "leaf"\nreflectance = 0.1\n'
         "[sweep]\n\"run.seed\" = [1, 2]\n"
     )
-    with pytest.raises(quasimc.InputError, match=r"sweep.toml:5: \[sweep\] states several runs"):
+    with pytest.raises(quasimc.InputError, match=r"sweep.toml:5: \[sweep\] describes several runs"):
         quasimc.load(tmp_path / "sweep.toml")
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Lets assimp read the GLB files that quasimc writes: check_glb.py QUASIMC"""
+"""Reads the GLB files of quasimc with assimp: check_glb.py QUASIMC"""
 
 import re
 import sys
@@ -54,12 +54,12 @@ def main():
 
         (folder / "run.toml").write_text(RUN)
         run(program, "convert", "run.toml", "scene.glb")
-        told = run("assimp", "info", "scene.glb")
-        assert re.search(r"Meshes:\s+2\b", told), told
-        assert "blade" in told and "stalk" in told, told
-        assert re.search(r"Maximum point\s+\(0\.3\d*\s+0\.6\d*\s", told), told  # metres, y up
+        output = run("assimp", "info", "scene.glb")
+        assert re.search(r"Meshes:\s+2\b", output), output
+        assert "blade" in output and "stalk" in output, output
+        assert re.search(r"Maximum point\s+\(0\.3\d*\s+0\.6\d*\s", output), output  # metres, y up
 
-        # There and back: the areas and bounds are those of the scene, in metres.
+        # Writing and reading keeps areas and bounds of the scene, in metres.
         run("assimp", "export", "scene.glb", "back.obj")
         ours = float(re.search(r"\narea\s+(\S+)", info("scene.glb")).group(1))
         theirs = float(re.search(r"\narea\s+(\S+)", info("back.obj")).group(1))
@@ -67,10 +67,10 @@ def main():
 
         run(program, "run", "run.toml", "--quiet", "--json", "out.json")
         run(program, "convert", "out.json", "light.glb")
-        told = run("assimp", "info", "light.glb")
-        assert re.search(r"Meshes:\s+1\b", told), told
-        assert "error" not in told.lower(), told
-        # assimp leaves out attributes of one's own, and keeps colours.
+        output = run("assimp", "info", "light.glb")
+        assert re.search(r"Meshes:\s+1\b", output), output
+        assert "error" not in output.lower(), output
+        # assimp drops custom attributes, and keeps colours.
         run("assimp", "export", "light.glb", "light.ply")
         assert "red" in (folder / "light.ply").read_bytes()[:800].decode("ascii", "replace")
 

@@ -88,7 +88,7 @@ def estimate(value):
 
 
 def compare(variables, where, organs, bands, suffixed, extra=""):
-    """Whether the variables hold what the organs of the JSON say, quantity by quantity."""
+    """Compares the variables with the organs of the JSON, quantity by quantity."""
     compared = 0
     for i, organ in enumerate(organs):
         for quantity, by_band in organ.items():
@@ -97,10 +97,10 @@ def compare(variables, where, organs, bands, suffixed, extra=""):
             for b, band in enumerate(bands):
                 for suffix, part in PARTS.items():
                     name = quantity + (f"_{band}" if suffixed else "") + extra + suffix
-                    place = where + ((i,) if suffixed else (b, i))
-                    ours = variables[name].values[place]
+                    index = where + ((i,) if suffixed else (b, i))
+                    ours = variables[name].values[index]
                     theirs = estimate(by_band[band])[part]
-                    assert np.array_equal(ours, theirs, equal_nan=True), (name, place, ours, theirs)
+                    assert np.array_equal(ours, theirs, equal_nan=True), (name, index, ours, theirs)
                     compared += 1
     return compared
 
@@ -112,7 +112,7 @@ class Case:
         self.json = json.loads((folder / "out.json").read_text())
         self.data = xarray.load_dataset(folder / "out.nc")
         self.dump = run_in(folder, "ncdump", "-h", "out.nc")
-        # convert makes the same of the JSON: every variable, bit for bit, and every attribute.
+        # convert makes the same file from the JSON: every variable, bit for bit, and every attribute.
         run_in(folder, program, "convert", "out.json", "back.nc")
         back = xarray.load_dataset(folder / "back.nc")
         assert back.identical(self.data), xarray.testing.assert_identical(back, self.data)
@@ -150,32 +150,32 @@ def check_series(program, folder):
     assert data.absorbed_flux_density_PAR.attrs["units"] == "umol m-2 s-1"
     assert data.absorbed_flux_density_PAR_day_sum.attrs["units"] == "mol m-2"
     assert data.absorbed_flux_density_NIR_day_sum.attrs["units"] == "J m-2"
-    moments = case.json["time_steps"]
-    assert len(moments) == data.sizes["time"] > 10
-    for row, moment in enumerate(moments):
-        assert str(data.time_text.values[row]) == moment["time"]
-        clock = np.datetime64(moment["time"][:16])
+    time_steps = case.json["time_steps"]
+    assert len(time_steps) == data.sizes["time"] > 10
+    for row, time_step in enumerate(time_steps):
+        assert str(data.time_text.values[row]) == time_step["time"]
+        clock = np.datetime64(time_step["time"][:16])
         assert data.time.values[row] + np.timedelta64(2, "h") == clock
         begin, end = data.time_bounds.values[row]
-        assert end - begin == np.timedelta64(int(moment["seconds"]), "s")
-        assert compare(data, (row,), moment["organs"], ["PAR", "NIR"], True) == 2 * 6 * 2 * 4
+        assert end - begin == np.timedelta64(int(time_step["seconds"]), "s")
+        assert compare(data, (row,), time_step["organs"], ["PAR", "NIR"], True) == 2 * 6 * 2 * 4
     assert list(data.day.values) == ["2024-06-21", "2024-06-22"]
     for row, day in enumerate(case.json["days"]):
         assert compare(data, (row,), day["organs"], ["PAR", "NIR"], True, "_day_sum") > 0
-    # What xarray is for.
+    # Selection by labels with xarray.
     at_noon = data.absorbed_flux_PAR.sel(time="2024-06-21T10:00", organ=17)
     assert float(at_noon) > 0
 
 
 def check_detector(data, where, detector, suffixed):
-    """Whether the variables hold what the detector of the JSON saw."""
+    """Compares the variables with a detector of the JSON."""
     for b, band in enumerate(["PAR", "NIR"]):
         for i, seen in enumerate(detector["bins"]):
             for suffix, part in PARTS.items():
                 name = detector["name"] + (f"_{band}" if suffixed else "") + suffix
-                place = where + ((i,) if suffixed else (b, i))
+                index = where + ((i,) if suffixed else (b, i))
                 theirs = estimate(seen["flux"][band])[part]
-                assert np.array_equal(data[name].values[place], theirs, equal_nan=True), (name, place)
+                assert np.array_equal(data[name].values[index], theirs, equal_nan=True), (name, index)
 
 
 def check_detectors(program, folder):
@@ -191,8 +191,8 @@ def check_detectors(program, folder):
     case = Case(program, folder, HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format() + DETECTORS)
     assert case.data.up_PAR.dims == ("time", "up_bin")
     assert case.data.up_PAR.attrs["units"] == "1e-4 umol s-1"
-    for row, moment in enumerate(case.json["time_steps"]):
-        check_detector(case.data, (row,), moment["detectors"][0], True)
+    for row, time_step in enumerate(case.json["time_steps"]):
+        check_detector(case.data, (row,), time_step["detectors"][0], True)
 
 
 def check_sweep(program, folder):
@@ -212,29 +212,29 @@ def check_product(program, folder):
     sweep = """
 [sweep]
 "material.leaf.reflectance" = [0.4, 0.1]
-"place.latitude_deg" = [10, 50, 80]
+"site.latitude_deg" = [10, 50, 80]
 """
     case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + TIME + SCENE.format())
     data = case.data
-    axes = ("material_leaf_reflectance", "place_latitude_deg")
+    axes = ("material_leaf_reflectance", "site_latitude_deg")
     assert data.absorbed_flux.dims == axes + ("time", "band", "organ")
     assert data.absorbed_flux_day_sum.dims == axes + ("day", "band", "organ")
-    assert list(data.place_latitude_deg.values) == [10, 50, 80]
+    assert list(data.site_latitude_deg.values) == [10, 50, 80]
     assert data.sizes["time"] == 48, "near the pole there is light at all times"
     times = [str(text) for text in data.time_text.values]
     for number, point in enumerate(case.json["points"]):
-        place = (number // 3, number % 3)
-        assert point["point"]["place.latitude_deg"] == data.place_latitude_deg.values[place[1]]
+        index = (number // 3, number % 3)
+        assert point["point"]["site.latitude_deg"] == data.site_latitude_deg.values[index[1]]
         lit = set()
-        for moment in point["time_steps"]:
-            row = times.index(moment["time"])
+        for time_step in point["time_steps"]:
+            row = times.index(time_step["time"])
             lit.add(row)
-            assert compare(data, place + (row,), moment["organs"], ["PAR", "NIR"], False) == 96
+            assert compare(data, index + (row,), time_step["organs"], ["PAR", "NIR"], False) == 96
         dark = [row for row in range(48) if row not in lit]
-        assert np.all(np.isnan(data.absorbed_flux.values[place][dark]))
-        assert (len(dark) == 0) == (place[1] == 2)
+        assert np.all(np.isnan(data.absorbed_flux.values[index][dark]))
+        assert (len(dark) == 0) == (index[1] == 2)
         for row, day in enumerate(point["days"]):
-            assert compare(data, place + (row,), day["organs"], ["PAR", "NIR"], False, "_day_sum")
+            assert compare(data, index + (row,), day["organs"], ["PAR", "NIR"], False, "_day_sum")
 
 
 def check_together(program, folder):
@@ -254,7 +254,7 @@ combine = "zip"
 
 
 def check_swept_geometry(program, folder):
-    """Organs that grow have areas of their own at each point."""
+    """Organs whose size is swept have an area for each point."""
     sweep = '[sweep]\n"organ.upper.radius" = [1, 3]\n'
     case = Case(program, folder, HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format())
     data = case.data
@@ -265,23 +265,23 @@ def check_swept_geometry(program, folder):
 
 
 def check_refused(program, folder):
-    """What has no place in the file costs the file alone."""
+    """An output that NetCDF can't hold does not affect the others."""
     sweep = '[sweep]\n"time.from" = ["2024-06-21", "2024-06-22"]\n'
     text = HEAD.format(bands=ONE_UNIT) + sweep + TIME + SCENE.format()
     (folder / "run.toml").write_text(text)
-    told = run_in(
+    output = run_in(
         folder, program, "run", "run.toml", "--quiet", "--netcdf", "no.nc", "--json", "out.json", status=1
     )
-    assert "NetCDF: the points of the sweep have different time steps" in told, told
+    assert "NetCDF: the points of the sweep have different time steps" in output, output
     assert not (folder / "no.nc").exists()
     assert len(json.loads((folder / "out.json").read_text())["points"]) == 2
-    told = run_in(folder, program, "convert", "out.json", "no.nc", status=1)
-    assert "NetCDF: the points of the sweep have different time steps" in told, told
+    output = run_in(folder, program, "convert", "out.json", "no.nc", status=1)
+    assert "NetCDF: the points of the sweep have different time steps" in output, output
     assert not (folder / "no.nc").exists()
-    told = run_in(
+    output = run_in(
         folder, program, "convert", "out.json", "no.nc", "--sweep-point", "2", "--time", "x", status=2
     )
-    assert "--sweep-point: a NetCDF file has all points of a sweep" in told and "--time: " in told, told
+    assert "--sweep-point: a NetCDF file has all points of a sweep" in output and "--time: " in output, output
 
 
 def main():

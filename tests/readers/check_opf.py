@@ -83,13 +83,13 @@ def check(program, folder, table):
     assert declared.count("absorbed_flux_density_PAR") == 1, declared
     assert ("length" in declared) == ("length" in table)
 
-    # A result of what has one already is that result: nothing stands twice.
+    # Writing light to a file that has it already replaces it: nothing is repeated.
     (folder / "plant.opf").write_bytes((folder / "light.opf").read_bytes())
     run("run", "run.toml", "--quiet", "--json", "out.json")
     run("convert", "out.json", "again.opf")
     assert (folder / "again.opf").read_bytes() == (folder / "light.opf").read_bytes()
 
-    # Organs that were numbered anew are not those of the file.
+    # Organs with new numbers do not match those of the file.
     (folder / "run.toml").write_text(RUN.format(more="first_id = 100"))
     run("run", "run.toml", "--quiet", "--json", "out.json")
     assert "no organ of the result is a node of the file" in run(

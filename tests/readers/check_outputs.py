@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whether a run writes for other programs what convert makes of its JSON: check_outputs.py QUASIMC"""
+"""Compares outputs of a run with those that convert makes of its JSON: check_outputs.py QUASIMC"""
 
 import sys
 import tempfile
@@ -65,7 +65,7 @@ def main():
                 run("convert", "out.json", f"back.{ending}")
                 ours = (folder / f"out.{ending}").read_bytes()
                 assert ours == (folder / f"back.{ending}").read_bytes(), (ending, more)
-            # Flags go before the file.
+            # Flags override the file.
             run("run", "run.toml", "--quiet", "--glb", "other.glb")
             assert (folder / "other.glb").read_bytes() == (folder / "out.glb").read_bytes()
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Reads with VTK what quasimc writes, and compares it with its JSON: check_vtk.py QUASIMC"""
+"""Reads the VTK files of quasimc, and compares them with its JSON: check_vtk.py QUASIMC"""
 
 import json
 import math
@@ -61,7 +61,7 @@ def areas_of(mesh):
 
 
 def check_light(mesh, result):
-    """Whether every triangle has the numbers of its organ."""
+    """Checks that every triangle has the numbers of its organ."""
     organs = {organ["id"]: organ for organ in result["organs"]}
     cells = mesh.GetCellData()
     names = [cells.GetArrayName(i) for i in range(cells.GetNumberOfArrays())]
@@ -74,8 +74,8 @@ def check_light(mesh, result):
         mean, error = cells.GetArray(name), cells.GetArray(error_of(name))
         for i, organ in enumerate(ids):
             assert mean.GetValue(i) == estimates[organ]["mean"], name
-            told = estimates[organ]["standard_error"]
-            assert error.GetValue(i) == told if told is not None else math.isnan(error.GetValue(i))
+            expected = estimates[organ]["standard_error"]
+            assert error.GetValue(i) == expected if expected is not None else math.isnan(error.GetValue(i))
 
     def error_of(name):
         word, _, unit = name.partition(" ")
@@ -106,7 +106,7 @@ def main():
         mesh = read(vtkXMLPolyDataReader(), folder / "out.vtp")
         check_light(mesh, result)
         whole = sum(organ["area"] for organ in result["organs"])
-        # Geometry as other programs of VTK see it; they keep single precision.
+        # Geometry as other VTK programs read it, in single precision.
         for ending, reader in (
             ("ply", vtkPLYReader()),
             ("obj", vtkOBJReader()),

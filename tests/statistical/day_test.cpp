@@ -30,7 +30,7 @@ ClearDay make_day() {
         const SunPath path = sun_path(kSite, {2024, 6, 21, hour, 0, 0, 1}, 3600, 300);
         const HourLight light = clear_light(path, {});
         HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
-        day.hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 0});
+        day.hours.push_back({"hour", std::move(sources.sources), sources.directional_key, 3600, 0});
         day.horizontal += 3600 * (how.spectra.direct(how.bands[0]) * light.daylight.direct +
                                   how.spectra.diffuse(how.bands[0], light.daylight));
     }

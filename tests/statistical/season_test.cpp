@@ -42,7 +42,7 @@ std::vector<TimeStep> hours_of_two_days() {
     for (const int hour : {6, 9, 12, 16}) {
         const SunPath path = sun_path(site, {2024, 6, 21, hour, 0, 0, 1}, 3600, 1200);
         HourSources sources = make_hour_sources(make_hour_parts(path, clear_light(path, {}), how));
-        hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 0});
+        hours.push_back({"hour", std::move(sources.sources), sources.directional_key, 3600, 0});
     }
     for (const int hour : {8, 13}) {
         const SunPath path = sun_path(site, {2024, 9, 30, hour, 0, 0, 1}, 3600, 1200);
@@ -50,7 +50,7 @@ std::vector<TimeStep> hours_of_two_days() {
             path, {.global = 150 + 10 * hour, .diffuse = 150}, LightUnit::full_spectrum,
             DiffuseModel::erbs, how.spectra);
         HourSources sources = make_hour_sources(make_hour_parts(path, light, how));
-        hours.push_back({"hour", std::move(sources.sources), sources.shapes, 3600, 1});
+        hours.push_back({"hour", std::move(sources.sources), sources.directional_key, 3600, 1});
     }
     return hours;
 }

@@ -20,13 +20,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A campaign while it goes on. The tally outlives the process that judges.
+/// A running campaign. The tally outlives the judging process.
 class Worker {
   public:
     Worker(const Campaign& campaign, Tally& tally, Clock::time_point end)
         : campaign_(campaign), tally_(tally), end_(end) {}
 
-    /// Judges scenes from that number on.
+    /// Judges scenes from a number on.
     void judge_from(std::uint64_t number) {
         const std::uint64_t last = campaign_.first + campaign_.scenes;
         for (; number < last && Clock::now() < end_; ++number) {
@@ -36,7 +36,7 @@ class Worker {
             alarm(0);
             ++tally_.scenes;
             if (tally_.scenes % 1000 == 0) {
-                log(words_of(tally_));
+                log(describe(tally_));
             }
         }
         tally_.scene = last;
@@ -46,7 +46,7 @@ class Worker {
         std::ofstream(campaign_.out / "log.txt", std::ios::app) << line << '\n';
     }
 
-    /// Keeps a run file with words about it.
+    /// Writes a run file with a comment.
     void keep(const std::string& name, const std::string& words, const Node& document) const {
         std::ofstream file(campaign_.out / (name + ".toml"));
         file << "# " << words << '\n' << to_toml(document);
@@ -59,8 +59,8 @@ class Worker {
             campaign_.identity_every != 0 && number % campaign_.identity_every == 0;
         const Verdict verdict = judge(document, number, campaign_.rules, with_identity);
         tally_.comparisons += verdict.comparisons;
-        tally_.looked_again += verdict.looked_again ? 1 : 0;
-        tally_.looked_closely += verdict.looked_closely ? 1 : 0;
+        tally_.retested += verdict.retested ? 1 : 0;
+        tally_.closely_tested += verdict.closely_tested ? 1 : 0;
         tally_.roundings += verdict.is_rounding ? 1 : 0;
         if (!verdict.findings.empty()) {
             ++tally_.findings;
@@ -96,7 +96,7 @@ class Worker {
             all = coverage_of(
                 make_case(document), campaign_.coverage, campaign_.coverage_seeds, number);
         } catch (const InputError&) {
-            return;  // judged already
+            return;  // already judged
         }
         ++tally_.covered_scenes;
         for (const Coverage& coverage : all) {
@@ -171,15 +171,15 @@ Tally run_campaign(const Campaign& campaign) {
     }
     const Tally result = tally;
     munmap(shared, sizeof(Tally));
-    worker.log(words_of(result));
+    worker.log(describe(result));
     return result;
 }
 
-std::string words_of(const Tally& tally) {
+std::string describe(const Tally& tally) {
     std::string text = fmt::format(
-        "{} scenes, {} comparisons; {} looked at again, {} closely; {} with surfaces too near to "
-        "be told apart, {} with findings, {} that ended the program or hung",
-        tally.scenes, tally.comparisons, tally.looked_again, tally.looked_closely, tally.roundings,
+        "{} scenes, {} comparisons; {} tested again, {} closely; {} with surfaces too close "
+        "for rays, {} with findings, {} that ended the program or hung",
+        tally.scenes, tally.comparisons, tally.retested, tally.closely_tested, tally.roundings,
         tally.findings, tally.deaths);
     if (tally.covered_scenes > 0) {
         text += fmt::format(

@@ -8,16 +8,17 @@
 namespace quasimc::stress {
 namespace {
 
-/// Energy that closes, closes to rounding of 2^-28 of a path's light.
+/// Tolerance of the energy balance: rounding to 2^-28 of a path's light.
 constexpr double kClosure = 1e-6;
 
-/// By so many errors a mean may lie above the end of its interval, where that is the limit of what
-/// is possible: one of 16 replicates in 1e9 does.
+/// Number of standard errors by which a mean may exceed the end of its interval if that is a
+/// physical limit; among 1e9 means of 16 replicates about one does.
 constexpr double kNoise = 12;
-/// Or by so much of it, for corners are rounded: of thinner triangles areas are exact.
+/// Relative excess that is allowed as well, because corners are rounded; areas of thinner triangles
+/// are exact.
 constexpr double kBlur = 1e-3;
 
-/// What is wrong with one number, if anything. A low end below 0 is not: intervals are symmetric.
+/// The fault of a number, or "". A low end below 0 is no fault, as intervals are symmetric.
 std::string fault_of(const Number& n) {
     if (!n.is_known) {
         return "";

@@ -7,16 +7,16 @@
 
 namespace quasimc::stress {
 
-/// What an answer says that can't be, whatever the scene: numbers that are not finite, negative
-/// fluxes, intervals that don't hold their mean, an energy budget that stays open.
+/// Impossible results for any scene: numbers that are not finite, negative fluxes, intervals
+/// without their mean, an energy budget that does not close.
 [[nodiscard]] std::vector<std::string> impossible_numbers(
     const Answer& answer, const std::vector<std::string>& names);
 
 /// Whether two results of a case have the same bits.
 [[nodiscard]] bool same_bits(const Answer& a, const Answer& b);
 
-/// Faults of the case that no statistics is needed for: threads that change numbers, `auto` that
-/// differs from the method it names. It computes the case three times more.
+/// Faults that need no statistics: results that depend on the number of threads, and `auto`
+/// differing from the method that it names. Computes the case three more times.
 [[nodiscard]] std::vector<std::string> faults_of_identity(const Case& it, const Effort& effort);
 
 }  // namespace quasimc::stress

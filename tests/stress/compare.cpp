@@ -14,9 +14,9 @@ bool has_error(const Number& n) {
     return !std::isnan(n.error);
 }
 
-/// Nothing was found: the chance of that, where the other number, less four of its errors, would
-/// have brought so many finds that the upper end is three.
-double chance_of_nothing(const Number& nothing, const Number& other, double slack) {
+/// The probability of zero contributions if the expectation is the other number minus four of its
+/// standard errors; the upper end of the interval of zero corresponds to three contributions.
+double p_value_of_zero(const Number& nothing, const Number& other, double slack) {
     const double least = other.mean - 4 * other.error - slack;
     if (!has_error(other) || least <= 0) {
         return 1;
@@ -26,19 +26,19 @@ double chance_of_nothing(const Number& nothing, const Number& other, double slac
 
 }  // namespace
 
-double chance_of(
+double p_value_of(
     const Number& a, double freedom_a, const Number& b, double freedom_b, double slack) {
     if (!has_error(a) || !has_error(b)) {
         if (has_error(a) == has_error(b)) {
             return 1;
         }
-        return has_error(a) ? chance_of_nothing(b, a, slack) : chance_of_nothing(a, b, slack);
+        return has_error(a) ? p_value_of_zero(b, a, slack) : p_value_of_zero(a, b, slack);
     }
     const double difference = std::abs(a.mean - b.mean) - slack;
     if (difference <= 0) {
         return 1;
     }
-    // Each variance as a share of both: no square of a tiny or huge number.
+    // Each variance as a share of both: avoids squares of tiny or huge numbers.
     const double both = std::hypot(a.error, b.error);
     if (both == 0) {
         return 0;
@@ -64,15 +64,15 @@ std::vector<Disagreement> disagreements(
                     continue;
                 }
                 const double slack = slack_between(it, n, a, b);
-                const double chance = chance_of(x, a.freedom, y, b.freedom, slack);
-                if (chance < level) {
+                const double p_value = p_value_of(x, a.freedom, y, b.freedom, slack);
+                if (p_value < level) {
                     found.push_back(
-                        {n, a.way, b.way, chance,
+                        {n, a.way, b.way, p_value,
                          fmt::format(
                              "{}: {} {:.6g} +- {:.2g} (to {:.4g}), {} {:.6g} +- {:.2g} (to "
                              "{:.4g}), p {:.1e}",
                              names[n], name_of(a.way), x.mean, x.error, x.high, name_of(b.way),
-                             y.mean, y.error, y.high, chance)});
+                             y.mean, y.error, y.high, p_value)});
                 }
             }
         }
@@ -96,7 +96,8 @@ double slack_between(const Case& it, std::size_t number, const Answer& a, const 
     if (number < first_total) {
         return own;
     }
-    // Totals stand band by band, organs and ground; of an organ what it absorbs comes first.
+    // Totals are sorted by band, for organs and ground; the absorbed flux is the first quantity of
+    // an organ.
     const std::size_t band = (number - first_total) / 2;
     const bool is_of_ground = (number - first_total) % 2 == 1;
     double parts = 0;

@@ -25,10 +25,10 @@ double median_of(std::vector<double> values) {
     return *middle;
 }
 
-/// What the sharpest other way says, if it is sharp beside the intervals, on either side of their
-/// means: few finds widen one. They end at what is possible, its mean may lie above by noise and
-/// rounding. Bundles have the same error at every seed, that of patches, of which their means do
-/// not tell.
+/// The mean of the most precise other way, if it is precise compared with both halves of the
+/// intervals (low counts widen one half). Intervals end at physical limits, which this mean may
+/// exceed by noise and rounding. Bundles are excluded: the discretization error of their patches is
+/// the same at every seed.
 std::optional<double> truth_of(
     const Case& it, const std::vector<Answers>& all, std::size_t own, std::size_t number) {
     std::optional<Estimate> best;
@@ -48,7 +48,8 @@ std::optional<double> truth_of(
         below.push_back(n.mean - n.low);
         above.push_back(n.high - n.mean);
     }
-    // Of most seeds: the few that have found what is rare are as wide as hundreds of others.
+    // The median, because a few seeds with rare contributions are hundreds of times as wide as the
+    // others.
     const double width = std::min(median_of(std::move(below)), median_of(std::move(above)));
     const bool is_narrow =
         best && best->standard_error < .2 * width && width > 4 * slack_of(it, number, best->mean);

@@ -39,7 +39,7 @@ void add_ground(Draft& draft) {
     const double height = random.chance(.2) ? 0 : random.between(-1, .3);
     set(ground, "height", node_of(draft.placed({0, 0, height}).z));
     if (!draft.is_periodic && tables_at(draft.document, "organ").size() <= 3) {
-        // As wide as the organs it might have no width at all.
+        // A ground as wide as the organs might have zero width.
         const bool is_y_up = find(draft.document, "up") != nullptr;
         const Vec3 low = draft.placed({-.5, -.5, -.5});
         const Vec3 high = draft.placed({1.5, 1.5, 1.5});

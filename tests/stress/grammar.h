@@ -11,12 +11,12 @@
 
 namespace quasimc::stress {
 
-/// A point on an organ, for what is put next to it.
+/// A point on an organ, to put other objects next to it.
 struct Anchor {
     Vec3 position, normal;
 };
 
-/// A document while it is made. Lengths are drawn in a unit cube, then scaled and moved.
+/// A document under construction. Lengths are sampled in a unit cube, then scaled and moved.
 struct Draft {
     Random random;
     Node document = empty_table();
@@ -31,7 +31,7 @@ struct Draft {
     [[nodiscard]] std::vector<double> spectrum(double low, double high);
 };
 
-/// The run file with that number.
+/// The run file with a number.
 [[nodiscard]] Node random_run(std::uint64_t number);
 
 // Its parts.

@@ -102,7 +102,7 @@ void sphere(Draft& draft, const Pose& p, Node& organ) {
     set(organ, "levels", std::move(levels));
 }
 
-/// A surface folded of a few triangles that share corners.
+/// A folded surface of a few triangles that share corners.
 void mesh(Draft& draft, const Pose& p, Node& organ) {
     std::vector<Vec3> vertices{draft.placed(p.position)};
     Node faces = empty_list();
@@ -148,7 +148,7 @@ void add_organ(Draft& draft) {
     add_table(draft.document, "organ", std::move(organ));
 }
 
-/// The organ before once more, of another material: surfaces that coincide.
+/// Repeats the last organ with another material, so that surfaces coincide.
 void repeat_organ(Draft& draft) {
     Node twin = items(*find(draft.document, "organ")).back();
     set(twin, "material", node_of(draft.random.pick(draft.materials)));

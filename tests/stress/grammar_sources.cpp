@@ -69,7 +69,7 @@ Node random_sky(Draft& draft) {
     return source;
 }
 
-/// Above the scene, amid it, or next to a surface, in whose plane it then often lies.
+/// A position above or within the scene, or next to a surface and then often in its plane.
 Anchor lamp_anchor(Draft& draft) {
     Random& random = draft.random;
     const double kind = random.unit();
@@ -124,7 +124,7 @@ Node random_lamp(Draft& draft) {
 }  // namespace
 
 void add_sources(Draft& draft) {
-    constexpr double kMaxLight = 1e15;  // that a run file may state
+    constexpr double kMaxLight = 1e15;  // the largest value in run files
     const std::size_t count = draft.random.chance(.5) ? 1 : 1 + draft.random.below(3);
     const double brightness = draft.random.chance(.2) ? draft.random.power_of_ten(-6, 6) : 1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -132,7 +132,7 @@ void add_sources(Draft& draft) {
         Node source = kind < .35  ? random_sun(draft)
                       : kind < .7 ? random_sky(draft)
                                   : random_lamp(draft);
-        // One brightness for all, now and then that of one source changed by orders.
+        // All sources have one brightness; occasionally one differs by orders of magnitude.
         const double factor =
             brightness * (draft.random.chance(.1) ? draft.random.power_of_ten(-3, 3) : 1);
         for (const char* key : {"irradiance_facing", "irradiance_horizontal", "power"}) {

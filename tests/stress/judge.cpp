@@ -17,9 +17,9 @@
 namespace quasimc::stress {
 namespace {
 
-/// New numbers for every look at every scene.
-Effort seeded(Effort effort, std::uint64_t number, std::uint64_t look) {
-    effort.seed = mix64(mix64(number) + look) >> 1;
+/// New random numbers for every test of every scene.
+Effort seeded(Effort effort, std::uint64_t number, std::uint64_t test) {
+    effort.seed = mix64(mix64(number) + test) >> 1;
     return effort;
 }
 
@@ -33,7 +33,7 @@ std::vector<Answer> answers_of(const Case& it, const std::vector<Way>& ways, con
     return answers;
 }
 
-/// Answers of many seeds as one: the mean, with the error that they scatter by.
+/// The mean of answers of many seeds, with its standard error from their scatter.
 Answer pooled(const std::vector<Answer>& answers) {
     Answer all{answers[0].way, static_cast<double>(answers.size()) - 1, {}, std::nullopt};
     for (std::size_t i = 0; i < answers[0].numbers.size(); ++i) {
@@ -58,8 +58,8 @@ Answer pooled(const std::vector<Answer>& answers) {
     return all;
 }
 
-/// How many of the answers' intervals hold no part of where the truth may be.
-/// @param slack  how far the truth may be from what is said of it
+/// Number of intervals that do not overlap the range of the truth. @param slack  half the width of
+/// this range
 unsigned count_misses(
     const std::vector<Answer>& answers, std::size_t number, double truth, double slack) {
     unsigned misses = 0;
@@ -70,9 +70,9 @@ unsigned count_misses(
     return misses;
 }
 
-/// The chance of so many misses or more, each of that chance: the binomial law by the F
-/// distribution (Abramowitz and Stegun 26.5.28).
-double chance_of_misses(unsigned misses, unsigned tries, double each) {
+/// The probability of at least this number of misses, by the F distribution for binomial sums
+/// (Abramowitz and Stegun 26.5.28).
+double p_value_of_misses(unsigned misses, unsigned tries, double each) {
     if (misses == 0) {
         return 1;
     }
@@ -85,7 +85,7 @@ Finding finding_of(Finding::Kind kind, const Disagreement& d, const std::string&
     return {kind, d.a, d.b, words};
 }
 
-/// Disagreements of the second look that the first had too.
+/// Disagreements of the second test that the first test had too.
 std::vector<Disagreement> both_times(
     const std::vector<Disagreement>& first, const std::vector<Disagreement>& second) {
     std::vector<Disagreement> both;
@@ -109,20 +109,20 @@ std::vector<Way> ways_among(const std::vector<Disagreement>& suspects) {
     return {ways.begin(), ways.end()};
 }
 
-/// Looks at what the screening found a second time, and a last time at what is left.
-void look_again(
+/// Tests the disagreements of the screening a second time, and the remaining ones a last time.
+void retest(
     const Case& it,
     const std::vector<Disagreement>& first,
     std::uint64_t number,
     const Rules& rules,
     Verdict& verdict) {
-    verdict.looked_again = true;
+    verdict.retested = true;
     const auto answers = answers_of(it, ways_among(first), seeded(rules.second, number, 2));
     const auto suspects = both_times(first, disagreements(it, answers, rules.second_level));
     if (suspects.empty()) {
         return;
     }
-    verdict.looked_closely = true;
+    verdict.closely_tested = true;
     const double level =
         rules.family_level / rules.scenes / (4 * static_cast<double>(suspects.size()));
     const auto findings = compare_closely(it, suspects, number, rules, level);
@@ -158,10 +158,10 @@ void judge_numbers(
     if (verdict.comparisons == 0) {
         return;
     }
-    const double level = rules.screen_chance / static_cast<double>(verdict.comparisons);
+    const double level = rules.screen_level / static_cast<double>(verdict.comparisons);
     const auto first = disagreements(it, answers, level);
     if (!first.empty()) {
-        look_again(it, first, number, rules, verdict);
+        retest(it, first, number, rules, verdict);
     }
 }
 
@@ -198,8 +198,7 @@ std::vector<Finding> compare_closely(
             findings.push_back(finding_of(Finding::Kind::difference, d, same->words));
         }
         for (const auto& [way, other] : {std::pair{d.a, d.b}, std::pair{d.b, d.a}}) {
-            // Intervals of the reference do not tell what few finds leave open; its means are
-            // asked.
+            // Intervals of the reference do not account for low counts; its means are used.
             if (way == Way::reference) {
                 continue;
             }
@@ -208,7 +207,7 @@ std::vector<Finding> compare_closely(
                 quantile * truth.error + slack_between(it, d.number, means[way], means[other]);
             const unsigned misses =
                 std::isnan(truth.error) ? 0 : count_misses(all[way], d.number, truth.mean, slack);
-            if (chance_of_misses(misses, rules.last_seeds, rules.misses) < level) {
+            if (p_value_of_misses(misses, rules.last_seeds, rules.misses) < level) {
                 findings.push_back(finding_of(
                     Finding::Kind::interval, d,
                     fmt::format(

@@ -1,8 +1,8 @@
 // Searches for scenes of which a number is wrong: docs/develop/testing.md.
 //     quasimc_stress --seed 1 --scenes 1000 --seconds 600 --out FOLDER [--coverage-every 500]
 //     quasimc_stress --judge FILE.toml       judges one run file
-//     quasimc_stress --coverage FILE.toml    tells how often its intervals hold the truth, 200
-//     seeds quasimc_stress --print NUMBER          prints the run file of a scene
+//     quasimc_stress --coverage FILE.toml    prints the coverage of its intervals over 200 seeds
+//     quasimc_stress --print NUMBER          prints the run file of a scene
 
 #include <cstdio>
 #include <cstdlib>
@@ -89,7 +89,7 @@ int stress(int argc, char** argv) {
         return usage();
     }
     const Tally tally = run_campaign(campaign);
-    fmt::print("{}\n", words_of(tally));
+    fmt::print("{}\n", describe(tally));
     return tally.findings + tally.deaths == 0 ? 0 : 1;
 }
 

@@ -20,7 +20,7 @@ Bounds grown(const Bounds& bounds, double by) {
     return {bounds.low - margin, bounds.high + margin};
 }
 
-/// Whether one lies along the other, nearer than rays tell apart, but not in its plane.
+/// Whether two triangles are nearer than the resolution of rays, but not coplanar.
 bool are_near(const Triangle& a, const Triangle& b, double size) {
     const bool is_a_smaller = area(a) <= area(b);
     const Triangle& small = is_a_smaller ? a : b;
@@ -34,7 +34,7 @@ bool are_near(const Triangle& a, const Triangle& b, double size) {
            !lie_apart(small, large, same);
 }
 
-/// All triangles, and after them their images in the cells around.
+/// All triangles, followed by their periodic copies in the neighbouring cells.
 std::vector<Triangle> with_images(const Scene& scene) {
     const Cell& cell = scene.cell();
     const int along_x = cell.along_x ? 1 : 0, along_y = cell.along_y ? 1 : 0;

@@ -4,9 +4,9 @@
 
 namespace quasimc::stress {
 
-/// Whether surfaces lie on each other, or cross at so small an angle, that single precision does
-/// not tell which of them is in front, but not so nearly in one plane that the program takes them
-/// as one: within 4e-6 of the scene. What each of them gets is then left to rounding.
+/// Whether surfaces are so close, or cross at so small an angle, that single precision can't
+/// determine the front one, without being coplanar for the program: within 4e-6 of the scene.
+/// Rounding then decides which of them receives the light.
 [[nodiscard]] bool has_near_surfaces(const Scene& scene);
 
 }  // namespace quasimc::stress

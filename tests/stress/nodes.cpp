@@ -32,7 +32,8 @@ std::string inline_value(const Node& node) {
         return fmt::format("{}", *i);
     }
     if (const double* x = node.as<double>()) {
-        // The shortest that reads back as the same; of whole numbers only 0 has a sign of its own.
+        // The shortest text that reads back as the same number; -0 needs a fraction to keep its
+        // sign.
         return *x == 0 && std::signbit(*x) ? "-0.0" : fmt::format("{}", *x);
     }
     if (const std::string* text = node.as<std::string>()) {

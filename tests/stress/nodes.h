@@ -7,7 +7,7 @@
 #include "quasimc/mesh.h"
 #include "text/document.h"
 
-// Run files as values: made, changed, and written as TOML.
+// Run files as values, which can be made, changed, and written as TOML.
 
 namespace quasimc::stress {
 
@@ -29,10 +29,10 @@ namespace quasimc::stress {
 void set(Node& table, const std::string& key, Node value);
 /// The value of a key, or null.
 [[nodiscard]] Node* find(Node& table, const std::string& key);
-/// Adds a table to the list of tables of that key.
+/// Adds a table to a list of tables.
 void add_table(Node& document, const std::string& key, Node table);
 
-// What a document is known to hold: for the reference, which reads it by itself.
+// Access to valid documents for the reference, which has its own reader.
 
 [[nodiscard]] double number_in(const Node& node);
 [[nodiscard]] double number_at(const Node& table, const std::string& key, double usual);

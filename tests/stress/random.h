@@ -10,9 +10,9 @@
 
 namespace quasimc::stress {
 
-/// Random numbers that are the same on every machine: words of SplitMix64 in their order. Calls
-/// must not stand side by side among the arguments of one function, whose order is not fixed;
-/// lists in braces have one.
+/// Random numbers that are the same on every machine: words of SplitMix64 in their order. Two calls
+/// must not be arguments of one function, whose order of evaluation is unspecified, but may be
+/// items of a list in braces.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : state_(mix64(seed ^ 0x517cc1b727220a95U)) {}

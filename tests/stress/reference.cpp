@@ -9,7 +9,7 @@ namespace {
 
 struct Ray {
     Vec3 origin, direction;
-    const PlainTriangle* left = nullptr;  ///< the triangle that it starts on
+    const PlainTriangle* left = nullptr;  ///< triangle at the ray's origin
 };
 
 struct PlainHit {
@@ -55,7 +55,7 @@ double end_of_cell(double origin, double direction, double low, double size) {
     return (low + (direction > 0 ? size : 0) - origin) / direction;
 }
 
-/// The first hit in a scene that repeats; the ray's origin is moved into the cell of the hit.
+/// The first hit in a periodic scene; moves the ray's origin into the cell of the hit.
 PlainHit nearest_in_cells(const PlainScene& scene, Ray& ray) {
     constexpr int kMaxCells = 100000;
     const Cell& cell = scene.cell;
@@ -90,7 +90,7 @@ Vec3 cosine_about(const Vec3& n, Random& random) {
     return length(d) > 1e-9 ? normalized(d) : n;
 }
 
-/// A path that is followed to its end.
+/// Follows a path to its end.
 class Follower {
   public:
     Follower(const PlainScene& scene, PlainSums& sums, Random& random)
@@ -119,7 +119,7 @@ class Follower {
   private:
     static constexpr double kFar = std::numeric_limits<double>::infinity();
 
-    /// Counts the light that arrives. Returns whether it passes as if nothing were there.
+    /// Counts the incident light. Returns whether it passes through a sensor.
     bool arrive(const PlainTriangle& t, const Vec3& direction, const std::vector<double>& weights) {
         const double cosine = dot(direction, t.normal);
         const std::size_t side = cosine < 0 ? 0 : 1;
@@ -175,7 +175,7 @@ class Follower {
     bool is_direct_ = true;
 };
 
-/// Into the cell, if there is one.
+/// Moves a point into the cell, if there is one.
 Vec3 wrapped(Vec3 p, const Cell& cell) {
     if (cell.periodic()) {
         p.x -= cell.size_x * std::floor((p.x - cell.low_x) / cell.size_x);

@@ -9,13 +9,13 @@
 #include "stress/nodes.h"
 #include "stress/random.h"
 
-// The yardstick: light followed from its sources through all triangles, one by one, in double
-// precision, with plain random numbers. It shares with the program the reader of shapes and
-// orientations, and what it cuts where surfaces coincide; not its rays, sources, lobes or sums.
+// The reference: light tracing that tests all triangles one by one, in double precision, with
+// random numbers. It shares with the program the reader of shapes and orientations and the cutting
+// of coplanar overlaps, but not rays, sources, lobes or sums.
 
 namespace quasimc::stress {
 
-/// A source as light that starts: a flux per band, and a ray for every path.
+/// A source of paths: a flux per band, and a ray for every path.
 struct Emitter {
     enum class Kind {
         beam,
@@ -30,16 +30,16 @@ struct Emitter {
         sphere
     };
     Kind kind = Kind::beam;
-    std::vector<double> amount;  ///< irradiance as stated, or flux of a lamp; per band
-    Vec3 direction;              ///< of travel; of a cone that of its axis
-    double angle = 0;            ///< of a cone, radians
-    double exponent = 0;         ///< of a spot
-    Vec3 position;               ///< of a lamp
-    Frame axes;                  ///< of a lamp; it aims along n
+    std::vector<double> amount;  ///< given irradiance, or flux of a lamp; per band
+    Vec3 direction;              ///< direction of travel; for a cone that of its axis
+    double angle = 0;            ///< half angle of a cone, radians
+    double exponent = 0;         ///< exponent of a spot
+    Vec3 position;               ///< position of a lamp
+    Frame axes;                  ///< axes of a lamp, which aims along n
     double length = 0, width = 0, radius = 0;
 };
 
-/// What one side of a material does, by the cosine law or straight on.
+/// One side of a material: Lambertian, mirror, or transmission without scattering.
 struct PlainSide {
     std::vector<double> rho, tau;  ///< per band
     bool reflects_as_mirror = false, passes_straight = false;
@@ -50,7 +50,7 @@ struct PlainTriangle {
     std::uint32_t organ = 0;
 };
 
-/// A scene that the reference can follow light through.
+/// A scene for the reference.
 struct PlainScene {
     std::size_t bands = 1;
     std::vector<PlainTriangle> triangles;
@@ -63,26 +63,26 @@ struct PlainScene {
     std::uint32_t max_depth = 0;
 };
 
-/// The scene of a run file, if it is one that the reference can do: matt, mirroring and clear
-/// surfaces; suns, even and overcast skies, lamps; open, or periodic along both axes.
+/// The scene of a run file, if the reference supports it: Lambertian, mirroring and clear surfaces;
+/// suns, uniform and overcast skies, lamps; open, or periodic along both axes.
 [[nodiscard]] std::optional<PlainScene> plain_scene(const Node& document, const Scene& scene);
 
-/// Emitters of a document; none at all if one is of a kind that the reference can't do.
+/// Emitters of a document; empty if the reference does not support one of them.
 [[nodiscard]] std::optional<std::vector<Emitter>> emitters_of(
     const Node& document, const Scene& scene);
 
 struct StartedRay {
     Vec3 origin, direction;
-    double weight = 1;  ///< of the emitter's share of this path, per unit of its amount
+    double weight = 1;  ///< weight of this path in the emitter's flux, per unit of its amount
 };
-/// A path's start.
+/// The start of a path.
 [[nodiscard]] StartedRay start_ray(const Emitter& emitter, const PlainScene& scene, Random& random);
 
-/// What one replicate found, flux: [(organ * 2 + side) * bands + band].
+/// Sums of one replicate, flux: [(organ * 2 + side) * bands + band].
 struct PlainSums {
     std::vector<double> direct, scattered;
     std::vector<double> absorbed;        ///< [organ * bands + band]
-    std::vector<double> brightest_path;  ///< per band: the most that one brought
+    std::vector<double> brightest_path;  ///< per band: largest contribution of one path
 };
 
 /// Follows `paths` paths from every source.

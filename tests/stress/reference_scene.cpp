@@ -11,7 +11,7 @@ bool is_plain_model(const std::string& model) {
     return model == "lambertian" || model == "mirror";
 }
 
-/// A side: what the material says for it, or else for both.
+/// A side of a material, by its own keys, or else those for both sides.
 std::optional<PlainSide> plain_side(const Node& material, const char* name, std::size_t bands) {
     const Node* own = material.find(name);
     const Node& side = own == nullptr ? material : *own;
@@ -49,7 +49,7 @@ void add_triangle(PlainScene& plain, const Triangle& t, std::uint32_t organ) {
     }
 }
 
-/// All images of a triangle that may touch the cell, seen from above.
+/// Adds all periodic copies of a triangle that may touch the cell, seen from above.
 void add_images(PlainScene& plain, const Triangle& t, std::uint32_t organ) {
     const Cell& cell = plain.cell;
     const Bounds box = bounds_of(t);

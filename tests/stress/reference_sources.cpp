@@ -84,8 +84,8 @@ std::optional<Emitter> lamp_emitter(const Node& source, const Scene& scene) {
     return lamp;
 }
 
-/// A point from where a beam along `direction` enters: in the disk around the scene, or in the
-/// cell, above or below it; and the area across the beam.
+/// A start point of a beam along `direction` (in the disk around the scene, or in the cell, above
+/// or below it), and the area across the beam.
 std::pair<Vec3, double> beam_entry(const PlainScene& scene, const Vec3& direction, Random& random) {
     const double u = random.unit();
     const double v = random.unit();
@@ -108,7 +108,7 @@ std::pair<Vec3, double> beam_entry(const PlainScene& scene, const Vec3& directio
 
 StartedRay far_ray(const Emitter& emitter, const PlainScene& scene, Random& random) {
     Vec3 direction = emitter.direction;
-    double solid = 1;  // integral of radiance over directions, per unit of the stated amount
+    double solid = 1;  // integral of radiance over directions, per unit of the given amount
     if (emitter.kind == Emitter::Kind::cone) {
         const double sine = std::sin(emitter.angle);
         const double depth = 2 * std::pow(std::sin(emitter.angle / 2), 2);  // 1 - cosine
@@ -117,7 +117,7 @@ StartedRay far_ray(const Emitter& emitter, const PlainScene& scene, Random& rand
             in_frame(frame_around(emitter.direction), 1 - u * depth, 2 * kPi * random.unit());
         solid = 2 * depth / (sine * sine);
     } else if (emitter.kind != Emitter::Kind::beam) {
-        const double height = random.unit();  // sine of the elevation, all alike
+        const double height = random.unit();  // sine of the elevation, uniform
         direction = -in_frame(frame_around({0, 0, 1}), height, 2 * kPi * random.unit());
         solid = 2;
         if (emitter.kind == Emitter::Kind::overcast_sky) {
@@ -128,7 +128,7 @@ StartedRay far_ray(const Emitter& emitter, const PlainScene& scene, Random& rand
     return {origin, direction, solid * area};
 }
 
-/// By the cosine law about n.
+/// Samples a direction by the cosine law about n.
 Vec3 cosine_direction(const Frame& frame, Random& random) {
     const double u = random.unit();
     return in_frame(frame, std::sqrt(u), 2 * kPi * random.unit());
@@ -153,7 +153,7 @@ StartedRay lamp_ray(const Emitter& lamp, Random& random) {
             return {origin, cosine_direction(f, random)};
         }
         case Emitter::Kind::line: {
-            // Density sin^2 / pi of theta: by rejection.
+            // Samples theta with density proportional to sin^2 by rejection.
             double theta = kPi * random.unit();
             while (random.unit() > std::sin(theta) * std::sin(theta)) {
                 theta = kPi * random.unit();

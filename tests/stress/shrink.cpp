@@ -9,7 +9,7 @@
 namespace quasimc::stress {
 namespace {
 
-/// Tries changes of a document, and keeps those with which it still fails.
+/// Makes changes of a document, and keeps those with which it still fails.
 class Shrinker {
   public:
     Shrinker(Node document, const StillFails& still_fails, unsigned most_tries)
@@ -39,7 +39,7 @@ class Shrinker {
         return true;
     }
 
-    /// Organs, sources and materials, one after the other.
+    /// Removes organs, sources and materials, one after the other.
     bool drop_tables() {
         bool has_changed = false;
         for (const char* key : {"organ", "source", "material"}) {
@@ -56,7 +56,7 @@ class Shrinker {
         return has_changed;
     }
 
-    /// The band `b` of every list with a value per band.
+    /// Removes band `b` from every list with a value per band.
     static void drop_band(Node& table, std::size_t bands, std::size_t b) {
         for (Member& member : members(table)) {
             const bool is_per_band = member.key == "reflectance" || member.key == "transmittance" ||
@@ -138,7 +138,7 @@ class Shrinker {
         for (const Path& path : all_tables()) {
             for (std::size_t i = keys_at(path); i-- > 0;) {
                 if (i >= keys_at(path)) {
-                    continue;  // the table is gone, or shorter
+                    continue;  // the table was removed or shortened
                 }
                 Node changed = document_;
                 Node::Table& table = members(*at(changed, path));
@@ -179,7 +179,7 @@ class Shrinker {
                          : std::round(x / unit) / std::round(1 / unit);
     }
 
-    /// All numbers at once to few digits, then each by itself.
+    /// Rounds all numbers at once to few digits, then each separately.
     bool round_numbers() {
         bool has_changed = false;
         std::vector<Node*> numbers;
@@ -200,7 +200,7 @@ class Shrinker {
         return has_changed;
     }
 
-    /// Rounds numbers to so many digits; to 0 if none are to be left.
+    /// Rounds numbers to `digits` digits; to 0 if `digits` is 0.
     bool change_numbers(std::size_t first, std::size_t last, int digits) {
         Node changed = document_;
         std::vector<Node*> numbers;

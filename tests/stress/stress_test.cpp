@@ -12,12 +12,12 @@
 #include "stress/shrink.h"
 #include "support/temporary_folder.h"
 
-// The search for wrong numbers itself: that it finds what is wrong, and what a few scenes show.
+// Tests of the stress program itself: its detection of errors, and a few scenes.
 
 namespace quasimc::stress {
 namespace {
 
-std::string words_of(const std::vector<Finding>& findings) {
+std::string describe(const std::vector<Finding>& findings) {
     std::string words;
     for (const Finding& finding : findings) {
         words += name_of(finding.kind) + ": " + finding.words + "\n";
@@ -86,17 +86,17 @@ TEST(StressComparison, TellsApartWhatDiffersAndWhatDoesNot) {
     const Number one{1, .01, .98, 1.02, true};
     const Number same{1.005, .01, .985, 1.025, true};
     const Number other{1.1, .01, 1.08, 1.12, true};
-    EXPECT_GT(chance_of(one, 15, same, 15), .5);
-    EXPECT_LT(chance_of(one, 15, other, 15), 1e-6);
+    EXPECT_GT(p_value_of(one, 15, same, 15), .5);
+    EXPECT_LT(p_value_of(one, 15, other, 15), 1e-6);
     // Student's t of 7.071 with 30 degrees of freedom.
-    EXPECT_NEAR(chance_of(one, 15, other, 15), 7.2e-8, 2e-9);
+    EXPECT_NEAR(p_value_of(one, 15, other, 15), 7.2e-8, 2e-9);
     const double nan = std::nan("");
     const Number nothing{0, nan, 0, .3, true};
-    EXPECT_NEAR(chance_of(nothing, 15, one, 15), std::exp(-9.6), 1e-12);
-    EXPECT_EQ(chance_of(nothing, 15, Number{.1, .03, 0, .2, true}, 15), 1);
+    EXPECT_NEAR(p_value_of(nothing, 15, one, 15), std::exp(-9.6), 1e-12);
+    EXPECT_EQ(p_value_of(nothing, 15, Number{.1, .03, 0, .2, true}, 15), 1);
 }
 
-/// Negative control: the reference is told of a sun that is 3 % brighter.
+/// Negative control: the reference has a sun that is 3 % brighter.
 TEST(StressJudge, FindsASunThatIsThreePercentBrighter) {
     Case it = make_case(plate(1));
     it.plain->emitters[0].amount[0] *= 1.03;
@@ -108,7 +108,7 @@ TEST(StressJudge, FindsASunThatIsThreePercentBrighter) {
     sharp.last.paths = 65536;
     EXPECT_FALSE(compare_closely(it, suspects, 1, sharp, 1e-9).empty());
     const Verdict honest = judge(plate(1), 1, Rules{}, true);
-    EXPECT_TRUE(honest.findings.empty()) << words_of(honest.findings);
+    EXPECT_TRUE(honest.findings.empty()) << describe(honest.findings);
     EXPECT_GT(honest.comparisons, 15U);
 }
 
@@ -152,19 +152,19 @@ TEST(StressCampaign, FindsNothingInThirtyScenes) {
     EXPECT_EQ(tally.findings + tally.deaths, 0U) << folder.read("log.txt");
 }
 
-/// Every scene that was found and mended: it must never be found again.
+/// Every finding that was fixed; it must never occur again.
 class StressFindings : public ::testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(StressFindings, StayMended) {
     const std::string path = GetParam().string();
     Rules rules;
-    rules.screen = rules.second;  // one scene, not thousands: a sharper look
+    rules.screen = rules.second;  // one scene allows a more precise test
     const Verdict verdict = judge(read_toml(read_file(path), path), 1, rules, true);
-    EXPECT_TRUE(verdict.findings.empty()) << words_of(verdict.findings);
+    EXPECT_TRUE(verdict.findings.empty()) << describe(verdict.findings);
     EXPECT_FALSE(verdict.is_rounding);
 }
 
-std::vector<std::filesystem::path> kept_findings() {
+std::vector<std::filesystem::path> stored_findings() {
     std::vector<std::filesystem::path> paths;
     const std::filesystem::path folder = QUASIMC_SOURCE_DIR "/tests/stress/findings";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -177,7 +177,7 @@ std::vector<std::filesystem::path> kept_findings() {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Kept, StressFindings, ::testing::ValuesIn(kept_findings()), [](const auto& entry) {
+    Stored, StressFindings, ::testing::ValuesIn(stored_findings()), [](const auto& entry) {
         std::string name = entry.param.stem().string();
         std::replace(name.begin(), name.end(), '-', '_');
         return name;

@@ -27,7 +27,7 @@ std::vector<double> irradiance_of(const Node& document, const Scene& scene) {
     return sum;
 }
 
-/// The smallest height of the organ's triangles, as a part of the scene or its cell.
+/// The smallest height of the organ's triangles, relative to the scene or its cell.
 double thinness_of(const Scene& scene, const Organ& organ) {
     const Cell& cell = scene.cell();
     const double size = std::max(
@@ -37,7 +37,7 @@ double thinness_of(const Scene& scene, const Organ& organ) {
         const double longest =
             std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
         const double height = length(area_vector(t)) / longest;
-        if (height > 0) {  // nothing falls on a triangle of no area
+        if (height > 0) {  // a triangle of zero area receives no light
             least = std::min(least, height / size);
         }
     }
@@ -67,8 +67,8 @@ std::vector<double> slips_of(const Node& document, const Scene& scene) {
     return slips;
 }
 
-/// 5e-6: windows of beams are larger than the scene by 2^-20 each way. Of needles five times what
-/// the rounding of a ray's position (2^-22 of the scene) over their width.
+/// 5e-6, as start areas of beams exceed the scene by 2^-20 on each side. For needles five times the
+/// rounding of a ray's position (2^-22 of the scene) relative to their width.
 std::vector<double> roundings_of(const Scene& scene) {
     constexpr double kRounding = 5e-6;
     constexpr double kNeedle = 1e-3;

@@ -39,10 +39,9 @@ std::vector<Number> numbers_of(const Result& result) {
     return numbers;
 }
 
-/// Whether light of a sun runs nearly along a surface of the organ, less than half a degree from
-/// its plane. It then brings little, and how much of the surface it lights rests on a few finds
-/// that each stand for a hundred times their size. Exactly along it lights none, in every way,
-/// if it is no disk.
+/// Whether a sun grazes a surface of the organ, less than half a degree from its plane. Its flux is
+/// then small, and the sunlit fraction depends on a few contributions with large weights. A sun
+/// exactly in the plane, without a disk, illuminates nothing in every way.
 bool is_grazed(const Case& it, const Organ& organ) {
     constexpr double kGrazing = .01;
     for (const Node* source : tables_at(*it.run.document, "source")) {
@@ -63,7 +62,7 @@ bool is_grazed(const Case& it, const Organ& organ) {
     return false;
 }
 
-/// Leaves the sunlit fraction of such organs out.
+/// Removes the sunlit fraction of such organs.
 void forget_grazed(const Case& it, std::vector<Number>& numbers) {
     const std::size_t each = kComparedQuantities.size() * it.run.scene.bands().size() + 1;
     for (std::size_t i = 0; i < it.run.scene.organs().size(); ++i) {
@@ -73,11 +72,11 @@ void forget_grazed(const Case& it, std::vector<Number>& numbers) {
     }
 }
 
-/// The same numbers of one replicate of the reference; NaN what it does not tell.
+/// The numbers of one replicate of the reference; NaN where it has none.
 std::vector<double> plain_numbers(const PlainSums& sums, const Scene& scene, bool ignores_direct) {
     const std::size_t bands = scene.bands().size();
     std::vector<double> numbers;
-    // Light that is not counted on organs is absorbed all the same: the totals have it.
+    // Light that is not counted on organs is part of the totals.
     std::vector<double> totals(2 * bands, ignores_direct ? std::nan("") : 0);
     for (std::size_t organ = 0; organ < scene.organs().size(); ++organ) {
         const double area = scene.organs()[organ].area;
@@ -105,7 +104,7 @@ std::vector<double> plain_numbers(const PlainSums& sums, const Scene& scene, boo
     return numbers;
 }
 
-/// What the brightest path brings to each of those numbers.
+/// The contribution of the brightest path to each of the numbers.
 std::vector<double> numbers_of_path(const std::vector<double>& path, const Scene& scene) {
     std::vector<double> numbers;
     for (const Organ& organ : scene.organs()) {
@@ -123,8 +122,8 @@ std::vector<double> numbers_of_path(const std::vector<double>& path, const Scene
 }
 
 Answer reference_answer(const Case& it, const Effort& effort) {
-    // Of less light than so many of the brightest paths bring, it may have found that of a near
-    // lamp and none of the sun's.
+    // Number of brightest paths below whose flux a number is unknown: it may include the light of a
+    // near lamp and none of the sun's.
     constexpr double kFewPaths = 10;
     std::vector<std::vector<double>> replicates;
     std::vector<double> of_path;
@@ -141,8 +140,7 @@ Answer reference_answer(const Case& it, const Effort& effort) {
             values.push_back(replicate[i]);
         }
         Number number = number_of(estimate_mean(values));
-        // Little or nothing found bounds nothing here: the program's ways are compared with each
-        // other.
+        // Low counts give no bound here; the program's ways are compared with each other.
         number.is_known =
             number.is_known && number.mean > 0 &&
             !(number.mean < kFewPaths * of_path[i] / static_cast<double>(effort.replicates));
@@ -175,14 +173,14 @@ bool has_lamps(const Node& document) {
     return false;
 }
 
-/// Whether light can be exchanged along bundles: they refuse surfaces that shine.
+/// Whether light can be exchanged along bundles, which refuse surfaces that are not diffuse.
 bool is_diffuse(const Scene& scene) {
     Faults faults;
     check_diffuse(scene, faults);
     return faults.empty();
 }
 
-/// Whether who asks for bundles by name is told that their errors do not tell what is wrong.
+/// Whether a run with bundles is warned that its standard errors do not include all errors.
 bool is_warned_of(const RunFile& run) {
     RunSpec spec = run.spec;
     spec.method = Method::ray_bundles;

@@ -123,7 +123,7 @@ async function checkGrowth(context) {
     }
     // A plant has no unit of length.
     assert.equal(await page.locator("#profile-title").textContent(), "Mean by height");
-    assert.match(await page.locator("#organ p").textContent(), /area [\d.e-]+, middle at height [\d.e-]+(,|$)/);
+    assert.match(await page.locator("#organ p").textContent(), /area [\d.e-]+, centre at height [\d.e-]+(,|$)/);
     if (pictures) {
       await page.screenshot({ path: path.join(pictures, "growth.png") });
     }
@@ -148,7 +148,7 @@ async function checkGrowth(context) {
     await page.locator("#time").fill("0"); // no organ was chosen then, whose numbers are all read
     await frameIs(page, 1);
     await page.selectOption("#column", { index: 3 });
-    await page.waitForFunction(() => /ended before these numbers/.test(document.querySelector("#histogram").textContent));
+    await page.waitForFunction(() => /ended before this page/.test(document.querySelector("#histogram").textContent));
     await page.close();
   } finally {
     growth.process.kill("SIGKILL");

@@ -33,7 +33,7 @@ std::size_t message_end(std::string_view bytes) {
 
 namespace {
 
-/// The values with so many digits, in parentheses.
+/// Appends the values with the given number of digits, in parentheses.
 void append_values(
     std::string& text, std::size_t slots, std::span<const double> values, int digits) {
     std::array<char, 32> buffer{};

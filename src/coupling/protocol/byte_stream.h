@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// The plant simulator is gone, or its end of the line: there is nobody to answer.
+/// The plant simulator has ended or closed its end of the connection.
 class PeerDisconnected : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -22,12 +22,12 @@ inline constexpr std::string_view kEmptyAnswer = "Control: 5\n";
 /// Whether a message is the last of a reply.
 enum class Continuation { done, more_follows };
 
-/// Whether a simulator that was told that there will be no light goes on without us, or still asks
-/// at every step and waits for an answer.
-enum class RejectAction { it_goes_on, it_asks };
+/// Whether a refused simulator continues alone, or still sends queries at every step and waits for
+/// answers.
+enum class RejectAction { continues, keeps_asking };
 
-/// A line to the plant simulator: text goes both ways in messages that end with a "Control" line.
-/// Functions throw PeerDisconnected when the other side is gone, unless they say otherwise.
+/// A connection to the plant simulator, for messages in both directions that end with a "Control"
+/// line. Functions throw PeerDisconnected when the other side is gone, unless they say otherwise.
 class ByteStream {
   public:
     virtual ~ByteStream() = default;
@@ -35,35 +35,35 @@ class ByteStream {
     ByteStream(const ByteStream&) = delete;
     ByteStream& operator=(const ByteStream&) = delete;
 
-    /// Sends the first sign to the simulator, or that there will be no light.
+    /// Sends the first sign to the simulator.
     virtual void announce() = 0;
     [[nodiscard]] virtual RejectAction refuse() = 0;
-    /// The next message, whole; valid until the next call. Waits as long as it takes.
-    /// @throws InputError  if what is there is no message
+    /// The next message, whole; valid until the next call. Waits without a limit.
+    /// @throws InputError  if the data are no message
     [[nodiscard]] virtual std::string_view receive() = 0;
     /// Sends a message, which ends with a "Control" line and is at most capacity() bytes long.
     /// @throws InputError  if it can't be written
     virtual void send(std::string_view message, Continuation continuation) = 0;
-    /// After a message that more follow: waits until the simulator takes the next one.
+    /// Waits until the simulator takes the next message of a reply.
     virtual void await_request() = 0;
-    /// Throws if the plant simulator is gone: for looking up now and then from a long computation.
+    /// Throws if the plant simulator is gone; called repeatedly during a long computation.
     virtual void check() = 0;
-    /// The answer to the order to exit, with the last sign where there is one, in one piece. A
-    /// simulator that has closed the line meanwhile has all it wants: nothing is thrown for it.
+    /// Sends the answer to the order to exit in one piece, with the last sign where there is one. A
+    /// connection that the simulator has closed is no error.
     virtual void send_last(std::string_view message) {
         try {
             send(message, Continuation::done);
         } catch (const PeerDisconnected&) {
-            return;  // it has said that it goes
+            return;  // the simulator has ordered the exit
         }
     }
-    /// For an end that the simulator has not ordered: answers what it asks with nothing, and what
-    /// it will ask as well where the line keeps that (semaphores). May be called from another
-    /// thread while this one is in receive(), await_request() or check().
-    virtual void resign() noexcept = 0;
+    /// Ends the connection without an order of the simulator: sends an empty answer to the pending
+    /// query, and by semaphores to all later ones. May be called from another thread during
+    /// receive(), await_request() or check().
+    virtual void close() noexcept = 0;
     /// Longest message that can be sent, bytes.
     [[nodiscard]] virtual std::size_t capacity() const = 0;
-    /// Queries or answers in a chunk, unless the environment file says otherwise.
+    /// Default number of queries or answers in a chunk.
     [[nodiscard]] virtual std::size_t default_chunk() const = 0;
 };
 
@@ -71,8 +71,8 @@ class ByteStream {
 /// @param in, out  file descriptors, which stay open
 [[nodiscard]] std::unique_ptr<ByteStream> make_pipe_stream(int in, int out);
 
-/// TCP: connects to `port`, for what we send, and `port` + 1, for what we receive.
-/// @throws InputError  if there is nobody
+/// TCP: connects to `port`, to send, and to `port` + 1, to receive.
+/// @throws InputError  if nothing listens there
 [[nodiscard]] std::unique_ptr<ByteStream> make_socket_stream(const std::string& host, int port);
 
 /// Files .to_field<extension> and .from_field<extension> in the working folder, and the semaphores

@@ -16,9 +16,9 @@
 namespace quasimc {
 namespace {
 
-/// The byte by which we say that we are there, and that we go.
+/// The byte sent at the start and at the end of a session.
 constexpr char kSign = '\x01';
-/// Sent instead of the first sign: there will be no light.
+/// The byte of a refusal, sent instead of the first sign.
 constexpr char kNoSign = '\0';
 
 [[noreturn]] void gone(const char* what) {
@@ -42,7 +42,7 @@ void DescriptorStream::announce() {
 
 RejectAction DescriptorStream::refuse() {
     write_all({&kNoSign, 1});
-    return RejectAction::it_goes_on;
+    return RejectAction::continues;
 }
 
 std::string_view DescriptorStream::receive() {
@@ -114,7 +114,7 @@ void DescriptorStream::write_all(std::string_view bytes) {
             gone("it no longer reads our answers");
         }
         if (count < 0 && errno != EINTR) {
-            // A file, or nothing: there may be no simulator at all.
+            // The input is a file or empty; there may be no simulator.
             throw PeerDisconnected(
                 "the answers can't be written: " + (errno == EBADF
                                                         ? "standard output is closed"
@@ -132,7 +132,7 @@ void DescriptorStream::check() {
     if ((ends[1].revents & (POLLHUP | POLLERR)) != 0) {
         gone("it no longer reads our answers");
     }
-    // An end that comes after further messages (a recorded conversation) is none yet.
+    // The end of input comes after further messages (of a recorded session).
     int unread = 0;
     const bool has_more =
         buffer_.size() > taken_ || (::ioctl(in_, FIONREAD, &unread) == 0 && unread > 0);
@@ -145,11 +145,11 @@ void DescriptorStream::send_last(std::string_view message) {
     try {
         write_all(std::string(message) + kSign);
     } catch (const PeerDisconnected&) {
-        return;  // it has said that it goes
+        return;  // the simulator has ordered the exit
     }
 }
 
-void DescriptorStream::resign() noexcept {
+void DescriptorStream::close() noexcept {
     pollfd end{out_, POLLOUT, 0};
     if (::poll(&end, 1, 0) > 0 && (end.revents & POLLOUT) != 0) {
         static_cast<void>(::write(out_, kEmptyAnswer.data(), kEmptyAnswer.size()) < 0);

@@ -9,11 +9,11 @@ namespace quasimc {
 /// Messages through a pair of file descriptors: pipes and sockets.
 class DescriptorStream final : public ByteStream {
   public:
-    /// What becomes of the descriptors at the end.
+    /// Whether the destructor closes the descriptors.
     enum class Ownership { borrowed, owned };
-    /// Bytes of a line that are kept; the original keeps 2048.
+    /// Longest line that is not truncated, bytes; the original program has 2048.
     static constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
-    /// May name one descriptor for both directions.
+    /// Both descriptors may be the same.
     DescriptorStream(int in, int out, Ownership ownership)
         : in_(in), out_(out), ownership_(ownership) {}
     ~DescriptorStream() override;
@@ -27,17 +27,17 @@ class DescriptorStream final : public ByteStream {
     void await_request() override {}
     void check() override;
     void send_last(std::string_view message) override;
-    void resign() noexcept override;
+    void close() noexcept override;
     [[nodiscard]] std::size_t capacity() const override;
     [[nodiscard]] std::size_t default_chunk() const override { return 100; }
 
   private:
     void write_all(std::string_view bytes);
-    /// Reads what there is; false at the end of input.
+    /// Reads the available bytes; returns false at the end of input.
     [[nodiscard]] bool read_some();
-    /// Adds what was read to the buffer, of each line its first kLongestLine bytes.
+    /// Adds bytes to the buffer, at most the first kLongestLine of each line.
     void keep(std::string_view bytes);
-    /// Ends a last line "Control" that has no end. @throws PeerDisconnected  if there is none
+    /// Terminates an unterminated last line "Control". @throws PeerDisconnected  if there is none
     void end_input();
 
     int in_, out_;

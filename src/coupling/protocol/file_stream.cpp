@@ -27,12 +27,12 @@ off_t as_offset(std::size_t offset) {
     return static_cast<off_t>(offset);
 }
 
-/// A file that is written without being emptied first.
+/// Opens a file for writing without emptying it.
 int open_cached(const std::string& path) {
     return ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
 }
 
-/// Whether all of the text was written there; errno otherwise.
+/// Returns whether all of the text was written; sets errno otherwise.
 bool write_at(const Descriptor& file, std::string_view text, std::size_t offset) {
     while (!text.empty()) {
         const ssize_t count = ::pwrite(file.number(), text.data(), text.size(), as_offset(offset));
@@ -63,8 +63,8 @@ class FilePair {
         std::remove(to_us_.c_str());
         std::remove(from_us_.c_str());
     }
-    /// What the simulator reads if we come to an end before we have answered: the head of the file
-    /// becomes an empty answer, behind which nothing is read.
+    /// Makes the head of the file an empty answer, which the simulator reads if this process ends
+    /// before it answers.
     void prepare_for_our_end() const noexcept {
         const Descriptor file(open_cached(from_us_));
         static_cast<void>(write_at(file, kEmptyAnswer, 0));

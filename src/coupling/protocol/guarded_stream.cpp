@@ -5,35 +5,35 @@
 
 namespace quasimc {
 
-void GuardedStream::open(std::unique_ptr<ByteStream> line) {
+void GuardedStream::open(std::unique_ptr<ByteStream> connection) {
     const std::lock_guard lock(sending_);
-    line_ = std::move(line);
+    connection_ = std::move(connection);
 }
 
 void GuardedStream::announce() {
     const std::lock_guard lock(sending_);
-    line_->announce();
+    connection_->announce();
 }
 
 RejectAction GuardedStream::refuse() {
     const std::lock_guard lock(sending_);
-    return line_->refuse();
+    return connection_->refuse();
 }
 
 void GuardedStream::send(std::string_view message, Continuation continuation) {
     const std::lock_guard lock(sending_);
-    line_->send(message, continuation);
+    connection_->send(message, continuation);
 }
 
 void GuardedStream::send_last(std::string_view message) {
     const std::lock_guard lock(sending_);
-    line_->send_last(message);
+    connection_->send_last(message);
 }
 
-void GuardedStream::resign() noexcept {
+void GuardedStream::close() noexcept {
     const std::unique_lock lock(sending_, std::chrono::seconds(1));
-    if (lock.owns_lock() && line_) {
-        line_->resign();
+    if (lock.owns_lock() && connection_) {
+        connection_->close();
     }
 }
 

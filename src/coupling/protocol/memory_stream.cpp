@@ -1,5 +1,5 @@
-// Messages in a piece of shared memory, handed over with semaphores: first the simulator's, then
-// ours. A message has no end but its "Control" line.
+// Messages in a piece of shared memory, handed over with semaphores: first the simulator's part,
+// then the answers. Only its "Control" line ends a message.
 
 #include <atomic>
 #include <cerrno>
@@ -18,7 +18,7 @@ namespace quasimc {
 namespace {
 
 constexpr std::size_t kToUs = 50000, kFromUs = 10000;
-/// Bytes of our part that are left free, as the simulators do.
+/// Bytes at the end of the part for answers that stay free, as in the simulators.
 constexpr std::size_t kReserve = 25;
 
 class SharedMemory {
@@ -48,7 +48,7 @@ class SharedMemory {
     [[nodiscard]] std::string name() const { return "shared memory"; }
     void remove() const { ::shmctl(id_, IPC_RMID, nullptr); }
     void read(std::string& text) const { text.assign(bytes_, kToUs); }
-    /// What the simulator reads if we come to an end before we have answered.
+    /// Writes an empty answer, which the simulator reads if this process ends before it answers.
     void prepare_for_our_end() const noexcept {
         std::memcpy(from_us(), kEmptyAnswer.data(), kEmptyAnswer.size());
     }

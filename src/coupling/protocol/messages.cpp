@@ -25,7 +25,7 @@ constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
           std::move(why), ""}});
 }
 
-/// What a number without a sign is that double precision can't hold: 0 or infinite.
+/// The value of an unsigned number beyond double precision: 0 or infinity.
 double beyond_range(std::string_view digits) {
     const std::size_t exponent = std::min(digits.find_first_of("eEpP"), digits.size());
     const std::size_t sign = exponent + 1;
@@ -37,7 +37,7 @@ double beyond_range(std::string_view digits) {
 }
 
 /// A number as scanf takes it: blanks before it, a sign, decimal or hexadecimal digits with or
-/// without a point and an exponent, or a word for an infinity or none. Moves `text` past it.
+/// without a point and an exponent, or a word for infinity or not-a-number. Moves `text` past it.
 bool take_number(std::string_view& text, double& value) {
     std::string_view rest = text;
     rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
@@ -97,7 +97,7 @@ NumberStyle style_of(std::string_view number) {
     const std::size_t point = number.find('.');
     const bool is_finite = number.find_first_not_of("+-.0123456789eE") == std::string_view::npos;
     if (number.empty() || !is_finite) {
-        return NumberStyle::unknown;  // nan and inf look the same
+        return NumberStyle::unknown;  // nan and inf have one form
     }
     constexpr std::size_t kDecimals = 6;  // %f writes as many; %g has as many digits, at most
     if (point == std::string_view::npos || number.size() - point - 1 != kDecimals ||
@@ -129,7 +129,7 @@ class MessageParser::Reader {
   private:
     [[nodiscard]] std::string_view line() const { return lines_.line(); }
 
-    /// Goes to the next line that is not blank, or stays where it is if that was put back.
+    /// Goes to the next line that is not blank, or stays at a line that was put back.
     bool next() {
         if (put_back_) {
             put_back_ = false;
@@ -177,7 +177,7 @@ class MessageParser::Reader {
         pass_.queries.push_back(std::move(query));
     }
 
-    /// The parameters of E: how many there are, and whether the first one asks.
+    /// Reads the parameters of E: their count, and whether the first one requests light.
     void read_question(std::string_view& rest, Query& query) {
         const auto first = static_cast<std::uint32_t>(pass_.parameters.size());
         query.slots = take_parameters(rest);
@@ -198,7 +198,7 @@ class MessageParser::Reader {
         }
     }
 
-    /// Reads "(v,v,...)" or nothing to the pass's parameters; returns how many there are.
+    /// Reads an optional "(v,v,...)" to the pass's parameters; returns their number.
     std::uint32_t take_parameters(std::string_view& rest) {
         if (rest.empty() || rest.front() != '(') {
             return 0;
@@ -319,7 +319,7 @@ class MessageParser::Reader {
             static_cast<std::uint32_t>(pass_.polygons.size()) - query.polygons.first;
     }
 
-    /// Returns whether the next line may be a vertex of a polygon.
+    /// Reads a line of graphics. Returns whether the next line may be a vertex of a polygon.
     bool read_graphics_line(bool in_polygon) {
         std::string_view rest = line();
         Vec3 vertex;

@@ -13,12 +13,12 @@
 
 namespace quasimc {
 
-/// A module sends no more parameters than this; more are a fault of the message.
+/// Largest number of parameters of a module; more are a fault of the message.
 inline constexpr std::size_t kMaxParameters = 64;
-/// Answers have no more slots.
+/// Largest number of slots of an answer.
 inline constexpr std::size_t kMaxSlots = 20;
 
-/// Where and how an organ stands. Directions need not be of unit length.
+/// Position and directions of an organ. Directions need not be of unit length.
 struct Turtle {
     Vec3 position, heading, left, up;
 };
@@ -28,28 +28,28 @@ struct ListPart {
     std::uint32_t first = 0, count = 0;
 };
 
-/// A question of the plant simulator: the light on an organ, or (asks == false) an organ that only
+/// A query of the plant simulator for the light on an organ, or (asks == false) an organ that only
 /// shades.
 struct Query {
-    std::int64_t id = 0;  ///< opaque, given back in the answer
+    std::int64_t id = 0;  ///< opaque, returned in the answer
     std::uint32_t slots = 0;
     bool asks = false;
     std::string organ;    ///< name of the module that follows; "" if there is none
-    ListPart parameters;  ///< of Pass::parameters; one that is not set is NaN
-    ListPart polygons;    ///< of Pass::polygons
+    ListPart parameters;  ///< in Pass::parameters; NaN if not set
+    ListPart polygons;    ///< in Pass::polygons
     Turtle turtle;
 };
 
-/// All that the plant simulator asks in one step.
+/// All queries of the plant simulator in one step.
 struct Pass {
     std::vector<Query> queries;
     std::vector<double> parameters;
-    std::vector<ListPart> polygons;            ///< of vertices
-    std::vector<std::uint32_t> polygon_lines;  ///< of their messages, where each begins
+    std::vector<ListPart> polygons;            ///< in `vertices`
+    std::vector<std::uint32_t> polygon_lines;  ///< first line of each in its message
     std::vector<Vec3> vertices;
-    /// Words of graphics other than polygons that came with the queries ("cylinder").
+    /// Keywords of graphics other than polygons in the queries ("cylinder").
     std::vector<std::string> other_graphics;
-    std::int64_t step = 0;  ///< as the simulator counts; lpfg says 0 always
+    std::int64_t step = 0;  ///< number given by the simulator; lpfg always sends 0
 
     [[nodiscard]] std::span<const double> parameters_of(const Query& query) const {
         return std::span(parameters).subspan(query.parameters.first, query.parameters.count);
@@ -57,7 +57,7 @@ struct Pass {
     void clear();
 };
 
-/// What ends a message.
+/// The "Control" line of a message.
 struct Control {
     bool is_last = true;  ///< chunk of the pass
     bool is_exit = false;
@@ -67,20 +67,20 @@ struct Control {
 /// How the simulator writes numbers: cpfg as %g, lpfg as %f (always six decimals).
 enum class NumberStyle { unknown, general, fixed };
 
-/// The style that a number betrays; unknown when either could have written it.
+/// The style of a number; unknown if both styles give the same text.
 [[nodiscard]] NumberStyle style_of(std::string_view number);
 
-/// Reads the messages of one conversation. A pure function of what it was given so far.
+/// Reads the messages of one session. The result depends only on the messages so far.
 class MessageParser {
   public:
-    /// @param format  which lines follow a query
+    /// @param format  defines the lines that follow a query
     explicit MessageParser(const CommFile& format) : format_(format) {}
 
     /// Adds the queries of a message (up to and with its "Control" line) to `pass`.
-    /// @throws InputError  where a message is not what the protocol says: line and content
+    /// @throws InputError  if a message violates the protocol: line and content
     [[nodiscard]] Control parse(std::string_view message, Pass& pass);
 
-    /// Of the numbers read so far.
+    /// Style of the numbers read so far.
     [[nodiscard]] NumberStyle style() const { return style_; }
 
   private:
@@ -91,12 +91,11 @@ class MessageParser {
     bool position_settled_ = false;
 };
 
-/// Looks for the end of a message in bytes that come piece by piece; looks at each once, however
-/// long the lines are.
+/// Searches for the end of a message in bytes that arrive in pieces; examines each byte once.
 class MessageEndFinder {
   public:
-    /// Where the first message in `bytes` ends: after its "Control" line; npos if that is not there
-    /// yet. @param bytes  those of the call before, and what came since
+    /// End of the first message in `bytes`, after its "Control" line; npos if that has not arrived.
+    /// @param bytes  those of the last call, and later ones
     [[nodiscard]] std::size_t find(std::string_view bytes);
     /// The offset where the next call begins to search.
     [[nodiscard]] std::size_t offset() const { return offset_; }
@@ -106,7 +105,7 @@ class MessageEndFinder {
     bool in_control_ = false;
 };
 
-/// Where the first message in `bytes` ends; npos if its "Control" line is not there.
+/// End of the first message in `bytes`; npos without its "Control" line.
 [[nodiscard]] std::size_t message_end(std::string_view bytes);
 
 /// Adds the line "id E(v,v,,)" with `slots` values, empty where `values` has none or is NaN. At

@@ -7,13 +7,13 @@
 
 namespace quasimc {
 
-/// Tells a person what may be of interest, everything once however often it happens.
+/// Sends notices to the user, each once.
 class Notices {
   public:
     using MessageSink = std::function<void(const std::string& text)>;
     explicit Notices(MessageSink send) : send_(std::move(send)) {}
 
-    /// @param key  what is told once; a later text with the same key is dropped
+    /// @param key  identifies the notice; later texts with the same key are dropped
     void once(const std::string& key, const std::string& text) {
         if (sent_.insert(key).second) {
             send_(text);

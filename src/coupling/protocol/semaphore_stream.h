@@ -11,8 +11,8 @@
 
 namespace quasimc {
 
-/// Messages that lie in a mailbox which both sides open, a pair of files or a piece of memory, and
-/// are handed over with a pair of semaphores.
+/// Messages in a mailbox that both sides open (a pair of files, or shared memory), synchronized by
+/// a pair of semaphores.
 ///
 /// A mailbox reads the whole text that is there, writes an answer whose head becomes visible last,
 /// makes the head of an answer an empty one (prepare_for_our_end), and can be removed.
@@ -23,7 +23,7 @@ class SemaphoreStream final : public ByteStream {
     explicit SemaphoreStream(long key, Arguments&&... arguments)
         : semaphores_(key), mailbox_(std::forward<Arguments>(arguments)...) {}
     ~SemaphoreStream() override {
-        // The simulator removes what it made, and our answer; if it died, nobody else does.
+        // The simulator removes its mailbox and the answers, unless it has died.
         if (semaphores_.master_died()) {
             mailbox_.remove();
             semaphores_.remove();
@@ -36,11 +36,11 @@ class SemaphoreStream final : public ByteStream {
         mailbox_.write(kEmptyAnswer);
         semaphores_.announce();
     }
-    /// lpfg takes silence for an answer that is there, and waits for the next one for ever; cpfg
-    /// takes it for a refusal, but then leaves its semaphores and memory behind.
+    /// Without a sign lpfg assumes an answer and waits forever for the next one; cpfg assumes a
+    /// refusal, but then leaves its semaphores and memory behind.
     [[nodiscard]] RejectAction refuse() override {
         announce();
-        return RejectAction::it_asks;
+        return RejectAction::keeps_asking;
     }
     [[nodiscard]] std::string_view receive() override {
         semaphores_.wait_for_master();
@@ -65,7 +65,7 @@ class SemaphoreStream final : public ByteStream {
     }
     void await_request() override { semaphores_.wait_for_master(); }
     void check() override { semaphores_.check(); }
-    void resign() noexcept override {
+    void close() noexcept override {
         mailbox_.prepare_for_our_end();
         semaphores_.post_forever();
     }
@@ -73,7 +73,7 @@ class SemaphoreStream final : public ByteStream {
     [[nodiscard]] std::size_t default_chunk() const override { return Mailbox::kDefaultChunk; }
 
   private:
-    /// If not even an empty answer can be written, what stands in the mailbox must do.
+    /// Writes an answer; if even an empty one can't be written, the content of the mailbox remains.
     void write_answer(std::string_view message) const {
         try {
             mailbox_.write(message);

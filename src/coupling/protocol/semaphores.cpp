@@ -23,7 +23,7 @@ namespace {
 
 constexpr unsigned short kFromMaster = 0, kToMaster = 1;
 
-/// How often we look whether the simulator still lives while we wait for it.
+/// Interval between checks whether the simulator still exists, while waiting for it.
 constexpr long kLookEveryNanoseconds = 100'000'000;
 
 /// The argument of semctl, which the caller has to define.
@@ -43,14 +43,13 @@ union SemaphoreArgument {
                                           : std::generic_category().message(error).c_str());
 }
 
-/// The answers that are left to a simulator that goes on without us: half of what a semaphore
-/// counts to. The other half is for the simulator, which ends by adding to its semaphores (lpfg):
-/// beyond the most that would fail.
+/// Number of answers left to a simulator that continues alone: half of a semaphore's maximum. The
+/// other half is for lpfg, which ends by adding to its semaphores; above the maximum that fails.
 constexpr short kForever = 32767 / 2;
 
-/// A descriptor of a process. -1, and errno, if there is none.
+/// Returns a descriptor of a process; -1 and errno if there is none.
 int watch(int process) {
-    errno = 0;  // whose process can't be told is not watched
+    errno = 0;  // an unknown process is not watched
     return process > 0 ? static_cast<int>(::syscall(SYS_pidfd_open, process, 0)) : -1;
 }
 
@@ -65,7 +64,7 @@ SemaphorePair::SemaphorePair(long key) {
               std::generic_category().message(errno),
               "the plant simulator creates it and passes the key; without -k, pipes are used"}});
     }
-    maker_ = ::semctl(set_, kFromMaster, GETPID);  // the last to have touched them so far
+    maker_ = ::semctl(set_, kFromMaster, GETPID);  // the last process to use them so far
     master_ = watch(maker_);
     died_early_ = master_ < 0 && errno == ESRCH;
 }
@@ -76,9 +75,8 @@ SemaphorePair::~SemaphorePair() {
     }
 }
 
-// The sign is a value of 0. With it, in one, comes what the last operation takes and the kernel
-// gives back when we end: there is no moment at which we have signed and a kill would leave no
-// answer.
+// The sign is a value of 0. The same operation takes a debt that the kernel returns when this
+// process ends, so a kill at any time after the sign leaves an answer.
 void SemaphorePair::announce() {
     const int before = ::semctl(set_, kToMaster, GETVAL);
     if (before < 0) {
@@ -89,7 +87,7 @@ void SemaphorePair::announce() {
          {kToMaster, kForever, 0},
          {kToMaster, -kForever, SEM_UNDO}}};
     if (::semop(set_, sign_and_owe.data(), sign_and_owe.size()) < 0) {
-        set_answers(0);  // without the debt, all but a kill is as well
+        set_answers(0);  // without the debt, only a kill leaves no answer
         check();
     }
 }
@@ -114,8 +112,8 @@ void SemaphorePair::post_to_master() {
     }
 }
 
-// Setting a semaphore also cancels what the kernel would give back to it when a process ends
-// (announce): our end changes nothing any more.
+// Setting a semaphore also cancels the debt of announce(): the end of this process then changes
+// nothing.
 void SemaphorePair::set_answers(int count) const noexcept {
     SemaphoreArgument argument{};
     argument.value = count;

@@ -7,7 +7,7 @@
 namespace quasimc {
 namespace {
 
-/// What the Control line of a message says; of one that can't be read, that it is the last.
+/// Parses the Control line of a message; an unreadable one counts as the last chunk.
 Control control_of(std::string_view message) {
     const std::size_t before = message.find_last_of('\n', message.size() - 2);
     const std::string_view line =
@@ -51,7 +51,7 @@ class Session {
     }
 
   private:
-    /// Does `work`; what goes wrong is kept, unless the simulator is gone.
+    /// Does `work` and records its exception; rethrows it if the simulator is gone.
     template <typename Work>
     void guarded(const Work& work) {
         try {
@@ -78,8 +78,8 @@ class Session {
         return control;
     }
 
-    /// After queries that came with the order to exit, the simulator may close its end of the line
-    /// at once: nothing more is awaited from it.
+    /// After queries with the order to exit, the simulator may close its end of the connection at
+    /// once, so nothing more is awaited.
     void compute(const Control& control) {
         trailing_.remove(pass_, parser_.style());
         const auto check = [&] {
@@ -90,7 +90,7 @@ class Session {
         answerer_(pass_, check, answers_);
     }
 
-    /// Sends what answers there are; nothing, if they can't be written.
+    /// Sends the answers computed so far; an empty answer if they can't be written.
     void send_answers(const Control& control) {
         const auto send_end = [&](std::string_view text) {
             control.is_exit ? stream_.send_last(text) : stream_.send(text, Continuation::done);

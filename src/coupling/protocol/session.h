@@ -12,10 +12,10 @@
 
 namespace quasimc {
 
-/// What is sent back for one query.
+/// Answer to one query.
 struct Answer {
     std::uint32_t query = 0;  ///< index in Pass::queries
-    ListPart values;  ///< of Answers::values; fewer than the query's slots: the rest is empty
+    ListPart values;          ///< in Answers::values; the remaining slots of the query are empty
 };
 struct Answers {
     std::vector<Answer> list;  ///< in the order to be sent
@@ -23,25 +23,24 @@ struct Answers {
     void clear() { list.clear(), values.clear(); }
 };
 
-/// Computes the light of a step. `check` throws when the plant simulator is gone.
+/// Function that computes the light of a step. Its `check` throws if the plant simulator is gone.
 using Answerer =
     std::function<void(const Pass& pass, const std::function<void()>& check, Answers& answers)>;
 
-/// The text of answers, cut into chunks of at most `chunk` answers and `capacity` bytes; at least
-/// one, the text of which may be a Control line alone.
+/// Text of the answers in chunks of at most `chunk` answers and `capacity` bytes; at least one
+/// chunk, possibly only a Control line.
 [[nodiscard]] std::vector<std::string> reply_chunks(
     const Pass& pass, const Answers& answers, std::size_t chunk, std::size_t capacity);
 
-/// What was wrong in a step, counted from 0; nothing if it was answered as it should be.
+/// Receives the fault of a step (counted from 0), or null after a complete answer.
 using StepListener = std::function<void(std::uint64_t step, const std::exception_ptr& fault)>;
 
-/// Answers the plant simulator step after step, until it says exit; queries before that order are a
-/// step too (a program that calls us for one writes "Control: 8" behind them). A step in which
-/// something goes
-/// wrong (a message that is not what the protocol says, a fault of the answerer) is answered as far
-/// as the answerer got, mostly with nothing: modules without an answer keep the values they have.
-/// @param on_step  is told of every step after its answer
-/// @throws PeerDisconnected  when the simulator is gone without having said exit
+/// Answers the plant simulator step after step, until it sends exit; queries before that order are
+/// a step too (a program that needs only one step sends "Control: 8" after them). After a fault (a
+/// message that violates the protocol, or an exception of the answerer) the answers so far are
+/// sent, usually none: modules without an answer keep their values.
+/// @param on_step  called for every step after its answer
+/// @throws PeerDisconnected  if the simulator ends without the order to exit
 /// @throws InputError  if not even an empty answer can be written
 void serve(
     ByteStream& stream,
@@ -49,7 +48,7 @@ void serve(
     const Answerer& answerer,
     const StepListener& on_step);
 
-/// Answers every step with nothing, until the plant simulator says exit.
+/// Sends an empty answer to every step, until the plant simulator sends exit.
 /// @throws PeerDisconnected, InputError  as serve()
 void serve_nothing(ByteStream& stream);
 

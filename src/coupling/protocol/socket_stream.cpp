@@ -1,5 +1,5 @@
-// TCP to the plant simulator, which listens on two ports: ours to write on first, then ours to read
-// from.
+// TCP to the plant simulator, which listens on two ports: the first for answers, the second for
+// queries.
 
 #include <cerrno>
 #include <chrono>
@@ -22,7 +22,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// How long we wait for the simulator to listen: it may start us first.
+/// Time to wait for the simulator to listen, which may start this process first.
 constexpr std::chrono::seconds kPatience{1};
 constexpr std::chrono::milliseconds kPause{20};
 

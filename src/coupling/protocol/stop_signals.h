@@ -6,9 +6,9 @@
 
 namespace quasimc {
 
-/// Takes SIGTERM, SIGINT and SIGHUP in a thread of its own, whatever the others do: in the middle
-/// of a computation, or waiting. One that is ignored stays so (the shell starts programs in the
-/// background so). Make it before any other thread.
+/// Handles SIGTERM, SIGINT and SIGHUP in its own thread, also during a computation or a wait.
+/// Ignored signals stay ignored, as in programs that a shell starts in the background. Create it
+/// before any other thread.
 class StopSignals {
   public:
     /// @param on_signal  called from the thread, with the number of the signal

@@ -14,10 +14,10 @@
 namespace quasimc {
 namespace {
 
-/// The words that are still to be read.
-class Words {
+/// The arguments that are not read yet.
+class ArgumentReader {
   public:
-    explicit Words(std::span<const char* const> words) : words_(words) {}
+    explicit ArgumentReader(std::span<const char* const> words) : words_(words) {}
 
     [[nodiscard]] bool empty() const { return words_.empty(); }
     std::string_view take() {
@@ -25,7 +25,7 @@ class Words {
         words_ = words_.subspan(1);
         return word;
     }
-    /// The word that belongs to a switch.
+    /// The value of a switch.
     std::string_view value_of(std::string_view name) {
         if (words_.empty()) {
             throw UsageError(fmt::format("{} needs a value", name));
@@ -37,7 +37,7 @@ class Words {
     std::span<const char* const> words_;
 };
 
-void read_key(Words& words, Arguments& arguments) {
+void read_key(ArgumentReader& words, Arguments& arguments) {
     const std::string_view word = words.value_of("-k");
     const auto key = parse_integer(word);
     if (!key) {
@@ -50,7 +50,7 @@ void read_key(Words& words, Arguments& arguments) {
     arguments.key = static_cast<long>(*key);
 }
 
-void read_kind(Words& words, Arguments& arguments) {
+void read_kind(ArgumentReader& words, Arguments& arguments) {
     constexpr std::array<std::string_view, 3> kNames{"automatic", "quasimc", "montecarlo"};
     const std::string_view word = words.value_of("--spec");
     const auto* found = std::find(kNames.begin(), kNames.end(), word);
@@ -60,28 +60,28 @@ void read_kind(Words& words, Arguments& arguments) {
     arguments.kind = static_cast<SpecificationKind>(found - kNames.begin());
 }
 
-void refuse_distribution(Words& /*words*/, Arguments& /*arguments*/) {
+void refuse_distribution(ArgumentReader& /*words*/, Arguments& /*arguments*/) {
     throw UsageError("-C: programs distributed over several computers are not supported");
 }
 
 /// One row of the table of switches.
 struct Switch {
     std::string_view name;
-    void (*read)(Words& words, Arguments& arguments);
+    void (*read)(ArgumentReader& words, Arguments& arguments);
 };
 
 constexpr std::array kSwitches{
-    Switch{"-e", [](Words& w, Arguments& a) { a.comm_file = w.value_of("-e"); }},
+    Switch{"-e", [](ArgumentReader& w, Arguments& a) { a.comm_file = w.value_of("-e"); }},
     Switch{"-k", read_key},
-    Switch{"-ext", [](Words& w, Arguments& a) { a.extension = w.value_of("-ext"); }},
-    Switch{"-host", [](Words& w, Arguments& a) { a.host = w.value_of("-host"); }},
+    Switch{"-ext", [](ArgumentReader& w, Arguments& a) { a.extension = w.value_of("-ext"); }},
+    Switch{"-host", [](ArgumentReader& w, Arguments& a) { a.host = w.value_of("-host"); }},
     Switch{"-C", refuse_distribution},
     Switch{"--spec", read_kind},
-    Switch{"-no_xserver", [](Words&, Arguments&) {}},  // there is no window anyway
-    Switch{"--view", [](Words&, Arguments& a) { a.view = true; }},
-    Switch{"-debug", [](Words&, Arguments& a) { a.debug = true; }},
-    Switch{"--help", [](Words&, Arguments& a) { a.wants_help = true; }},
-    Switch{"--version", [](Words&, Arguments& a) { a.wants_version = true; }},
+    Switch{"-no_xserver", [](ArgumentReader&, Arguments&) {}},  // there is no window
+    Switch{"--view", [](ArgumentReader&, Arguments& a) { a.view = true; }},
+    Switch{"-debug", [](ArgumentReader&, Arguments& a) { a.debug = true; }},
+    Switch{"--help", [](ArgumentReader&, Arguments& a) { a.wants_help = true; }},
+    Switch{"--version", [](ArgumentReader&, Arguments& a) { a.wants_version = true; }},
 };
 
 /// The row of a word; the original takes every word that begins with -h for -host.
@@ -112,7 +112,7 @@ SpecificationKind kind_of_program(std::string_view path) {
 Arguments parse_arguments(std::span<const char* const> list, SpecificationKind kind) {
     Arguments arguments;
     arguments.kind = kind;
-    Words words(list);
+    ArgumentReader words(list);
     while (!words.empty()) {
         const std::string_view word = words.take();
         if (word.starts_with('-') && word.size() > 1) {

@@ -20,26 +20,26 @@ struct Arguments {
     SpecificationKind kind = SpecificationKind::automatic;
     std::string specification;  ///< empty: all defaults
     bool view = false;          ///< show steps in a browser
-    bool debug = false;         ///< tell on stderr what happens
+    bool debug = false;         ///< describe every step on stderr
     bool wants_help = false, wants_version = false;
 };
 
-/// Thrown for a command line that can't be understood.
+/// Thrown for an invalid command line.
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-/// The program that a name stands for, with or without its folder: "MonteCarlo" reads files of
-/// MonteCarlo, every other name tells from the file.
+/// The kind of specification that a program reads, by its name with or without folder: "MonteCarlo"
+/// reads files of MonteCarlo, every other name recognizes the kind from the file.
 [[nodiscard]] SpecificationKind kind_of_program(std::string_view path);
 
 /// Reads the words after the program's name, in any order. @throws UsageError
-/// @param kind  of the specification, where no word names it
+/// @param kind  of the specification, if no argument names it
 [[nodiscard]] Arguments parse_arguments(
     std::span<const char* const> words, SpecificationKind kind = SpecificationKind::automatic);
 
-/// How the program is called.
+/// The usage of the program.
 [[nodiscard]] std::string usage_text();
 
 }  // namespace quasimc

@@ -26,8 +26,7 @@ struct Reading {
 };
 
 /// The printf format of a turtle line: how many characters other than blanks it prints before the
-/// first number, and how many numbers. Blanks are no part of it: whether a line begins with one is
-/// up to who writes it.
+/// first number, and how many numbers. Blanks are not counted, as a line may begin with one or not.
 TurtleLine parse_format(std::string_view format) {
     TurtleLine line{true, trimmed(format.substr(0, format.find('%'))).size(), 0};
     for (std::size_t i = 0; i + 1 < format.size(); ++i) {
@@ -41,8 +40,8 @@ TurtleLine parse_format(std::string_view format) {
     return line;
 }
 
-/// The plant simulator skips a type that it does not know, in capitals as well, and so keeps to
-/// pipes; a number of queries that is none is the usual one. Both sides must read the same.
+/// The plant simulator ignores an unknown type (also one in capitals) and uses pipes; an invalid
+/// number of queries means the default. Both sides must agree.
 void read_transport(const CommLine& line, Reading& reading) {
     constexpr std::array<std::string_view, 4> kNames{"pipes", "files", "memory", "sockets"};
     std::string_view rest = line.value;
@@ -73,7 +72,7 @@ void read_transport(const CommLine& line, Reading& reading) {
 }
 
 void read_following(const CommLine& line, Reading& reading) {
-    // cpfg says yes and no, lpfg on and off; what neither knows leaves the default.
+    // cpfg accepts yes and no, lpfg on and off; other values leave the default.
     const std::string_view value = trimmed(line.value);
     reading.file.following_module = value != "no" && value != "off";
 }
@@ -104,7 +103,7 @@ struct CommEntry {
 
 constexpr std::array kCommEntries{
     CommEntry{"communication type", read_transport},
-    CommEntry{"executable", ignore},  // theirs
+    CommEntry{"executable", ignore},  // for the simulator
     CommEntry{"turtle position", read_turtle<TurtleField::position>},
     CommEntry{"turtle heading", read_turtle<TurtleField::heading>},
     CommEntry{"turtle left", read_turtle<TurtleField::left>},
@@ -112,7 +111,7 @@ constexpr std::array kCommEntries{
     CommEntry{"turtle line width", read_turtle<TurtleField::line_width>},
     CommEntry{"turtle scale factor", read_turtle<TurtleField::scale_factor>},
     CommEntry{"following module", read_following},
-    CommEntry{"interpreted modules", read_interpreted},  // strings are read whenever they come
+    CommEntry{"interpreted modules", read_interpreted},  // strings are always read
     CommEntry{"when interpret", read_interpreted},
     CommEntry{
         "verbose", [](const CommLine& line,

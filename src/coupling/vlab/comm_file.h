@@ -12,13 +12,13 @@
 
 namespace quasimc {
 
-/// How messages travel between the plant simulator and us.
+/// Channel of messages between the plant simulator and this process.
 enum class Transport { pipes, files, memory, sockets };
 
-/// A line about the turtle that follows a query.
+/// Format of a line about the turtle that follows a query.
 struct TurtleLine {
     bool is_sent = false;
-    std::size_t skip = 0;    ///< characters before the first number, but for blanks around them
+    std::size_t skip = 0;    ///< characters before the first number, without blanks
     std::size_t values = 0;  ///< numbers on the line, up to 3
 };
 
@@ -26,10 +26,10 @@ struct TurtleLine {
 enum class TurtleField { position, heading, left, up, line_width, scale_factor };
 inline constexpr std::size_t kTurtleFields = 6;
 
-/// What an environment file (.e) says: both processes read the same one.
+/// Content of an environment file (.e), which both processes read.
 struct CommFile {
     Transport transport = Transport::pipes;
-    /// Queries or answers in a chunk; nothing: the transport's own number.
+    /// Queries or answers in a chunk; empty: the transport's default.
     std::optional<std::size_t> chunk;
     std::array<TurtleLine, kTurtleFields> turtle{};
     /// Whether a query names the module that follows it.
@@ -43,9 +43,9 @@ struct CommFile {
     }
 };
 
-/// Reads the text of an environment file as both simulators do: names are matched exactly, a name
-/// that is not known is skipped (with a notice). Faults: a transport that does not exist, chunks of
-/// no size, binary data.
+/// Reads the text of an environment file as both simulators do: names are matched exactly, unknown
+/// names are skipped (with a notice). Faults: a transport that does not exist, chunks of no size,
+/// binary data.
 /// @param name  of the file, for messages
 [[nodiscard]] CommFile read_comm_text(
     std::string_view text, const std::string& name, Notices& notices);

@@ -21,7 +21,7 @@ struct DirectiveLine {
     std::vector<std::pair<std::uint32_t, std::string_view>> block;
 };
 
-/// The directives of a text in their order. Lines that are none are skipped, with a notice.
+/// The directives of a text in their order. Other lines are skipped, with a notice.
 /// @param where  location of the text, for messages
 [[nodiscard]] std::vector<DirectiveLine> split_directives(
     std::string_view text, const std::string& where, Notices& notices);
@@ -29,8 +29,7 @@ struct DirectiveLine {
 inline constexpr Range kAnyNumber{-1e30, 1e30};
 inline constexpr Range kNotNegativeNumber{0, 1e30};
 
-/// The values of a directive, read from left to right; what is wrong becomes a fault, once for each
-/// directive.
+/// The values of a directive, read from left to right. Reports at most one fault per directive.
 class Values {
   public:
     /// @param what  the directive as messages call it
@@ -41,7 +40,7 @@ class Values {
         Faults& faults,
         Notices& notices);
 
-    /// The next word, or "" at the end. Words stand between blanks, commas, semicolons and colons.
+    /// The next word, or "" at the end. Blanks, commas, semicolons and colons separate words.
     std::string_view word();
     [[nodiscard]] bool at_end() const;
     [[nodiscard]] std::size_t words_left() const;
@@ -53,12 +52,12 @@ class Values {
     /// The next word as one of `names`, without regard to case: its index among them.
     std::optional<std::size_t> choice(std::span<const std::string_view> names);
     std::optional<bool> yes_no();
-    /// All that is left, as it stands: a file's name.
+    /// The unread text, unchanged: a file's name.
     std::string rest();
 
     void fault(std::string problem, std::string why = {}, std::string suggestion = {});
     void notice(const std::string& text);
-    /// Tells that words which are left are not read.
+    /// Sends a notice if there are unread words.
     void finish();
 
     [[nodiscard]] const std::string& where() const { return where_; }

@@ -8,7 +8,7 @@
 
 namespace quasimc {
 
-/// What a directive may see beside its values.
+/// Input of a directive beside its values.
 struct DirectiveContext {
     Specification& spec;
     InputFiles& files;
@@ -22,7 +22,7 @@ struct DirectiveContext {
     bool has_leaf_upper = false;
 };
 
-/// Who knows a directive.
+/// Programs that know a directive.
 enum class Dialect { both, quasimc, montecarlo };
 
 /// One row of the table of directives.

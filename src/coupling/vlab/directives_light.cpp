@@ -1,4 +1,4 @@
-// Where the light comes from, and how surfaces scatter it.
+// Directives for sources and for the scattering of surfaces.
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-// Bands and materials.
+// Directives for bands and materials.
 
 #include <array>
 
@@ -46,8 +46,8 @@ void read_spectrum(Values& values, DirectiveContext& context) {
     }
 }
 
-/// One band of a material: reflectance, its exponent, transmittance, its exponent, and a number
-/// that is not used.
+/// Reads one band of a material: reflectance, its exponent, transmittance, its exponent, and an
+/// unused number.
 std::optional<SideOptics> read_band(Values& values) {
     SideOptics optics;
     const auto rho = values.number("the reflectance", {0, 1});
@@ -71,7 +71,7 @@ std::optional<SideOptics> read_band(Values& values) {
     return optics;
 }
 
-/// The bands of a material: one line each.
+/// Reads the bands of a material, one line each.
 std::optional<std::vector<SideOptics>> read_material_bands(
     Values& values, DirectiveContext& context) {
     const DirectiveLine& line = *context.line;

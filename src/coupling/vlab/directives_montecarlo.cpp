@@ -1,4 +1,4 @@
-// What only MonteCarlo knows, beside the light and the domain.
+// Directives of MonteCarlo alone, except for the light and the domain.
 
 #include <array>
 
@@ -11,7 +11,7 @@ void pass_over(Values& values, DirectiveContext& /*context*/) {
     static_cast<void>(values.rest());
 }
 
-/// Alone, the directive means yes.
+/// Without a value the directive means yes.
 void read_no_direct(Values& values, DirectiveContext& context) {
     const bool ignores = values.at_end() || values.yes_no().value_or(false);
     context.spec.run.direct_light = ignores ? DirectLight::excluded : DirectLight::included;

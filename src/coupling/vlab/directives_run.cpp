@@ -1,4 +1,4 @@
-// How to compute, and what to return.
+// Directives for the method and the returned quantities.
 
 #include <algorithm>
 #include <array>
@@ -21,7 +21,7 @@ void ignore(Values& values, DirectiveContext& /*context*/) {
 }
 
 void read_verbose(Values& values, DirectiveContext& context) {
-    // MonteCarlo says on and off.
+    // MonteCarlo uses on and off.
     Values word = values;
     const std::string said = lower_case(word.word());
     if (said == "on" || said == "off") {
@@ -82,7 +82,7 @@ void read_roulette(Values& values, DirectiveContext& context) {
     if (!threshold || !probability || *threshold == 0) {
         return;
     }
-    // A path that is lighter than this lives on with the chance of its weight.
+    // Russian roulette: below this weight a path survives with a probability equal to its weight.
     context.spec.run.roulette_threshold = std::min(*threshold, 1.0);
 }
 
@@ -97,7 +97,7 @@ void read_sampler(Values& values, DirectiveContext& context) {
         values.fault("the value is missing", "", did_you_mean(given, kNames));
         return;
     }
-    // As in the original program, whatever is not known means Monte Carlo.
+    // An unknown name means Monte Carlo, as in the original program.
     const auto* const found = std::find(kNames.begin(), kNames.end(), given);
     const bool is_known = found != kNames.end();
     context.spec.run.sampler = is_known ? kSamplers[found - kNames.begin()] : kSamplers.front();
@@ -214,7 +214,7 @@ void read_variance(Values& values, DirectiveContext& context) {
     const std::string name = values.rest();
     auto& file = context.spec.variance_file;
     if (on && *on) {
-        // Two names of one directive: that of the file may come with the first of them.
+        // The directive has two names; the first may include the name of the file.
         file = VarianceFile{name.empty() && file ? file->name : name};
     } else if (on) {
         context.spec.variance_file.reset();

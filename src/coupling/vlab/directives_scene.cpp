@@ -1,4 +1,4 @@
-// Shapes of organs, the ground, and what the canopy repeats.
+// Directives for shapes of organs, the ground, and the periodic cell.
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace quasimc {
 namespace {
 
 void read_surface(Values& values, DirectiveContext& context) {
-    // The name may hold blanks; the number of subdivisions stands last.
+    // The name may hold blanks; the number of subdivisions is last.
     std::string words = values.rest();
     const std::size_t blank = words.find_last_of(" ,;\t");
     const std::string_view last =
@@ -49,7 +49,7 @@ void read_cylinder_width(Values& values, DirectiveContext& context) {
     constexpr std::array<std::string_view, 2> kNames{"radius", "diameter"};
     if (const auto chosen = values.choice(kNames)) {
         context.spec.cylinder_takes_diameter = *chosen == 1;
-        context.spec.cylinder_width_is_stated = true;
+        context.spec.cylinder_width_is_given = true;
     }
 }
 

@@ -37,15 +37,15 @@ std::optional<OrganFrame> frame_of(const Turtle& turtle) {
     return OrganFrame{turtle.position, x, y, cross(x, y)};
 }
 
-/// The same triangles, other side up.
+/// Exchanges the sides of triangles.
 void turn_over(std::vector<Triangle>& triangles) {
     for (Triangle& t : triangles) {
         std::swap(t[1], t[2]);
     }
 }
 
-/// A polygon as the triangles between its first corner and its sides, all on one side: the way in
-/// which the original program cuts every polygon. Nothing if one has no area that can be computed.
+/// Divides a polygon into a fan of triangles from its first corner, all on one side, as the
+/// original program does. Empty if a triangle has no computable area.
 std::optional<std::vector<Triangle>> make_fan(std::span<const Vec3> corners) {
     std::vector<Triangle> fan;
     Vec3 normal;
@@ -98,7 +98,7 @@ class OrganShapes::Maker {
         Make make;
     };
 
-    /// @param flat_leaf  what P is
+    /// @param flat_leaf  maker for P
     OrganShape make_with(Make flat_leaf) {
         const std::array<Entry, 5> entries{
             {{"P", 2, 2, flat_leaf},
@@ -159,7 +159,7 @@ class OrganShapes::Maker {
                 : fmt::format("module {} (query {}) {}", query_.organ, query_.id, text));
     }
 
-    /// A size from the parameters; one that is no positive number makes no organ.
+    /// A size from the parameters; empty, with a notice, unless it is positive.
     std::optional<double> size(std::size_t index, std::string_view name) {
         const double value = parameters_[index];
         constexpr double kLargest = 1e30;
@@ -226,7 +226,7 @@ class OrganShapes::Maker {
 
     Triangles cylinder() {
         const auto width = size(0, "radius"), length = size(1, "length");
-        if (!spec_.cylinder_width_is_stated) {
+        if (!spec_.cylinder_width_is_given) {
             notices_.once(
                 "cylinder width",
                 "I(r, l): r is the radius, as in the manual of the environments; write 'cylinder "
@@ -240,7 +240,7 @@ class OrganShapes::Maker {
             frame_.base, *length * frame_.heading, radius, radius, spec_.cylinder_sides, false);
     }
 
-    /// How many parameters of S are scales: those before the material's.
+    /// Number of parameters of S that are scales: those before the material.
     [[nodiscard]] std::size_t scale_count() const {
         constexpr std::size_t kFirstScale = 1, kMaxScales = 3;
         std::size_t end = parameters_.size();
@@ -341,7 +341,7 @@ class OrganShapes::Maker {
         return shape;
     }
 
-    /// Of the polygon at hand.
+    /// Reports a problem of the current polygon.
     void report_polygon(const std::string& key, const std::string& text) {
         report(key, fmt::format("has a polygon (line {} of its message) {}", line_, text));
     }
@@ -369,8 +369,7 @@ class OrganShapes::Maker {
         triangles.insert(triangles.end(), polygon.begin(), polygon.end());
     }
 
-    /// The triangles of a polygon. Leaves in space may be so bent that sides cross where they are
-    /// seen from.
+    /// The triangles of a polygon. The projected sides of a bent leaf may cross.
     Triangles cut(std::span<const Vec3> corners) {
         try {
             return make_polygon(corners);

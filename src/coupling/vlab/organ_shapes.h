@@ -7,9 +7,9 @@
 
 namespace quasimc {
 
-/// What a module stands for in the scene.
+/// Shape of a module in the scene.
 struct OrganShape {
-    std::vector<Triangle> triangles;  ///< the plant's axes, y up; none: nothing falls on it
+    std::vector<Triangle> triangles;  ///< the plant's axes, y up; empty: it receives no light
     SideMaterials materials;
 };
 
@@ -23,15 +23,16 @@ struct OrganShape {
 /// | I(r, l, [mt, [mb]])        | side of a cylinder, l long along the heading                   |
 /// | polygons that come along   | as they are                                                    |
 ///
-/// The upper side of flat organs is that of the turtle's up, of cylinders the outside. What can't
-/// be made gives no triangles; the reason is told once for each kind of module.
+/// The upper side of flat organs faces the turtle's up; that of cylinders is the outside. An
+/// invalid module has no triangles; the reason is reported once for each kind of module.
 class OrganShapes {
   public:
     /// Both outlive the object.
     OrganShapes(const Specification& spec, Notices& notices) : spec_(spec), notices_(notices) {}
 
     [[nodiscard]] OrganShape make(const Pass& pass, const Query& query);
-    /// A sensor: of P a rectangle, a long along the heading and b wide; else the organ's shape.
+    /// Makes the shape of a sensor: for P a rectangle, a long along the heading and b wide;
+    /// otherwise the organ's shape.
     [[nodiscard]] OrganShape make_sensor(const Pass& pass, const Query& query);
 
   private:

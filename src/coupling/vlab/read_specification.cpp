@@ -47,7 +47,7 @@ SpecificationKind recognized_kind(const std::vector<DirectiveLine>& lines) {
                                                                  : SpecificationKind::quasimc;
 }
 
-/// Tells of a directive that nobody knows; it is skipped, as the original does.
+/// Sends a notice of an unknown directive, which is skipped as in the original program.
 void unknown_directive(
     const DirectiveLine& line, const std::string& where, const Tables& tables, Notices& notices) {
     std::vector<std::string_view> names;
@@ -62,7 +62,7 @@ void unknown_directive(
                         : fmt::format("did you mean '{}'?", nearest)));
 }
 
-/// Reads the directives of a kind; those that others depend on come first.
+/// Reads the directives of a kind, first those that others depend on.
 class SpecificationReader {
   public:
     SpecificationReader(const std::string& name, InputFiles& files, Notices& notices)
@@ -110,17 +110,17 @@ class SpecificationReader {
         }
     }
 
-    /// What can be told only when all was read.
+    /// Checks that need all directives.
     void finish(Faults& faults) {
         if (!spec_.one_ray_per_spectrum && spec_.band_count() == 1) {
-            spec_.one_ray_per_spectrum = true;  // it is the same
+            spec_.one_ray_per_spectrum = true;  // no difference for one band
         }
         if (spec_.kind == SpecificationKind::montecarlo) {
             finish_montecarlo(faults);
         }
         constexpr std::uint32_t kUsualRuns = 8;
         if (spec_.run.target_error > 0 && spec_.run.replicates < 2) {
-            spec_.run.replicates = kUsualRuns;  // one has no error
+            spec_.run.replicates = kUsualRuns;  // one replicate has no error estimate
         }
         spec_.returns.resize(spec_.band_count(), ReturnType::flux);
         for (auto& material : spec_.materials) {
@@ -177,7 +177,7 @@ class SpecificationReader {
         }
     }
 
-    /// The lattices are made for whole powers of two: the nearest is taken.
+    /// Rounds the number of paths to the nearest power of two, for lattices.
     void round_paths() {
         const std::uint64_t rounded = nearest_power_of_two(spec_.run.paths);
         if (rounded != spec_.run.paths) {

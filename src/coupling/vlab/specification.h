@@ -31,13 +31,13 @@ enum class ReturnType {
     hits,     ///< H: falling on both sides per area, as a fraction of what the sources send
 };
 
-/// What "quantities" puts into the slots of an answer.
+/// Value of "quantities" for one slot of an answer.
 struct ReturnQuantity {
-    std::optional<Quantity> quantity;  ///< nothing: the sunlit fraction of the area
+    std::optional<Quantity> quantity;  ///< empty: the sunlit fraction of the area
     bool is_error = false;             ///< its standard error instead
 };
 
-/// Parallel light as the file states it: y up, the way the light travels.
+/// Parallel light as given in the file: the direction of travel, y up.
 struct LightDirective {
     Vec3 travel;
     double weight = 1;
@@ -45,10 +45,10 @@ struct LightDirective {
 
 enum class Weather { clear, overcast };
 
-/// The turbidities that may be stated: 1 is air without dust or water, 64 thick fog.
+/// Valid turbidities: 1 is air without dust or water, 64 thick fog.
 inline constexpr Range kTurbidities{1, 64};
-/// From this turbidity on the luminance of the zenith grows with the height of the sun, as it does
-/// under a clear sky; skies that are stated to be clearer are as this one.
+/// Smallest turbidity in use: above it the luminance of the zenith grows with the height of the
+/// sun, as under a clear sky.
 inline constexpr double kClearestSky = 1.4;
 
 /// The light of the sky, and of the sun, at a site over a part of a day.
@@ -58,7 +58,7 @@ struct SkyOfDay {
     Weather weather = Weather::clear;
     double turbidity = 2.45;
     double from_hour = 0, until_hour = 24;  ///< standard time of the zone
-    double day = 172;                       ///< of the year, from 1
+    double day = 172;                       ///< number of the day in the year, from 1
     bool with_sun = true;                   ///< whether a clear sky has its sun
     friend bool operator==(const SkyOfDay&, const SkyOfDay&) = default;
 };
@@ -71,7 +71,7 @@ struct SurfaceDirective {
 
 /// The table of variances.
 struct VarianceFile {
-    std::string name;  ///< empty: made of the sampling method
+    std::string name;  ///< empty: made from the sampling method
 };
 
 struct GroundDirective {
@@ -94,7 +94,7 @@ struct SideMaterials {
     }
 };
 
-/// What a specification file states, checked, with the defaults for all that it doesn't.
+/// Checked content of a specification file, with defaults for missing directives.
 struct Specification {
     SpecificationKind kind = SpecificationKind::quasimc;
     int verbose = 1;
@@ -107,15 +107,17 @@ struct Specification {
     RunSpec run;
     std::optional<double> ray_density;  ///< paths per unit of the domain's area, instead of a count
     bool one_ray_per_spectrum = true;
-    /// Organs that ask are sensors, which light passes; nothing: they are part of the scene.
+    /// If set, organs with queries are sensors, which light passes; otherwise they are part of the
+    /// scene.
     std::optional<double> sensor_half_angle_deg;
 
-    /// How materials scatter, by the catalogue's name, unless their exponents make them mirrors.
+    /// Catalogue name of the scattering model of all materials that are no mirrors by their
+    /// exponents.
     std::string light_model = "lambertian";
     /// [material][band]; the first is the leaf's.
     std::vector<std::vector<SideOptics>> materials{{{0.25, 0.25}}};
     std::optional<std::size_t> leaf_lower;  ///< material of the lower side of leaves
-    /// Which parameter of surfaces and polygons names the material, from 1.
+    /// Number of the parameter of surfaces and polygons that names the material, from 1.
     std::optional<std::size_t> material_parameter;
 
     std::vector<LightDirective> lights;  ///< any light switches the sky off
@@ -126,25 +128,25 @@ struct Specification {
     std::vector<SurfaceDirective> surfaces;
     int cylinder_sides = 12;
     bool cylinder_takes_diameter = false;
-    bool cylinder_width_is_stated = false;
+    bool cylinder_width_is_given = false;
     std::optional<CellDirective> cell;
     std::optional<GroundDirective> ground;
 
     std::optional<VarianceFile> variance_file;
-    std::optional<std::string> picture_file;  ///< its name; the number of the step is put in
-    std::optional<int> view_port;             ///< of the page in the browser, 0: any; nothing: none
+    std::optional<std::string> picture_file;  ///< without the number of the step
+    std::optional<int> view_port;  ///< port of the page in the browser, 0: any; empty: no page
 
     [[nodiscard]] std::size_t band_count() const { return bands.size(); }
     /// The number by which organs name the first material.
     [[nodiscard]] std::size_t first_material() const {
         return kind == SpecificationKind::montecarlo ? 1 : 0;
     }
-    /// Whether a query has an answer: one that asks, and with MonteCarlo those that only shade too.
-    /// Beside sensors these have no light that is known. @param asks  as its first parameter says
+    /// Whether a query has an answer: one that requests light and, with MonteCarlo, one that only
+    /// shades, unless there are sensors. @param asks  from the first parameter of the query
     [[nodiscard]] bool is_answered(bool asks) const {
         return asks || (kind == SpecificationKind::montecarlo && !sensor_half_angle_deg);
     }
-    /// The materials of an organ that names an upper one, or both.
+    /// The materials of an organ that names the upper one, or both.
     [[nodiscard]] SideMaterials sides_of(
         std::size_t upper, std::optional<std::size_t> lower) const {
         return {upper, lower.value_or(upper == 0 ? leaf_lower.value_or(0) : upper)};
@@ -158,8 +160,8 @@ struct Specification {
 /// lines that begin with // are comments.
 /// @param name   of the file, for messages
 /// @param files  reads what the text names: surfaces, skies, lights
-/// @throws InputError  every fault at once: unknown directives, values out of their range, blocks
-///                     of materials that are not whole
+/// @throws InputError  with all faults: unknown directives, values out of range, incomplete blocks
+///                     of materials
 [[nodiscard]] Specification read_specification_text(
     std::string_view text,
     const std::string& name,

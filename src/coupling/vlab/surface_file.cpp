@@ -17,10 +17,10 @@
 namespace quasimc {
 namespace {
 
-/// A surface as the file has it.
+/// Content of a surface file.
 struct SurfaceData {
     Vec3 contact, heading{0, 1, 0}, up{0, 0, 1};
-    double size = 0;  // 0: not stated
+    double size = 0;  // 0: not given
     std::array<double, 6> extents{};
     std::vector<BezierPatch> patches;
 };
@@ -113,7 +113,7 @@ class SurfaceReader {
         return true;
     }
 
-    /// One line belongs to the precision, unless it says itself what it is.
+    /// Skips the line after the precision, unless it begins with a keyword.
     void skip_after_precision() {
         LineScanner ahead = lines_;
         constexpr std::array<std::string_view, 5> kKeywords{
@@ -130,7 +130,8 @@ class SurfaceReader {
         }
     }
 
-    /// Name, colours, three lines of neighbours of which the first begins with A, sixteen points.
+    /// Reads a patch: name, colours, three lines of neighbours of which the first begins with A,
+    /// sixteen points.
     void read_patch() {
         do {
             need_line("the neighbours of a patch ('AL: ... A: ... AR: ...')");

@@ -13,7 +13,7 @@ namespace quasimc {
 /// each patch towards z), and divided by its SIZE (the largest extent if it has none).
 /// @param subdivisions  0 to 6: each step quarters the distance of the triangles from the surface,
 ///                      from a fiftieth of its size on
-/// @throws InputError  what is missing or no number, with line
+/// @throws InputError  if something is missing or no number, with its line
 [[nodiscard]] std::vector<Triangle> read_surface_text(
     std::string_view text, const std::string& name, int subdivisions);
 

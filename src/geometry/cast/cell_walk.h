@@ -85,9 +85,9 @@ class CellWalk {
     /// Progress along one periodic axis.
     struct Axis {
         double size = 0;             ///< the period
-        double index = 0;  ///< of the current cell; that of the mesh is 0
+        double index = 0;            ///< of the current cell; that of the mesh is 0
         double next = kInfinity;     ///< distance to the border of the next cell
-        double forward = 0;  ///< 1 or -1, change of the index there
+        double forward = 0;          ///< 1 or -1, change of the index there
         double spacing = kInfinity;  ///< between borders
 
         Axis() = default;

@@ -124,7 +124,7 @@ HourSources make_hour_sources(HourParts parts) {
     if (parts.sky) {
         hour.sources.push_back(make_sky("sky", *parts.sky, std::move(parts.sky_horizontal)));
     }
-    hour.shapes = parts.suns_text + parts.sky_text;
+    hour.directional_key = parts.suns_text + parts.sky_text;
     return hour;
 }
 

@@ -105,10 +105,10 @@ struct HourParts {
 [[nodiscard]] HourParts make_hour_parts(
     const SunPath& path, const HourLight& light, const DaylightSources& how);
 
-/// Sources of an hour, and a text that identifies their shapes (TimeStep::shapes).
+/// Sources of an hour, and a text that identifies their shapes (TimeStep::directional_key).
 struct HourSources {
     std::vector<std::shared_ptr<const Source>> sources;
-    std::string shapes;
+    std::string directional_key;
 };
 [[nodiscard]] HourSources make_hour_sources(HourParts parts);
 

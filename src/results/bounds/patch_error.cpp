@@ -84,7 +84,7 @@ void copy_block(
     ExactBins& to) {
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column < target.columns; ++column) {
-            to.add(target.bin(row, column), from.steps(block.bin(row, column)));
+            to.add(target.bin(row, column), from.quanta(block.bin(row, column)));
         }
     }
 }

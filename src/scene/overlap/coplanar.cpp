@@ -40,8 +40,7 @@ std::vector<Point2> clipped(const std::vector<Point2>& polygon, const Point2& a,
     return kept;
 }
 
-/// Whether `other` lies wholly beyond one of the sides of `t`, or reaches at most `tolerance` over
-/// it.
+/// Whether `other` lies beyond a side of `t`, except for at most `tolerance`.
 bool is_beyond_a_side(const Triangle& other, const Triangle& t, double tolerance) {
     const Vec3 n = area_vector(t);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -111,7 +110,7 @@ void add_parts_beside(Polygon polygon, const Polygon& window, std::vector<Polygo
 
 namespace {
 
-/// What of a convex polygon lies where `along` is at least 0.
+/// Part of a convex polygon where `along` is at least 0.
 std::vector<Vec3> clip_by(
     const std::vector<Vec3>& polygon, const std::function<double(const Vec3&)>& along) {
     std::vector<Vec3> kept;

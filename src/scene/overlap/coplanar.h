@@ -9,7 +9,7 @@ namespace quasimc {
 /// The longest side of a box.
 [[nodiscard]] double size_of(const Bounds& bounds);
 
-/// The smallest height of a triangle whose corners are not all in one point.
+/// The smallest height of a triangle whose corners do not coincide.
 [[nodiscard]] double height(const Triangle& t);
 
 /// Whether the corners of `small` are no farther than `tolerance` from the plane of `large`, which
@@ -22,22 +22,21 @@ namespace quasimc {
 /// Whether the boxes have a point in common.
 [[nodiscard]] bool meet(const Bounds& a, const Bounds& b);
 
-/// Whether a side of one of two triangles in one plane has the other wholly beyond it, but for a
-/// strip not wider than `tolerance`: they share no area but for rounding. A quick answer for
-/// neighbours in a mesh.
+/// Whether a side of one of two coplanar triangles separates them, except for a strip of width
+/// `tolerance`: they share no area within rounding. A quick test for neighbours in a mesh.
 [[nodiscard]] bool lie_apart(const Triangle& a, const Triangle& b, double tolerance);
 
 /// The fraction of `small` that lies on `large`, both seen along the normal of `large`. Both have
 /// an area.
 [[nodiscard]] double covered_part(const Triangle& small, const Triangle& large);
 
-/// What of `t`, which has an area, is not covered by any of `windows` in its plane: triangles with
-/// its upper side up. Those lower than `tolerance` are left out.
+/// The parts of `t`, which has an area, that no triangle of `windows` in its plane covers:
+/// triangles with its upper side up. Parts lower than `tolerance` are omitted.
 [[nodiscard]] std::vector<Triangle> parts_beside(
     const Triangle& t, const std::vector<Triangle>& windows, double tolerance);
 
 /// The parts of a triangle in slabs `width` > 0 thick across a unit `axis`, from its lowest corner
-/// along it: those of one slab after those of another, upper side up.
+/// along it, slab by slab, upper side up.
 [[nodiscard]] std::vector<std::vector<Triangle>> parts_in_slabs(
     const Triangle& t, const Vec3& axis, double width);
 

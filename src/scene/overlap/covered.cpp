@@ -46,8 +46,8 @@ class Owners {
     [[nodiscard]] std::uint32_t organ(std::uint32_t triangle) const {
         return scene_.regions[region(triangle)].organ.value;
     }
-    /// What tells an organ from the others of this scene and of the one before. The ground, the
-    /// last, has another id as organs come, and is the same all the while.
+    /// Identifies an organ in this scene and in the previous one. The ground, which is last, has a
+    /// fixed key, as its id changes with the number of organs.
     [[nodiscard]] std::int64_t key(std::uint32_t triangle) const {
         const std::uint32_t number = organ(triangle);
         return number + 1 == scene_.organs.size() ? std::numeric_limits<std::int64_t>::max()
@@ -59,7 +59,7 @@ class Owners {
     const SceneGeometry& geometry_;
 };
 
-/// The pairs of a periodic scene, whose images are those of `wrapped`.
+/// The pairs of a periodic scene, whose periodic copies are those of `wrapped`.
 std::vector<Cover> through_borders(
     const std::vector<Overlap>& pairs,
     const SceneGeometry& scene,
@@ -88,7 +88,7 @@ struct FoundCovers {
     bool is_skipped = false, gave_up = false;
 };
 
-/// @param key_of  what tells the organ of each triangle from others
+/// @param key_of  identifies the organ of each triangle
 template <typename KeyOf>
 Overlaps find_with(
     KnownOverlaps* known,
@@ -105,8 +105,8 @@ Overlaps find_with(
     return known->find(triangles, owners);
 }
 
-/// @throws InputError  if most of what lies on each other are images of the same few triangles:
-/// more than could be compared, as of organs in centimetres in a cell in metres
+/// @throws InputError  if most overlaps are between periodic copies of the same few triangles, too
+/// many to compare, as with organs in centimetres in a cell in metres
 void refuse_pile_of_images(std::size_t images, std::size_t triangles) {
     constexpr std::size_t kMaxOfEach = 100;
     if (images > kMaxOfEach * triangles) {
@@ -145,8 +145,8 @@ FoundCovers find_pairs(
     return {through_borders(found.pairs, *scene, wrapped, cell), found.is_skipped, found.gave_up};
 }
 
-/// Puts that first which comes first in the file; of two images of one triangle, the one further
-/// along. The pairs in order, each once.
+/// Orders each pair by position in the file (of two copies of one triangle, the one further along
+/// the axis is first), then sorts the pairs and removes repeated ones.
 void put_in_order(std::vector<Cover>& covers, const Owners& owners) {
     for (Cover& cover : covers) {
         const auto a = std::pair(owners.organ(cover.first), cover.first);
@@ -169,7 +169,7 @@ Triangle moved(Triangle t, const Vec3& shift) {
     return t;
 }
 
-/// What of triangle `t` is not covered.
+/// The uncovered parts of triangle `t`.
 std::vector<Triangle> uncovered(
     const Triangle& t,
     std::span<const Cover> covers,
@@ -185,22 +185,22 @@ std::vector<Triangle> uncovered(
     return parts_beside(t, windows, coplanar_tolerance(size_of(bounds_of(t)), scene_size));
 }
 
-/// How a triangle of a sensor is lifted off the plane that it was given in.
+/// Shift of a triangle of a sensor off its plane.
 struct Lift {
     int steps = 0;
-    /// Of one that lies on its own images: parts of which none does. Each list of them is lifted by
-    /// a step more than the one before.
+    /// For a triangle that lies on its own periodic copies: parts that do not overlap themselves.
+    /// Each list is lifted by one step more than the previous one.
     std::vector<std::vector<Triangle>> parts = {};
 
-    /// Of what lies on all of it.
+    /// Number of steps for triangles that lie on all of it.
     [[nodiscard]] int next() const { return steps + std::max(1, static_cast<int>(parts.size())); }
 };
 using Lifts = std::map<std::uint32_t, Lift>;
 
-/// Makes the mesh anew, organ by organ.
+/// Builds the cut mesh, organ by organ.
 class Cutter {
   public:
-    /// @param lifts  of triangles of sensors that lie on something
+    /// @param lifts  for triangles of sensors that lie on surfaces
     Cutter(
         DraftAssembly& scene,
         const SceneGeometry& geometry,
@@ -234,7 +234,7 @@ class Cutter {
     }
 
   private:
-    /// Of an organ whose instances are left as they are.
+    /// Copies an organ whose instances are unchanged.
     void keep_instances(Organ& organ) {
         const std::uint32_t end = organ.first_triangle + organ.triangle_count;
         for (std::uint32_t i = organ.first_triangle; i < end;) {
@@ -247,7 +247,7 @@ class Cutter {
         instance_triangles_ += organ.triangle_count;
     }
 
-    /// An organ that is covered wholly keeps one triangle of no area.
+    /// Cuts an organ; one that is covered completely keeps one triangle of zero area.
     void cut(Organ& organ) {
         const std::uint32_t begin = organ.first_triangle;
         const std::uint32_t end = begin + organ.triangle_count;
@@ -264,7 +264,8 @@ class Cutter {
         organ.triangle_count = static_cast<std::uint32_t>(mesh_.size()) - organ.first_triangle;
     }
 
-    /// To the upper side; each step is more than hits are told apart (geometry/cast/rounding.h).
+    /// Shift to the upper side; each step exceeds the resolution of hits
+    /// (geometry/cast/rounding.h).
     [[nodiscard]] Vec3 lift(const Triangle& t, int steps) const {
         constexpr double kLift = 4e-6;
         const Vec3 up = cross(t[1] - t[0], t[2] - t[0]);
@@ -272,7 +273,7 @@ class Cutter {
         return size > 0 ? steps * kLift * size_ / size * up : Vec3{};
     }
 
-    /// Adds a triangle of a sensor where it is lifted to.
+    /// Adds a lifted triangle of a sensor.
     void add_lifted(const Triangle& whole, const Lift& by) {
         if (by.parts.empty()) {
             mesh_.push_back(moved(whole, lift(whole, by.steps)));
@@ -301,7 +302,7 @@ class Cutter {
                first->second < organ.first_triangle + organ.triangle_count;
     }
 
-    /// Adds what is left of a triangle. @return the area that was cut away
+    /// Adds the uncovered parts of a triangle. @return the area that was cut away
     double add(std::uint32_t triangle) {
         const Triangle whole = geometry_[triangle];
         if (const auto found = lifts_.find(triangle); found != lifts_.end()) {
@@ -333,8 +334,7 @@ class Cutter {
     std::uint32_t instance_triangles_ = 0;
 };
 
-/// Counts triangles by pairs of organs, each triangle once. Strips along borders are not worth
-/// telling.
+/// Counts triangles by pairs of organs, each triangle once. Strips along borders are not reported.
 std::vector<Coincidence> count_pairs(
     std::span<const Cover> covers, const Owners& owners, OverlapOwner light) {
     std::map<std::tuple<bool, std::uint32_t, std::uint32_t>, std::uint32_t> pairs;
@@ -374,8 +374,8 @@ std::vector<std::vector<Triangle>> parts_in_cells(
     return smaller;
 }
 
-/// How far triangles of sensors are lifted that lie on surfaces, or on sensors that come before:
-/// each one step beyond those.
+/// Shifts of sensors' triangles that lie on surfaces, or on earlier sensors: each is one step above
+/// those.
 /// @param covers  ordered by Cover::second
 template <typename IsSensor>
 Lifts lifts_of_sensors(

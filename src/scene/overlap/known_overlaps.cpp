@@ -36,8 +36,8 @@ Bounds bounds_of_changed(
     return {bounds.low - grown, bounds.high + grown};
 }
 
-/// search_overlaps_of() for scenes that may have instances: those near what changed are taken
-/// apart.
+/// search_overlaps_of() for scenes that may have instances: instances near changed triangles are
+/// expanded.
 OverlapSearchResult search_changed(
     const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene) {
     if (triangles.instances().empty()) {
@@ -101,13 +101,13 @@ KnownOverlaps::Matching KnownOverlaps::match(
         }
         matching.changed_count += is_same ? 0 : run.count;
         if (is_same) {
-            known.erase(before);  // an organ that is there twice is matched once
+            known.erase(before);  // a repeated organ is matched once
         }
     }
     return matching;
 }
 
-/// Whether the search was one of all pairs, with the same tolerances.
+/// Whether the last search compared all pairs, with the same tolerances.
 bool KnownOverlaps::can_go_on(const Bounds& bounds) const {
     return triangles_ && !known_.overlaps.gave_up && size_of(bounds_) == size_of(bounds);
 }
@@ -126,8 +126,8 @@ std::optional<OverlapSearchResult> KnownOverlaps::find_among_changed(
     if (matching.changed_count > 0) {
         found = search_changed(triangles, matching.changed, bounds);
     }
-    // No less than a search of all would count: of the pairs that are left, the first did so. Where
-    // the scene begins elsewhere, pairs meet in other cubes, and may be counted more often.
+    // At least the count of a complete search, as the first search counted the remaining pairs.
+    // Pairs may be counted more often if a shifted scene puts them in other cubes.
     found.work += known_.work;
     found.most_same += known_.most_same;
     OverlapWork most = found.work;

@@ -12,16 +12,16 @@
 namespace quasimc {
 
 /// The overlaps of scenes that follow each other and differ little, as in growth and at the points
-/// of a sweep: pairs of which neither triangle changed are not compared again. What it finds is
-/// what find_overlaps() finds; where that can't be told beforehand, all are compared.
+/// of a sweep: pairs of unchanged triangles are not compared again. The result equals that of
+/// find_overlaps(); where this is not certain, all pairs are compared.
 class KnownOverlaps {
   public:
-    /// @param owners  of each triangle what tells its organ from others, as its id; those of an
-    ///        organ stand together
+    /// @param owners  key of each triangle's organ, for example its id; triangles of an organ are
+    ///        contiguous
     [[nodiscard]] Overlaps find(
         std::shared_ptr<const SceneGeometry> triangles, const std::vector<std::int64_t>& owners);
 
-    /// Of the last search: how many triangles had changed; none: all were compared.
+    /// Number of changed triangles in the last search; empty: all were compared.
     [[nodiscard]] std::optional<std::size_t> changed() const { return last_changed_; }
 
   private:
@@ -31,10 +31,10 @@ class KnownOverlaps {
         std::uint32_t first = 0, count = 0;
     };
     [[nodiscard]] static std::vector<Run> runs_of(const std::vector<std::int64_t>& owners);
-    /// What became of the triangles that were known.
+    /// New numbers of the known triangles.
     struct Matching {
-        std::vector<std::uint32_t> new_number;  ///< of each; kGone
-        std::vector<bool> changed;              ///< of each triangle of now
+        std::vector<std::uint32_t> new_number;  ///< by known triangle; kGone if removed
+        std::vector<bool> changed;              ///< by triangle of the new scene
         std::size_t changed_count = 0;
     };
     static constexpr std::uint32_t kGone = 0xFFFFFFFFU;
@@ -44,7 +44,8 @@ class KnownOverlaps {
     [[nodiscard]] std::optional<OverlapSearchResult> find_among_changed(
         const SceneGeometry& triangles, const Bounds& bounds, const std::vector<Run>& runs);
 
-    std::shared_ptr<const SceneGeometry> triangles_;  // of the last search, with:
+    // The last search: its triangles, their bounds and runs, and its result.
+    std::shared_ptr<const SceneGeometry> triangles_;
     Bounds bounds_;
     std::vector<Run> runs_;
     OverlapSearchResult known_;

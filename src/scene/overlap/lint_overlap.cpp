@@ -1,4 +1,4 @@
-// What is said of triangles that lie on each other in one plane (scene/overlap/covered.h).
+// Warnings about coplanar overlaps (scene/overlap/covered.h).
 
 #include <iterator>
 #include <string>
@@ -16,11 +16,11 @@ namespace quasimc {
 namespace {
 
 /// "12 triangles have the same corners as triangles of organ 'b' (id 2)"
-std::string words_for(const Scene& scene, const Coincidence& pair) {
+std::string describe_pair(const Scene& scene, const Coincidence& pair) {
     const bool is_own = pair.first == pair.second;
-    const std::string other = is_own
-                                  ? "others of this organ"
-                                  : "triangles of " + words_for(scene.organs()[pair.first.value]);
+    const std::string other =
+        is_own ? "others of this organ"
+               : "triangles of " + describe_organ(scene.organs()[pair.first.value]);
     const bool is_one = pair.triangles == 1;
     const char* relation = pair.is_same
                                ? (is_one ? "has the same corners as" : "have the same corners as")
@@ -49,7 +49,7 @@ std::vector<Warning> lint_overlap(const Survey& survey) {
         "pairs of organs have coplanar triangles that overlap");
     for (const Coincidence& pair : found.pairs) {
         (pair.is_same ? same : onto)
-            .add(words_for(scene.organs()[pair.second.value]), words_for(scene, pair));
+            .add(describe_organ(scene.organs()[pair.second.value]), describe_pair(scene, pair));
     }
     std::vector<Warning> warnings = std::move(same).finish();
     std::vector<Warning> more = std::move(onto).finish();

@@ -17,7 +17,8 @@ std::uint64_t mixed(std::uint64_t cube) {
     return (cube * 0x9e3779b97f4a7c15U) >> 40;
 }
 
-/// By the bits of the cubes' numbers: most cubes have few triangles, and comparing takes longer.
+/// Sorts by the bits of the cubes' numbers (spreadsort), which is faster than comparing: most cubes
+/// have few triangles.
 void sort_by_cube(std::vector<OverlapEntry>& entries) {
     boost::sort::spreadsort::integer_sort(
         entries.begin(), entries.end(),
@@ -33,8 +34,8 @@ bool OverlapEntry::is_parallel_to(const OverlapEntry& other) const {
 
 bool OverlapEntry::is_in_plane_of(const OverlapEntry& other) const {
     const float turn = blur + other.blur;
-    // A point that lies on both is half a diagonal, .87 edges, from the middle of its cube, and the
-    // planes differ there by their turn and by their thickness, a quarter of it.
+    // A point that lies on both is at most half a diagonal, 0.87 edges, from the centre of its
+    // cube. The planes differ there by their angle and by their thickness, a quarter of it.
     const float most = 2 * turn;
     return std::abs(offset - other.offset) <= most ||
            // Normals at right angles to the generic direction: either side may be taken.
@@ -60,9 +61,9 @@ double OverlapGrid::thickness(double triangle_size) const {
     return coplanar_tolerance(triangle_size, size_);
 }
 
-/// Calls visit(triangle, level, whether it is a native there) for all levels that triangles
-/// belong to and that are home to some.
-/// @param level_of  each triangle's home; negative: it belongs to none
+/// Calls visit(triangle, level, is_native) for all levels that triangles belong to and that are the
+/// home of some.
+/// @param level_of  home level of each triangle; negative: none
 template <typename Visit>
 void OverlapGrid::for_each_entry(
     std::span<const std::int16_t> level_of, const Homes& is_home, const Visit& visit) {
@@ -107,13 +108,13 @@ void OverlapGrid::enter_all(std::uint64_t pass) {
     visitors_.clear();
     std::vector<std::int16_t> level_of(triangles_.size(), -1);
     std::array<bool, kLevels> is_home{};
-    // What is entered is counted first: growing lists would take several times the memory.
+    // Entries are counted first, as growing lists would take several times the memory.
     std::size_t natives = 0;
     std::array<std::size_t, kLevels> visitors{};
     for (std::size_t i = 0; i < triangles_.size(); ++i) {
         const Triangle t = triangles_[i];
         const TriangleExtent extent(t);
-        // Slivers about as thin as the tolerance lie in no plane in particular.
+        // Slivers about as thin as the tolerance have no definite plane.
         constexpr double kThin = 2;
         if (extent.size > 0 && height(t) > kThin * thickness(extent.size)) {
             const int home = home_level(extent.size);
@@ -137,7 +138,7 @@ void OverlapGrid::enter_all(std::uint64_t pass) {
     sort_by_cube(visitors_);
 }
 
-/// @param visitors  that there would be on each level
+/// @param visitors  number on each level
 void OverlapGrid::reserve(
     std::size_t natives, const std::array<std::size_t, kLevels>& visitors, const Homes& is_home) {
     constexpr double kUneven = 1.2;
@@ -156,7 +157,7 @@ void OverlapGrid::reserve(
     visitors_.reserve(of_pass(all));
 }
 
-/// Marks the cubes of the triangles that changed: what is in no such cube need not be entered.
+/// Marks the cubes of the changed triangles; other cubes need no entries.
 void OverlapGrid::mark_cubes(std::span<const std::int16_t> level_of, const Homes& is_home) {
     marked_.assign(std::size_t{1} << kMarkBits, false);
     for_each_entry(level_of, is_home, [&](std::uint32_t i, int level, bool) {

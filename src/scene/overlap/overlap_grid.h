@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// A direction that normals of modelled organs are seldom symmetric about.
+/// A direction about which normals of modelled organs are seldom symmetric.
 inline constexpr Vec3 kGenericDirection{0.3518, 0.7143, 0.6049};
 
 /// A triangle in a cube of the grids.
@@ -18,8 +18,8 @@ struct OverlapEntry {
     std::uint64_t cube;
     float facing;  ///< |cos| of the angle between the normal and a generic direction
     float blur;    ///< how much `facing` of a coplanar triangle may differ
-    /// How far the plane lies from the middle of the cube towards the generic direction, of the
-    /// cube's edge.
+    /// Distance of the plane from the cube's centre along the generic direction, in units of the
+    /// edge.
     float offset;
     std::uint32_t triangle;
 
@@ -36,28 +36,27 @@ struct TriangleExtent {
     double size;
 };
 
-/// The grids in which a search for overlaps looks: cubes, four times finer from level to level. A
-/// triangle is at home on the level whose cubes are at least twice its size, and visits the coarser
-/// ones.
+/// Hierarchical grid of cubes for the search of overlaps, four times finer from level to level. The
+/// home level of a triangle has cubes of at least twice its size; the triangle is a visitor on
+/// coarser levels.
 class OverlapGrid {
   public:
-    /// @param changed  of each triangle; if not empty, only cubes are entered that hold one of
-    /// those
-    /// @param scene  the bounds of the triangles, or of a scene that they are part of
+    /// @param changed  by triangle; if not empty, only cubes with a changed triangle are entered
+    /// @param scene  bounds of the triangles, or of a scene that includes them
     OverlapGrid(
         const SceneGeometry& triangles, const std::vector<bool>& changed, const Bounds& scene);
 
-    /// Copies of meshes take little memory: their cubes are looked at in several lots.
+    /// Number of passes over the cubes, which limits the memory for instanced scenes.
     [[nodiscard]] std::uint64_t passes() const { return passes_; }
 
-    /// Goes through the triangles for one lot of cubes.
+    /// Enters all triangles into the cubes of one pass.
     void enter_all(std::uint64_t pass);
 
     /// Sorted by cubes.
     [[nodiscard]] std::vector<OverlapEntry>& natives() { return natives_; }
     [[nodiscard]] const std::vector<OverlapEntry>& visitors() const { return visitors_; }
 
-    /// How far from a triangle's plane is still in it.
+    /// Largest distance from a triangle's plane that counts as coplanar.
     [[nodiscard]] double thickness(double triangle_size) const;
 
   private:
@@ -94,7 +93,7 @@ class OverlapGrid {
     const std::vector<bool>& changed_;
     Vec3 low_;
     double size_;
-    std::array<double, kLevels> per_length_{};  // how many cubes of a level lie side by side
+    std::array<double, kLevels> per_length_{};  // number of cubes of a level along a unit of length
     std::uint64_t passes_;
     std::vector<bool> marked_;  // cubes, by mark_of()
     std::vector<OverlapEntry> natives_, visitors_;

@@ -1,6 +1,6 @@
-// Coplanar triangles that overlap: two of them share a cube on the home level of the larger
-// (OverlapGrid). In a cube they are sorted by a function of the normal that has the same value for
-// both sides, so that only triangles which are nearly parallel are compared.
+// Search for coplanar triangles that overlap: two of them share a cube on the home level of the
+// larger (OverlapGrid). The triangles of a cube are sorted by a function of the normal that is
+// equal for both sides, so that only nearly parallel triangles are compared.
 
 #include "scene/overlap/overlap_search.h"
 
@@ -91,10 +91,9 @@ class OverlapSearch {
         }
     }
 
-    /// Looks among triangles at home in a cube, sorted by `facing`, for those that `entry` lies on,
-    /// and for those that lie on it: slivers are at home with larger triangles, and lie on smaller
-    /// ones.
-    /// @param most_blur  of the triangles at home in the cube
+    /// Compares `entry` with the natives of a cube, sorted by `facing`, in both directions: slivers
+    /// share their home level with larger triangles, and lie on smaller ones.
+    /// @param most_blur  largest `blur` of the natives
     void compare(const OverlapEntry& entry, Entries natives, float most_blur) {
         std::optional<Placed> placed;
         for (const OverlapEntry& other : natives) {
@@ -102,7 +101,7 @@ class OverlapSearch {
                 return;
             }
             if (!entry.is_parallel_to(other) || other.triangle == entry.triangle) {
-                continue;  // most triangles: they need not be fetched
+                continue;  // rejects most triangles before they are fetched
             }
             if (is_piled(entry)) {
                 return;
@@ -157,15 +156,15 @@ class OverlapSearch {
         found_.push_back(found);
     }
 
-    /// The bounds and the tolerance about them.
+    /// The bounds, enlarged by the tolerance.
     [[nodiscard]] Bounds grown(const TriangleExtent& extent) const {
         const double blur = grid_.thickness(extent.size);
         const Vec3 margin{blur, blur, blur};
         return {extent.bounds.low - margin, extent.bounds.high + margin};
     }
 
-    /// Whether a triangle is known to be the same as so many before it that nothing is learnt from
-    /// the others.
+    /// Whether a triangle equals kPileOfTriangles earlier ones, so that further comparisons are
+    /// unnecessary.
     [[nodiscard]] bool is_piled(const OverlapEntry& entry) const {
         return same_before_[entry.triangle] >= kPileOfTriangles;
     }
@@ -176,14 +175,14 @@ class OverlapSearch {
         return changed_.empty() || changed_[a.triangle] || changed_[b.triangle];
     }
 
-    /// Of two triangles at home on one level; either of two equal ones.
+    /// Whether `a` is the smaller of two triangles of one home level.
     static bool is_smaller(const Triangle& a, const Triangle& b) {
         constexpr double kRounding = 1e-6;
         return area(a) <= (1 + kRounding) * area(b);
     }
 
-    /// Triangles meet in several cubes. They are the same if they were found to be so once, and
-    /// much of one is covered if it is of either.
+    /// Merges the overlaps of pairs that share several cubes: they are the same triangle if one
+    /// cube says so, and more than a little is covered if it is for either.
     void sort_found() {
         const auto key = [](const Overlap& o) { return std::tie(o.first, o.second); };
         std::sort(found_.begin(), found_.end(), [&](const Overlap& a, const Overlap& b) {
@@ -218,7 +217,7 @@ class OverlapSearch {
 
 double coplanar_tolerance(double triangle_size, double scene_size) {
     constexpr double kOfTriangle = 1e-6;
-    constexpr double kSinglePrecision = 0x1p-22;  // of a ray's origin: kNear
+    constexpr double kSinglePrecision = 0x1p-22;  // rounding of a ray's origin: kNear
     return kOfTriangle * triangle_size + kSinglePrecision * scene_size;
 }
 

@@ -1,5 +1,5 @@
 // Direct light of the suns of a series by item buffers, which for the requested error cost a fifth
-// of scan lines (docs/theory/time-series.md).
+// of scan lines (docs/develop/notebook/time-series.md).
 
 #include "series/basis/season_suns.h"
 

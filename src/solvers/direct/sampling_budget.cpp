@@ -71,7 +71,7 @@ std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
 }
 
 /// Maximum number of projected triangles for each path of a sun. If they would be more, or if cuts
-/// leave too few lines, paths from the sun are more efficient.
+/// leave too few lines, paths from the sun are more efficient (docs/develop/notebook/choosing.md).
 constexpr double kMaxTrianglesPerPath = 20;
 /// Maximum number for each organ as well: few organs have many paths each, and lines improve them
 /// less.

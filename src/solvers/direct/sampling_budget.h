@@ -38,14 +38,14 @@ struct SamplingDensity {
         0;  ///< pixels of a sky direction per square root of the number of triangles
     double most_over_root =
         1;  ///< largest factor on pixels_per_root if triangles would have few pixels
-    double cuts_per_path = 0;  ///< largest number of triangle images that the lines of a sun cut
+    double cuts_per_path = 0;  ///< limit of triangle images that the lines of a sun cut
     /// Largest contribution of a line to a typical organ if cuts leave fewer lines than usual, as a
     /// number of paths.
     double paths_per_sample = 0;
 };
 
 /// Chooses the sampling density of direct light for a number of paths. Its constants maximize the
-/// figure of merit of direct and scattered light together, in measurements.
+/// figure of merit of direct and scattered light together (docs/develop/notebook/first-hits.md).
 class SamplingBudget {
   public:
     /// @param seen  input of projections

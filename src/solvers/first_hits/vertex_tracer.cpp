@@ -96,7 +96,7 @@ class VertexTracer {
     }
 
     /// Scatters the light of a path at its first vertex. Light that is absorbed there starts no
-    /// path: with a roulette threshold of 0 the light goes on surely, and its weight is reduced.
+    /// path: with a roulette threshold of 0 the path always survives, with a reduced weight.
     /// @param weights  of the scattered light, per band
     std::optional<Side::Scattered> scatter(
         const Particle& path, const Surface& at, const Draw& draw, std::span<double> weights) {

@@ -74,7 +74,7 @@ std::uint64_t BackwardPaths::gather(
         }
         dimension += 2;
         ++depth;
-        by_narrow = from->sharp;
+        by_narrow = from->narrow;
         away = -from->wi;
     }
 }

@@ -28,8 +28,8 @@ class BackwardPaths {
         const LampNearField& near,
         double narrow_from);
 
-    /// Sets path.gathered to the radiance that comes to a point of an organ along -away, in units
-    /// of NextEvent. Returns the rays cast.
+    /// Sets path.gathered to the radiance at a point of an organ along -away, in units of
+    /// NextEvent. Returns the rays cast.
     /// @param vertices  of the light subpath that belongs to the point
     /// @throws StopRequested  if a stop was requested
     std::uint64_t gather(

@@ -30,7 +30,7 @@ bool has_sky(const PreparedScene& prepared) {
 /// Whether light subpaths sample light of suns or lamps through narrow lobes.
 bool has_followed_lobes(const PreparedScene& prepared) {
     return has_small_light(prepared) &&
-           prepared.optics().sharpest_peak >= followed_peak(prepared.scene());
+           prepared.optics().largest_peak >= followed_peak(prepared.scene());
 }
 
 /// The largest fraction of incident light that a material of the scene scatters to one of its
@@ -181,8 +181,8 @@ std::vector<char> connected_regions(
     const Scene& scene = prepared.scene();
     std::vector<char> connected;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const bool is_asked_for = scene.organs()[scene.regions()[i].organ.value].measured;
-        connected.push_back(!is_asked_for || parts[i] < kFewOfPaths ? 1 : 0);
+        const bool is_measured = scene.organs()[scene.regions()[i].organ.value].measured;
+        connected.push_back(!is_measured || parts[i] < kFewOfPaths ? 1 : 0);
     }
     return connected;
 }
@@ -194,7 +194,7 @@ bool needs_light_paths(const PreparedScene& prepared, const LampNearField& near)
 SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     const Scene& scene = prepared.scene();
     const MeasuredArea measured = measured_area(scene);
-    SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::asked_for};
+    SumMeaning meaning{.units = {}, .measured = MeasuredOrgans::requested};
     // Unoccluded direct light: the contribution that a sample of an organ could have had.
     declare_sides(
         "unoccluded", columns_of(SumColumn::Of::spectrum, prepared.lights().spectra().size()),
@@ -203,7 +203,7 @@ SumMeaning from_organs_meaning(const PreparedScene& prepared, const RunSpec&) {
     ContributionBound direct{"direct", {}}, scattered{"scattered", {}}, sunlit{"sunlit", {0}};
     const LampNearField near(prepared);
     const std::vector<double> albedo = largest_albedos(scene);
-    const double narrow_from = has_small_light(prepared) ? followed_peak(scene) : kSharpPeak;
+    const double narrow_from = has_small_light(prepared) ? followed_peak(scene) : kNarrowPeak;
     const std::vector<double> parts =
         near.any() ? parts_by_vertices(prepared, measured, near) : std::vector<double>{};
     const bool has_connected =

@@ -16,7 +16,7 @@ constexpr double kAlongGround = .25;
 /// The smallest cosine of directions along the ground.
 constexpr double kMinCosine = 1e-6;
 
-/// Whether a lobe sends light almost along a surface, much more than by the cosine law.
+/// Whether a lobe scatters much more light at grazing angles than the cosine law.
 bool sends_along(const Bsdf& lobe) {
     constexpr double kArrival = .05, kExit = 1e-6, kMuch = 100;
     if (lobe.is_delta() || lobe.is_lambertian() || lobe.hemisphere() != Hemisphere::reflected) {

@@ -95,7 +95,7 @@ class LightSubpathTracer {
         const bool is_near_field = meets_points(class_) && is_near(p);
         const bool is_vertex = is_near_field && !rules_.connected.empty();
         const bool only_by_narrow = goes_on_by_narrow_alone(is_near_field);
-        if (only_by_narrow && side.sharpest_peak() < rules_.narrow_from) {
+        if (only_by_narrow && side.largest_peak() < rules_.narrow_from) {
             return false;
         }
         if (is_vertex) {
@@ -121,7 +121,7 @@ class LightSubpathTracer {
         return true;
     }
 
-    /// Whether points sample all light that broad lobes send on from here, wherever it counts.
+    /// Whether points sample all counted light that broad lobes scatter from here.
     [[nodiscard]] bool goes_on_by_narrow_alone(bool is_near_field) const {
         return !is_near_field &&
                (class_ == PathClass::from_source ||

@@ -150,7 +150,7 @@ std::uint64_t NextEvent::add_light(
     }
     material.add_reflected(
         surface.normal, surface.side, out, -sample.to_light, sample.factor, path.products,
-        path.gathered, sample.light->is_extended() ? kSharpPeak : narrow_from_);
+        path.gathered, sample.light->is_extended() ? kNarrowPeak : narrow_from_);
     return 1;
 }
 

@@ -50,8 +50,8 @@ class NextEvent {
     /// scene units)
     /// @param near  light that is not sampled here
     /// @param narrow_from  peak_brightness() of lobes through which suns and lamps are not sampled
-    /// @param points  a power of two: if lights are picked alike at all points, this number of
-    /// well-spread points picks each light exactly as often as expected
+    /// @param points  a power of two: if lights are picked independently of position, this number
+    /// of well-spread points picks each light exactly as often as expected
     NextEvent(
         const PreparedScene& prepared,
         const Sampler& sampler,
@@ -110,7 +110,7 @@ class NextEvent {
     double scale_, narrow_from_;
     std::uint32_t dimensions_;
     std::vector<LampExtent> lamps_;  // one for each light if picked by position, else empty
-    LightSampler light_sampler_;     // if lights are picked alike at all points
+    LightSampler light_sampler_;     // if lights are picked independently of position
 };
 
 }  // namespace quasimc

@@ -217,7 +217,7 @@ std::uint64_t LightTracer::trace_packet(
 }
 
 /// Scores the first hits of a packet, and follows the paths that survive them: the same as
-/// trace_particle() alone would do, but cheaper for the many that end here. Returns the rays cast.
+/// trace_particle(), but cheaper for the many paths that end here. Returns the rays cast.
 std::uint64_t LightTracer::shade(
     const Block& block,
     const Group& group,

@@ -46,7 +46,7 @@ class LightTracer {
         Tally& tally) const;
 
   private:
-    /// The points of a block, and what they share.
+    /// The points of a block, and their common settings.
     struct Block {
         PathRules rules;
         std::uint64_t first = 0;

@@ -17,7 +17,7 @@ constexpr double kMoreOfBright = 0.85;
 /// kManySegments segments patches get more, and with them more directions, which dominate the
 /// error.
 constexpr double kSegmentsPerPatch = 100, kManySegments = 1 << 20;
-/// Minimum number of patches, or as many as get this number of segments. They cost next to nothing,
+/// Minimum number of patches, or as many as get this number of segments. They cost hardly any time,
 /// and resolve spots of light of lamps or narrow gaps, and their errors.
 constexpr double kFewPatches = 4096, kFewSegmentsPerPatch = 8;
 /// Minimum segments per patch in each step. With fewer, single patches would pass on the light of

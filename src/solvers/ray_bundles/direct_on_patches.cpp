@@ -57,7 +57,7 @@ std::size_t side_of(std::uint32_t patch, SurfaceSide side) {
     return std::size_t{2} * patch + index_of(side);
 }
 
-/// The side to which light comes. @param along  dot(unit normal of the upper side, its direction)
+/// The side that light arrives on. @param along  dot(unit normal of the upper side, its direction)
 SurfaceSide lit_side(double along) {
     return along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
 }

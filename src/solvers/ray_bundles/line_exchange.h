@@ -45,7 +45,7 @@ class LineExchange {
     void exchange_through_sensors(std::span<const LineHits::Hit> line) {
         std::uint32_t last = 0;        // side that light leaves forwards
         const double* from = nullptr;  // its exitance
-        double* to = backwards_;       // where light goes that travels backwards
+        double* to = backwards_;       // receives light that travels backwards
         std::size_t first = 0;         // sensor since then
         for (std::size_t i = 0; i < line.size(); ++i) {
             fetch_ahead(line[i]);

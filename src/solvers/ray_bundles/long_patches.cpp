@@ -10,7 +10,8 @@ namespace quasimc {
 namespace {
 
 /// Longest edge over height of a long triangle. The true error of stems of rings of triangles is
-/// the reported one at a ratio of 10, twice that at 25, and ten times at 100.
+/// the reported one at a ratio of 10, twice that at 25, and ten times at 100
+/// (docs/develop/notebook/ray-bundles.md).
 constexpr double kLongTriangle = 12;
 /// A patch is long if it exceeds this fraction of its organ's width.
 constexpr double kOfWidth = 0.75;

@@ -11,7 +11,7 @@ namespace quasimc {
 [[nodiscard]] bool is_diffuse(const Material& material);
 
 /// Whether ray bundles are the most efficient method for light of suns and skies if all organs are
-/// measured: rules of thumb, each from a measurement.
+/// measured: rules of thumb, each from a measurement (docs/develop/notebook/choosing.md).
 /// @param gain  of equal shares of paths for each organ
 /// @param has_sun  whether a sun shines
 [[nodiscard]] bool suits_bundles(

@@ -89,6 +89,15 @@ TEST(Counted, IsSingularOfOneAlone) {
     EXPECT_EQ(counted(2, "organ"), "2 organs");
 }
 
+TEST(TwoDigits, HasNoExponentWhereTheNumberIsShort) {
+    EXPECT_EQ(two_digits(0.0224), "0.022");
+    EXPECT_EQ(two_digits(8.6), "8.6");
+    EXPECT_EQ(two_digits(99.9), "100");
+    EXPECT_EQ(two_digits(432), "430");
+    EXPECT_EQ(two_digits(98765), "99000");
+    EXPECT_EQ(two_digits(1.23e7), "1.2e+07");
+}
+
 TEST(Trimmed, TakesBlanksFromBothEndsOnly) {
     EXPECT_EQ(trimmed(" \t a b\r\n"), "a b");
     EXPECT_EQ(trimmed("ab"), "ab");

@@ -83,7 +83,7 @@ TEST(CStatements, FaultsAreToldAllAtOnceInTheWordsOfTheProgram) {
     EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
     EXPECT_EQ(result, nullptr);
     EXPECT_TRUE(error_tells("green")) << quasimc_last_error();
-    EXPECT_TRUE(error_tells("paths is 0")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("paths: 0 is out of range")) << quasimc_last_error();
 }
 
 TEST(CStatements, ValuesAreReplacedHoweverTheyAreWritten) {
@@ -156,7 +156,7 @@ TEST(CStatements, SeveralTimesAreRefused) {
         QUASIMC_DONE);
     quasimc_result* result = nullptr;
     EXPECT_EQ(quasimc_scene_run(scene.get(), nullptr, nullptr, &result), QUASIMC_INPUT_ERROR);
-    EXPECT_TRUE(error_tells("a run computes one moment")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("a run computes one time step")) << quasimc_last_error();
 }
 
 TEST(CStatements, AMaterialOfTheSameNameReplacesTheOther) {
@@ -191,7 +191,7 @@ TEST(CStatements, WhatARunRefusesIsTakenBack) {
     ASSERT_EQ(quasimc_scene_state(scene.get(), "colour = 3\n[sweep]\n"), QUASIMC_DONE);
     EXPECT_TRUE(is_refused(*scene));
     EXPECT_TRUE(error_tells("unknown key 'colour'")) << quasimc_last_error();
-    EXPECT_TRUE(error_tells("[sweep] states several runs")) << quasimc_last_error();
+    EXPECT_TRUE(error_tells("[sweep] describes several runs")) << quasimc_last_error();
     ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_UNKNOWN_KEYS), QUASIMC_DONE);
     ASSERT_EQ(quasimc_scene_clear(scene.get(), QUASIMC_SWEEP), QUASIMC_DONE);
     EXPECT_EQ(column(*run(*scene), "absorbed_flux", "PAR"), before);

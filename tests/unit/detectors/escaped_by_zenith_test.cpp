@@ -28,7 +28,7 @@ std::size_t ring_of(const Vec3& direction, std::size_t count) {
     ExactBins bins(layout.bins());
     tally.move_into(bins);
     std::size_t ring = 0;
-    while (ring < count && bins.steps(tally.blocks().detector(0) + ring).low == 0) {
+    while (ring < count && bins.quanta(tally.blocks().detector(0) + ring).low == 0) {
         ++ring;
     }
     return ring;
@@ -100,14 +100,14 @@ TEST_P(EscapedLightTest, AddsUpToAllThatEscapesToTheLastBit) {
         const LightBlocks blocks(sums->layout);
         for (const ExactBins& bins : sums->replicates) {
             for (std::size_t b = 0; b < 2; ++b) {
-                const std::int64_t escaped = bins.steps(blocks.escaped_scattered() + b).low;
+                const std::int64_t escaped = bins.quanta(blocks.escaped_scattered() + b).low;
                 std::int64_t sum = 0;
                 for (std::size_t i = 0; i < 7; ++i) {
-                    sum += bins.steps(blocks.detector(0) + 2 * i + b).low;
+                    sum += bins.quanta(blocks.detector(0) + 2 * i + b).low;
                 }
                 EXPECT_GT(escaped, 0);
                 EXPECT_EQ(sum, escaped);
-                EXPECT_EQ(bins.steps(blocks.detector(1) + b).low, escaped);
+                EXPECT_EQ(bins.quanta(blocks.detector(1) + b).low, escaped);
             }
         }
         EXPECT_EQ(sums, Simulator().sums(scene, sources, short_spec(GetParam(), 3), 0));

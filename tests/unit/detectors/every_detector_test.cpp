@@ -96,7 +96,7 @@ TEST_P(EveryDetector, AddsAllBandsToOneOfItsOwnBinsOrNothing) {
         const ExactBins bins = bins_of(direction);
         std::size_t found = 0;
         for (std::size_t i = 0; i < bins.size(); ++i) {
-            const std::int64_t low = bins.steps(i).low;
+            const std::int64_t low = bins.quanta(i).low;
             const bool is_own = i >= first_ && i < first_ + axis_.bins.size() * kBands;
             ASSERT_TRUE(low == 0 || (is_own && low == kAmounts[(i - first_) % kBands]));
             found += low != 0 ? 1 : 0;

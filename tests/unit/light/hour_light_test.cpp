@@ -267,7 +267,7 @@ TEST(HourSources, OfOvercastTimesHaveTheSameShape) {
     const SunPath ten = sun_path(kWageningen, june(10), 3600, 300);
     const SunPath two = sun_path(kWageningen, june(14), 3600, 300);
     const auto shapes = [](const SunPath& path, const Reading& reading) {
-        return sources_of(path, light_of_reading(path, reading), to_sources()).shapes;
+        return sources_of(path, light_of_reading(path, reading), to_sources()).directional_key;
     };
     EXPECT_EQ(
         shapes(ten, {.direct_horizontal = 0, .diffuse = 80}),

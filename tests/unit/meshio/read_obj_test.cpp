@@ -127,7 +127,7 @@ TEST(ReadObj, TakesColoursOfOneNumberAndLeavesSpectraToTheRunFile) {
     EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
     ASSERT_EQ(read.mesh.materials.size(), 2U);
     EXPECT_NEAR(read.mesh.materials[0].reflectance, 0.3, 1e-15);
-    EXPECT_FALSE(read.mesh.materials[1].is_stated);
+    EXPECT_FALSE(read.mesh.materials[1].has_optics);
     EXPECT_TRUE(mentions(read.warnings, "material 'grey' is given twice; the first is used"));
 }
 

@@ -92,7 +92,7 @@ TEST(Material, GathersAlongTheDirectionOfAMirror) {
     std::vector<double> weights{1.0};
     const auto mirrored = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.4, 0.5}, weights);
     ASSERT_TRUE(mirrored);
-    EXPECT_TRUE(mirrored->sharp);
+    EXPECT_TRUE(mirrored->narrow);
     EXPECT_EQ(mirrored->wi, (Vec3{0.6, 0, -0.8}));
     const auto through = m.gather(kUp, SurfaceSide::upper, kSlanted, {0.6, 0.5}, weights);
     ASSERT_TRUE(through);

@@ -19,7 +19,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Two organs with names that need care, two bands, one ratio.
-RunFile small_run() {
+/// @param keys  of the second organ
+RunFile small_run(const std::string& keys = "") {
     RunText text;
     text.top = "title = \"a,\\nb\"\nbands = ['R', 'FR']\nlength_unit = 'cm'\n";
     text.run = "[run]\nratios = ['R:FR']\n";
@@ -28,7 +29,8 @@ RunFile small_run() {
         "'leaf'\nshape = 'triangle'\n"
         "corners = [[0, 0, 1], [2, 0, 1], [0, 2, 1]]\n"
         "[[organ]]\nname = 'd'\nlabels = { kind = 'leaf' }\nmaterial = 'leaf'\nshape = 'triangle'\n"
-        "corners = [[0, 0, 2], [1, 0, 2], [0, 1, 2]]\n";
+        "corners = [[0, 0, 2], [1, 0, 2], [0, 1, 2]]\n" +
+        keys;
     return read_text(text.text());
 }
 
@@ -320,7 +322,7 @@ TEST(WriteJson, DigestTellsResultsApart) {
 TEST(Summary, IsShortAndTellsTheEnergy) {
     const std::string text = summary(small_run(), small_result(), {"a.csv"});
     EXPECT_LE(lines_of(text).size(), 12U) << text;
-    EXPECT_NE(text.find("FR [1e-4 W]: 7 +- 0.5 emitted"), std::string::npos) << text;
+    EXPECT_NE(text.find("FR [1e-4 W]: emitted 7 +- 0.5"), std::string::npos) << text;
     EXPECT_NE(text.find("written   a.csv"), std::string::npos) << text;
 }
 
@@ -386,6 +388,19 @@ TEST(Summary, TellsOfErrorsInWords) {
     EXPECT_EQ(text.find("e+02"), std::string::npos) << text;
     EXPECT_NE(text.find("advice    to reach 5 %: --target-error 0.05\n"), std::string::npos)
         << text;
+}
+
+/// The light of the other organs is not reported.
+TEST(Summary, CountsTheErrorsOfMeasuredOrgans) {
+    Result result = small_result();
+    EXPECT_NE(summary(small_run(), result, {}).find("; none for 1 organ ("), std::string::npos);
+    for (Estimate& estimate : result.values) {
+        estimate.standard_error = estimate.mean;
+    }
+    const std::string text = summary(small_run("measured = false\n"), result, {});
+    EXPECT_NE(text.find(", above 50 % for 1 of 1 organ (largest: organ "), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("none for"), std::string::npos) << text;
 }
 
 TEST(Summary, TellsThatTheTimeWasUp) {

@@ -201,7 +201,7 @@ TEST(Audit, IsMadeOfEachTraceOfASeries) {
         time_steps.push_back(
             {"", {sun(zenith, {1, .5})}, std::to_string(zenith), 3600, time_steps.size()});
     }
-    time_steps.push_back({"", {sun(20, {2, 1})}, time_steps[0].shapes, 3600, 2});
+    time_steps.push_back({"", {sun(20, {2, 1})}, time_steps[0].directional_key, 3600, 2});
     std::vector<Audit> audits;
     Listening events;
     events.time_step = [&](std::size_t, const Result& result, std::size_t) {

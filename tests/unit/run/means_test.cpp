@@ -69,7 +69,7 @@ TEST(Means, AreUnknownForOrgansThatAreNotMeasured) {
     const Scene scene = std::move(builder).build();
     Sums sums =
         coarser_sums(Simulator().sums(scene, {sky({1})}, spec_of(Method::ray_bundles, 64), 0));
-    sums->measured = MeasuredOrgans::asked_for;
+    sums->measured = MeasuredOrgans::requested;
     const Result means = evaluate_means(sums, scene, {}, {});
     EXPECT_GT(means.at(0, Quantity::absorbed_flux, 0).mean, 0);
     EXPECT_TRUE(std::isnan(means.at(1, Quantity::absorbed_flux, 0).mean));

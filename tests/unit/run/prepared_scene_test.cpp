@@ -134,15 +134,15 @@ TEST(PreparedScene, LightPassesSensorsOnItsWayToTheSky) {
 TEST(PreparedScene, KnowsWhatItsMaterialsAskFor) {
     const Sources light{sky({1})};
     const Staged plain(make_layer(1), light);
-    EXPECT_LT(plain.prepared.optics().sharpest_peak, kSharpPeak);
+    EXPECT_LT(plain.prepared.optics().largest_peak, kNarrowPeak);
     EXPECT_FALSE(plain.prepared.optics().has_transparent);
     const std::vector<Triangle> floor = floor_of(0, 1, 0, 1, .1);
     const Staged shiny(make_layer(1, {organ("m", "mirror", floor)}), light);
-    EXPECT_GE(shiny.prepared.optics().sharpest_peak, kSharpPeak);
+    EXPECT_GE(shiny.prepared.optics().largest_peak, kNarrowPeak);
     EXPECT_FALSE(shiny.prepared.optics().has_transparent);
     const Staged watched(make_layer(1, {organ("s", "sensor", floor)}), light);
     EXPECT_TRUE(watched.prepared.optics().has_transparent);
-    EXPECT_LT(watched.prepared.optics().sharpest_peak, kSharpPeak);
+    EXPECT_LT(watched.prepared.optics().largest_peak, kNarrowPeak);
 }
 
 }  // namespace

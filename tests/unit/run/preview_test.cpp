@@ -126,8 +126,8 @@ class SeriesPreviewListener final : public RunListener {
 TEST(Preview, HasTheTimeStepOfASeries) {
     const Scene scene = make_leaves();
     std::vector<TimeStep> times(2);
-    times[0] = {.name = "early", .sources = {sun(30, {1})}, .shapes = "low sun"};
-    times[1] = {.name = "late", .sources = {sun(60, {1})}, .shapes = "high sun"};
+    times[0] = {.name = "early", .sources = {sun(30, {1})}, .directional_key = "low sun"};
+    times[1] = {.name = "late", .sources = {sun(60, {1})}, .directional_key = "high sun"};
     RunSpec spec = spec_of(Method::light_tracing, 256);
     std::vector<Result> of_one_round;
     Listening listening;

@@ -133,7 +133,7 @@ struct Day {
             time_steps.push_back(
                 {.name = "",
                  .sources = {sun(elevation, {1}), sky({1})},
-                 .shapes = std::to_string(elevation),
+                 .directional_key = std::to_string(elevation),
                  .seconds = 3600,
                  .day = 0});
         }

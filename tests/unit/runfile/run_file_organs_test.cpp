@@ -103,7 +103,7 @@ TEST(OrganKeys, RefuseWhatIsWrong) {
     const std::string cylinder = "shape = 'cylinder'\nbase = [0, 0, 0]\naxis = [0, 0, 2]\n";
     const std::vector<BadOrgan> table{
         {"", "shape is missing"},
-        {"shape = 'cube'\n", "shape is 'cube'"},
+        {"shape = 'cube'\n", "shape: 'cube' is not one of"},
         {"shape = 'triangel'\n", "did you mean 'triangle'?"},
         {"shape = 'triangle'\n", "corners is missing"},
         {"shape = 'triangle'\ncorners = [[0, 0, 1], [2, 0, 1]]\n", "2 corners"},
@@ -533,11 +533,11 @@ TEST(GeometryKeys, RefuseWhatIsWrong) {
         {"file = 'a.dat'\nmaterial = 'leaf'\n",
          "the format of 'a.dat' is unclear from its name (supported formats are tri, obj, ply, "
          "stl, can, opf, gwa, ops, fasttracer, def, glb, gltf, vgx)"},
-        {"file = 'a.tri'\nformat = 'xyz'\nmaterial = 'leaf'\n", "format is 'xyz'"},
+        {"file = 'a.tri'\nformat = 'xyz'\nmaterial = 'leaf'\n", "format: 'xyz' is not one of"},
         {"file = 'a.tri'\n", "a.tri has triangles without a material; add material"},
         {"file = 'a.tri'\nmaterial = 'wood'\n", "wood"},
         {"file = 'a.tri'\nmaterial = 3\n", "material is an integer"},
-        {"file = 'a.tri'\nmaterial = 'leaf'\norgans = 'all'\n", "organs is 'all'"},
+        {"file = 'a.tri'\nmaterial = 'leaf'\norgans = 'all'\n", "organs: 'all' is not one of"},
         {"file = 'a.tri'\nmaterial = 'leaf'\nfirst_id = 'a'\n", "first_id is a text"},
         {"file = 'a.tri'\nmaterial = 'leaf'\nscale = 3\n", "unknown key 'scale'"},
         {"file = 'empty.tri'\nmaterial = 'leaf'\n", "file 'empty.tri' contains no triangle"},

@@ -84,7 +84,7 @@ TEST(RunFileSpectrum, TellsFaults) {
         {{"leaf.csv", names + "400,0.1\n450,0.1\n"}}, "",
         "has 400 to 450 nm, band 'blue' 400 to 500");
     expect(kLeaf, "reflectance = 0.1\n", "its optics are given twice");
-    expect(kLeaf, "spectrum_light = 'moon'\n", "spectrum_light is 'moon'");
+    expect(kLeaf, "spectrum_light = 'moon'\n", "spectrum_light: 'moon' is not one of");
     RunText text = spectrum_text();
     text.top = "bands = ['odd']\n";
     EXPECT_TRUE(mentions(faults_of(text.text(), kLeaf), "the wavelengths of band 'odd'"));
@@ -139,7 +139,9 @@ TEST(RunFileLeafModel, TellsFaults) {
     expect("optics = {model = 'prospect_d', structure = 0.5}\n", "structure is 0.5");
     expect("optics = {model = 'prospect_d', chlorophyl = 1}\n", "chlorophyl");
     expect(kLeafModel + std::string("reflectance = 0.1\n"), "its optics are given twice");
-    expect(kLeafModel + std::string("spectrum_light = 'moon'\n"), "spectrum_light is 'moon'");
+    expect(
+        kLeafModel + std::string("spectrum_light = 'moon'\n"),
+        "spectrum_light: 'moon' is not one of");
     RunText text = leaf_model_text();
     text.top = "[[band]]\nname = 'UV'\nfrom_nm = 300\nto_nm = 400\n";
     EXPECT_TRUE(mentions(

@@ -201,8 +201,8 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
     EXPECT_TRUE(mentions(
         faults("times = ['2024-06-21T12:00Z']\nglobal = [1, 2]\n"), "global has 2 values"));
     EXPECT_TRUE(mentions(faults("times = ['2024-06-21T12:00Z']\ndiffuse = 5\n"), "is not known"));
-    EXPECT_TRUE(
-        mentions(faults("times = ['2024-06-21T12:00Z']\nsky = 'cloudy'\n"), "sky is 'cloudy'"));
+    EXPECT_TRUE(mentions(
+        faults("times = ['2024-06-21T12:00Z']\nsky = 'cloudy'\n"), "sky: 'cloudy' is not one of"));
     EXPECT_TRUE(
         mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhours = [9]\n"), "no pair"));
     EXPECT_TRUE(

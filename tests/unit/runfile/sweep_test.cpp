@@ -140,7 +140,7 @@ TEST(Sweep, TellsTheFaultsOfAllPointsOnceEach) {
     EXPECT_TRUE(mentions(values, "reflectance is 1.5"));
     EXPECT_TRUE(mentions(values, "unknown key 'reflektance'; did you mean 'reflectance'"))
         << values.back();
-    EXPECT_TRUE(mentions(values, "paths is 0"));
+    EXPECT_TRUE(mentions(values, "paths: 0 is out of range"));
     EXPECT_EQ(values.size(), 5U);
 }
 

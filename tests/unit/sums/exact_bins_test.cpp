@@ -12,15 +12,15 @@ namespace quasimc {
 namespace {
 
 constexpr std::int64_t kCarry = ExactBins::kCarry;
-using Steps = ExactBins::Steps;
+using Quanta = ExactBins::Quanta;
 
 TEST(ExactBins, AddsWhatFitsIntoOneNumber) {
     ExactBins bins(2);
     bins.add(0, 5);
     bins.add(0, kCarry - 6);
     bins.add(1, -3);
-    EXPECT_EQ(bins.steps(0), (Steps{0, kCarry - 1}));
-    EXPECT_EQ(bins.steps(1), (Steps{0, -3}));
+    EXPECT_EQ(bins.quanta(0), (Quanta{0, kCarry - 1}));
+    EXPECT_EQ(bins.quanta(1), (Quanta{0, -3}));
     EXPECT_EQ(bins.value(1), from_fixed(-3));
 }
 
@@ -31,9 +31,9 @@ TEST(ExactBins, CarriesWhatDoesNot) {
         bins.add(1, -(kCarry - 1));
         bins.add(2, std::numeric_limits<std::int64_t>::max());
     }
-    EXPECT_EQ(bins.steps(0), (Steps{9, kCarry - 10}));
-    EXPECT_EQ(bins.steps(1), (Steps{-9, -(kCarry - 10)}));
-    EXPECT_EQ(bins.steps(2), (Steps{19, kCarry - 10}));
+    EXPECT_EQ(bins.quanta(0), (Quanta{9, kCarry - 10}));
+    EXPECT_EQ(bins.quanta(1), (Quanta{-9, -(kCarry - 10)}));
+    EXPECT_EQ(bins.quanta(2), (Quanta{19, kCarry - 10}));
     EXPECT_DOUBLE_EQ(bins.value(0), 10 * from_fixed(kCarry));
     EXPECT_DOUBLE_EQ(bins.value(1), -10 * from_fixed(kCarry));
 }
@@ -46,32 +46,32 @@ TEST(ExactBins, AddsOthersWithTheirCarries) {
     b.add(0, kCarry - 1);
     b.add(1, 7);
     a += b;
-    EXPECT_EQ(a.steps(0), (Steps{2, kCarry - 3}));
-    EXPECT_EQ(a.steps(1), (Steps{0, 7}));
+    EXPECT_EQ(a.quanta(0), (Quanta{2, kCarry - 3}));
+    EXPECT_EQ(a.quanta(1), (Quanta{0, 7}));
     ExactBins c(2);
     c.add(0, kCarry - 1);
     b += c;
-    EXPECT_TRUE(a.steps(0) == b.steps(0)) << "in any order";
+    EXPECT_TRUE(a.quanta(0) == b.quanta(0)) << "in any order";
 }
 
 TEST(ExactBins, AreClearedWithinPagesAndOverThem) {
     constexpr std::size_t kBins = 50000;  // some pages
-    for (const std::int64_t steps : {std::int64_t{7}, std::numeric_limits<std::int64_t>::max()}) {
+    for (const std::int64_t quanta : {std::int64_t{7}, std::numeric_limits<std::int64_t>::max()}) {
         for (const auto& [first, last] : std::vector<std::pair<std::size_t, std::size_t>>{
                  {0, kBins}, {3, 49990}, {700, 705}, {kBins, kBins}}) {
             ExactBins bins(kBins);
             ExactBins expected(kBins);
             for (std::size_t i = 0; i < kBins; ++i) {
-                bins.add(i, steps);
+                bins.add(i, quanta);
                 if (i < first || i >= last) {
-                    expected.add(i, steps);
+                    expected.add(i, quanta);
                 }
             }
             bins.clear(first, last);
             EXPECT_TRUE(bins == expected) << first << " to " << last;
             bins.add(3000, 1);  // they are as new
             expected.add(3000, 1);
-            EXPECT_EQ(bins.steps(3000), expected.steps(3000));
+            EXPECT_EQ(bins.quanta(3000), expected.quanta(3000));
         }
     }
 }
@@ -81,8 +81,8 @@ TEST(ExactBins, SettlesWhatOthersAdded) {
     bins.shared()[0] = kCarry + 4;
     bins.shared()[1] = 4;
     bins.settle();
-    EXPECT_EQ(bins.steps(0), (Steps{1, 4}));
-    EXPECT_EQ(bins.steps(1), (Steps{0, 4}));
+    EXPECT_EQ(bins.quanta(0), (Quanta{1, 4}));
+    EXPECT_EQ(bins.quanta(1), (Quanta{0, 4}));
 }
 
 TEST(ExactBins, AreEqualByTheirSums) {
@@ -92,7 +92,7 @@ TEST(ExactBins, AreEqualByTheirSums) {
     a.add(0, 1);
     a.add(0, -1);
     b.add(0, kCarry - 1);
-    EXPECT_EQ(a.steps(0), (Steps{0, kCarry - 1}));
+    EXPECT_EQ(a.quanta(0), (Quanta{0, kCarry - 1}));
     EXPECT_TRUE(a == b);
     EXPECT_EQ(a.value(0), b.value(0));
     b.add(0, -1);

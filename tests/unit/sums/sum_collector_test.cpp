@@ -54,10 +54,10 @@ TEST(SumCollector, SumsEachReplicateForItself) {
             sum += block * 7 % 4 == r ? static_cast<std::int64_t>(block + 2) : 0;
         }
         const ExactBins& bins = sums.replicates[r];
-        EXPECT_EQ(bins.steps(LightBlocks(sums.layout).rays()).low, 100);
-        EXPECT_EQ(bins.steps(LightBlocks(sums.layout).sunlit(2)).low, sum);
+        EXPECT_EQ(bins.quanta(LightBlocks(sums.layout).rays()).low, 100);
+        EXPECT_EQ(bins.quanta(LightBlocks(sums.layout).sunlit(2)).low, sum);
         EXPECT_EQ(
-            bins.steps(LightBlocks(sums.layout).scattered(5, SurfaceSide::lower) + 1).low, 200);
+            bins.quanta(LightBlocks(sums.layout).scattered(5, SurfaceSide::lower) + 1).low, 200);
     }
 }
 
@@ -82,9 +82,9 @@ TEST(SumCollector, SumsTheSamePrivateOrSharedOnAnyNumberOfWorkers) {
 
 TEST(SumCollector, SumsWhatNoNumberOfItsOwnCouldHold) {
     const SumData sums = counted(2, kPrivate, 0, ExactBins::kCarry / 4 * 3);
-    const ExactBins::Steps steps =
-        sums.replicates[1].steps(LightBlocks(sums.layout).scattered(3, SurfaceSide::lower));
-    EXPECT_EQ(steps, (ExactBins::Steps{75, 0}));
+    const ExactBins::Quanta quanta =
+        sums.replicates[1].quanta(LightBlocks(sums.layout).scattered(3, SurfaceSide::lower));
+    EXPECT_EQ(quanta, (ExactBins::Quanta{75, 0}));
     EXPECT_EQ(
         sums.replicates[1].value(LightBlocks(sums.layout).scattered(3, SurfaceSide::lower)),
         75 * from_fixed(ExactBins::kCarry));
@@ -95,9 +95,9 @@ bool is_shared(const LightLayout& layout) {
     SumData sums = sums_of(layout, 1);
     SumCollector collector(sums, 1, kPrivate, 2);
     collector.tally_for(0, 0).add(layout.sunlit(5), 3);
-    const bool is_there = sums.replicates[0].steps(layout.sunlit(5)).low == 3;
+    const bool is_there = sums.replicates[0].quanta(layout.sunlit(5)).low == 3;
     collector.collect();
-    EXPECT_EQ(sums.replicates[0].steps(layout.sunlit(5)).low, 3);
+    EXPECT_EQ(sums.replicates[0].quanta(layout.sunlit(5)).low, 3);
     return is_there;
 }
 
@@ -115,11 +115,11 @@ TEST(SumCollector, KeepsNothingBackAfterCollecting) {
     collector.tally_for(0, 1).add(rays, 3);
     collector.collect();
     collector.collect();
-    EXPECT_EQ(sums.replicates[1].steps(rays).low, 3);
+    EXPECT_EQ(sums.replicates[1].quanta(rays).low, 3);
     collector.tally_for(0, 1).add(rays, 4);
     collector.collect();
-    EXPECT_EQ(sums.replicates[1].steps(rays).low, 7);
-    EXPECT_EQ(sums.replicates[0].steps(rays).low, 0);
+    EXPECT_EQ(sums.replicates[1].quanta(rays).low, 7);
+    EXPECT_EQ(sums.replicates[0].quanta(rays).low, 0);
 }
 
 }  // namespace

@@ -42,10 +42,10 @@ TEST(Sums, AddPathsOfTheSameRun) {
     EXPECT_EQ(two->samples, 64U);
     for (std::size_t r = 0; r < 3; ++r) {
         for (std::size_t i = 0; i < one->layout.bins(); ++i) {
-            EXPECT_EQ(two->replicates[r].steps(i).low, 2 * one->replicates[r].steps(i).low);
+            EXPECT_EQ(two->replicates[r].quanta(i).low, 2 * one->replicates[r].quanta(i).low);
         }
     }
-    EXPECT_EQ(two->replicates[1].steps(0).carries, 2);
+    EXPECT_EQ(two->replicates[1].quanta(0).carries, 2);
 }
 
 TEST(Sums, RefuseToAddAnotherRuns) {

@@ -129,7 +129,7 @@ TEST(Tally, AddsRowsAndSingleBins) {
         expected += i == layout.sunlit(1) ? 5 : 0;
         expected += i == layout.scattered(1, SurfaceSide::lower) ? 14 : 0;
         expected += i == layout.scattered(1, SurfaceSide::lower) + 1 ? 16 : 0;
-        EXPECT_EQ(total.steps(i).low, expected) << i;
+        EXPECT_EQ(total.quanta(i).low, expected) << i;
     }
 }
 
@@ -140,7 +140,7 @@ TEST(Tally, IsEmptyAfterMerging) {
     ExactBins total(layout.bins());
     tally.move_into(total);
     tally.move_into(total);
-    EXPECT_EQ(total.steps(layout.rays()).low, 3);
+    EXPECT_EQ(total.quanta(layout.rays()).low, 3);
 }
 
 TEST(Tally, LeavesSharedBinsToTheSharedArrayAndKeepsTheOthers) {
@@ -237,7 +237,7 @@ TEST(Tally, TellsWhenItIsFull) {
     ExactBins sums(layout.bins());
     tally.move_into(sums);
     EXPECT_FALSE(tally.is_full());
-    EXPECT_EQ(sums.steps(0), (ExactBins::Steps{1, 0}));
+    EXPECT_EQ(sums.quanta(0), (ExactBins::Quanta{1, 0}));
 }
 
 TEST(Tally, NeverWrapsInSilence) {
@@ -280,8 +280,8 @@ RC_GTEST_PROP(Tally, SumsManyEqualAmountsExactly, ()) {
     const std::int64_t low = (amount & 0x7FFFFFFF) << log2_count;
     const std::int64_t top = high + (low >> 31U);
     RC_ASSERT(
-        sums.steps(0) ==
-        (ExactBins::Steps{top >> 31U, ((top & 0x7FFFFFFF) << 31U) | (low & 0x7FFFFFFF)}));
+        sums.quanta(0) ==
+        (ExactBins::Quanta{top >> 31U, ((top & 0x7FFFFFFF) << 31U) | (low & 0x7FFFFFFF)}));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ TEST(DailyHours, CoverPartsOfTimes) {
     EXPECT_EQ(day.share(at(9, 45), 1800), .5);
     EXPECT_NEAR(day.share(at(0), 86400), 9.5 / 24, 1e-12);
     EXPECT_NEAR(day.share(at(20), 86400), 9.5 / 24, 1e-12) << "from evening to evening";
-    EXPECT_EQ(day.words(), "from 6.5 to 10 h, from 16 to 22 h");
+    EXPECT_EQ(day.describe(), "from 6.5 to 10 h, from 16 to 22 h");
 }
 
 TEST(DailyHours, HoldInstantsFromTheirBeginning) {

@@ -8,8 +8,8 @@
 
 namespace quasimc::test {
 
-/// Conversations in a folder of their own; a program that is gone is an error of the write.
-class ConversationTest : public FolderTest {
+/// Sessions in a temporary folder; writing to an ended program is an error instead of a signal.
+class SessionTest : public FolderTest {
   protected:
     void SetUp() override { std::signal(SIGPIPE, SIG_IGN); }
 };
