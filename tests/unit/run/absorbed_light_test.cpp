@@ -26,7 +26,7 @@ MaterialSpec coated(std::string name, double rho, double tau, std::size_t bands 
     return spec;
 }
 
-/// A plate of reflectance .6 and transmittance .3 under its coat.
+/// A plate of reflectance 0.6 and transmittance 0.3 under its coat.
 Scene coated_plate() {
     SceneBuilder builder = make_builder();
     builder.add_material(coated("waxy", .6, .3));

@@ -47,7 +47,7 @@ TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
     RecordProperty("chi", std::to_string(by_chi / seeds));
     RecordProperty("total", std::to_string(by_total / seeds));
     // Totals are nearly normal. Sides with few paths are not: fewer or some more alarms. With 1000
-    // seeds, the scatter alone is .034 at the level of a test, with 2000 it is .024.
+    // seeds, the scatter alone is 0.034 at the level of a test, with 2000 it is 0.024.
     const double resolution = seeds < 2000 ? .035 : .03;
     EXPECT_TRUE(agrees(measured_fraction(by_total, seeds, kAlarm), kAlarm, resolution));
     EXPECT_LT(by_chi / seeds, 2 * kAlarm);

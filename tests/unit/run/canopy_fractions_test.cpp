@@ -20,7 +20,7 @@ class Fractions : public BothWays {};
     return agrees(m, expected, resolution);
 }
 
-/// Infinite sheets above a soil of albedo .3; the answers are those of the adding method.
+/// Infinite sheets above a soil of albedo 0.3; the answers are those of the adding method.
 Scene make_sheets_over_soil(int sheets, bool has_soil = true) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("sheet", .1, .2));
@@ -87,7 +87,7 @@ TEST_P(Fractions, WithoutAGroundAreAbsorptancesOfOrgansAlone) {
     EXPECT_TRUE(std::isnan(f.transmittance.mean));
 }
 
-/// A soil of area 4, and optionally a black plate of .25 that casts its shadow on it.
+/// A soil of area 4, and optionally a black plate of 0.25 that casts its shadow on it.
 Scene make_plot(double albedo, bool has_plate) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));

@@ -39,9 +39,9 @@ struct Pilot {
 
 constexpr int kFewSeeds = 1000, kManySeeds = 3000;
 
-/// Totals scatter by .22 / sqrt(seeds), and 4.9 times that is the level of a test: of 3000 seeds,
+/// Totals scatter by 0.22 / sqrt(seeds), and 4.9 times that is the level of a test: of 3000 seeds,
 /// 93 to 97 % is all that passes, of 1000, 91.6 to 98.4 %. (Of 200, the scatter alone would be
-/// .075.)
+/// 0.075.)
 double resolution_of(int seeds) {
     return seeds < kManySeeds ? .034 : .02;
 }

@@ -59,7 +59,7 @@ double coverage_of(const Scene& scene, const Sources& sources, double truth, con
 
 class FewFinds : public ::testing::TestWithParam<int> {
   protected:
-    /// With 200 at 95 % one in a million has less than .87, with 1000 less than .914.
+    /// With 200 at 95 % one in a million has less than 0.87, with 1000 less than 0.914.
     static double least() { return GetParam() >= kManyFindsSeeds ? .93 : .9; }
     static void note(const std::string& what, double part) {
         ::testing::Test::RecordProperty(what, std::to_string(part));

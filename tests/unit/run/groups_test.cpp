@@ -104,7 +104,7 @@ TEST(Groups, TakeAKeyThatHasAPlusInItForOneKey) {
     EXPECT_EQ(groups[1].organs.size(), 6U);
 }
 
-/// Horizontal squares of 1 and of .25, and a vertical one from 0 to 1, in a cell of 2.
+/// Horizontal squares of 1 and of 0.25, and a vertical one from 0 to 1, in a cell of 2.
 Scene make_stories() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .2));

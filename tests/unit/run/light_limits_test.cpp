@@ -11,7 +11,7 @@
 namespace quasimc::test {
 namespace {
 
-/// A leaf of .1 x .1 and a slope, in the shade of a roof, in a scene of 4 x 4 x 4.
+/// A leaf of 0.1 x 0.1 and a slope, in the shade of a roof, in a scene of 4 x 4 x 4.
 Scene make_shaded_slope(double slope, const std::string& material = "leaf") {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .1));

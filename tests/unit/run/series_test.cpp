@@ -289,7 +289,7 @@ TEST(SpreadEffort, FollowsTheLightOfTheDay) {
     auto plans = plan_series(time_steps);
     EXPECT_EQ(plans[0].path_factor, 1) << "unless it is asked for";
     allocate_paths(make_scene(), time_steps, plans);
-    // Shares of the sum are 900/999, 90/999 and 9/999; three times that is 2.7, .27 and .027.
+    // Shares of the sum are 900/999, 90/999 and 9/999; three times that is 2.7, 0.27 and 0.027.
     EXPECT_EQ(plans[0].path_factor, 2);
     EXPECT_EQ(plans[1].path_factor, .25);
     EXPECT_EQ(plans[2].path_factor, 1. / 32);
@@ -338,7 +338,7 @@ TEST(Series, OfADayNeedsFewerPathsForItsSum) {
                                  .total.at(0, Quantity::absorbed_flux, 0);
         return paths * sum.standard_error * sum.standard_error / (sum.mean * sum.mean);
     };
-    // 3 (.9^2 + .09^2 + .009^2) = 2.46 against 1.
+    // 3 (0.9^2 + 0.09^2 + 0.009^2) = 2.46 against 1.
     EXPECT_LT(cost(PathAllocation::proportional), .55 * cost(PathAllocation::equal));
 }
 

@@ -66,10 +66,10 @@ TEST_P(Sunlit, TheSkyIsNoSun) {
     EXPECT_TRUE(trace(scene, {sky({1})}, 64).sunlit_fraction.empty());
 }
 
-/// Each of two suns counts by its irradiance: .7 of the leaf sees the one, all of it the other.
+/// Each of two suns counts by its irradiance: 0.7 of the leaf sees the one, all of it the other.
 TEST_P(Sunlit, SeveralSunsCountByTheirIrradiance) {
     const Scene scene = make_covered_leaf("leaf", floor_of(.5, .8, -1, 2, 1));
-    // Overhead: shadow from .5 to .8. At 45 degrees it falls beyond the leaf.
+    // Overhead: shadow from 0.5 to 0.8. At 45 degrees it falls beyond the leaf.
     const double expected = (3 * .7 + 1 * 1) / 4;
     EXPECT_TRUE(
         agrees(measured(fraction(scene, {sun(0, {3}), sun(45, {1})}), kReplicates), expected, .03));
