@@ -26,7 +26,7 @@ namespace {
 /// Fraction of the progress of a series for its basis.
 constexpr double kShareOfBasis = 0.5;
 /// Memory and number of time steps that are combined together.
-constexpr double kStepBatchBytes = 256e6, kMaxInBatch = 16;
+constexpr double kStepBatchBytes = 256e6, kMaxSteps = 16;
 
 /// Groups in the form of SeriesSum.
 GroupResults without_fractions(GroupResults groups) {
@@ -128,7 +128,7 @@ class Season final : public SeriesSteps {
     [[nodiscard]] std::size_t batch_size() const {
         const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
                             static_cast<double>(in_.spec.replicates);
-        return static_cast<std::size_t>(std::clamp(kStepBatchBytes / each, 1.0, kMaxInBatch));
+        return static_cast<std::size_t>(std::clamp(kStepBatchBytes / each, 1.0, kMaxSteps));
     }
 
     void fill_batch(std::size_t first) {
