@@ -64,7 +64,7 @@ TEST_P(WrittenDetectors, HaveARowForEachBinAndBand) {
     std::string line;
     while (std::getline(table, line) && line.starts_with('#')) {
     }
-    EXPECT_EQ(line, "detector,bin,band,unit,mean,standard_error,low,high");
+    EXPECT_EQ(line, "detector,bin,band,unit,mean,standard_error,ci95_low,ci95_high");
     for (std::size_t i = 0; i < seen().values.size(); ++i) {
         ASSERT_TRUE(std::getline(table, line));
         const Estimate e = reported(seen().values[i]);

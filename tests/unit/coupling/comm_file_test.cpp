@@ -74,7 +74,7 @@ TEST(CommFile, TakesPipesForWhatTheSimulatorDoesNotKnow) {
     EXPECT_EQ(read("communication type: Pipes\n", kept).transport, Transport::pipes);
     EXPECT_TRUE(kept.texts.empty());
     EXPECT_EQ(read("communication type: Files 5\n", kept).transport, Transport::pipes);
-    EXPECT_TRUE(kept.has("comm.e:1: 'Files' is no communication type"));
+    EXPECT_TRUE(kept.has("comm.e:1: 'Files' is not a communication type"));
     EXPECT_EQ(
         read("communication type: sockets\ncommunication type: File\n", kept).transport,
         Transport::sockets);

@@ -101,7 +101,7 @@ TEST(MonteCarlo, KnowsDirectivesOfItsOwn) {
     EXPECT_EQ(spec.run.direct_light, DirectLight::excluded);
     EXPECT_EQ(spec.sensor_half_angle_deg, 30);
     EXPECT_EQ(spec.light_model, "phong");
-    EXPECT_TRUE(kept.has("PARCINOPY is unknown"));
+    EXPECT_TRUE(kept.has("PARCINOPY lobe is unknown"));
     EXPECT_EQ(
         specification("ray density: 1\nno direct light: no\n", kept).run.direct_light,
         DirectLight::included);

@@ -227,7 +227,7 @@ INSTANTIATE_TEST_SUITE_P(
         Surplus{"return type: D F", "2 letters for the 1 band"},
         Surplus{"sampling method: latin", "Monte Carlo is used"},
         Surplus{"light source: 0 -1 0", "no weight: 1 is used"},
-        Surplus{"weather: 1 1", "that of 1.4"}));
+        Surplus{"weather: 1 1", "the clear sky for 1.4 is used"}));
 
 TEST(Specification, TakesWhatTheOriginalTakesForMonteCarlo) {
     RecordedNotices kept;

@@ -294,7 +294,7 @@ TEST(Formats, WarnOfSinglePrecisionThatIsTooCoarseForTheTriangles) {
     };
     const std::vector<std::string> coarse = warnings(leaves_on_a_map(6e5, 4.265e6, as_float));
     ASSERT_EQ(coarse.size(), 1U);
-    EXPECT_TRUE(mentions(coarse, "single precision, which has steps of 0.5 near y = 4265000"))
+    EXPECT_TRUE(mentions(coarse, "single precision, with steps of 0.5 near y = 4265000"))
         << coarse[0];
     EXPECT_TRUE(warnings(leaves_on_a_map(6e5, 4.265e6, exact)).empty());
     EXPECT_TRUE(warnings(leaves_on_a_map(0, 0, as_float)).empty());

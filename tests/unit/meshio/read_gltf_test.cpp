@@ -406,7 +406,7 @@ TEST(ReadGltf, WarnsOfPointsThatAreTooCoarseForTheirTriangles) {
     gltf.views = R"({"buffer":0,"byteLength":36})";
     EXPECT_TRUE(mentions(
         read_gltf_text(gltf, bytes_of(points)).warnings,
-        "single precision, which has steps of 0.062 near x = 600000.1"));
+        "single precision, with steps of 0.062 near x = 600000.1"));
     EXPECT_TRUE(read_gltf_text({}).warnings.empty());
 }
 

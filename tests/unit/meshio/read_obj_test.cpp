@@ -73,7 +73,7 @@ TEST(ReadObj, ReportsEveryBadStatement) {
     EXPECT_TRUE(mentions(read.faults, "file:2: 'nan' is not a finite number"));
     EXPECT_TRUE(mentions(read.faults, "file:3: 'zero' is not a finite number"));
     EXPECT_TRUE(mentions(read.faults, "file:5: a face with 2 corners"));
-    EXPECT_TRUE(mentions(read.faults, "file:6: '5' is not a vertex (4 vertices come before it"));
+    EXPECT_TRUE(mentions(read.faults, "file:6: '5' is not a vertex (there are 4 vertices above it"));
     EXPECT_TRUE(mentions(read.faults, "file:7: '0' is not a vertex"));
     EXPECT_TRUE(mentions(read.faults, "file:8: '-5' is not a vertex"));
     EXPECT_TRUE(mentions(read.faults, "file:9: 'a' is not a vertex"));
@@ -90,7 +90,7 @@ TEST(ReadObj, CutsFacesWhoseSidesCrossIntoFansAndCountsThem) {
     EXPECT_TRUE(read.faults.empty()) << ::testing::PrintToString(read.faults);
     ASSERT_EQ(read.warnings.size(), 1U);
     EXPECT_TRUE(read.warnings[0].starts_with(
-        "file: 2 faces have sides that intersect, the first is of line 5: "))
+        "file: 2 faces have sides that intersect, the first is of line 5; "))
         << read.warnings[0];
     EXPECT_EQ(triangles_of(read.mesh).size(), 6U);
 }

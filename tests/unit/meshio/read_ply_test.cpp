@@ -132,8 +132,8 @@ TEST(ReadPly, RefusesWhatIsWrong) {
         {"", "file:1: the first line is not 'ply'"},
         {"plyx\n", "the first line is not 'ply'"},
         {"ply\nformat ascii 1.0\n", "the header has no end"},
-        {"ply\nformat ascii 2.0\nend_header\n", "file:2: 'ascii' is no format that is known"},
-        {"ply\nformat text 1.0\nend_header\n", "'text' is no format that is known"},
+        {"ply\nformat ascii 2.0\nend_header\n", "file:2: 'ascii' is not a known format"},
+        {"ply\nformat text 1.0\nend_header\n", "'text' is not a known format"},
         {"ply\nend_header\n", "its header has no vertex with x, y and z"},
         {"ply\nproperty float x\nend_header\n", "a property comes before any element"},
         {"ply\nelement vertex -3\nend_header\n", "'-3' is not a number of elements"},
@@ -165,8 +165,8 @@ TEST(ReadPly, RefusesWhatIsWrong) {
          "face 1 has a list of 1000000000"},
         {header("ascii", 4, 1, "property float organ\n") + kCorners + "3 0 1 2 0.5\n",
          "organ is 0.5"},
-        {binary.substr(0, binary.size() - 1), "face 1 is cut short"},
-        {binary.substr(0, binary.size() - 20), "vertex 4 is cut short"},
+        {binary.substr(0, binary.size() - 1), "face 1 is incomplete"},
+        {binary.substr(0, binary.size() - 20), "vertex 4 is incomplete"},
     };
     for (const BadPly& bad : table) {
         const ReadMesh read = read_mesh_text("ply", bad.bytes);
@@ -182,7 +182,7 @@ TEST(ReadPly, DoesNotTrustTheCountsOfItsHeader) {
         "element vertex 9000000000000000000\nproperty float x\nproperty float y\nproperty float z\n"
         "element face 9000000000000000000\nproperty list uchar int vertex_indices\nend_header\n";
     EXPECT_TRUE(mentions(
-        read_mesh_text("ply", lies + std::string(24, '\0')).faults, "vertex 3 is cut short"));
+        read_mesh_text("ply", lies + std::string(24, '\0')).faults, "vertex 3 is incomplete"));
 }
 
 TEST(ReadPly, WarnsOfWhatFollowsTheLastElement) {
@@ -211,7 +211,7 @@ TEST(ReadPly, WarnsOfWhatFollowsTheLastElement) {
     with_strips.replace(with_strips.find("end_header\n"), 11, strips);
     EXPECT_TRUE(mentions(
         warnings(with_strips + kCorners + "3 0 1 2\n4 0 1 2 3\n"),
-        "elements 'tristrips' have corners and are left out (1 in all)"));
+        "elements 'tristrips' have corners and are left out (1 in total)"));
 }
 
 TEST(ReadPly, RefusesAHeaderThatSaysTheSameTwice) {

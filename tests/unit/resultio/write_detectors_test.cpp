@@ -44,7 +44,7 @@ TEST(WriteDetectors, HasARowForEachBinAndBand) {
     run.output.include_night = true;  // the result is dark
     const std::vector<std::string> rows = rows_of(run);
     ASSERT_EQ(rows.size(), 1U + 2 * 2 + 2);
-    EXPECT_EQ(rows[0], "detector,bin,band,unit,mean,standard_error,low,high");
+    EXPECT_EQ(rows[0], "detector,bin,band,unit,mean,standard_error,ci95_low,ci95_high");
     EXPECT_EQ(rows[2], "\"up, down\",0 to 90,NIR,W,3,1,2,4");
     EXPECT_EQ(rows[5], "all,0 to 180,PAR,W,3,1,2,4");
     run.output.bands = {"NIR"};
