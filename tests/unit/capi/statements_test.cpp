@@ -151,7 +151,7 @@ TEST(CStatements, SeveralTimesAreRefused) {
     ASSERT_EQ(
         quasimc_scene_state(
             scene.get(),
-            "place = { latitude_deg = 52, longitude_deg = 6 }\n"
+            "site = { latitude_deg = 52, longitude_deg = 6 }\n"
             "[time]\nday = \"2024-06-21\"\nutc_offset_hours = 2\n"),
         QUASIMC_DONE);
     quasimc_result* result = nullptr;

@@ -141,7 +141,7 @@ SeriesSum flat_sum(const RunFile& run, double seconds, double mean) {
     return sum;
 }
 
-TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
+TEST(JsonOfTimes, HasTimeStepsThenDaysThenTheTotal) {
     RunFile run = read_text(with_two_bands(kDays));
     run.output.include_night = true;  // all results are dark
     std::string text;
@@ -196,7 +196,7 @@ TEST(JsonOfTimes, HasADigestWithoutAFile) {
     EXPECT_NE(written.digest(), JsonWriter(run).digest()) << "of nothing";
 }
 
-TEST(MomentsOf, ARunWithoutTimesAreOneInstant) {
+TEST(TimeStepsOf, ARunWithoutTimesAreOneInstant) {
     const RunFile single = read_text(RunText{}.text());
     const std::vector<TimeStep> one = time_steps_of(single);
     ASSERT_EQ(one.size(), 1U);
