@@ -1,9 +1,9 @@
-// Tracing from the sources, from lit surfaces and from the organs must give the same light on every
-// organ, for every sampler, every model of every lobe, and every kind of source.
+// Light tracing, first hits and tracing from organs must give the same light on every organ, for
+// every sampler, every model of every lobe, and every kind of source.
 //
-// Each combination compares totals (sharp), each organ (blunt, but it detects light on the wrong
+// Each combination compares totals (precise), each organ (coarse, but it detects light on the wrong
 // organ), and the scatter of the organs' differences in units of their errors, whose square must be
-// 1 on average: a bias that no organ alone could show makes it larger.
+// 1 on average: it detects a bias too small for any single organ.
 
 #include <array>
 #include <memory>
@@ -24,13 +24,13 @@ namespace {
 
 constexpr std::size_t kBands = 3;
 
-/// What leaves are made of, with a name for the test.
+/// Optics of leaves, with a name for the test.
 struct Optics {
     std::string name;
     MaterialSpec leaf;
 };
 
-/// Sides and bands that differ in all there is.
+/// Sides and bands with different values for everything.
 MaterialSpec uneven_leaf() {
     MaterialSpec leaf{"leaf", {}, {}};
     for (std::size_t b = 0; b < kBands; ++b) {
@@ -49,7 +49,7 @@ MaterialSpec uneven_leaf() {
     return leaf;
 }
 
-/// The fields of SideOptics that state one of its lobes.
+/// The fields of SideOptics that define one of its lobes.
 struct LobeFields {
     const char* words;
     std::string SideOptics::*model;
@@ -60,8 +60,8 @@ constexpr LobeFields kReflected{
 constexpr LobeFields kTransmitted{
     "transmitted", &SideOptics::transmission_model, &SideOptics::transmission_parameters};
 
-/// A leaf whose light that is reflected (or transmitted) follows one model of the catalogue. A
-/// parameter other than an exponent has its usual value, or one from the middle of its domain.
+/// A leaf whose reflection (or transmission) follows one model of the catalogue. A parameter other
+/// than an exponent has its default value, or one from the middle of its domain.
 Optics optics_of(const BsdfEntry& model, const LobeFields& lobe) {
     Optics optics{fmt::format("{}_{}", model.name, lobe.words), uneven_leaf()};
     for (auto* side : {&optics.leaf.upper, &optics.leaf.lower}) {
@@ -125,7 +125,7 @@ std::vector<Lighting> all_lighting() {
         {"sun and sky", {noon, dome}}};
 }
 
-/// Lamps above, beside and amid the stand, with light of the sun.
+/// Lamps above, beside and inside the stand, with light of the sun.
 std::vector<Lighting> all_lamps() {
     const auto lamp = [](const Vec3& position, const Vec3& aim, Opening opening, Pattern pattern) {
         LampSpec spec;
@@ -150,13 +150,13 @@ std::vector<Lighting> all_lamps() {
         {"a far spot", {lamp({8, 3, 9}, {-8, -3, -9}, {}, spot_pattern(.02, .2))}},
         {"a panel", {panel}},
         {"a tube", {tube}},
-        {"a sphere amid the leaves",
+        {"a sphere inside the canopy",
          {lamp(
              {.5, .5, .5}, down, {.kind = Opening::Kind::sphere, .radius = .1}, cosine_pattern())}},
         {"lamps and a sun", {panel, disk, sun(25, {1, .8, .5})}}};
 }
 
-/// Thirty leaves, three of them sensors if asked for, above a ground.
+/// Thirty leaves, three of them sensors on request, above a ground.
 struct StandSpec {
     MaterialSpec leaf;
     Cell cell = {};
@@ -179,7 +179,7 @@ Scene make_stand(const StandSpec& spec) {
     return std::move(builder).build();
 }
 
-/// What is compared with tracing from the organs.
+/// The methods compared with tracing from organs.
 constexpr std::array kForward{Method::light_tracing, Method::first_hits};
 
 /// Traces forward and from the organs, with seeds of their own.

@@ -34,7 +34,7 @@ void expect_same(const Scene& scene, const Result& own, const Result& plain, dou
 
 namespace {
 
-/// How many intervals hold the truth, and of how many.
+/// Number of intervals that contain the truth, and of all.
 struct Held {
     int held = 0, all = 0;
 

@@ -6,7 +6,7 @@
 
 #include "statistical/scenes.h"
 
-// Random canopies of tiny leaves, as near to a turbid medium as is needed.
+// Random canopies of tiny leaves, close to a turbid medium.
 
 namespace quasimc::test {
 
@@ -24,8 +24,9 @@ inline constexpr double kCellArea = .25;
 inline constexpr std::size_t kCanopy = 0;
 inline constexpr std::size_t kSoil = 1;
 
-/// A spherical crown of radius .5 full of black leaves, of which as many as `leaves` would fill the
-/// cube around it. @param depth  k times the diameter, k the extinction coefficient
+/// A spherical crown of radius 0.5 full of black leaves, of which `leaves` would fill the cube
+/// around it.
+/// @param depth  k times the diameter, k the extinction coefficient
 [[nodiscard]] Scene make_crown(std::size_t leaves, double depth, std::uint64_t seed);
 
 /// One run of one replicate, seeded like its canopy.
@@ -36,7 +37,7 @@ inline constexpr std::size_t kSoil = 1;
     std::uint64_t paths,
     std::uint64_t seed);
 
-/// Numbers measured once for each seed 1, 2, ..., each averaged over the seeds.
+/// Quantities measured once for each seed 1, 2, ..., each averaged over the seeds.
 [[nodiscard]] std::vector<Measured> over_seeds(
     unsigned seeds, const std::function<std::vector<double>(std::uint64_t seed)>& numbers);
 

@@ -3,10 +3,11 @@
 // Each seed is one canopy and one run of one replicate; what is measured is the mean over the
 // seeds, so its error holds both the scatter of the canopies and that of the paths.
 //
-// A medium has no leaf size, a canopy has. The reflectance of conservative leaves (rho = tau = .5,
-// LAI 3, sun overhead, medium .4410) shows it most, as light that goes back the way it came finds
-// the gap it came through: .4448, .4440, .4424 and .4421 (each +- .0004) with leaves of .118, .083,
-// .042 and .021 of the canopy's height. Here they are .021, where that is less than the resolution.
+// A medium has no leaf size, a canopy has. The reflectance of conservative leaves (rho = tau = 0.5,
+// LAI 3, sun overhead, medium 0.4410) shows it most, as light that returns along its path finds the
+// gap that it came through: 0.4448, 0.4440, 0.4424 and 0.4421 (each +- 0.0004) with leaves of
+// 0.118, 0.083, 0.042 and 0.021 of the canopy's height. Here they are 0.021, where that is less
+// than the resolution.
 
 #include <array>
 #include <cmath>
@@ -43,7 +44,7 @@ TEST_P(Canopies, BlackLeavesTakeTheSunsLightByBeersLaw) {
 }
 
 TEST_P(Canopies, BlackLeavesTakeTheSkysLightByBeersLaw) {
-    // Of first hits what the soil gets depends on a few directions about the zenith.
+    // In first hits the light on the soil depends on a few directions about the zenith.
     const std::uint64_t paths = GetParam() == Method::first_hits ? 1 << 14 : 1 << 13;
     const auto numbers = [&](std::uint64_t seed) {
         const Result result =
@@ -58,7 +59,7 @@ TEST_P(Canopies, BlackLeavesTakeTheSkysLightByBeersLaw) {
         holds({"black canopy LAI 1, uniform sky, on the soil", 1 - .556791, 8e-3, 2}, m[1]));
 }
 
-/// A control: leaves that are a tenth larger do not obey the law of those that are not.
+/// A control: the law must fail for leaves that are a tenth larger.
 TEST(LargerLeaves, AreNotTakenForSmallerOnes) {
     CanopySpec spec = black_canopy();
     spec.leaf_area_index *= 1.1;
@@ -70,8 +71,8 @@ TEST(LargerLeaves, AreNotTakenForSmallerOnes) {
     EXPECT_FALSE(agrees(over_seeds(64, numbers)[0], .556791, .01));
 }
 
-/// Leaves that reach out of the sphere widen its shadow: at x 3.75 the crown transmits .1205, .1237
-/// and .1259 (+- .0005) with 4000, 16000 and 64000 leaves in the cube around it.
+/// Leaves that reach out of the sphere widen its shadow: at x 3.75 the crown transmits 0.1205,
+/// 0.1237 and 0.1259 (+- 0.0005) with 4000, 16000 and 64000 leaves in the cube around it.
 TEST_P(Canopies, ASphericalCrownCastsTheShadowOfATurbidSphere) {
     constexpr std::array<std::array<double, 2>, 2> kCases{{{1, .528482}, {3.75, .126335}}};
     for (const auto& [depth, transmitted] : kCases) {
@@ -88,13 +89,13 @@ TEST_P(Canopies, ASphericalCrownCastsTheShadowOfATurbidSphere) {
     }
 }
 
-/// What a medium's leaves absorb, what goes up, and what falls on a black soil.
+/// Light absorbed by a medium's leaves, reflected, and transmitted to a black soil.
 struct Shares {
     double absorbed, reflected, transmitted;
 };
 
-/// Of PAR (.0735/.0566), NIR (.3912/.4146) and, if told, rho = tau = .5; standard errors up to
-/// 5e-4.
+/// References for PAR (0.0735/0.0566), NIR (0.3912/0.4146) and optionally rho = tau = 0.5; standard
+/// errors up to 5e-4.
 struct Medium {
     std::string name;
     std::string words;
@@ -148,7 +149,7 @@ class TurbidMedium : public ::testing::TestWithParam<std::tuple<Medium, Method>>
                 EXPECT_NEAR(m[3 * b].mean, 0, 1e-12);
             }
             hold(words + ", T", shares.transmitted, m[3 * b + 2]);
-            // Traced from the organs, what escapes is but the remainder of the two.
+            // From organs, escaped light is the remainder of the two.
             if (from_sources()) {
                 hold(words + ", R", shares.reflected, m[3 * b + 1]);
             }
@@ -210,7 +211,7 @@ INSTANTIATE_TEST_SUITE_P(
         MediumAndWay{kSunLai1, Method::from_organs}),
     name_of_medium);
 
-/// The other combinations.
+/// The remaining combinations.
 INSTANTIATE_TEST_SUITE_P(
     Long,
     TurbidMedium,
@@ -227,7 +228,7 @@ INSTANTIATE_TEST_SUITE_P(
         MediumAndWay{kSkyLai3, Method::ray_bundles}),
     name_of_medium);
 
-/// rho + tau = 1 and a white soil: nothing is absorbed, all goes back.
+/// rho + tau = 1 and a white soil: nothing is absorbed, all light is reflected.
 CanopySpec white_canopy() {
     return {
         .leaves = 1000,
@@ -242,7 +243,7 @@ TEST_P(Canopies, AWhiteCanopyAboveAWhiteSoilReflectsAllAndAbsorbsNothing) {
     EXPECT_NEAR(budget.absorbed_by_organs.mean, 0, 1e-12);
     EXPECT_EQ(budget.absorbed_by_ground.mean, 0);
     EXPECT_EQ(budget.cut_off.mean, 0);
-    // What lit surfaces scatter is rounded to whole paths, block by block.
+    // Light scattered by lit surfaces is rounded to whole paths, block by block.
     EXPECT_TRUE(holds(
         {"white canopy LAI 5, white soil, R", 1, resolution(1e-5, 5e-3)},
         Measured{

@@ -1,9 +1,8 @@
-// Rationale: published plants have leaves given twice, internodes that share caps, leaves that lie
-// flat on the ground. Every way of tracing must then say the same, and no light may be counted
+// Rationale: published plants have duplicate leaves, internodes with common caps, leaves that lie
+// flat on the ground. Every method must then give the same result, and no light may be counted
 // twice.
-// Expected behaviour: where surfaces coincide the one that comes first has all the light, on both
-// sides (docs/develop/decisions/coplanar-overlaps.md). So what is computed is the scene in
-// which the others are cut away.
+// Expected behaviour: of coincident surfaces the first receives all light, on both sides
+// (docs/develop/decisions/coplanar-overlaps.md), as in the scene where the others are cut away.
 
 #include <cmath>
 #include <numbers>
@@ -24,14 +23,14 @@ SceneBuilder make_matt_builder() {
     return builder;
 }
 
-/// Light of both sides, absorbed: that of a lone plate under the sun.
+/// Light absorbed from both sides, relative to a single plate under the sun.
 double absorbed(const Result& result, std::size_t organ) {
     return result.at(organ, Quantity::absorbed_flux, 0).mean;
 }
 
 class Coincident : public BothWays {
   protected:
-    /// Light is counted once: what organs and ground take and what escapes is what came.
+    /// Light is counted once: absorbed and escaped light sum to the emitted light.
     static void expect_closed(const Result& result) {
         const BandBudget& budget = result.budget[0];
         EXPECT_LT(budget.closure_error, 1e-9);
@@ -40,8 +39,8 @@ class Coincident : public BothWays {
             budget.absorbed_by_organs.mean + budget.absorbed_by_ground.mean,
             budget.emitted.mean + 6 * budget.absorbed_by_organs.standard_error + 1e-9);
     }
-    /// All organs of a scene against those of another, of which `b` has the first few only; the
-    /// others are covered.
+    /// Compares all organs of a scene with those of another, of which `b` has the first few only;
+    /// the others are covered.
     void expect_covers(const Scene& with, const Scene& without, const Sources& sources) const {
         const Result a = trace(with, sources, 1 << 14);
         const Result b = trace(without, sources, 1 << 14);
@@ -61,7 +60,7 @@ class Coincident : public BothWays {
 
 QUASIMC_BOTH_WAYS(Coincident);
 
-/// Two leaves over each other and a third in between, some given twice.
+/// Two leaves over each other and a third in between, some duplicated.
 Scene make_leaves(bool twice) {
     SceneBuilder builder = make_matt_builder();
     const std::vector<Triangle> low = floor_of(0, 1, 0, 1, 0);
@@ -109,7 +108,7 @@ TEST_P(Coincident, ALeafOnTheGroundCoversIt) {
     builder.set_ground(soil);
     const Result result = trace(std::move(builder).build(), {sun(0, {1})}, 1 << 14);
     expect_closed(result);
-    // What the leaf lets through goes down from the plane that it shares with the ground.
+    // Light transmitted by the leaf leaves downwards from the plane that it shares with the ground.
     EXPECT_TRUE(
         holds({"leaf on the ground", kTakes, .01}, result.at(0, Quantity::absorbed_flux, 0)));
     EXPECT_TRUE(holds({"ground about it", .8 * 3, .02}, result.at(1, Quantity::absorbed_flux, 0)));

@@ -11,7 +11,7 @@ namespace {
 /// One number that two runs have estimated.
 struct Pair {
     Estimate a, b;
-    double missed = 0;  ///< the most that a run which has not seen it may have missed
+    double missed = 0;  ///< upper bound of light that a run without contributions may have missed
 
     [[nodiscard]] double difference() const { return a.mean - b.mean; }
     [[nodiscard]] double standard_error() const {
@@ -19,16 +19,18 @@ struct Pair {
     }
 };
 
-/// An estimate for comparison: what was not seen counts as 0, with the other run's error alone.
+/// An estimate for comparison: one without contributions counts as 0, with the other run's error
+/// alone.
 Estimate seen(const Estimate& estimate) {
     return estimate.mean == 0 ? Estimate{} : estimate;
 }
 
-/// What one find of light on a side is in a run that has found none, per area of the organ; NaN if
-/// it says that it can't tell. @param other  a run that has found some
-double find_of(
+/// Size of one contribution to a side in a run that has none, per area of the organ; NaN where it
+/// is unknown.
+/// @param other  a run with contributions
+double contribution_of(
     const Result& result, const Result& other, std::size_t organ, Quantity side, std::size_t band) {
-    if (result.escaped_by_difference) {  // from organs: errors have it
+    if (result.escaped_by_difference) {  // from organs: the standard errors include it
         return result.at(organ, side, band).standard_error;
     }
     const double area = other.at(organ, Quantity::absorbed_flux, band).mean /
@@ -37,15 +39,16 @@ double find_of(
     return result.budget[band].emitted.mean / (paths * area);
 }
 
-/// What falls on all sides of all organs in one band; sides that both runs saw dark left out.
+/// The light on all sides of all organs in one band, except sides without contributions in both
+/// runs.
 std::vector<Pair> sides_of(const Result& a, const Result& b, std::size_t band) {
     std::vector<Pair> pairs;
     for (std::size_t organ = 0; organ < a.organs(); ++organ) {
         for (const Quantity q : {Quantity::incident_upper, Quantity::incident_lower}) {
             Pair pair{seen(a.at(organ, q, band)), seen(b.at(organ, q, band))};
             if (pair.a.mean != 0 || pair.b.mean != 0) {
-                pair.missed = pair.a.mean == 0   ? find_of(a, b, organ, q, band)
-                              : pair.b.mean == 0 ? find_of(b, a, organ, q, band)
+                pair.missed = pair.a.mean == 0   ? contribution_of(a, b, organ, q, band)
+                              : pair.b.mean == 0 ? contribution_of(b, a, organ, q, band)
                                                  : 0;
                 pairs.push_back(pair);
             }
@@ -76,12 +79,12 @@ double limit_of(unsigned family) {
            << pair.difference() / pair.standard_error() << " standard errors, at most " << limit;
 }
 
-/// What one find is of a total of which a run has found nothing: its upper end is that of three.
-double find_of_total(const Estimate& total) {
+/// Size of one contribution to a total without any: its upper end is that of three.
+double contribution_to_total(const Estimate& total) {
     return std::isnan(total.standard_error) && total.mean == 0 ? total.ci95_high / 3 : 0;
 }
 
-/// The value that nine in ten of `values` stay below.
+/// The 90 % quantile of `values`.
 double nine_in_ten(std::vector<double> values) {
     const auto rank = values.begin() + static_cast<std::ptrdiff_t>(values.size() * 9 / 10);
     std::nth_element(values.begin(), rank, values.end());
@@ -93,13 +96,14 @@ double nine_in_ten(std::vector<double> values) {
 ::testing::AssertionResult Comparison::totals_agree(const Result& a, const Result& b) {
     const unsigned family = pairs_ * 2 * static_cast<unsigned>(a.bands);
     const double limit = limit_of(family);
-    const double finds = -std::log(sidak_level(kLevel, family));
+    const double contributions = -std::log(sidak_level(kLevel, family));
     auto verdict = ::testing::AssertionSuccess();
     for (std::size_t band = 0; band < a.bands; ++band) {
         for (const auto part : {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground}) {
             Pair pair{a.budget[band].*part, b.budget[band].*part};
             if (unseen_ == Unseen::few_contributions) {
-                pair.missed = finds * (find_of_total(pair.a) + find_of_total(pair.b));
+                pair.missed =
+                    contributions * (contribution_to_total(pair.a) + contribution_to_total(pair.b));
                 pair = {seen(pair.a), seen(pair.b), pair.missed};
             }
             total_widths_.push_back(
@@ -122,9 +126,9 @@ double nine_in_ten(std::vector<double> values) {
         const auto family = pairs_ * static_cast<unsigned>(pairs.size() * a.bands);
         const double limit = limit_of(family);
         // The rule of three, at this level.
-        const double finds = -std::log(sidak_level(kLevel, family));
+        const double contributions = -std::log(sidak_level(kLevel, family));
         for (Pair& pair : pairs) {
-            pair.missed = unseen_ == Unseen::few_contributions ? finds * pair.missed : 0;
+            pair.missed = unseen_ == Unseen::few_contributions ? contributions * pair.missed : 0;
         }
         const double mean = mean_of(pairs);
         for (const Pair& pair : pairs) {

@@ -8,7 +8,7 @@
 
 namespace quasimc::test {
 
-/// What a side was that a run has not seen: dark, or lit by less than it could find.
+/// State of a side without contributions: dark, or lit too little to be sampled.
 enum class Unseen { dark, few_contributions };
 
 /// Compares pairs of independent runs of the same scene, of kReplicates replicates each. The pairs
@@ -18,24 +18,24 @@ class Comparison {
     explicit Comparison(unsigned pairs, Unseen unseen = Unseen::dark)
         : pairs_(pairs), unseen_(unseen) {}
 
-    /// Whether two runs agree on what all organs and what the ground absorb, in each band. With
-    /// Unseen::few_contributions a run that has found nothing may have missed what its interval
-    /// says.
+    /// Whether two runs agree on the absorbed light of all organs and of the ground, in each band.
+    /// With Unseen::few_contributions a run without contributions may have missed as much as its
+    /// interval allows.
     [[nodiscard]] ::testing::AssertionResult totals_agree(const Result& a, const Result& b);
 
-    /// Whether they agree on what falls on each side of each organ, in each band. With
-    /// Unseen::few_contributions a side of which a run says that it can't tell is not compared, and
-    /// has an infinite width.
+    /// Whether they agree on the light on each side of each organ, in each band. With
+    /// Unseen::few_contributions a side with an unknown error is not compared, and has an infinite
+    /// width.
     [[nodiscard]] ::testing::AssertionResult organs_agree(const Result& a, const Result& b);
 
-    /// Whether nine in ten of the comparisons so far could tell: half-widths of the differences of
-    /// the totals at most `totals` of the light emitted, those of the organs' sides at most
-    /// `organs` of the mean over them. (Nine: light sampled from the organs at a glossy leaf that
-    /// is seen edge-on is a rare but large amount, so that some errors are large.)
+    /// Whether nine in ten of the comparisons so far were precise: half-widths of the differences
+    /// of the totals at most `totals` of the emitted light, those of the organs' sides at most
+    /// `organs` of their mean. (Nine: light sampled from organs at a glossy leaf at grazing angles
+    /// is a rare but large contribution, so that some errors are large.)
     [[nodiscard]] ::testing::AssertionResult are_sharp(double totals, double organs) const;
 
-    /// Whether the squares of the organs' differences, in units of their standard errors, are on
-    /// average what Student's t gives: at most 31/29.
+    /// Whether the mean square of the organs' differences, in units of their standard errors, is
+    /// that of Student's t: at most 31/29.
     /// @param resolution  of that average, from the differences between the pairs
     [[nodiscard]] ::testing::AssertionResult scatter_is_that_of_errors(double resolution) const;
 

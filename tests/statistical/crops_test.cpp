@@ -1,6 +1,6 @@
-// Canopies as people bring them, those of `./dev bench canopies`: every method must give the same
-// light as every other, and as what the planner chooses, under suns from the zenith to the horizon,
-// a sky and lamps.
+// Canopies like those of users, from `./dev bench canopies`: every method must give the same light
+// as every other, and as the planner's choice, under suns from the zenith to the horizon, a sky and
+// lamps.
 
 #include "crops.h"
 
@@ -28,20 +28,20 @@ constexpr std::array kAllMethods{
     Method::ray_bundles};
 constexpr unsigned kPairsOfMethods = 10;
 
-/// A canopy of some size, and how many paths are traced in it.
+/// A canopy of some size, and the number of paths.
 struct CropCase {
     Crop crop;
     std::uint32_t triangles;
     std::uint64_t paths;
     double totals, organs;  ///< resolutions, see Comparison
-    /// From the organs so many times the paths: the ground gets as many points as a leaf, of which
-    /// a thousand leaves over a ground leave it few.
+    /// Factor on the paths from organs: the ground gets as many points as a leaf, and few of them
+    /// lie between a thousand leaves.
     std::uint64_t times_from_organs = 1;
 };
 
 class Crops : public ::testing::TestWithParam<CropCase> {};
 
-/// Pairs of runs in all canopies, which share the level of one test.
+/// Number of pairs of runs in all canopies, which share the level of one test.
 unsigned pairs_of_all_crops() {
     std::size_t lights = 0;
     for (const Crop crop : bench::kCrops) {
@@ -54,8 +54,8 @@ bool grazes(const CropLight& light) {
     return light.name == "sun at 1" || light.name == "sun at .1" || light.name == "sun at .02";
 }
 
-/// From organs the light of a sun this low above an endless stand is found so seldom that errors
-/// are several times the light (docs/develop/notebook/light-tracing.md).
+/// From organs the light of such a low sun above an infinite stand has so few contributions that
+/// errors are several times the light (docs/develop/notebook/light-tracing.md).
 bool is_wide(Method method, const Scene& scene, const CropLight& light) {
     return method == Method::from_organs && scene.cell().periodic() && grazes(light);
 }
@@ -69,7 +69,7 @@ bool has_long_patches(const Scene& scene, const RunSpec& spec) {
     return !find_long_patches(scene, patch_size(scene, patches_for(spec.paths))).organs.empty();
 }
 
-/// A run by each method, each with random numbers of its own.
+/// Runs every method, each with random numbers of its own.
 std::vector<MethodResult> run_all(const Scene& scene, const CropLight& light, const CropCase& one) {
     std::vector<MethodResult> results;
     for (const Method method : kAllMethods) {
@@ -77,7 +77,7 @@ std::vector<MethodResult> run_all(const Scene& scene, const CropLight& light, co
         RunSpec spec = spec_of(method, one.paths * (from_organs ? one.times_from_organs : 1));
         spec.seed = 100 + results.size();
         if (method == Method::ray_bundles && has_long_patches(scene, spec)) {
-            continue;  // who asks for it by name is told
+            continue;  // an explicit choice gets an error
         }
         results.push_back({method, run(scene, light.sources, spec)});
     }
@@ -138,8 +138,8 @@ INSTANTIATE_TEST_SUITE_P(
         CropCase{Crop::bad_faces, bench::full_size(Crop::bad_faces), 1 << 14, .1, 1}),
     name_of_case);
 
-/// What all leaves absorb of a sun that grazes an endless stand rests, from the organs, on few
-/// finds or none. Its intervals are wide, and have to hold the truth.
+/// From organs, the total absorbed light of a grazing sun in an infinite stand has few
+/// contributions or none. Its intervals are wide, and must contain the truth.
 TEST(GrazingSuns, AreWithinTheIntervalsOfTotalsFromTheOrgans) {
     constexpr int kSeeds = 40;
     const Scene scene = bench::make_crop(Crop::row_crop, 120);
@@ -157,7 +157,7 @@ TEST(GrazingSuns, AreWithinTheIntervalsOfTotalsFromTheOrgans) {
             const Result result = run(scene, light.sources, spec);
             const Estimate& all = result.budget[0].absorbed_by_organs;
             const double mean = truth.budget[0].absorbed_by_organs.mean;
-            // It ends at all light that is emitted, or at its own mean, which it holds.
+            // It ends at the emitted light, or at its own mean.
             const double most = std::max(result.budget[0].emitted.mean, all.mean);
             EXPECT_LE(all.ci95_high, most * (1 + 1e-9));
             right += all.ci95_low <= mean && mean <= all.ci95_high ? 1 : 0;

@@ -1,5 +1,5 @@
-// Light that is scattered all at once where surfaces cross: leaves that begin inside a stem, reach
-// below the ground, stand through each other; against light tracing.
+// Ray bundles where surfaces cross: leaves that begin inside a stem, extend below the ground, or
+// cross each other; against light tracing.
 
 #include <algorithm>
 #include <cmath>
@@ -50,7 +50,7 @@ std::vector<Triangle> leaf_from(const Vec3& base, double turn, double length, do
     return make_parallelogram(base - .5 * across, along, across);
 }
 
-/// Eight leaves whose bases stand on the axis of a closed stem.
+/// Eight leaves that begin on the axis of a closed stem.
 Scene leaves_in_a_stem() {
     SceneBuilder builder = builder_of_plants();
     builder.add_organ(organ("stem", "stem", stem_at(0, 0, 0, 1, .05)));
@@ -61,7 +61,7 @@ Scene leaves_in_a_stem() {
     return std::move(builder).build();
 }
 
-/// Leaves and a stem that reach below the ground.
+/// Leaves and a stem that extend below the ground.
 Scene leaves_through_the_ground() {
     SceneBuilder builder = builder_of_plants();
     builder.add_organ(organ("stem", "stem", stem_at(.5, .5, -.2, .6, .06)));
@@ -78,7 +78,7 @@ Scene leaves_through_the_ground() {
     return std::move(builder).build();
 }
 
-/// Two plates through each other, one of them as far as its middle.
+/// Two plates that cross, one of them as far as its middle.
 Scene crossed_plates() {
     SceneBuilder builder = builder_of_plants();
     builder.add_organ(organ("level", "leaf", floor_of(-1, 1, -1, 1, 0)));
@@ -89,8 +89,8 @@ Scene crossed_plates() {
     return std::move(builder).build();
 }
 
-/// An endless stand of stems, one of them on the corner of the cell, with leaves that begin in
-/// them and reach over the border, down to the ground and through each other.
+/// An infinite stand of stems, one of them on the corner of the cell, with leaves that begin in
+/// them and extend over the border, down to the ground and through each other.
 Scene stems_on_the_border() {
     SceneBuilder builder = builder_of_plants();
     constexpr std::pair<double, double> kPoints[]{{0, 0}, {.5, 1.02}};
@@ -119,8 +119,8 @@ constexpr CrossingCase kCrossingCases[]{
 
 class CrossedScenes : public ::testing::TestWithParam<CrossingCase> {};
 
-/// What is inside a stem or below the ground takes no light to the outside, nor the other way.
-/// Where a patch lay on both sides, the stem would have 5 to 12 % too much of the bright band.
+/// Surfaces inside a stem or below the ground exchange no light with the outside. If a patch were
+/// on both sides, the stem would have 5 to 12 % too much of the bright band.
 TEST_P(CrossedScenes, AgreeWithLightTracingOrganByOrgan) {
     const Scene scene = GetParam().make();
     for (const auto& source : {sun(35, {1, 1}), sky({1, 1})}) {
@@ -144,7 +144,7 @@ TEST_P(CrossedScenes, AgreeWithLightTracingOrganByOrgan) {
     }
 }
 
-/// No light comes into a closed stem, but for what rounding lets through.
+/// No light enters a closed stem, except through rounding.
 TEST(CrossingSurfaces, LeaveTheInsideOfAStemDark) {
     SceneBuilder builder = builder_of_plants();
     builder.add_material(of_two_bands("bright stem", .1, .95, 0));

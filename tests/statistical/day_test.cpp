@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kBand = 0;
 const Site kSite{.latitude_deg = 51.97, .longitude_deg = 5.67};
 
-/// The hours of 21 June, and the light on the horizontal in all, J m-2 of PAR.
+/// The hours of 21 June, and the total light on the horizontal, J m-2 of PAR.
 struct ClearDay {
     std::vector<TimeStep> hours;
     double horizontal = 0;
@@ -37,8 +37,8 @@ ClearDay make_day() {
     return day;
 }
 
-/// The mean of a day's light: one sky, and all suns.
-Sources collapsed_day() {
+/// The cumulative light of a day: one sky, and all suns.
+Sources cumulative_day() {
     DaylightSources how;
     how.bands = {{400, 700}};
     PeriodLight light(1);
@@ -55,7 +55,7 @@ Sources collapsed_day() {
     return light.sources("sky", 1 / 24.0);
 }
 
-/// The sums of the day, and the errors of its brightest hours on the way.
+/// The sums of the day, and the errors of its brightest hours.
 struct TracedDay {
     SeriesSum sum;
     std::vector<double> hourly_errors;  ///< relative, of organ 0
@@ -90,7 +90,7 @@ TEST_P(Day, BringsToAHorizontalPlateTheLightOfItsHours) {
         traced.sum.at(0, Quantity::incident_upper, kBand)));
 }
 
-/// The errors of hours are independent, so that they partly cancel in the sum of a day.
+/// Errors of hours are independent and partly cancel in the sum of a day.
 TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .1, .1));
@@ -104,16 +104,16 @@ TEST_P(Day, IsKnownBetterThanAnyOfItsHours) {
     }
 }
 
-/// The mean light of a day as one sky and all its suns: one trace gives the sum over the hours.
-TEST_P(Day, CollapsedIntoOneTraceIsTheSumOfItsHours) {
+/// Cumulative light of a day as one sky and all suns: one trace gives the sum over the hours.
+TEST_P(Day, CumulativeLightIsTheSumOfItsHours) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .1, .1));
     add_leaves(builder, random_leaves(40, .3, 1, 3));
     const Scene scene = std::move(builder).build();
     const TracedDay by_hours = trace_day(scene, make_day(), spec_of(GetParam(), 1 << 12));
-    ClearDay collapsed;
-    collapsed.hours.push_back({"day", collapsed_day(), "collapsed", 86400, 0});
-    const TracedDay at_once = trace_day(scene, collapsed, spec_of(GetParam(), 1 << 16));
+    ClearDay cumulative;
+    cumulative.hours.push_back({"day", cumulative_day(), "cumulative", 86400, 0});
+    const TracedDay at_once = trace_day(scene, cumulative, spec_of(GetParam(), 1 << 16));
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
         const Estimate& sum = by_hours.sum.at(i, Quantity::absorbed_flux, kBand);
         const Estimate& one = at_once.sum.at(i, Quantity::absorbed_flux, kBand);

@@ -30,7 +30,7 @@ TEST_P(FlatSurfaces, ABlackPatchAbsorbsAllThatFallsOnIt) {
         holds({"1x1 black patch, absorbed", 1000, .1}, result.at(0, Quantity::absorbed_flux, 0)));
 }
 
-/// A floor that reflects .3 and a black wall along one of its edges.
+/// A floor that reflects 0.3 and a black wall along one of its edges.
 Scene make_l() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("floor", .3, 0));
@@ -115,7 +115,7 @@ TEST_P(FlatSurfaces, ALitRingLightsTheDiskAboveItsShadow) {
         result.at(1, Quantity::incident_upper, 0)));
 }
 
-/// A black well of radius .5 and depth .5 shows a disk at its bottom the sky through the opening.
+/// A black well of radius 0.5 and depth 0.5 shows a disk at its bottom the sky through the opening.
 Scene make_well(double disk_radius) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));
@@ -133,7 +133,7 @@ TEST_P(FlatSurfaces, ADiskInAWellSeesTheSkyByItsViewFactor) {
         result.at(0, Quantity::incident_upper, 0)));
 }
 
-/// E R^2 / (R^2 + h^2). Of a point light tracing knows nothing.
+/// The irradiance is E R^2 / (R^2 + h^2). Light tracing can't compute it at a point.
 TEST(Well, APointAtTheBottomSeesTheSkyAsADisk) {
     const Result result = run(make_well(1e-4), {sky({1})}, spec_of(Method::from_organs, 1 << 16));
     EXPECT_TRUE(holds(
@@ -143,7 +143,7 @@ TEST(Well, APointAtTheBottomSeesTheSkyAsADisk) {
 
 class TrianglePair : public BothWays {
   protected:
-    /// A triangle of area 1, and if asked for the same below it, 1e-5 away; a sun straight above.
+    /// A triangle of area 1, optionally with the same below it, 1e-5 away; a sun straight above.
     [[nodiscard]] Result light(double rho, double tau, bool pair) const {
         SceneBuilder builder = make_builder();
         builder.add_material(diffuse("leaf", rho, tau));
@@ -193,7 +193,7 @@ TEST_P(TrianglePair, LightGoesToAndFroBetweenBrightTriangles) {
         result.at(1, Quantity::absorbed_flux, 0)));
 }
 
-/// Controls: an expectation one per cent off is refused, and so is a run too short to tell.
+/// Controls: an expectation wrong by one per cent is rejected, and so is an imprecise run.
 TEST(ClosedForms, RefuseAWrongExpectationAndABluntRun) {
     const auto wall = [](std::uint64_t paths) {
         return run(make_l(), {sun(0, {1000})}, spec_of(Method::light_tracing, paths))

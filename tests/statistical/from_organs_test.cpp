@@ -1,5 +1,5 @@
-// Where paths from the organs hardly ever find the light: sharp lobes, lamps next to surfaces, suns
-// that graze. Against closed forms, or against light followed from its sources.
+// Cases where paths from organs rarely reach the light: narrow lobes, lamps close to surfaces,
+// grazing suns. Against closed forms, or against light tracing.
 
 #include <cmath>
 #include <numbers>
@@ -67,8 +67,8 @@ std::vector<Light> lights_for_gloss() {
                       cosine_pattern(), {1, 0, -1})}};
 }
 
-/// What the floor sends to the leaf is what light tracing finds there.
-TEST(SharpLobes, SendFromTheOrgansWhatTheySendFromTheSources) {
+/// The light from the floor to the leaf agrees with light tracing.
+TEST(NarrowLobes, GiveTheSameFromOrgansAndSources) {
     for (const auto& [model, exponent] :
          {std::pair{"phong", 40.0}, std::pair{"phong", 100.0}, std::pair{"phong", 1e4},
           std::pair{"blinn_phong", 300.0}, std::pair{"blinn_phong", 1e6}}) {
@@ -96,13 +96,13 @@ Scene make_two_disks(double rho) {
     return std::move(builder).build();
 }
 
-/// Of the light of a small flat spot in the middle of the upper disk, that which falls on the lower
-/// one: sin^2 of 45 degrees.
+/// Fraction of the light of a small flat spot in the middle of the upper disk that falls on the
+/// lower one: sin^2 of 45 degrees.
 constexpr double kScattered = .5;
 
 class LampsAtSurfaces : public ::testing::TestWithParam<Method> {
   protected:
-    /// What the lower disk absorbs.
+    /// Light absorbed by the lower disk.
     [[nodiscard]] Estimate absorbed(double rho, const std::shared_ptr<const Source>& lamp) const {
         return run(make_two_disks(rho), {lamp}, spec_of(GetParam(), 1 << 13))
             .at(1, Quantity::absorbed_flux, 0);
@@ -136,7 +136,7 @@ TEST_P(LampsAtSurfaces, ADiskInThePlaneOfItsHousingShinesAway) {
     }
 }
 
-/// One that shines at the housing from close by lights a spot of its own size.
+/// A disk close to its housing, and facing it, lights a spot of its own size.
 TEST_P(LampsAtSurfaces, ADiskThatShinesAtItsHousingLightsASpot) {
     const Opening opening{.kind = Opening::Kind::disk, .radius = .01};
     const Opening square{.kind = Opening::Kind::rectangle, .length = .01, .width = .01};
@@ -167,7 +167,7 @@ Scene make_corner_with_leaf() {
     return std::move(builder).build();
 }
 
-/// What a long lamp lights close by is bright, and seldom found by paths from the organs.
+/// A long lamp lights nearby surfaces brightly, and paths from organs rarely sample them.
 TEST(LampsNextToSurfaces, IntervalsHoldTheLightThatIsScatteredNextToThem) {
     const Scene scene = make_corner_with_leaf();
     const Opening line{.kind = Opening::Kind::line, .length = .78};
@@ -197,7 +197,7 @@ TEST(LampsNextToSurfaces, IntervalsHoldTheLightThatIsScatteredNextToThem) {
     }
 }
 
-/// Of 100 seeds, in how many the interval of what falls on a floor of 1 x 1 holds the truth.
+/// The number of intervals of 100 seeds that contain the true light on a floor of 1 x 1.
 int intervals_right(const Sources& lamp) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));
@@ -236,7 +236,7 @@ TEST(LampsNextToSurfaces, IntervalsHoldTheLightOfASmallPanelNextToThem) {
     }
 }
 
-/// A panel in the very plane of a surface, as near as can be told, lights what is before it alone.
+/// A panel exactly in the plane of a surface lights only one side.
 TEST(LampsNextToSurfaces, APanelInThePlaneOfASurfaceDoesNotLightIt) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .3));
@@ -256,9 +256,8 @@ TEST(LampsNextToSurfaces, APanelInThePlaneOfASurfaceDoesNotLightIt) {
     }
 }
 
-/// A leaf of a square metre with a point lamp a little above its middle: its share of the solid
-/// angle.
-TEST(LampsNearOrgans, APointLampBringsItsShareHoweverNear) {
+/// A leaf of a square metre with a point lamp close above its centre: its share of the solid angle.
+TEST(LampsNearOrgans, APointLampGivesItsShareAtAnyDistance) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("leaf", "black", floor_of(-.5, .5, -.5, .5, 0)));
@@ -275,8 +274,8 @@ TEST(LampsNearOrgans, APointLampBringsItsShareHoweverNear) {
     }
 }
 
-/// Leaves of which a few are measured, and lamps amid them, some near to leaves.
-TEST(LampsNearOrgans, LampsAmidLeavesGiveFromTheOrgansWhatTheyGiveFromTheSources) {
+/// Leaves, some of them measured, and lamps among them, some close to leaves.
+TEST(LampsNearOrgans, LampsAmongLeavesGiveTheSameFromOrgansAndSources) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .4, .3));
     const std::vector<Triangle> leaves = random_leaves(40, .3, 1, 3);
@@ -309,7 +308,8 @@ TEST(LampsNearOrgans, LampsAmidLeavesGiveFromTheOrgansWhatTheyGiveFromTheSources
     }
 }
 
-/// A sun that grazes endless rows lights few spots of most leaves: the intervals hold them.
+/// A sun that grazes infinite rows lights few spots of most leaves: the intervals contain the
+/// truth.
 TEST(GrazingSuns, IntervalsHoldTheFewSpotsThatAreLit) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .1, .1));

@@ -48,9 +48,9 @@ TEST_P(Layers, ASensorUnderNetsReadsWhatTheyLetThrough) {
     }
 }
 
-/// A second band, for which the nets are clear, keeps paths alive whatever the first has lost. Its
-/// own light then comes through ten nets as well. The fixed point of the tallies ends at 2^-29 of a
-/// path's mean light (light tracing; tracing from organs 2^-41), so what is below that is noise.
+/// A second band, for which the nets are clear, keeps paths alive whatever the first has lost. Then
+/// the first band's light passes ten nets as well. The fixed point of the tallies ends at 2^-29 of
+/// a path's mean light (light tracing; tracing from organs 2^-41), so smaller values are noise.
 TEST_P(Layers, ABandForWhichTheNetsAreClearCarriesTheOtherThroughTen) {
     const Scene scene = make_nets(10, {.1, 1});
     const Result result = trace(scene, {sun(0, {1, 1})}, 1 << 12);
@@ -59,13 +59,13 @@ TEST_P(Layers, ABandForWhichTheNetsAreClearCarriesTheOtherThroughTen) {
         const auto sensor = static_cast<std::size_t>(2 * k);
         const Estimate& clear = result.at(sensor, Quantity::incident_upper, 1);
         EXPECT_TRUE(agrees(measured(clear, kReplicates), 1, .05, sidak_level(kLevel, 22)));
-        // What comes through nets is scattered light. That no direct light comes as well, points
-        // can't tell as sharply.
+        // Light through nets is scattered light. Points can't exclude direct light as precisely.
         const Quantity quantity = k > 0 ? Quantity::incident_scattered : Quantity::incident_upper;
         const Estimate& thin = result.at(sensor, quantity, 0);
-        constexpr int kReach = 5;  // 10^-5 is 2684 steps of the fixed point; beyond, steps count
+        constexpr int kReach = 5;  // 10^-5 is 2684 quanta of the fixed point; beyond, quanta count
         if (k <= kReach) {
-            // Intervals take light as weak as this for that of few paths, though many bring it.
+            // Intervals treat such weak light as that of few paths, though it has many
+            // contributions.
             EXPECT_NEAR(thin.mean, left, .01 * left) << k << " nets";
             EXPECT_LE(thin.ci95_low, left);
             EXPECT_GE(thin.ci95_high, left);
@@ -90,7 +90,7 @@ TEST_P(Layers, AnInfiniteTileAbsorbsByTheCosineOfTheSun) {
     }
 }
 
-/// Plates x .85..1 at z 1 and x 0...9 at z 0, 1 deep, in [0, 1]^2; the sun stands at 45 degrees, so
+/// Plates x 0.85..1 at z 1 and x 0...9 at z 0, 1 deep, in [0, 1]^2; the sun is at 45 degrees, so
 /// shadows fall 1 to the side.
 Scene make_plates(const Cell& cell) {
     SceneBuilder builder = make_builder();
@@ -124,7 +124,7 @@ TEST_P(Layers, AShadowComesBackOnTheOtherSideOfAPeriodicCell) {
     }
 }
 
-/// Lambertian sheets without end above a soil (adding method).
+/// Infinite Lambertian sheets above a soil (adding method).
 struct Sheets {
     std::string_view words;
     int count;

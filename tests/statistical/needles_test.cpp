@@ -1,7 +1,7 @@
-// Rationale: rays are traced in single precision, which moves corners by some 1e-8 of the scene. Of
-// a needle a millionth of the scene wide that changes the area by percents, the same in all
-// replicates: no error tells of it.
-// Expected behaviour: what falls on a needle is that of its area as given.
+// Rationale: rays are traced in single precision, which moves corners by some 1e-8 of the scene.
+// This changes the area of a needle a millionth of the scene wide by percents, equally in all
+// replicates: the standard error does not include it.
+// Expected behaviour: the light on a needle is that of its exact area.
 
 #include <array>
 #include <cmath>
@@ -67,8 +67,8 @@ TEST(Needles, AreLitAsGivenByTheSky) {
     }
 }
 
-/// Where paths meet needles the light that the rounded ones stop, and those as given would not,
-/// goes by.
+/// Where paths hit needles, the difference between the light stopped by rounded and by exact ones
+/// passes.
 TEST(Needles, KeepTheEnergyBalanced) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("needle", .4, .3));

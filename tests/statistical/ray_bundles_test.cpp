@@ -1,4 +1,4 @@
-// Light that is scattered all at once: against closed forms, and against light tracing.
+// Ray bundles: against closed forms, and against light tracing.
 
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Two Lambertian sheets without end above a soil; by the adding method.
+/// Two infinite Lambertian sheets above a soil; by the adding method.
 Scene two_sheets(const Cell& cell) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("sheet", .3912, .4146));
@@ -97,13 +97,14 @@ TEST(RayBundles, LoseNothingInAClosedBox) {
         incident += 4 * e.mean;
     }
     EXPECT_NEAR(incident, 60, .3);
-    // What is left is below one in 1e5 of what the walls scattered first, over 1 - rho.
+    // The remaining light is below one in 1e5 of the light that the walls scattered first, over 1 -
+    // rho.
     const double left = result.budget[0].cut_off.mean;
     EXPECT_GT(left, 0);
     EXPECT_LE(left, 1e-5 * .9 * 6);
 }
 
-/// A floor that reflects .3 and a black wall along one of its edges.
+/// A floor that reflects 0.3 and a black wall along one of its edges.
 Scene make_corner() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("floor", .3, 0));
@@ -124,7 +125,7 @@ TEST(RayBundles, LightTheWallThatStandsOnAFloor) {
         {"L of two squares, floor absorbs", 700, .1, 2}, result.at(0, Quantity::absorbed_flux, 0)));
 }
 
-/// Leaves that scatter most of the light, each an organ; a sensor amid them, a ground below.
+/// Leaves that scatter most of the light, each an organ; a sensor among them, a ground below.
 Scene make_stand(double reflectance = .46) {
     SceneBuilder builder = make_builder(2);
     MaterialSpec leaf = diffuse("leaf", .08, .06, 2);
@@ -157,7 +158,7 @@ TEST(RayBundles, CloseTheBudgetAndAddNoLight) {
     const Result result = run(make_stand(), {sun(35, {1, 2}), sky({1, 1})}, bundles(1 << 12));
     for (const BandBudget& budget : result.budget) {
         EXPECT_LT(budget.closure_error, 1e-12);
-        // What lines bring more or less than surfaces send has the mean 0.
+        // The difference between the light along lines and the exitance of surfaces has the mean 0.
         EXPECT_LT(
             std::abs(budget.imbalance.mean),
             student_t_quantile(1 - kLevel / 4, kReplicates - 1) * budget.imbalance.standard_error);
@@ -166,7 +167,7 @@ TEST(RayBundles, CloseTheBudgetAndAddNoLight) {
     }
 }
 
-/// An endless stand, its leaves over the borders of the cell, with a lamp.
+/// An infinite stand with a lamp; its leaves extend over the borders of the cell.
 TEST(RayBundles, AgreeWithLightTracingInAPeriodicStand) {
     for (const bool along_y : {true, false}) {
         SceneBuilder builder = make_builder();
@@ -185,8 +186,8 @@ TEST(RayBundles, AgreeWithLightTracingInAPeriodicStand) {
     }
 }
 
-/// Skies that are bright in places, and dark elsewhere: how open leaves are is seen along
-/// directions that they draw, and counts where they draw hardly any as well.
+/// Skies that are bright in parts and dark elsewhere: sky view factors are sampled along directions
+/// that such skies draw, and matter where they draw hardly any as well.
 TEST(RayBundles, AgreeWithLightTracingUnderPatchySkies) {
     constexpr double kQuarter = std::numbers::pi / 2;
     const auto patchy = [](const Vec3& to_light) {
@@ -203,9 +204,9 @@ TEST(RayBundles, AgreeWithLightTracingUnderPatchySkies) {
     expect_same(scene, own, run(scene, sources, plain), .05);
 }
 
-/// Two fifths of the variance were how many lines happen to meet the sky: where all surroundings
-/// are about equally bright, how much of them a side sees is what matters, and that is known.
-TEST(RayBundles, KnowHowOpenLeavesAreToTheSky) {
+/// Two fifths of the variance came from the number of lines that meet the sky: where all
+/// surroundings are about equally bright, the sky view factor of a side matters, and that is known.
+TEST(RayBundles, KnowTheSkyViewFactorsOfLeaves) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .45, .45));
     builder.add_material(diffuse("soil", .5, 0));
@@ -226,11 +227,11 @@ TEST(RayBundles, KnowHowOpenLeavesAreToTheSky) {
         mean += e.mean;
     }
     const auto organs = static_cast<double>(fine.organs());
-    // .0028 if lines alone tell how open leaves are.
+    // 0.0028 if sky view factors came from lines alone.
     EXPECT_LT(std::sqrt(squares / organs), .0024 * mean / organs);
 }
 
-/// A control: leaves that scatter a little more are told apart.
+/// A control: leaves that scatter a little more give a significant difference.
 TEST(RayBundles, AreNotTakenForThoseOfBrighterLeaves) {
     const Result own = run(make_stand(.46), {sky({1, 1})}, bundles(1 << 12));
     RunSpec other = bundles(1 << 12);
@@ -239,8 +240,8 @@ TEST(RayBundles, AreNotTakenForThoseOfBrighterLeaves) {
     EXPECT_LT(compare_results(brighter, own, run(brighter, {sky({1, 1})}, other)).p_value, kLevel);
 }
 
-/// Errors hold the difference of the two levels of patches, beside that of the replicates.
-TEST(RayBundles, TellTheErrorOfTheirPatches) {
+/// Errors include the difference between the two levels of patches, besides that of the replicates.
+TEST(RayBundles, ReportTheErrorOfTheirPatches) {
     const Scene scene = make_corner();
     const Sources sources{sun(0, {1000})};
     RunSpec spec = bundles(1 << 12);
@@ -266,7 +267,7 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
     }
     const double own = reported.mean - other.at(1, Quantity::absorbed_flux, 0).mean;
     EXPECT_GT(std::abs(own), 1e-6 * reported.mean);
-    // Its own, and what all organs have in the mean for as much scattered light.
+    // its own, and the mean of all organs with equal scattered light
     const double flux = scattered(1) * scene.organs()[1].area;
     const double difference = std::sqrt((own * own + flux * flux * differences / squares) / 2);
     const double by_replicates =
@@ -278,8 +279,7 @@ TEST(RayBundles, TellTheErrorOfTheirPatches) {
 
 class BundleCoverage : public ::testing::TestWithParam<std::uint64_t> {};
 
-/// The truth is that of another method. Intervals that hold the patches' error err on the safe
-/// side.
+/// The truth is that of another method. Intervals with the error of patches are conservative.
 TEST_P(BundleCoverage, NinetyFivePercentIntervalsHoldTheTruthAtLeastThatOften) {
     expect_intervals_hold(make_stand(), GetParam());
 }

@@ -12,7 +12,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Of the expected value; see holds().
+/// Relative to the expected value; see holds().
 constexpr double kPrecision = 1e-6;
 
 }  // namespace

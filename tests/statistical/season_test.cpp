@@ -1,4 +1,4 @@
-// Hours of a day computed together, against each hour by itself.
+// Hours of a day with daylight coefficients, against independent hours.
 
 #include <algorithm>
 #include <array>
@@ -77,7 +77,7 @@ RunSpec spec_together(std::uint64_t paths) {
     return spec;
 }
 
-/// What falls on a side: of an organ, or of the ground. Resolved where it is bright.
+/// The compared light on sides: of an organ, or of the ground. Resolved where it is bright.
 constexpr std::array kCompared{
     Quantity::absorbed_flux, Quantity::incident_upper, Quantity::incident_lower,
     Quantity::incident_direct, Quantity::incident_scattered};
@@ -88,7 +88,7 @@ class Agreement {
     explicit Agreement(std::size_t numbers)
         : level_(sidak_level(kLevel, static_cast<unsigned>(numbers))) {}
 
-    /// What falls on all organs.
+    /// Compares the light on all organs.
     template <typename Light>
     void compare(const Scene& scene, const Light& own, const Light& reference) {
         const auto organs = static_cast<double>(scene.organs().size());
@@ -106,8 +106,8 @@ class Agreement {
         }
     }
 
-    /// Nine in ten comparisons could tell half as much more from what it should be; nearly all 95 %
-    /// intervals hold it; and light that is half as much more is found out.
+    /// Nine in ten comparisons can detect a deviation of one half; nearly all 95 % intervals
+    /// contain the truth; and light that is half as much more is detected.
     void expect_sharp() const {
         EXPECT_GT(sharp_, .9 * compared_);
         EXPECT_GT(held_, .93 * compared_);

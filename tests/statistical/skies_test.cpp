@@ -26,13 +26,13 @@ class UnderSkies : public BothWays {
   protected:
     static constexpr std::size_t kWays = 3;
 
-    /// Whether a sky is one of the third that the ordinary run sees in this way of tracing: the
-    /// three ways together see all.
+    /// Whether a sky is in the third that the ordinary run covers with this method: the three
+    /// methods together cover all.
     [[nodiscard]] static bool is_in_ordinary_run(std::size_t sky) {
         return sky % kWays == static_cast<std::size_t>(GetParam()) % kWays;
     }
 
-    /// The irradiance asked for, to 1e-4, by tracing; by pixels to 1e-2.
+    /// Compares the requested irradiance, to 1e-4, by tracing; by pixels to 1e-2.
     void expect_irradiance_on_a_plate(bool in_ordinary_run) const {
         const Scene scene = one_plate(floor_of(0, 1, 0, 1, 0));
         const auto skies = sample_of_skies({1});
@@ -80,7 +80,7 @@ TEST_P(UnderSkies, BlackLeavesTakeTheOvercastSkysLightByBeersLaw) {
     const auto sky = make_sky("overcast", cie_overcast_shape(), {1});
     const CanopySpec spec{
         .leaf_area_index = 1, .leaf = diffuse("leaf", 0, 0), .soil = diffuse("soil", 0, 0)};
-    // Of few directions all leaves of a canopy see the same.
+    // With few directions all leaves of a canopy get the same ones.
     const std::uint64_t paths = GetParam() == Method::first_hits ? 1 << 15 : 1 << 13;
     const auto numbers = [&](std::uint64_t seed) {
         const Result result = trace_once(make_canopy(spec, seed), {sky}, GetParam(), paths, seed);
@@ -93,8 +93,8 @@ TEST_P(UnderSkies, BlackLeavesTakeTheOvercastSkysLightByBeersLaw) {
     EXPECT_TRUE(holds({"black canopy LAI 1, overcast sky, on the soil", .473220, 8e-3, 2}, m[1]));
 }
 
-/// A disk of the sun of 5 degrees past the edge of a roof: the lit part of the ground has a soft
-/// border, and as much of it is sunlit as under a point.
+/// A sun disk of 5 degrees at the edge of a roof: the lit part of the ground has a soft border, and
+/// as much of it is sunlit as under a point.
 TEST_P(UnderSkies, TheSunsDiskLightsAsMuchGroundAsAPointWould) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));

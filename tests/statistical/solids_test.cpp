@@ -1,4 +1,4 @@
-// Closed bodies: spheres, and what falls on any convex organ.
+// Closed bodies: spheres, and the light on convex organs.
 
 #include <cmath>
 #include <numbers>
@@ -22,13 +22,13 @@ TEST_P(Solids, ASphereInABeamReceivesAQuarterOfItOnAverage) {
     EXPECT_TRUE(holds(
         {"sphere in a beam, mean over its surface", .25, 1e-3},
         result.at(0, Quantity::incident_upper, 0)));
-    // Nothing gets inside, but for rays within a rounding error of an edge
+    // No light gets inside, except rays within a rounding error of an edge
     // (docs/theory/geometry.md).
     EXPECT_LT(result.at(0, Quantity::incident_lower, 0).mean, 1e-6);
 }
 
 /// Half of the sky's light, averaged over the whole outside of a convex body, or over both sides of
-/// a leaf, however they are turned (Cauchy 1841).
+/// a leaf, in any orientation (Cauchy 1841).
 TEST_P(Solids, AConvexOrganReceivesHalfOfTheSkyOnAverage) {
     struct Shape {
         std::string words;
@@ -52,15 +52,15 @@ TEST_P(Solids, AConvexOrganReceivesHalfOfTheSkyOnAverage) {
         builder.add_organ(organ("organ", "black", shape.triangles));
         const Scene scene = std::move(builder).build();
         const Result result = trace(scene, {sky({1})}, from_sources() ? 1 << 15 : 1 << 13);
-        // All that falls on the organ, both sides of it, is direct.
+        // All light on the organ, both sides of it, is direct.
         EXPECT_TRUE(holds(
             {"convex organ under a uniform sky, " + shape.words, shape.flat ? 1 : .5, 5e-3, family},
             result.at(0, Quantity::incident_direct, 0)));
     }
 }
 
-/// A sphere that lets light in from outside at every point and reflects it inside: whatever the
-/// first bounce, all later ones together bring 1/(1 - rho) times as much.
+/// A sphere that transmits light inwards at every point and reflects it inside: the first bounce
+/// and all later ones deliver 1/(1 - rho) times the light of the first.
 Scene make_integrating_sphere(double rho) {
     SceneBuilder builder = make_builder();
     const SideOptics outside{.transmittance = 1, .transmission_model = "mirror"};
@@ -70,7 +70,7 @@ Scene make_integrating_sphere(double rho) {
     return std::move(builder).build();
 }
 
-/// The more bounces, the fewer paths.
+/// The number of paths; fewer for more bounces.
 std::uint64_t paths_for(double rho) {
     return rho > .9 ? 1U << 10U : 1U << 11U;
 }
@@ -88,8 +88,8 @@ TEST_P(Solids, AnIntegratingSphereMultipliesTheLightOfTheSunByOneOverOneLessRho)
 }
 
 TEST_P(Solids, AnIntegratingSphereMultipliesTheLightOfTheSkyByOneOverOneLessRho) {
-    // Backwards, a path grows by 1 + rho at every bounce: beyond rho = .618 its variance is not
-    // finite. No sheet of this kind exists in nature.
+    // Backwards, a path grows by 1 + rho at every bounce: beyond rho = 0.618 its variance is
+    // infinite. No such sheet exists in nature.
     for (const double rho : {.5, .8, .98}) {
         if (rho > .5 && !from_sources()) {
             continue;
@@ -103,9 +103,8 @@ TEST_P(Solids, AnIntegratingSphereMultipliesTheLightOfTheSkyByOneOverOneLessRho)
     }
 }
 
-/// A hollow sphere with a hole, lit through it: what leaves the wall finds the hole with the
-/// probability f = its part of the sphere, so the wall receives 1/(1 - rho (1 - f)) of the first
-/// bounce.
+/// A hollow sphere lit through a hole: light from the wall reaches the hole with the probability f
+/// = its part of the sphere, so the wall receives 1/(1 - rho (1 - f)) of the first bounce.
 TEST_P(Solids, AHoleInAnIntegratingSphereLetsItsShareOut) {
     constexpr double kRho = .9;
     constexpr double kHoleDepth = .1;  // of the cap cut off; f = depth / (2 R)
@@ -128,8 +127,7 @@ TEST_P(Solids, AHoleInAnIntegratingSphereLetsItsShareOut) {
 
     const double wall_area = scene.organs()[0].area;
     const double f = hole / (hole + wall_area);
-    // All light that comes in falls on the lower, inner side; straight from the sun comes what
-    // passes the hole.
+    // All light that enters falls on the lower, inner side; the part through the hole is direct.
     double hole_seen_from_above = 0;
     for (const Triangle& t : wall) {
         hole_seen_from_above -= .5 * area_vector(t).z;

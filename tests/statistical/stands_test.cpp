@@ -1,5 +1,5 @@
-// Small stands of the five kinds that `./dev bench agreement` compares with 1e9 plain paths: every
-// way of tracing against plain Monte Carlo tracing from the sources.
+// Small stands of the five kinds of `./dev bench agreement`: every method against plain Monte Carlo
+// light tracing.
 
 #include "stands.h"
 

@@ -1,6 +1,6 @@
 // A series whose time steps are computed together. Their common basis is solved first
-// (series/basis/season_basis.h); each time step is a combination of it, and the direct light of its
-// suns is computed separately (series/basis/season_suns.h).
+// (series/basis/daylight_coefficients.h); each time step is a combination of it, and the direct
+// light of its suns is computed separately (series/basis/season_suns.h).
 
 #include "series/basis/season.h"
 
@@ -17,7 +17,7 @@
 #include "run/early_stop.h"
 #include "run/evaluation_of.h"
 #include "run/run_control.h"
-#include "series/basis/season_basis.h"
+#include "series/basis/daylight_coefficients.h"
 #include "series/basis/season_suns.h"
 
 namespace quasimc {
@@ -26,7 +26,7 @@ namespace {
 /// Fraction of the progress of a series for its basis.
 constexpr double kShareOfBasis = 0.5;
 /// Memory and number of time steps that are combined together.
-constexpr double kStepBatchBytes = 256e6, kMaxInBatch = 16;
+constexpr double kStepBatchBytes = 256e6, kMaxStepsInBatch = 16;
 
 /// Groups in the form of SeriesSum.
 GroupResults without_fractions(GroupResults groups) {
@@ -64,17 +64,17 @@ class Season final : public SeriesSteps {
   private:
     /// Light that is summed over times.
     struct Period {
-        Period(const SeasonBasis& basis, std::size_t replicates)
+        Period(const DaylightCoefficients& basis, std::size_t replicates)
             : amounts(basis.no_light()), suns(basis.layout(), replicates) {}
-        SeasonBasis::Amounts amounts;  ///< x s, per direction
-        LightSum suns;                 ///< x s
+        DaylightCoefficients::Amounts amounts;  ///< x s, per direction
+        LightSum suns;                          ///< x s
         double seconds = 0;
     };
 
     /// Time steps that are combined together: responses are read once for all of them.
     struct Batch {
         std::size_t first = 0, end = 0;
-        std::vector<SeasonBasis::Amounts> amounts;
+        std::vector<DaylightCoefficients::Amounts> amounts;
         std::vector<LightSum> light;
         std::vector<std::optional<LightResponse>> suns;
     };
@@ -117,7 +117,7 @@ class Season final : public SeriesSteps {
         for (const std::size_t i : basis_->reference_steps()) {
             times.push_back(suns_of(i));
             times.back().trace = in_.time_steps.size() + times.size();
-            const SeasonBasis::Amounts amounts =
+            const DaylightCoefficients::Amounts amounts =
                 basis_->amounts_of(in_.time_steps[i].sources, nullptr);
             others.push_back(basis_->light_of(amounts).spread(basis_->errors()));
         }
@@ -128,7 +128,7 @@ class Season final : public SeriesSteps {
     [[nodiscard]] std::size_t batch_size() const {
         const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
                             static_cast<double>(in_.spec.replicates);
-        return static_cast<std::size_t>(std::clamp(kStepBatchBytes / each, 1.0, kMaxInBatch));
+        return static_cast<std::size_t>(std::clamp(kStepBatchBytes / each, 1.0, kMaxStepsInBatch));
     }
 
     void fill_batch(std::size_t first) {
@@ -268,7 +268,7 @@ class Season final : public SeriesSteps {
     Work work_ = work_of(in_.control);
     double area_ = 0;
     std::vector<std::uint64_t> traces_;  // by time step; 0: no light
-    std::optional<SeasonBasis> basis_;
+    std::optional<DaylightCoefficients> basis_;
     std::optional<SeasonSuns> suns_;
     std::optional<Period> day_, total_;
     Batch batch_;

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "quasimc/series.h"
-#include "series/basis/season_basis.h"
+#include "series/basis/daylight_coefficients.h"
 
 namespace quasimc {
 namespace {

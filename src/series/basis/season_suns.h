@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "quasimc/run.h"
+#include "series/basis/daylight_coefficients.h"
 #include "series/basis/light_sum.h"
-#include "series/basis/season_basis.h"
 
 namespace quasimc {
 

@@ -1,6 +1,6 @@
 // Daylight coefficients: see docs/develop/decisions/daylight-coefficients.md.
 
-#include "series/basis/season_basis.h"
+#include "series/basis/daylight_coefficients.h"
 
 #include <algorithm>
 #include <cmath>
@@ -110,16 +110,17 @@ Sources shining(const Sources& sources, Shining which) {
 
 /// A time step that is solved directly, and its result: one of its skies, and the light of its suns
 /// at the middle position.
-struct SeasonBasis::ReferenceStep {
+struct DaylightCoefficients::ReferenceStep {
     std::shared_ptr<const Source> sky;
     std::optional<SunBeam> sun;
     LightResponse of_sky, of_sun;
 };
 
 /// Solves for lights of irradiance 1 in batches.
-class SeasonBasis::Solving {
+class DaylightCoefficients::Solving {
   public:
-    Solving(SeasonBasis& basis, Simulator& simulator, const Scene& scene, const RunSpec& spec)
+    Solving(
+        DaylightCoefficients& basis, Simulator& simulator, const Scene& scene, const RunSpec& spec)
         : basis_(basis),
           simulator_(simulator),
           scene_(scene),
@@ -188,7 +189,7 @@ class SeasonBasis::Solving {
         }
     }
 
-    SeasonBasis& basis_;
+    DaylightCoefficients& basis_;
     Simulator& simulator_;
     const Scene& scene_;
     const RunSpec spec_;
@@ -199,7 +200,7 @@ std::uint32_t season_directions() {
     return SkyBasis(kRings).nodes();
 }
 
-SeasonBasis::SeasonBasis(
+DaylightCoefficients::DaylightCoefficients(
     Simulator& simulator,
     const Scene& scene,
     const std::vector<TimeStep>& time_steps,
@@ -241,7 +242,8 @@ SeasonBasis::SeasonBasis(
     set_errors(reference_steps);
 }
 
-std::vector<bool> SeasonBasis::needed_nodes(const std::vector<TimeStep>& time_steps) const {
+std::vector<bool> DaylightCoefficients::needed_nodes(
+    const std::vector<TimeStep>& time_steps) const {
     std::vector<bool> is_needed(mesh_.nodes());
     for (const TimeStep& step : time_steps) {
         if (!shining(step.sources, Shining::skies).empty()) {
@@ -256,7 +258,8 @@ std::vector<bool> SeasonBasis::needed_nodes(const std::vector<TimeStep>& time_st
     return is_needed;
 }
 
-SeasonBasis::ReferenceStep SeasonBasis::prepare_reference(const TimeStep& step) const {
+DaylightCoefficients::ReferenceStep DaylightCoefficients::prepare_reference(
+    const TimeStep& step) const {
     ReferenceStep left;
     const Sources skies = shining(step.sources, Shining::skies);
     const Sources suns = shining(step.sources, Shining::suns);
@@ -273,11 +276,11 @@ SeasonBasis::ReferenceStep SeasonBasis::prepare_reference(const TimeStep& step) 
     return left;
 }
 
-SeasonBasis::Amounts SeasonBasis::no_light() const {
+DaylightCoefficients::Amounts DaylightCoefficients::no_light() const {
     return Amounts(std::size_t{2} * layout_.bands * mesh_.nodes());
 }
 
-std::vector<double> SeasonBasis::scattered_first(const LightResponse& direct) const {
+std::vector<double> DaylightCoefficients::scattered_first(const LightResponse& direct) const {
     const BinIndex bin_index(layout_);
     const std::size_t bands = layout_.bands;
     std::vector<double> sums(bands);
@@ -293,7 +296,7 @@ std::vector<double> SeasonBasis::scattered_first(const LightResponse& direct) co
     return sums;
 }
 
-void SeasonBasis::add_suns(
+void DaylightCoefficients::add_suns(
     const std::vector<SunBeam>& suns, std::span<const double> first, Amounts& amounts) const {
     const std::size_t bands = layout_.bands;
     Amounts own = no_light();
@@ -314,7 +317,7 @@ void SeasonBasis::add_suns(
     }
 }
 
-void SeasonBasis::add_sky(const Source& sky, Amounts& amounts) const {
+void DaylightCoefficients::add_sky(const Source& sky, Amounts& amounts) const {
     const std::vector<double> light = mesh_.light_of_sky(sky);
     for (std::size_t node = 0; node < light.size(); ++node) {
         for (std::size_t b = 0; b < layout_.bands; ++b) {
@@ -325,7 +328,7 @@ void SeasonBasis::add_sky(const Source& sky, Amounts& amounts) const {
     }
 }
 
-SeasonBasis::Amounts SeasonBasis::amounts_of(
+DaylightCoefficients::Amounts DaylightCoefficients::amounts_of(
     const Sources& sources, const LightResponse* suns) const {
     Amounts amounts = no_light();
     std::vector<SunBeam> beams;
@@ -339,20 +342,21 @@ SeasonBasis::Amounts SeasonBasis::amounts_of(
     return amounts;
 }
 
-LightSum SeasonBasis::light_of(const Amounts& amounts) const {
+LightSum DaylightCoefficients::light_of(const Amounts& amounts) const {
     std::vector<LightSum> light;
     find_light(std::span(&amounts, 1), light);
     return std::move(light.front());
 }
 
-void SeasonBasis::find_light(std::span<const Amounts> amounts, std::vector<LightSum>& light) const {
+void DaylightCoefficients::find_light(
+    std::span<const Amounts> amounts, std::vector<LightSum>& light) const {
     if (light.size() < amounts.size()) {
         light.resize(amounts.size(), LightSum(layout_, replicates_));
     }
     LightSum::combine(responses_, amounts, std::span(light).first(amounts.size()), threads_);
 }
 
-void SeasonBasis::set_errors(const std::vector<ReferenceStep>& reference_steps) {
+void DaylightCoefficients::set_errors(const std::vector<ReferenceStep>& reference_steps) {
     InterpolationErrors errors(layout_);
     for (const ReferenceStep& left : reference_steps) {
         Amounts amounts = no_light();

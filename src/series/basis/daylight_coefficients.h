@@ -26,14 +26,14 @@ struct SunBeam {
 /// The common basis of the time steps of a series: daylight coefficients, the responses of a scene
 /// to light from a set of directions (Tregenza and Waters 1983). Skies and the scattered light of
 /// suns are combinations of them (docs/develop/decisions/daylight-coefficients.md).
-class SeasonBasis {
+class DaylightCoefficients {
   public:
     /// Solves for all directions that some time step needs, and for a few reference time steps,
     /// which give the interpolation error.
     /// @param spec  without errors of check_together()
     /// @param control  only its stop and work are used
     /// @throws Stopped  if it was stopped
-    SeasonBasis(
+    DaylightCoefficients(
         Simulator& simulator,
         const Scene& scene,
         const std::vector<TimeStep>& time_steps,
