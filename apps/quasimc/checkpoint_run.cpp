@@ -12,7 +12,7 @@ CheckpointRun::CheckpointRun(const RunArguments& arguments, const quasimc::RunFi
         return;
     }
     file_.emplace(
-        arguments.checkpoint, first, arguments.every,
+        arguments.checkpoint, first, arguments.checkpoint_interval,
         arguments.resume ? quasimc::CheckpointStart::resume : quasimc::CheckpointStart::anew);
     if (arguments.resume && !file_->was_there() && !arguments.quiet) {
         std::fprintf(

@@ -12,8 +12,8 @@ namespace {
 
 void refuse_choices(const ValueChoice& choice) {
     quasimc::Faults faults;
-    const auto refuse = [&](bool is_stated, const char* flag, const char* axis) {
-        if (is_stated) {
+    const auto refuse = [&](bool is_given, const char* flag, const char* axis) {
+        if (is_given) {
             faults.add(
                 {flag, std::string("a NetCDF file has all ") + axis,
                  "each has its place along an axis", "remove it"});

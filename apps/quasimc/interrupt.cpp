@@ -39,7 +39,7 @@ void InterruptWatch::wait(const std::stop_token& ends) {
     Clock::time_point first;
     int signal = 0;
     while (::sigwait(&signals_, &signal) == 0 && !ends.stop_requested()) {
-        if (asked_.stop_requested()) {
+        if (stop_.stop_requested()) {
             if (Clock::now() - first < kTwice) {
                 continue;
             }
@@ -47,7 +47,7 @@ void InterruptWatch::wait(const std::stop_token& ends) {
         }
         first = Clock::now();
         on_first_();
-        asked_.request_stop();
+        stop_.request_stop();
     }
 }
 

@@ -16,14 +16,14 @@ class InterruptWatch {
     InterruptWatch(const InterruptWatch&) = delete;
     InterruptWatch& operator=(const InterruptWatch&) = delete;
 
-    [[nodiscard]] std::stop_token token() const { return asked_.get_token(); }
+    [[nodiscard]] std::stop_token token() const { return stop_.get_token(); }
     void wait_for_first() const;
 
   private:
     void wait(const std::stop_token& ends);
 
     std::function<void()> on_first_;
-    std::stop_source asked_;
+    std::stop_source stop_;
     sigset_t signals_{}, before_{};
     std::jthread thread_;
 };

@@ -15,7 +15,7 @@
 namespace {
 
 /// "canopy.3of16.part" in the current folder for canopy.toml.
-std::string usual_name(const std::string& run_file, const quasimc::PartNumber& number) {
+std::string default_name(const std::string& run_file, const quasimc::PartNumber& number) {
     const std::string stem = run_file.empty() || run_file == "-"
                                  ? "run"
                                  : std::filesystem::path(run_file).stem().string();
@@ -65,7 +65,7 @@ Exit run_part(const RunArguments& arguments) {
     }
     const quasimc::RunFile first = stored.runs.take(0);
     const std::string name =
-        arguments.sums.empty() ? usual_name(arguments.file, number) : arguments.sums;
+        arguments.sums.empty() ? default_name(arguments.file, number) : arguments.sums;
     quasimc::OutputFiles output({{name, "--part-file"}}, inputs_of(arguments, first));
     quasimc::PartWriter writer(first, number, output.sink(0));
     try {

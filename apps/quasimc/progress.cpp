@@ -48,10 +48,10 @@ void ProgressLine::on_progress(const quasimc::Progress& progress) {
 /// For a log: a line, and the next when much more is done or after a while.
 void ProgressLine::add_line(const quasimc::Progress& progress) {
     constexpr double kMuch = 0.05, kWhile = 10;
-    constexpr double kLeast = 1;  // seconds between lines
+    constexpr double kMinInterval = 1;  // seconds between lines
     const double since = progress.seconds - seconds_;
     const bool is_due = progress.fraction - fraction_ >= kMuch || since >= kWhile;
-    if (is_due && since >= kLeast) {
+    if (is_due && since >= kMinInterval) {
         std::fprintf(stderr, "%s%s\n", what_.c_str(), describe_progress(progress).c_str());
         seconds_ = progress.seconds;
         fraction_ = progress.fraction;

@@ -45,7 +45,7 @@ void check_usage(const RunArguments& arguments) {
         throw UsageError("--view: a part has no results to show");
     }
     if (arguments.checkpoint.empty() &&
-        (arguments.resume || arguments.every != RunArguments::kUsualEvery)) {
+        (arguments.resume || arguments.checkpoint_interval != RunArguments::kDefaultInterval)) {
         throw UsageError("--checkpoint-interval and --resume need --checkpoint");
     }
     if (arguments.checkpoint == "-") {
@@ -84,7 +84,7 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
               .excludes = "--part",
               .group = kWays},
              {.name = "--checkpoint-interval",
-             .target = &arguments.every,
+             .target = &arguments.checkpoint_interval,
              .summary = "seconds between saves",
              .range = std::pair(0.0, 1e6),
              .group = kWays,

@@ -58,8 +58,8 @@ bool RunWindow::wants_pause() {
 }
 
 void RunWindow::on_pause(const quasimc::RunSoFar& run) {
-    constexpr std::size_t kFewest = 2;  // for an error
-    if (run.replicates() < kFewest || run.replicates() <= shown_) {
+    constexpr std::size_t kMinReplicates = 2;  // for an error
+    if (run.replicates() < kMinReplicates || run.replicates() <= shown_) {
         constexpr std::chrono::milliseconds kPatience{20};  // a pause for nothing costs as well
         ask_after_ = Clock::now() + kPatience;
         return;

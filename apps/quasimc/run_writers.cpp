@@ -59,14 +59,15 @@ void refuse_checkpoint(
 
 /// The requested outputs. Paths on the command line count from the current folder,
 /// and override those of the run file.
-std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) {
-    std::vector<AskedOutput> asked;
+std::vector<RequestedOutput> requested_outputs(
+    const RunArguments& arguments, const quasimc::RunFile& run) {
+    std::vector<RequestedOutput> requested;
     quasimc::Faults faults;
     quasimc::for_each_output([&](const quasimc::OutputKey& key, quasimc::MakeOutput* make) {
         const std::string& path = arguments.outputs.at(std::string(key.name));
         const auto given = run.output.files.find(key.name);
         if (!path.empty()) {
-            asked.push_back({{path, flag_of(key.name)}, make});
+            requested.push_back({{path, flag_of(key.name)}, make});
             const bool is_there =
                 key.need.table.empty() || run.document->find(key.need.table) != nullptr;
             if (!is_there) {
@@ -75,19 +76,19 @@ std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quas
                      std::string(key.need.reason), ""});
             }
         } else if (given != run.output.files.end()) {
-            asked.push_back(
+            requested.push_back(
                 {{given->second, fmt::format("{}: [output]: {}", run.path, key.name)}, make});
         }
     });
     faults.throw_if_any();
-    return asked;
+    return requested;
 }
 
 std::vector<quasimc::OutputPath> paths_of(
-    const std::vector<AskedOutput>& asked, const std::string& checkpoint) {
+    const std::vector<RequestedOutput>& requested, const std::string& checkpoint) {
     std::vector<quasimc::OutputPath> paths;
-    paths.reserve(asked.size());
-    for (const AskedOutput& output : asked) {
+    paths.reserve(requested.size());
+    for (const RequestedOutput& output : requested) {
         paths.push_back(output.file);
     }
     refuse_checkpoint(checkpoint, paths);
@@ -97,14 +98,15 @@ std::vector<quasimc::OutputPath> paths_of(
 }  // namespace
 
 RunWriters::RunWriters(const RunArguments& arguments, const quasimc::RunFile& first)
-    : RunWriters(arguments, first, asked_outputs(arguments, first)) {}
+    : RunWriters(arguments, first, requested_outputs(arguments, first)) {}
 
 RunWriters::RunWriters(
     const RunArguments& arguments,
     const quasimc::RunFile& first,
-    const std::vector<AskedOutput>& asked)
-    : files_(paths_of(asked, arguments.checkpoint), inputs_of(arguments, first)), summary_(first) {
-    for (const auto& [file, make] : asked) {
+    const std::vector<RequestedOutput>& requested)
+    : files_(paths_of(requested, arguments.checkpoint), inputs_of(arguments, first)),
+      summary_(first) {
+    for (const auto& [file, make] : requested) {
         outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.where}));
     }
     if (arguments.from.empty()) {

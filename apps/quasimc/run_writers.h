@@ -27,8 +27,8 @@ struct RunArguments {
     OptionFlags flags;
     std::string part, sums;  ///< the members below, up to `resume`, are of `run` only
     std::string checkpoint;
-    static constexpr double kUsualEvery = 60;
-    double every = kUsualEvery;  ///< seconds
+    static constexpr double kDefaultInterval = 60;
+    double checkpoint_interval = kDefaultInterval;  ///< seconds
     bool resume = false;
     bool view = false;
     std::vector<std::string> parts;  ///< part files, of `merge` only
@@ -39,7 +39,7 @@ struct RunArguments {
     const RunArguments& arguments, const quasimc::RunFile& run);
 
 /// A requested output.
-struct AskedOutput {
+struct RequestedOutput {
     quasimc::OutputPath file;
     quasimc::MakeOutput* make;
 };
@@ -79,7 +79,7 @@ class RunWriters : public quasimc::RunListener {
     RunWriters(
         const RunArguments& arguments,
         const quasimc::RunFile& first,
-        const std::vector<AskedOutput>& asked);
+        const std::vector<RequestedOutput>& requested);
     /// Calls `action` for all writers. If one fails, its file is given up; the others are written.
     template <typename Action>
     void for_each_writer(Action action);

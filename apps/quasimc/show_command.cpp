@@ -108,8 +108,8 @@ void set_cuts(
 void set_size(const ShowArguments& arguments, quasimc::ScenePicture& picture, Faults& faults) {
     const auto size = two_numbers(arguments.size, 'x');
     const auto fits = [](double side) {
-        constexpr double kLeast = 16, kMost = 16384;
-        return side >= kLeast && side <= kMost && side == std::floor(side);
+        constexpr double kMin = 16, kMax = 16384;
+        return side >= kMin && side <= kMax && side == std::floor(side);
     };
     if (!size || !fits(size->first) || !fits(size->second)) {
         faults.add(

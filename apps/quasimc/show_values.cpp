@@ -112,11 +112,11 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
     const std::string& path,
     const ValueChoice& choice,
     const ShownValues& values) {
-    const auto refuse = [&](const char* kind, const std::string& asked, const std::string& first,
+    const auto refuse = [&](const char* kind, const std::string& prefix, const std::string& first,
                             const std::string& last) {
         throw quasimc::InputError(
             {{fmt::format("--{}", kind),
-              fmt::format("{} has no {} of a {} that begins '{}'", path, values.name, kind, asked),
+              fmt::format("{} has no {} of a {} that begins '{}'", path, values.name, kind, prefix),
               fmt::format("{}s without light are left out", kind),
               first == last ? fmt::format("there is {}", first)
                             : fmt::format("there are {} to {}", first, last)}});
@@ -139,11 +139,11 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
 std::vector<ShownValues> find_shown_values(
     const ShownRun& shown, const std::string& path, const std::vector<ValueChoice>& choices) {
     const RunFile& run = shown.run;
-    std::vector<ShownValues> wanted(choices.size());
+    std::vector<ShownValues> requested(choices.size());
     std::vector<std::vector<std::string>> columns;
     quasimc::RowsQuery query;
     for (std::size_t i = 0; i < choices.size(); ++i) {
-        query = query_of(run, choices[i], wanted[i]);
+        query = query_of(run, choices[i], requested[i]);
         columns.push_back(query.columns.front());
     }
     query.columns = columns;
@@ -155,10 +155,10 @@ std::vector<ShownValues> find_shown_values(
         if (first == times.end()) {
             continue;
         }
-        wanted[i].estimates = std::move(first->columns[i]);
-        wanted[i].estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
-        wanted[i].when = query.part == "total" ? "sum of all times" : first->position.label;
-        found.push_back(std::move(wanted[i]));
+        requested[i].estimates = std::move(first->columns[i]);
+        requested[i].estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
+        requested[i].when = query.part == "total" ? "sum of all times" : first->position.label;
+        found.push_back(std::move(requested[i]));
     }
     return found;
 }

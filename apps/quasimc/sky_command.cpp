@@ -143,8 +143,8 @@ double on_plate(const quasimc::Source& sky, const Vec3& n) {
     double sum = 0;
     for (int i = 0; i < kSide; ++i) {
         for (int j = 0; j < kSide; ++j) {
-            const auto seen = model_of(sky).illuminate({}, (i + 0.5) / kSide, (j + 0.5) / kSide);
-            sum += seen.weight * std::max(0.0, dot(seen.to_light, n));
+            const auto light = model_of(sky).illuminate({}, (i + 0.5) / kSide, (j + 0.5) / kSide);
+            sum += light.weight * std::max(0.0, dot(light.to_light, n));
         }
     }
     return sum / (kSide * kSide);
@@ -208,9 +208,10 @@ Exit show_sky(const SkyArguments& arguments) {
         sun_text(*site, *time, sun, to_sun) +
         sky_row("day", day_text(quasimc::sun_day(*site, *time, arguments.delta_t_s))) +
         clear_text(*site, sun, arguments.linke_turbidity);
-    const bool is_asked = !arguments.sky.empty();
-    if (is_asked || to_sun.z > 0) {
-        const quasimc::SkyEntry& entry = *quasimc::find_sky(is_asked ? arguments.sky : "cie_clear");
+    const bool is_requested = !arguments.sky.empty();
+    if (is_requested || to_sun.z > 0) {
+        const quasimc::SkyEntry& entry =
+            *quasimc::find_sky(is_requested ? arguments.sky : "cie_clear");
         const quasimc::SkyState state{
             to_sun,
             arguments.cie_type,

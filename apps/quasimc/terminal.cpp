@@ -31,14 +31,15 @@ void print_message(std::string_view word, int color, std::string_view text) {
 }  // namespace
 
 std::size_t terminal_width() {
-    constexpr std::int64_t kUsual = 80, kMin = 40, kMax = 1000000;
+    constexpr std::int64_t kDefault = 80, kMin = 40, kMax = 1000000;
     const char* columns = std::getenv("COLUMNS");
     if (const auto given = quasimc::parse_integer(columns != nullptr ? columns : "")) {
         return static_cast<std::size_t>(std::clamp(*given, kMin, kMax));
     }
     winsize size{};
     const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-    return static_cast<std::size_t>(std::max<std::int64_t>(is_known ? size.ws_col : kUsual, kMin));
+    return static_cast<std::size_t>(
+        std::max<std::int64_t>(is_known ? size.ws_col : kDefault, kMin));
 }
 
 std::string folded(std::string_view text, std::size_t width, std::size_t indent, std::size_t used) {

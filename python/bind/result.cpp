@@ -55,15 +55,15 @@ py::list canopy_of(const Result& result) {
 py::list detectors_of(const py::object& self) {
     const auto& result = self.cast<const Result&>();
     py::list all;
-    for (const DetectorResult& seen : result.detectors) {
+    for (const DetectorResult& reading : result.detectors) {
         py::dict detector;
-        detector["name"] = seen.name;
-        detector["type"] = seen.type;
-        detector["quantity"] = seen.quantity;
-        detector["bins"] = seen.bins;
-        const auto bins = static_cast<py::ssize_t>(seen.bins.size());
+        detector["name"] = reading.name;
+        detector["type"] = reading.type;
+        detector["quantity"] = reading.quantity;
+        detector["bins"] = reading.bins;
+        const auto bins = static_cast<py::ssize_t>(reading.bins.size());
         detector["values"] =
-            estimates_view(seen.values, {bins, static_cast<py::ssize_t>(result.bands)}, self);
+            estimates_view(reading.values, {bins, static_cast<py::ssize_t>(result.bands)}, self);
         all.append(detector);
     }
     return all;

@@ -83,11 +83,11 @@ std::string describe_stop(const RunSpec& spec, const Result& result) {
     if (why.empty()) {
         return "";
     }
-    const std::string asked =
+    const std::string requested =
         result.paths < spec.paths ? fmt::format(" of {}", spec.paths) : std::string();
     const bool lacks_audit = spec.audit > 0 && !result.audit;
     return fmt::format(
-        "{}: {}{} paths completed{}", why, result.paths, asked,
+        "{}: {}{} paths completed{}", why, result.paths, requested,
         lacks_audit ? ", without the audit" : "");
 }
 

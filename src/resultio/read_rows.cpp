@@ -94,11 +94,11 @@ class RowsBuilder : public JsonNodeBuilder {
 
     Entry entry_of_rows(std::string_view list) {
         position_.label = text_in(*open().back(), position_.part == "days" ? "date" : "time");
-        const bool is_wanted = list == query_.list &&
-                               position_.part == query_.part.value_or(position_.part) &&
-                               position_.point == query_.point.value_or(position_.point) &&
-                               position_.label.starts_with(query_.label);
-        if (is_wanted && !columns_.empty()) {
+        const bool is_requested = list == query_.list &&
+                                  position_.part == query_.part.value_or(position_.part) &&
+                                  position_.point == query_.point.value_or(position_.point) &&
+                                  position_.label.starts_with(query_.label);
+        if (is_requested && !columns_.empty()) {
             return Entry::take;
         }
         return list == "groups" && query_.rest == RowsQuery::Rest::all ? Entry::build : Entry::skip;
@@ -140,7 +140,7 @@ class RowsBuilder : public JsonNodeBuilder {
             ends_.push_back(path_.size());
             path_.append("\n").append(row_key_);
             const auto found = columns_.find(path_);
-            wanted_ = found == columns_.end() ? nullptr : &found->second;
+            selected_ = found == columns_.end() ? nullptr : &found->second;
             estimate_ = kUnknownEstimate;
         }
         return true;
@@ -152,11 +152,11 @@ class RowsBuilder : public JsonNodeBuilder {
         }
         --depth_;
         if (depth_ >= 2 && takes_) {
-            for (const std::size_t column : wanted_ == nullptr ? kNoColumns : *wanted_) {
+            for (const std::size_t column : selected_ == nullptr ? kNoColumns : *selected_) {
                 rows_[column].resize(row_, kUnknownEstimate);
                 rows_[column].push_back(estimate_);
             }
-            wanted_ = nullptr;
+            selected_ = nullptr;
             path_.resize(ends_.back());
             ends_.pop_back();
         }
@@ -169,7 +169,7 @@ class RowsBuilder : public JsonNodeBuilder {
 
     /// @returns whether it is a number of a row
     bool add_number(double value) {
-        if (wanted_ != nullptr) {
+        if (selected_ != nullptr) {
             (row_key_ == "mean"             ? estimate_.mean
              : row_key_ == "standard_error" ? estimate_.standard_error
              : row_key_ == "ci95_low"       ? estimate_.ci95_low
@@ -190,8 +190,8 @@ class RowsBuilder : public JsonNodeBuilder {
     RowColumns rows_;
     std::size_t row_ = 0;
     std::string row_key_, path_;
-    std::vector<std::size_t> ends_;                     // of the path, level by level
-    const std::vector<std::size_t>* wanted_ = nullptr;  // the columns of the estimate
+    std::vector<std::size_t> ends_;                       // of the path, level by level
+    const std::vector<std::size_t>* selected_ = nullptr;  // the columns of the estimate
     Estimate estimate_;
     double other_ = 0;
 };

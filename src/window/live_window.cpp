@@ -171,7 +171,7 @@ void LiveWindow::end(std::string words) {
 
 bool LiveWindow::is_watched() const {
     constexpr std::int64_t kAwayAfter = 5000;  // pages ask several times within it
-    const std::int64_t last = last_asked_;
+    const std::int64_t last = last_request_;
     return last > 0 && now_in_ms() - last < kAwayAfter;
 }
 
@@ -182,7 +182,7 @@ std::size_t LiveWindow::bytes() const {
 
 std::optional<WindowFile> LiveWindow::file(std::string_view name) {
     if (name == "live") {
-        last_asked_ = now_in_ms();
+        last_request_ = now_in_ms();
         return made(kJsonType, news());
     }
     if (const auto numbers = numbers_behind<1>("scene", name)) {

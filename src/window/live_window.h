@@ -88,7 +88,7 @@ class LiveWindow {
     std::size_t bytes_ = 0;
     std::string words_, ending_;
     double fraction_ = -1;
-    std::atomic<std::int64_t> last_asked_{0};  // milliseconds of the steady clock
+    std::atomic<std::int64_t> last_request_{0};  // milliseconds of the steady clock
 };
 
 }  // namespace quasimc

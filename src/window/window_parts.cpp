@@ -135,8 +135,8 @@ Json json_lights(const Sources& sources, const Vec3& middle) {
         if (source->is_sun()) {
             suns.push_back(json_vector(model_of(*source).illuminate({}, 0.5, 0.5).to_light));
         } else if (source->is_lamp()) {
-            const Illumination seen = model_of(*source).illuminate({}, 0.5, 0.5);
-            lamps.push_back(json_vector(seen.distance * seen.to_light - middle));
+            const Illumination light = model_of(*source).illuminate({}, 0.5, 0.5);
+            lamps.push_back(json_vector(light.distance * light.to_light - middle));
         }
     }
     return {{"suns", suns}, {"lamps", lamps}, {"sky", sky_digits(sky_cells(sources))}};

@@ -83,7 +83,7 @@ TEST_F(ProgramTest, AFaultIsToldOnce) {
     EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
 }
 
-/// What is given twice is one fault: neither of the two is a key that nobody knows.
+/// An option that is given in two ways is one error: neither key is an unknown one.
 TEST_F(ProgramTest, TwoWaysToSayOneThingAreOneFault) {
     const std::string site = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\n";
     const std::vector<std::array<std::string, 2>> table{

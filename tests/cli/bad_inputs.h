@@ -10,7 +10,7 @@ namespace quasimc::test {
 struct BadInput {
     std::string name;         ///< of the test
     std::string find;         ///< in the good run file; "": the whole file
-    std::string replacement;  ///< what stands there instead
+    std::string replacement;  ///< text in its stead
     std::string message;      ///< part of what is printed
     std::string file = {};    ///< a file to write besides
     std::string bytes = {};   ///< what is in it

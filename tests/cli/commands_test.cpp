@@ -212,7 +212,7 @@ TEST_F(ProgramTest, FromTellsOtherNumbers) {
     EXPECT_EQ(run({"run", "--repeat", "old.json"}).status, 1);
 }
 
-/// What nobody can promise: the digits of another version, or of a run that time ended.
+/// Other versions, and runs ended by time, may give other digits.
 TEST_F(ProgramTest, FromForgivesOtherNumbersOfOtherRuns) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     const std::string stored =

@@ -1,4 +1,4 @@
-// Files looked at and converted from the command line.
+// Files inspected and converted from the command line.
 
 #include <string>
 

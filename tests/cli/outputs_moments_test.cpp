@@ -1,4 +1,4 @@
-// Whenever a run ends, or can't go on, its files are old or new.
+// Whenever a run ends or fails, its files are complete, old or new.
 
 #include <cmath>
 #include <string>
@@ -11,10 +11,10 @@
 namespace quasimc::test {
 namespace {
 
-using Words = std::vector<std::string>;
+using Texts = std::vector<std::string>;
 
-/// Moments spread over a run, from its start to behind its end.
-class OutputsAtMoments : public OutputsTest, public ::testing::WithParamInterface<int> {
+/// Points of a run at even distances, from its start to behind its end.
+class InterruptedOutputs : public OutputsTest, public ::testing::WithParamInterface<int> {
   protected:
     static constexpr const char* kRun = "\"$quasimc\" run run.toml -q --paths 65536";
     static constexpr double kUntil = 1.3;  // of the duration of a run
@@ -27,10 +27,10 @@ class OutputsAtMoments : public OutputsTest, public ::testing::WithParamInterfac
         return std::stod(outcome.out) * 1e-9;
     }
 
-    /// Calls act(moment) for as many as the parameter says, each with old outputs.
-    /// @param whole  what a run takes, in the unit of the moments
+    /// Calls act(point) for as many points of a run as the parameter gives, each with old outputs.
+    /// @param whole  the end of a run, in the unit of its points
     template <typename Act>
-    void for_each_time_step(double whole, const Act& act) {
+    void for_each_point(double whole, const Act& act) {
         for (int i = 0; i < GetParam(); ++i) {
             write_old();
             act(kUntil * whole * (i + 0.5) / GetParam());
@@ -41,13 +41,13 @@ class OutputsAtMoments : public OutputsTest, public ::testing::WithParamInterfac
     void expect_old_or_new(const std::string& words) {
         EXPECT_TRUE(folder_.read("out.csv") == "old" || has_new_csv()) << words;
         EXPECT_TRUE(folder_.read("out.json") == "old" || has_new_json()) << words;
-        EXPECT_EQ(hidden_files(), Words{}) << words;
+        EXPECT_EQ(hidden_files(), Texts{}) << words;
     }
 };
 
 // Between the two renames the table is new and the result is old: the only mixture that may be.
-// Killed at a moment that is spread over the run, it is hit about once in ten thousand.
-class KilledOutputs : public OutputsAtMoments {};
+// A run that is killed at a random time hits it about once in ten thousand times.
+class KilledOutputs : public InterruptedOutputs {};
 
 TEST_P(KilledOutputs, AreOldOrNew) {
     const int sweeps = GetParam();
@@ -60,15 +60,15 @@ TEST_P(KilledOutputs, AreOldOrNew) {
         const int fresh_before = fresh;
         for (int i = 0; i < kKills; ++i) {
             write_old();
-            const double moment_s =
+            const double time_s =
                 kUntil * whole_s * (i + std::fmod((sweep + 0.5) / sweeps, 1)) / kKills;
             static_cast<void>(shell(
-                std::string(kRun) + " & sleep " + std::to_string(moment_s) +
+                std::string(kRun) + " & sleep " + std::to_string(time_s) +
                 "; kill -9 $! 2>/dev/null; wait $!"));
             const bool old_csv = folder_.read("out.csv") == "old";
             const bool old_json = folder_.read("out.json") == "old";
-            EXPECT_TRUE(old_csv || has_new_csv()) << moment_s;
-            EXPECT_TRUE(old_json || has_new_json()) << moment_s;
+            EXPECT_TRUE(old_csv || has_new_csv()) << time_s;
+            EXPECT_TRUE(old_json || has_new_json()) << time_s;
             EXPECT_TRUE(old_json || !old_csv) << "the result gets its name last";
             (old_csv && old_json ? old : fresh) += 1;
         }
@@ -84,12 +84,12 @@ INSTANTIATE_TEST_SUITE_P(Ordinary, KilledOutputs, ::testing::Values(2));
 INSTANTIATE_TEST_SUITE_P(Long, KilledOutputs, ::testing::Values(10));
 
 /// As many bytes as fit on a disk that is nearly full: none, half of one output, all of one.
-TEST_P(OutputsAtMoments, AreOldOrNewWhereverTheDiskIsFull) {
+TEST_P(InterruptedOutputs, AreOldOrNewWhereverTheDiskIsFull) {
     ASSERT_EQ(run({"run", "run.toml", "-q"}).status, 0);
     const auto size = static_cast<double>(folder_.read("out.json").size());
     int whole = 0, reported = 0;
-    for_each_time_step(size, [&](double time_step) {
-        const auto bytes = static_cast<long>(time_step);
+    for_each_point(size, [&](double point) {
+        const auto bytes = static_cast<long>(point);
         const Outcome outcome =
             shell("prlimit --fsize=" + std::to_string(bytes) + " \"$quasimc\" run run.toml -q");
         const std::string words = std::to_string(bytes) + " bytes: " + outcome.err;
@@ -102,33 +102,33 @@ TEST_P(OutputsAtMoments, AreOldOrNewWhereverTheDiskIsFull) {
     EXPECT_GT(reported, 0);
 }
 
-/// The disk is full from a moment on.
-TEST_P(OutputsAtMoments, AreOldOrNewWheneverTheDiskBecomesFull) {
-    for_each_time_step(duration(), [&](double moment_s) {
+/// The disk becomes full at some time.
+TEST_P(InterruptedOutputs, AreOldOrNewWheneverTheDiskBecomesFull) {
+    for_each_point(duration(), [&](double time_s) {
         const Outcome outcome = shell(
-            std::string(kRun) + " & sleep " + std::to_string(moment_s) +
+            std::string(kRun) + " & sleep " + std::to_string(time_s) +
             "; prlimit --pid $! --fsize=0 2>/dev/null; wait $!");
-        const std::string words = std::to_string(moment_s) + " s: " + outcome.err;
+        const std::string words = std::to_string(time_s) + " s: " + outcome.err;
         expect_old_or_new(words);
         EXPECT_EQ(outcome.status == 0, has_new_csv() && has_new_json()) << words;
     });
 }
 
-/// Who reads what the program prints goes away; its files are written all the same.
-TEST_P(OutputsAtMoments, AreWrittenWhoeverStopsReading) {
-    for_each_time_step(duration(), [&](double moment_s) {
+/// If standard output is closed, files are written all the same.
+TEST_P(InterruptedOutputs, AreWrittenIfStandardOutputIsClosed) {
+    for_each_point(duration(), [&](double time_s) {
         const Outcome outcome = shell(
-            "\"$quasimc\" run run.toml --paths 65536 2>&1 | sleep " + std::to_string(moment_s) +
+            "\"$quasimc\" run run.toml --paths 65536 2>&1 | sleep " + std::to_string(time_s) +
             "; exit ${PIPESTATUS[0]}");
-        expect_old_or_new(std::to_string(moment_s) + " s");
-        EXPECT_TRUE(has_new_csv() && has_new_json()) << moment_s << " s";
+        expect_old_or_new(std::to_string(time_s) + " s");
+        EXPECT_TRUE(has_new_csv() && has_new_json()) << time_s << " s";
         EXPECT_TRUE(outcome.status == 0 || outcome.status == 141)
-            << outcome.status << " after " << moment_s << " s";
+            << outcome.status << " after " << time_s << " s";
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Ordinary, OutputsAtMoments, ::testing::Values(12));
-INSTANTIATE_TEST_SUITE_P(Long, OutputsAtMoments, ::testing::Values(100));
+INSTANTIATE_TEST_SUITE_P(Ordinary, InterruptedOutputs, ::testing::Values(12));
+INSTANTIATE_TEST_SUITE_P(Long, InterruptedOutputs, ::testing::Values(100));
 
 }  // namespace
 }  // namespace quasimc::test

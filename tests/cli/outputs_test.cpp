@@ -16,7 +16,7 @@ namespace quasimc::test {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using Texts = std::vector<std::string>;
 
 /// Every row of the catalogue has a flag that writes its file.
 TEST_F(OutputsTest, AreWrittenByTheirFlags) {
@@ -44,13 +44,13 @@ TEST_F(OutputsTest, AreNeverInputs) {
     make_links();
     const std::string leaves = folder_.read("leaves.tri");
     const std::string text = folder_.read("bare.toml");
-    const std::vector<Words> table{
+    const std::vector<Texts> table{
         {"--csv", "bare.toml"},      {"--json", "./bare.toml"},
         {"--csv", "soft.csv"},       {"--json", "hard.csv"},
         {"--csv", "here/bare.toml"}, {"--csv", (folder_.path() / "bare.toml").string()},
         {"--csv", "leaves.tri"},     {"--csv", "out.csv", "--json", "leaves.tri"}};
-    for (const Words& row : table) {
-        Words arguments{"run", "bare.toml"};
+    for (const Texts& row : table) {
+        Texts arguments{"run", "bare.toml"};
         arguments.insert(arguments.end(), row.begin(), row.end());
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(row);
@@ -104,12 +104,12 @@ TEST_F(OutputsTest, AreNotTheResultThatIsRepeated) {
 TEST_F(OutputsTest, AreNotEachOther) {
     fs::create_symlink("new.csv", folder_.path() / "soft.csv");
     fs::create_symlink(".", folder_.path() / "here");
-    const std::vector<Words> table{
+    const std::vector<Texts> table{
         {"new.csv", "./new.csv"},
         {"new.csv", "soft.csv"},
         {"here/new.csv", "new.csv"},
         {"-", "/dev/stdout"}};
-    for (const Words& row : table) {
+    for (const Texts& row : table) {
         const Outcome outcome = run({"run", "bare.toml", "--csv", row[0], "--json", row[1]});
         EXPECT_EQ(outcome.status, 2) << ::testing::PrintToString(row);
         EXPECT_NE(outcome.err.find("--json: '"), std::string::npos) << outcome.err;
@@ -196,7 +196,7 @@ TEST_F(OutputsTest, AReaderOfStandardOutputThatEndsIsNoFault) {
     EXPECT_TRUE(has_new_csv());
 }
 
-// A limit on the size of files stands for a disk that is full: the table fits, the result does not.
+// A limit on the size of files simulates a full disk: the table fits, the result does not.
 TEST_F(OutputsTest, OnAFullDiskStayAsTheyWere) {
     write_old();
     const Outcome outcome = shell("ulimit -f 5; \"$quasimc\" run run.toml -q");
@@ -210,11 +210,11 @@ TEST_F(OutputsTest, OnAFullDiskStayAsTheyWere) {
     EXPECT_EQ(none.status, 1);
     EXPECT_EQ(folder_.read("out.csv"), "old");
     EXPECT_EQ(folder_.read("out.json"), "old");
-    EXPECT_EQ(hidden_files(), Words{});
+    EXPECT_EQ(hidden_files(), Texts{});
 }
 
-// A bad output is told before anything is computed, and the good one is left alone.
-TEST_F(OutputsTest, ThatCanNotBeOpenedAreToldAtOnce) {
+// A bad output is reported before anything is computed, and the good one is left alone.
+TEST_F(OutputsTest, ThatCanNotBeOpenedAreReportedAtOnce) {
     write_old();
     const Outcome outcome = run({"run", "run.toml", "--csv", "none/a.csv", "--json", "out.json"});
     EXPECT_EQ(outcome.status, 1);

@@ -120,7 +120,7 @@ TEST_F(RanksTest, ReadEachFileOnceForAllOfThem) {
     EXPECT_EQ(rows_of(folder_.read("r.csv")), whole);
 }
 
-/// The first rank of the job in this folder gets a signal once a file has so many bytes.
+/// The first rank of the job in this folder gets a signal once a file has more than `bytes` bytes.
 std::string signal_when(const std::string& file, int bytes) {
     return "& until [ $(stat -c %s " + file + " 2>/dev/null || echo 0) -gt " +
            std::to_string(bytes) +
@@ -211,10 +211,10 @@ TEST_F(RanksTest, EndWithinSecondsWhenOneDiesAndGoOn) {
     EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv")));
 }
 
-/// Jobs of three ranks, one of which is killed at some moment, again and again.
+/// Jobs of three ranks, one of which is killed at some time, repeatedly.
 class KilledRanks : public RanksTest, public ::testing::WithParamInterface<int> {
   protected:
-    /// Kills a rank of each of so many jobs, which go on where the one before was killed.
+    /// Kills a rank of each of `jobs` jobs. Each resumes the job before.
     /// @returns how many jobs were killed, and how many of them took more than 10 s to end
     [[nodiscard]] std::string kill_jobs(const std::string& run, int jobs) const {
         return shell(

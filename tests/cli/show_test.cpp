@@ -31,7 +31,7 @@ class ShowCommand : public ProgramTest {
         EXPECT_TRUE(bytes.starts_with("\x89PNG"));
         return bytes;
     }
-    /// What stands over a picture of such numbers: a GLB file with their colours says it too.
+    /// The heading of a picture of such numbers, from a GLB file with their colours.
     [[nodiscard]] std::string said(std::vector<std::string> choice) const {
         choice.insert(choice.begin(), {"convert", "out.json", "said.glb"});
         const Outcome outcome = run(choice);

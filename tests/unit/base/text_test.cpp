@@ -12,7 +12,7 @@
 namespace quasimc {
 namespace {
 
-using Words = std::vector<std::string_view>;
+using Texts = std::vector<std::string_view>;
 
 constexpr std::array<std::string_view, 4> kModels{"lambertian", "phong", "blinn_phong", "mirror"};
 
@@ -26,27 +26,27 @@ TEST(NearestWord, FindsAWordWithOneSlip) {
 
 TEST(NearestWord, LooksPastCase) {
     EXPECT_EQ(nearest_word("MIRROR", kModels), "mirror");
-    EXPECT_EQ(nearest_word("par", Words{"PAR", "NIR"}), "PAR");
+    EXPECT_EQ(nearest_word("par", Texts{"PAR", "NIR"}), "PAR");
 }
 
 TEST(NearestWord, FindsTheNearestOfSeveral) {
-    EXPECT_EQ(nearest_word("leaf_c", Words{"leaf_ab", "leaf_b", "stem"}), "leaf_b");
-    EXPECT_EQ(nearest_word("leafs", Words{"leaves", "leaf"}), "leaf");
+    EXPECT_EQ(nearest_word("leaf_c", Texts{"leaf_ab", "leaf_b", "stem"}), "leaf_b");
+    EXPECT_EQ(nearest_word("leafs", Texts{"leaves", "leaf"}), "leaf");
 }
 
 TEST(NearestWord, IsEmptyWhenNoneIsNear) {
     EXPECT_EQ(nearest_word("chlorophyll", kModels), "");
     EXPECT_EQ(nearest_word("", kModels), "");
-    EXPECT_EQ(nearest_word("mirror", Words{}), "");
+    EXPECT_EQ(nearest_word("mirror", Texts{}), "");
 }
 
 TEST(NearestWord, DoesNotChangeEveryLetterOfAShortWord) {
-    EXPECT_EQ(nearest_word("xy", Words{"ab"}), "");
-    EXPECT_EQ(nearest_word("x", Words{"b"}), "");
+    EXPECT_EQ(nearest_word("xy", Texts{"ab"}), "");
+    EXPECT_EQ(nearest_word("x", Texts{"b"}), "");
 }
 
 TEST(NearestWord, GivesUpOnTextThatIsNoWord) {
-    EXPECT_EQ(nearest_word(std::string(100000, 'a'), Words{"aaa"}), "");
+    EXPECT_EQ(nearest_word(std::string(100000, 'a'), Texts{"aaa"}), "");
 }
 
 TEST(DidYouMean, NamesTheNearestWord) {
@@ -58,7 +58,7 @@ TEST(DidYouMean, ListsAllWordsWhenNoneIsNear) {
 }
 
 TEST(DidYouMean, IsSilentWithoutCandidates) {
-    EXPECT_EQ(did_you_mean("glossy", Words{}), "");
+    EXPECT_EQ(did_you_mean("glossy", Texts{}), "");
 }
 
 TEST(Shortest, IsAsPeopleWriteNumbers) {
@@ -110,9 +110,9 @@ TEST(Trimmed, LeavesBytesBeyondAsciiAlone) {
 }
 
 TEST(Joined, PutsTheSeparatorBetweenItems) {
-    EXPECT_EQ(joined(Words{"a", "b", "c"}, ", "), "a, b, c");
-    EXPECT_EQ(joined(Words{"a"}, ", "), "a");
-    EXPECT_EQ(joined(Words{}, ", "), "");
+    EXPECT_EQ(joined(Texts{"a", "b", "c"}, ", "), "a, b, c");
+    EXPECT_EQ(joined(Texts{"a"}, ", "), "a");
+    EXPECT_EQ(joined(Texts{}, ", "), "");
 }
 
 TEST(IsUtf8, TakesWhatTheTableOfUnicodeHas) {

@@ -144,7 +144,7 @@ int use_the_scene(double fraction, double seconds, double expected_seconds, void
     return 1;
 }
 
-/// A run that is long enough to tell its progress.
+/// A run that is long enough to report its progress.
 SceneHandle long_run() {
     SceneHandle scene = small_canopy(3);
     EXPECT_EQ(

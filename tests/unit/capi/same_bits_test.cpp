@@ -22,7 +22,7 @@ std::string written(const TemporaryFolder& folder, const std::string& text) {
 }
 
 std::uint64_t bits(double x) {
-    return std::bit_cast<std::uint64_t>(x);  // an error that can't be told is NaN
+    return std::bit_cast<std::uint64_t>(x);  // an unknown error is NaN
 }
 
 /// Every number of every organ, bit by bit.

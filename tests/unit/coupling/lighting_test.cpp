@@ -161,7 +161,7 @@ TEST(Lighting, OfTheNightIsNone) {
 }
 
 TEST(Lighting, FollowsTheMeridiansOfTimeZones) {
-    // Seven degrees east of the zone's meridian the sun stands 28 minutes further on.
+    // Seven degrees east of the zone's meridian the sun is 28 minutes ahead.
     const auto afternoon = [](const char* longitude) {
         const Lighting light =
             lighting(std::string("location: 45 ") + longitude + "\ngrowth period: 15 15\n");

@@ -85,8 +85,8 @@ TEST(Messages, DoNotTakeSignsAloneForNumbers) {
     }
 }
 
-/// The text before the numbers may stand with or without the blanks of the format.
-TEST(Messages, HaveWhatStandsBeforeTheNumbersSkipped) {
+/// The text before the numbers may have the blanks of the format or not.
+TEST(Messages, HaveTheTextBeforeTheNumbersSkipped) {
     RecordedNotices kept;
     for (const char* format : {" P: %f %f %f", "P:%f %f %f"}) {
         for (const char* line : {" P: 10 2 3", "P:10 2 3", "P: 10 2 3"}) {
@@ -221,7 +221,7 @@ RC_GTEST_PROP(Answers, AreNumbersAsPrintfWritesThem, ()) {
     RC_ASSERT(text == expected.data());
 }
 
-/// Pieces of every size; a byte is looked at once, but for those that may begin the line.
+/// Pieces of every size; each byte is read once, except those that may begin the line.
 RC_GTEST_PROP(MessageEnd, IsFoundInPieces, ()) {
     const std::string line(*rc::gen::inRange<std::size_t>(0, 2000), 'x');
     const std::string start = *rc::gen::element<std::string>("", "Contro\n", line + "\n");

@@ -13,7 +13,7 @@ namespace {
 
 /// What the directives below compute is known: black leaves, light from above, no overlap.
 const std::string kBlack = "leaf material (top): 0 0 0 0\nnumber of rays: 16384\n";
-constexpr double kMargin = 2e-4;  // more than what so many scan lines are wrong by
+constexpr double kMargin = 2e-4;  // more than the error of the scan lines
 
 class PlantLightTest : public ::testing::Test {
   protected:
@@ -261,7 +261,7 @@ std::string leaves_around_a_stem(int count, double spread) {
     return queries;
 }
 
-/// Whoever writes few rays asks for speed: no method that does more work is chosen for its errors.
+/// Few rays mean speed: no method with more work is chosen for the sake of its errors.
 TEST_F(PlantLightTest, IsBoundByTheNumberOfRays) {
     const auto run = [&](const std::string& text, const std::string& queries) {
         PlantLight light(specification(text, cached_), cached_.notices);
@@ -287,7 +287,7 @@ TEST_F(PlantLightTest, IsBoundByTheNumberOfRays) {
             }
         }
     }
-    // A target bounds the work by itself, and who names a method has it.
+    // A target bounds the work by itself, and a requested method is used.
     const std::string leaves = leaves_around_a_stem(50, 0.2);
     const std::string few = "number of rays: 1024\n";
     EXPECT_EQ(run(few + "target error: 0.1\n", leaves).chosen.method, Method::ray_bundles);

@@ -52,7 +52,7 @@ class StepFilesTest : public FolderTest {
 TEST_F(StepFilesTest, TellAreasAndVariances) {
     write("return variance: yes " + (folder_.path() / "v.dat").string() + "\n");
     const auto table = rows("v.dat");
-    ASSERT_EQ(table.size(), 2U);  // who only shades is not in it
+    ASSERT_EQ(table.size(), 2U);  // it has no organs that only shade
     ASSERT_EQ(table[0].size(), 7U);
     const double projected = 2 * std::cos(std::numbers::pi / 3);
     EXPECT_NEAR(table[0][0], 2, 1e-5);

@@ -82,7 +82,7 @@ TEST(SurfaceCrossings, EndWhereTheOtherTriangleEnds) {
     EXPECT_NEAR(std::max(found[0].from.t, found[0].to.t), .2, 1e-6);
 }
 
-/// A wall that stands on a floor parts the floor's light, not its own.
+/// A wall on a floor divides the floor's light, not its own.
 TEST(SurfaceCrossings, AreWhereOneTriangleEndsOnAnother) {
     const auto found = crossings_of({test::kLeaf, {Vec3{.2, .1, 0}, {.2, .6, 0}, {.2, .3, 1}}});
     ASSERT_EQ(found.size(), 1U);
@@ -92,7 +92,7 @@ TEST(SurfaceCrossings, AreWhereOneTriangleEndsOnAnother) {
 
 TEST(SurfaceCrossings, AreNotWhereNeighboursMeet) {
     const Vec3 a{0, 0, 0}, b{1, 0, 0}, c{0, 1, 0}, d{.7, .8, .4}, e{-.6, -.3, .5};
-    // By a side, by a corner, by part of a side, and one upon the other.
+    // By a side, by a corner, by part of a side, and one on the other.
     EXPECT_TRUE(crossings_of({Triangle{a, b, c}, Triangle{b, d, c}}).empty());
     EXPECT_TRUE(crossings_of({Triangle{a, b, c}, Triangle{a, e, Vec3{-.5, .2, -.7}}}).empty());
     EXPECT_TRUE(crossings_of({Triangle{a, b, c},

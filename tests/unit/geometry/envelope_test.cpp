@@ -43,8 +43,7 @@ std::vector<VisibleSegment> random_segments(std::size_t n, std::mt19937_64& rand
     return segments;
 }
 
-/// The segment that is nearest at `x`, looked for among all; nothing where two are too close to
-/// tell.
+/// The segment that is nearest at `x`, by brute force; nothing if the two nearest are too close.
 std::optional<std::uint32_t> nearest(const std::vector<VisibleSegment>& segments, double x) {
     constexpr double kTooClose = 1e-9;
     constexpr std::uint32_t kNone = 0xffffffff;
@@ -82,8 +81,8 @@ RC_GTEST_PROP(Envelope, IsWhatLookingAtEverySegmentFinds, ()) {
     for (std::size_t i = 1; i < pieces.size(); ++i) {
         RC_ASSERT(pieces[i - 1].high <= pieces[i].low);
     }
-    constexpr int kLooks = 200;
-    for (int look = 0; look < kLooks; ++look) {
+    constexpr int kSamples = 200;
+    for (int sample = 0; sample < kSamples; ++sample) {
         const double x = -.1 + 1.8 * uniform(random);
         if (const auto expected = nearest(segments, x)) {
             RC_ASSERT(seen_at(pieces, x) == *expected);
@@ -97,8 +96,8 @@ RC_GTEST_PROP(Envelope, ShowsOfASensorWhatIsNearerThanAllElse, ()) {
     const std::vector<VisibleSegment> pieces = envelope_of({segments.begin() + 1, segments.end()});
     std::vector<VisibleSegment> seen;
     Envelope::seen_before(segments[0], pieces, seen);
-    constexpr int kLooks = 100;
-    for (int look = 0; look < kLooks; ++look) {
+    constexpr int kSamples = 100;
+    for (int sample = 0; sample < kSamples; ++sample) {
         const double x = segments[0].low + uniform(random);
         if (const auto expected = nearest(segments, x)) {
             RC_ASSERT((seen_at(seen, x) == 0) == (*expected == 0));
@@ -136,7 +135,7 @@ RC_GTEST_PROP(Envelope, ComesToAnEndWhereSegmentsAreTheSame, ()) {
     for (const VisibleSegment& piece : pieces) {
         covered += piece.length();
     }
-    for (int look = 0; look < 100; ++look) {
+    for (int sample = 0; sample < 100; ++sample) {
         const double x = 2.2 * uniform(random);
         const bool over = std::any_of(
             segments.begin(), segments.end(),

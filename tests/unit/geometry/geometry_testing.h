@@ -73,8 +73,8 @@ struct FirstHit {
     const Vec3& direction,
     double near);
 
-/// The variance of the area that each triangle of a scene is found to catch, over 40 looks, summed.
-/// @param caught  looks: area by triangle
+/// The sum over triangles of the variance of their visible area, from 40 samples.
+/// @param caught  draws a sample: area by triangle
 [[nodiscard]] double variance_of_areas(
     const std::function<std::map<std::uint32_t, double>()>& caught);
 

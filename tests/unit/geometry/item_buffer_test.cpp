@@ -102,8 +102,8 @@ std::uint32_t columns_of(const ItemBuffer& buffer) {
     return columns;
 }
 
-/// Rows that are looked at a few at a time are, all together, all pixels; runs end where rows do.
-TEST(ItemBuffer, TellsRunsOfEachFewRows) {
+/// Rows that are read a few at a time have all pixels together; runs end where rows do.
+TEST(ItemBuffer, ListsRunsOfEachFewRows) {
     const LocalMesh mesh = make_local_mesh(test::random_leaves(50, .3, 1, 7));
     ItemScratch scratch;
     const ItemBuffer buffer =
@@ -142,7 +142,7 @@ TEST(ItemBuffer, AgreesWithRays) {
     for (const ItemBuffer::Item& item : buffer.items()) {
         triangle_of[item.id] = item.triangle;
     }
-    int looks = 0;
+    int samples = 0;
     int agreed = 0;
     std::uint32_t next = 0;
     const std::uint32_t columns = columns_of(buffer);
@@ -159,13 +159,13 @@ TEST(ItemBuffer, AgreesWithRays) {
             EXPECT_NEAR(same.s, u, 1e-6);
             EXPECT_NEAR(same.t, v, 1e-6);
             const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
-            ++looks;
+            ++samples;
             agreed += engine->closest(ray).triangle == triangle ? 1 : 0;
         }
     });
-    EXPECT_GT(looks, 1000);
+    EXPECT_GT(samples, 1000);
     // Rays in single precision may miss a leaf by its very edge.
-    EXPECT_GE(agreed, looks - looks / 200);
+    EXPECT_GE(agreed, samples - samples / 200);
 }
 
 /// Two triangles that share a side leave no gap and do not overlap.

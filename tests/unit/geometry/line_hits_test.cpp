@@ -94,9 +94,9 @@ TEST(LineHits, CountTheLinesThatPassEachTriangle) {
         std::equal(passed.begin(), passed.end(), hits.counts().begin(), hits.counts().end()));
 }
 
-/// Squares that fill a cell are passed once by every line through the endless stand, from
-/// wherever, and however few lines there are.
-TEST(LineHits, MeetEachLayerOfAnEndlessStandOnce) {
+/// Every line through the infinite stand meets squares that fill a cell once, from any direction
+/// and for any number of lines.
+TEST(LineHits, MeetEachLayerOfAnInfiniteStandOnce) {
     std::vector<Triangle> layers = square_at(.3);
     for (const Triangle& triangle : square_at(-.2)) {
         layers.push_back(triangle);

@@ -71,7 +71,7 @@ TEST(LocalMesh, ASceneOfOnePointStaysAsItIs) {
     EXPECT_EQ(mesh.vertex(0, 2), Vec3{});
 }
 
-/// What light is mended by at a slope rests on it: no triangle may be turned by more.
+/// Corrections for light at a slope rely on this bound: no triangle may be turned by more.
 RC_GTEST_PROP(LocalMesh, KnowsHowFarRoundingTurnsItsTriangles, ()) {
     Random random(*rc::gen::arbitrary<std::uint64_t>());
     const double size = std::pow(10.0, *rc::gen::inRange(-3, 1));

@@ -135,10 +135,10 @@ TEST_P(PeriodicBeams, AreFoundWhereTheSunIsLow) {
 TEST_P(PeriodicBeams, AgreeWithRays) {
     const Repeated repeated(test::random_leaves(60, .4, 1, 5), GetParam());
     const LocalMesh& mesh = repeated.caster.mesh();
-    int looks = 0;
+    int samples = 0;
     int free = 0;
-    const auto look = [&](std::uint32_t triangle, double u, double v, const Vec3& direction) {
-        ++looks;
+    const auto sample = [&](std::uint32_t triangle, double u, double v, const Vec3& direction) {
+        ++samples;
         const Vec3 point = mesh.point(triangle, u, v);
         free += repeated.caster.occluded(point, -direction, triangle) ? 0 : 1;
     };
@@ -155,7 +155,7 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
                     const std::uint32_t triangle = strip.triangles()[segment.surface].triangle;
                     by_lines[triangle] += segment.length() * lines.area();
                     const auto [u, v] = strip.point(line, segment, .5);
-                    look(triangle, u, v, direction);
+                    sample(triangle, u, v, direction);
                 }
             });
         }
@@ -170,7 +170,7 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
         buffer.for_each_run([&](const ItemBuffer::Run& run) {
             if (run_number++ % 3 == 0 && run.id > 0) {
                 const auto [u, v] = buffer.point(run.first + run.count / 2);
-                look(triangle_of.at(run.id), u, v, direction);
+                sample(triangle_of.at(run.id), u, v, direction);
             }
         });
         std::uint32_t pixel = 0;
@@ -191,13 +191,12 @@ TEST_P(PeriodicBeams, AgreeWithRays) {
         }
         EXPECT_LT(apart, .02 * whole);
     }
-    EXPECT_GT(looks, 5000);
+    EXPECT_GT(samples, 5000);
     // Rays in single precision may graze an edge.
-    EXPECT_GE(free, looks - looks / 200);
+    EXPECT_GE(free, samples - samples / 200);
 }
 
-/// Of the 300 x 800 periods about a triangle that is seen slanted few are looked at, and none that
-/// it touches is left out.
+/// Few of the 300 x 800 periods around a slanted triangle are tested, and all that it touches.
 TEST(PeriodsInRow, AreThoseThatASlantedTriangleTouches) {
     const ProjectedTriangle seen{{.5, 300.2, 299.9}, {.3, 800.1, 800.4}, {0, 0, 0}};
     std::int32_t looked_at = 0;

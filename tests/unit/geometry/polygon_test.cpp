@@ -123,7 +123,7 @@ RC_GTEST_PROP(Polygon, OfManyCornersIsCutAsOneOfFew, ()) {
     RC_TAG(few.has_value() ? "cut" : "refused");
 }
 
-/// A hundred thousand corners: what looks at all of them for each ear takes hours.
+/// A hundred thousand corners: testing all of them for each ear would take hours.
 TEST(Polygon, OfVeryManyCornersIsFilled) {
     constexpr std::size_t kMany = 100000;
     Random random(7);
@@ -175,7 +175,7 @@ TEST(Polygon, RepeatedCornersAndAClosingOneDoNoHarm) {
     EXPECT_EQ(triangles.size(), 2U);
 }
 
-TEST(Polygon, ASpikeIsLeftOut) {
+TEST(Polygon, ASpikeIsRemoved) {
     const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {3, 0, 0},
                                     {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     EXPECT_TRUE(fills(make_polygon(corners), corners));

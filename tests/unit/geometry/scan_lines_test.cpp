@@ -100,7 +100,7 @@ TEST(ScanLines, AgreeWithRays) {
     LineScratch scratch;
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform;
-    int looks = 0;
+    int samples = 0;
     int agreed = 0;
     const LineStrip strip(lines, 0, scratch);
     strip.for_visible_segments([&](const LineStrip::Line& line) {
@@ -108,14 +108,14 @@ TEST(ScanLines, AgreeWithRays) {
             const auto [u, v] = strip.point(line, segment, uniform(random));
             const std::uint32_t triangle = strip.triangles()[segment.surface].triangle;
             const Ray ray{mesh.point(triangle, u, v) - 4 * direction, direction};
-            ++looks;
+            ++samples;
             agreed += engine->closest(ray).triangle == triangle ? 1 : 0;
             EXPECT_GT(segment.length(), 0);
         }
     });
-    EXPECT_GT(looks, 400);
+    EXPECT_GT(samples, 400);
     // Rays in single precision may miss a leaf by its very edge.
-    EXPECT_GE(agreed, looks - looks / 200);
+    EXPECT_GE(agreed, samples - samples / 200);
 }
 
 /// A strip does not depend on what its scratch was used for.

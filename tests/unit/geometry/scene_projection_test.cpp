@@ -196,7 +196,7 @@ TEST(SphereWindow, IsTheDiscAcrossTheBoundingSphere) {
     }
 }
 
-/// A plate that fills the cell of a layer or a row is seen as a plane or an endless strip, in
+/// A plate that fills the cell of a layer or a row is seen as a plane or an infinite strip, in
 /// closed form.
 struct Periodic {
     Cell cell;

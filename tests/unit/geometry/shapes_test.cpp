@@ -24,7 +24,7 @@ Vec3 total_area_vector(const std::vector<Triangle>& triangles) {
     return sum;
 }
 
-/// Volume inside a closed surface whose upper sides look outward; the negative if they look inward.
+/// Volume inside a closed surface whose upper sides face outward; the negative if they face inward.
 double volume(const std::vector<Triangle>& triangles) {
     double six_times = 0;
     for (const Triangle& t : triangles) {

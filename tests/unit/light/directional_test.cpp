@@ -19,7 +19,7 @@ Vec3 slanted() {
     return normalized({.3, -.2, -.8});
 }
 
-/// The aperture of some triangles, with the mesh it looks at.
+/// The aperture of some triangles, with the mesh that it refers to.
 struct MeshAperture {
     LocalMesh mesh;
     SceneProjection projection;

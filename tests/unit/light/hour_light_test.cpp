@@ -26,7 +26,7 @@ DaylightSources to_sources() {
     return how;
 }
 
-/// What the sources bring to the horizontal, per band 0.
+/// Irradiance of the sources on the horizontal, band 0.
 double on_the_horizontal(const HourSources& hour) {
     double sum = 0;
     for (const auto& source : hour.sources) {

@@ -1,4 +1,4 @@
-// Bounds of what sources bring to a side, against the mean of what they are seen to bring.
+// Bounds of the irradiance of sources on a side, against its measured mean.
 
 #include <cmath>
 #include <limits>

@@ -46,7 +46,7 @@ Sources sources_of(const std::vector<Spectrum>& spectra) {
     return light.sources("day");
 }
 
-/// What the sources shed together is what those of the moments shed.
+/// The light of all sources together is that of the time steps.
 void expect_sum(const Sources& sources, const std::vector<Spectrum>& spectra) {
     for (std::size_t b = 0; b < spectra[0].size(); ++b) {
         const double sum = spectra[0][b] + spectra[1][b] + spectra[2][b];

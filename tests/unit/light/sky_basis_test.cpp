@@ -22,7 +22,7 @@ std::vector<Vec3> some_directions() {
     return directions;
 }
 
-/// The weight of each hat.
+/// The weight of each basis function.
 std::vector<double> weights_at(const SkyBasis& mesh, const Vec3& direction) {
     std::vector<double> weights(mesh.nodes());
     for (const SkyBasis::Share& share : mesh.shares(direction)) {
@@ -32,7 +32,7 @@ std::vector<double> weights_at(const SkyBasis& mesh, const Vec3& direction) {
     return weights;
 }
 
-TEST(SkyBasis, HasHatsThatAddUpToOne) {
+TEST(SkyBasis, HasBasisFunctionsThatAddUpToOne) {
     for (const std::uint32_t rings : {2U, 5U, 9U}) {
         const SkyBasis mesh(rings);
         for (const Vec3& direction : some_directions()) {
@@ -65,7 +65,8 @@ TEST(SkyBasis, IsContinuous) {
     }
 }
 
-/// Each hat gets what the sky sheds under it, all of them together its light on the horizontal.
+/// Each basis function gets the light of the sky below it, all together the light on the
+/// horizontal.
 TEST(SkyBasis, SharesOutTheLightOfASky) {
     const SkyBasis mesh(9);
     const auto uniform = make_uniform_sky("sky", {1});
@@ -93,7 +94,7 @@ TEST(SkyBasis, PutsABeamWhereItComesFrom) {
         for (const SkyBasis::Share& share : mesh.light_of_beam(direction)) {
             horizontal += share.weight;
         }
-        // The mean height of hats, 11 degrees wide to either side.
+        // The mean height of basis functions, 11 degrees wide to either side.
         EXPECT_NEAR(horizontal, std::max(direction.z, .09), .06);
     }
 }

@@ -128,8 +128,8 @@ TEST(SkyTables, HaveTheRadianceOfTheirCells) {
     EXPECT_EQ(table.towards({0, 0, 1}) > 4, true);
 }
 
-/// Closed form: a cell of radiance L brings L (sin^2 e1 - sin^2 e0) / 2 per radian of azimuth.
-TEST(SkyTables, BringTheSumOfTheirCells) {
+/// Closed form: a cell of radiance L contributes L (sin^2 e1 - sin^2 e0) / 2 per radian of azimuth.
+TEST(SkyTables, GiveTheSumOfTheirCells) {
     for (const auto& [azimuths, elevations] :
          {std::pair{3U, 2U}, std::pair{32U, 32U}, std::pair{100U, 7U}}) {
         const SkyTable table = uneven_table(azimuths, elevations);
@@ -232,8 +232,8 @@ TEST(SunDisk, HasTheSizeOfTheSun) {
     EXPECT_NEAR(solar_radius_deg(.983), .2711, 1e-4);
 }
 
-/// The disk brings its irradiance to the plane that faces it, and cos times as much to others.
-TEST(SunDisk, BringsItsIrradianceToThePlaneThatFacesIt) {
+/// The plane that faces the disk gets its irradiance, and others cos times as much.
+TEST(SunDisk, GivesItsIrradianceToThePlaneThatFacesIt) {
     for (const double radius : {.2666, 5.0, 40.0}) {
         const Vec3 to_sun = sun_at(60);
         const auto disk = make_sun_disk("sun", to_sun, radius, {1});
@@ -259,9 +259,9 @@ TEST(SunDisk, BringsItsIrradianceToThePlaneThatFacesIt) {
     }
 }
 
-/// Half of the disk stands above the horizon: closed form of a half disk of small radius r is
+/// Half of the disk is above the horizon: closed form of a half disk of small radius r is
 /// 2 r^3 / 3 over pi r^2.
-TEST(SunDisk, MayStandOnTheHorizon) {
+TEST(SunDisk, MayBeOnTheHorizon) {
     constexpr double kRadius = .5 * pi / 180;
     const auto disk = make_sun_disk("sun", {1, 0, 0}, .5, {1});
     EXPECT_NEAR(disk->horizontal_irradiance(), 2 * kRadius / (3 * pi), 1e-4 * kRadius);

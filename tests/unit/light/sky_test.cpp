@@ -186,21 +186,21 @@ TEST(Skies, SendLightFromEveryPointThatHasSome) {
 
 /// A season has thousands of skies; reading it must not integrate them.
 TEST(Skies, AreIntegratedWhenTheirLightIsAskedFor) {
-    const auto looks = std::make_shared<int>(0);
+    const auto calls = std::make_shared<int>(0);
     const SkyShape shape{
-        [looks](const Vec3& d) {
-            ++*looks;
+        [calls](const Vec3& d) {
+            ++*calls;
             return d.z;
         },
         {},
         {}};
     const auto sky = make_sky("sky", shape, {1});
-    EXPECT_EQ(*looks, 1);
+    EXPECT_EQ(*calls, 1);
     EXPECT_NEAR(model_of(*sky).radiance({0, 0, 1}), 1.5 / pi, 1e-7);
-    EXPECT_GT(*looks, 100);
-    const int so_far = *looks;
+    EXPECT_GT(*calls, 100);
+    const int so_far = *calls;
     EXPECT_GT(model_of(*sky).radiance({0, .6, .8}), 0);
-    EXPECT_EQ(*looks, so_far + 1);
+    EXPECT_EQ(*calls, so_far + 1);
     const SkyShape black{[](const Vec3&) { return 0.0; }, {}, {}};
     EXPECT_THROW((void)make_sky("black", black, {1}), InputError);
 }

@@ -44,7 +44,7 @@ TEST(SunPosition, PassesThroughTheReportsIntermediates) {
     EXPECT_NEAR(at.topocentric_hour_angle_deg, 11.106271, 1e-5);
 }
 
-/// A day after the example, from the tests of pvlib (which do not tell their delta T: 3 s make
+/// A day after the example, from the tests of pvlib (which do not give their delta T: 3 s make
 /// 0.00003 degrees).
 TEST(SunPosition, IsThatOfPvlibADayLater) {
     const SunPosition sun = sun_position(kGolden, {2003, 10, 18, 12, 30, 30, -7}, 67);
@@ -68,7 +68,7 @@ TEST(SunPosition, IsThatOfTheAstronomicalAlmanac) {
     EXPECT_NEAR(june.declination_deg, 23 + 22. / 60 + 27.8 * kSecond, kSecond);
 }
 
-/// Where the sun stood, zenith angle without refraction.
+/// A position of the sun, zenith angle without refraction.
 struct Observation {
     CivilTime time;  ///< universal time
     double latitude, longitude, zenith, azimuth;

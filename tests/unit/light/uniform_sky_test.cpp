@@ -169,7 +169,7 @@ TEST(UniformSky, IsDarkBelowTheHorizon) {
     EXPECT_EQ(sky->traits(), kSkyTraits);
 }
 
-void tell_the_density(const Cell& cell) {
+void expect_density(const Cell& cell) {
     const LocalMesh mesh = make_local_mesh(make_box());
     const SceneProjection projection(mesh, cell, StartArea::silhouette);
     const auto sampler = model_of(*make_uniform_sky("sky", {1})).make_sampler_in(projection);
@@ -200,8 +200,8 @@ void tell_the_density(const Cell& cell) {
 }
 
 TEST(UniformSky, TellsTheDensityThatItDrawsDirectionsWith) {
-    tell_the_density({});
-    tell_the_density({.along_x = true, .along_y = true, .size_x = 3, .size_y = 2});
+    expect_density({});
+    expect_density({.along_x = true, .along_y = true, .size_x = 3, .size_y = 2});
 }
 
 }  // namespace

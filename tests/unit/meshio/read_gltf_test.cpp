@@ -121,7 +121,7 @@ TEST(ReadGltf, KeepsTheFrontOfMirrorImages) {
     gltf.scene = R"("nodes":[{"mesh":0,"matrix":[-1,0,0,0, 0,1,0,0, 0,0,1,0, 5,0,0,1]}],)";
     const ReadMesh read = read_gltf_text(gltf);
     EXPECT_EQ(read.faults, Texts{});
-    // The front of the square looks along z of glTF, -y here, and so does that of its image.
+    // The front of the square faces along z of glTF, -y here, and so does that of its image.
     EXPECT_LT(area_vector(kFirstOfSquare).y, 0);
     EXPECT_LT(area_vector(triangles_of(read.mesh)[0]).y, 0);
     EXPECT_EQ(triangles_of(read.mesh)[0][0], (Vec3{5, -1, 0}));

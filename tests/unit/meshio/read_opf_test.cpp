@@ -7,7 +7,7 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-/// A stem that tapers from 2 to 1 and a leaf upon it, as AMAP's programs write them.
+/// A stem that tapers from 2 to 1 and a leaf on it, as AMAP's programs write them.
 std::string opf_text() {
     return R"(<?xml version="1.0" encoding="UTF-8" ?>
 <opf version="2.0" editable="true">

@@ -79,7 +79,7 @@ TEST(ReadVgx, ScalesTurnsAboutXThenYThenZAndMoves) {
     EXPECT_NEAR(bounds.high.x, 10, 1e-12);
     EXPECT_NEAR((bounds.low.y + bounds.high.y) / 2, 22, 1e-12) << "its base is at 20";
     EXPECT_NEAR((bounds.low.z + bounds.high.z) / 2, 30, 1e-12);
-    // About y: what lay along x points down.
+    // About y: a part along x points down.
     const auto turned = triangles_of_vgx("32\t5\t1\t1\t0\t0\t0\t0\t90\t0");
     EXPECT_NEAR(bounds_of_all(turned).low.z, -5, 1e-12);
     EXPECT_NEAR(bounds_of_all(turned).high.z, 0, 1e-12);

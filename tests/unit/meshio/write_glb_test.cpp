@@ -77,7 +77,7 @@ TEST(WriteGlb, WarnsOfAUnitThatIsNotKnown) {
     EXPECT_NE(run.warnings[0].text.find("the scene's unit 'rods'"), std::string::npos);
 }
 
-/// Copies of a mesh are written where they stand.
+/// Copies of a mesh are written at their positions.
 TEST(WriteGlb, WritesEachCopyOfAMeshThatIsStoredOnce) {
     std::string tri;
     for (int i = 1; i <= 100; ++i) {

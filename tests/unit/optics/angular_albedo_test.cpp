@@ -1,6 +1,6 @@
-// A lobe whose albedo depends on the angle of incidence: what a waxy leaf needs. No model of the
-// catalogue has one yet, so two that stand here alone prove the interface: a matt layer under a
-// coat, of two parameters, and the mirror of the coat itself.
+// A lobe whose albedo depends on the angle of incidence, as of waxy leaves. No model of the
+// catalogue has one yet, so two models of this file test the interface: a Lambertian layer under a
+// coat, with two parameters, and the mirror of the coat itself.
 
 #include <array>
 #include <cmath>
@@ -76,7 +76,7 @@ class Coat final : public Bsdf {
 
 constexpr double kAtNormal = 0.04;
 
-/// A waxy side: coat, two matt lobes beneath that share a hemisphere, and one through the leaf.
+/// A waxy side: coat, two Lambertian lobes below it in one hemisphere, and one through the leaf.
 Side waxy_side(std::size_t bands) {
     const std::vector<double> all(bands, 1.0);
     std::vector<double> diffuse, sharp, through;

@@ -61,7 +61,7 @@ struct HemispherePoint {
 using DirectionFunction = std::function<double(const Vec3&)>;
 
 /// The integral over solid angle of f over a part of the hemisphere about `n`, within about
-/// `tolerance`: Gauss's rule of 3 x 3 points, cells halved both ways until it stands still. Steps
+/// `tolerance`: Gauss's rule of 3 x 3 points, cells halved both ways until it converges. Steps
 /// and narrow peaks (1 degree) are found.
 [[nodiscard]] double integral(
     const DirectionFunction& f, const Vec3& n, const Patch& patch, double tolerance);

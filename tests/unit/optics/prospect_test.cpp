@@ -117,7 +117,7 @@ TEST(Prospect, EachConstituentAbsorbs) {
     EXPECT_EQ(more(900, &LeafConstituents::chlorophyll), 0);
 }
 
-/// Plates put upon each other one by one, by the sum over all reflections between them.
+/// Plates stacked one by one, by the sum over all reflections between them.
 TEST(Prospect, WholeNumbersOfPlatesAreThatManyPlates) {
     const LeafConstants& row = constants_at(550);
     constexpr double kAbsorption = 0.1;

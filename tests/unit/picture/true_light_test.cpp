@@ -75,7 +75,7 @@ class TrueLight : public ::testing::Test {
     double scattered_ = 0;
 };
 
-/// Light that is so many times that of the brightest surface, as it is written.
+/// The pixel value of light that is `part` times that of the brightest surface.
 int written(double part) {
     const double toned = 1 - std::exp(-1.2 * part);
     return static_cast<int>(std::lround(255 * (1.055 * std::pow(toned, 1 / 2.4) - 0.055)));

@@ -1,4 +1,4 @@
-// Times of [time] that share one moment.
+// Cumulative skies of [time].
 
 #include <algorithm>
 #include <string>
@@ -25,7 +25,7 @@ std::string with_two_bands(const std::string& keys) {
 
 constexpr const char* kDays = "from = '2024-06-20'\nto = '2024-06-22'\nutc_offset_hours = 1\n";
 
-/// Light on the horizontal times seconds, summed over moments.
+/// Light on the horizontal times seconds, summed over time steps.
 double sum_over(const TimeSeries& series, std::size_t band) {
     double sum = 0;
     for (const TimeStep& time_step : series.time_steps) {
@@ -36,7 +36,7 @@ double sum_over(const TimeSeries& series, std::size_t band) {
     return sum;
 }
 
-TEST(RunFileCumulative, MakesAMomentOfAPeriod) {
+TEST(RunFileCumulative, MakesATimeStepOfAPeriod) {
     const TimeSeries hours = *read_text(with_two_bands(kDays)).series;
     const TimeSeries one =
         *read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'period'\n")).series;
@@ -64,7 +64,7 @@ TEST(RunFileCumulative, MakesAMomentOfAPeriod) {
     EXPECT_EQ(notes.cumulated->until, "2024-06-23T00:00+01:00");
 }
 
-TEST(RunFileCumulative, MakesAMomentOfEachDay) {
+TEST(RunFileCumulative, MakesATimeStepOfEachDay) {
     const TimeSeries hours = *read_text(with_two_bands(kDays)).series;
     const TimeSeries days =
         *read_text(with_two_bands(std::string(kDays) + "cumulative_sky = 'day'\n")).series;
@@ -141,7 +141,7 @@ SeriesSum flat_sum(const RunFile& run, double seconds, double mean) {
     return sum;
 }
 
-TEST(JsonOfTimes, HoldsMomentsThenDaysThenTheTotal) {
+TEST(JsonOfTimes, HasTimeStepsThenDaysThenTheTotal) {
     RunFile run = read_text(with_two_bands(kDays));
     run.output.include_night = true;  // all results are dark
     std::string text;
@@ -196,7 +196,7 @@ TEST(JsonOfTimes, HasADigestWithoutAFile) {
     EXPECT_NE(written.digest(), JsonWriter(run).digest()) << "of nothing";
 }
 
-TEST(MomentsOf, ARunWithoutTimesAreOneInstant) {
+TEST(TimeStepsOf, ARunWithoutTimesAreOneInstant) {
     const RunFile single = read_text(RunText{}.text());
     const std::vector<TimeStep> one = time_steps_of(single);
     ASSERT_EQ(one.size(), 1U);

@@ -418,8 +418,8 @@ TEST(Summary, TellsThatTheTimeWasUp) {
     EXPECT_EQ(json_of(run, result)["completed"]["stop"], "interrupted");
 }
 
-/// What "auto" chose and why stands in every form of the result.
-TEST(Summary, TellsWhatIsKnownOfTheCanopy) {
+/// Every form of the result has the choice of "auto" and its reason.
+TEST(Summary, HasTheFractionsOfTheCanopy) {
     EXPECT_TRUE(mentions(
         lines_of(summary(small_run(), grouped_result(), {})),
         "canopy    FR: reflectance 0.1250 +- 0.01, absorptance"));

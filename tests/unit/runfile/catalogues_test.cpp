@@ -24,10 +24,10 @@ std::vector<std::string> faults_of_leaf(const std::string& keys) {
 }
 
 /// The keys of all parameters of a model but one.
-std::string keys_of(const BsdfEntry& model, std::string_view word, std::string_view left_out) {
+std::string keys_of(const BsdfEntry& model, std::string_view word, std::string_view omitted) {
     std::string keys = fmt::format("{}_model = '{}'\n", word, model.name);
     for (const BsdfParameter& p : model.parameters) {
-        if (p.name != left_out) {
+        if (p.name != omitted) {
             keys += fmt::format("{}_{} = {}\n", word, p.name, shortest(p.usual.value_or(p.high)));
         }
     }

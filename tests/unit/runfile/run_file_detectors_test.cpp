@@ -25,10 +25,10 @@ std::string detector_of(std::string_view type, const std::string& keys) {
 }
 
 /// The keys of all parameters of a type but one.
-std::string keys_of(const DetectorEntry& type, std::string_view left_out) {
+std::string keys_of(const DetectorEntry& type, std::string_view omitted) {
     std::string keys;
     for (const DetectorParameter& p : type.parameters) {
-        if (p.name != left_out) {
+        if (p.name != omitted) {
             keys += fmt::format("{} = {}\n", p.name, shortest(p.usual.value_or(p.high)));
         }
     }

@@ -18,7 +18,7 @@ TimeSeries series_of(const std::string& keys, const FakeFiles& files = {}) {
     return *read_text(with_time(keys), files).series;
 }
 
-/// Light on the horizontal of a moment, band 0.
+/// Light on the horizontal in a time step, band 0.
 double on_the_horizontal(const TimeStep& time_step) {
     double sum = 0;
     for (const auto& source : time_step.sources) {
@@ -63,7 +63,7 @@ TEST(RunFileTime, OfTimesMayHaveAmountsInAnyUnit) {
     text.sources = "";
     text.rest = std::string(kSite) + "[time]\n" + times + "global = [1500, 200]\nunit = 'PPFD'\n";
     const RunFile run = read_text(text.text());
-    // In the order of the times as stated.
+    // In the order of the times as given.
     EXPECT_NEAR(on_the_horizontal(run.series->time_steps[1]), 1500, 1e-6 * 1500);
     EXPECT_NEAR(on_the_horizontal(run.series->time_steps[0]), 200, 1e-6 * 200);
 }
@@ -111,7 +111,7 @@ TEST(RunFileTime, TakesSpectraOfOnesOwn) {
         "no light"));
 }
 
-/// The standard's light as a spectrometer of so many nanometres sees it.
+/// The standard's spectrum as measured by a spectrometer with steps of `step_nm`.
 std::string measured_spectrum(int from_nm, int to_nm, int step_nm = 10) {
     std::string text = "wavelength_nm,direct,diffuse\n";
     for (int nm = from_nm; nm <= to_nm; nm += step_nm) {
@@ -214,8 +214,8 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
         "latitude_deg"));
 }
 
-/// The sun below the horizon at all times is told, be it night or polar night; a polar day shines.
-TEST(RunFileTime, TellsNightAndPolarNight) {
+/// A sun below the horizon at all times is reported, night or polar night; a polar day has light.
+TEST(RunFileTime, ReportsNightAndPolarNight) {
     const auto tells_night = [](const std::string& text) {
         const RunFile run = read_text(text);
         return std::any_of(run.warnings.begin(), run.warnings.end(), [](const Warning& warning) {
@@ -315,7 +315,7 @@ TEST(RunFileWeather, NoticesAWrongTimeZone) {
     EXPECT_EQ(faults.size(), 1U);
 }
 
-/// Warnings of an hour at noon of midsummer with so much light.
+/// Warnings of an hour at noon of midsummer with the given light.
 std::vector<std::string> warnings_of_noon(const std::string& global, const std::string& unit) {
     std::vector<std::string> warnings;
     const std::string keys = "times = ['2024-06-21T12:00+01:00']\nduration_minutes = 60\n";
@@ -363,7 +363,7 @@ TEST(RunFileWeather, ThatIsBrokenIsToldFirst) {
     EXPECT_TRUE(mentions(faults, "w.epw:1: does not begin with LOCATION"));
 }
 
-TEST(RunFileWeather, GapsAreFaultsOrLeftOut) {
+TEST(RunFileWeather, GapsAreFaultsOrSkipped) {
     std::string holey = day_table();
     const std::size_t row = holey.find("2024-06-21T12:00");
     const std::size_t next = holey.find('\n', row) + 1;

@@ -239,8 +239,8 @@ TEST(Sweep, MayVaryGeometryToo) {
 }
 
 /// A sensor lets all light pass, and what it covers is not cut away: the scene is built anew.
-/// Overlaps of what stays are not looked for again: the scenes are those of runs alone all the
-/// same.
+/// Overlaps of unchanged organs are not searched again: the scenes are the same as those of single
+/// runs.
 TEST(Sweep, OfAPanelThatTurnsHasTheScenesOfItsPoints) {
     const std::string panel =
         "[[organ]]\nname = 'panel'\nmaterial = 'leaf'\nshape = 'parallelogram'\n"

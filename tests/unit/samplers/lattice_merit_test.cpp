@@ -57,7 +57,7 @@ TEST(LatticeMerit, KnowsPlainLattices) {
     const std::uint64_t n = std::uint64_t{1} << 40;
     EXPECT_DOUBLE_EQ(
         shortest_dual_vector(n, std::array<std::uint64_t, 2>{1, n - 1}), std::sqrt(2.0));
-    // Where the odd number stands does not matter.
+    // The position of the odd number does not matter.
     EXPECT_DOUBLE_EQ(
         shortest_dual_vector(64, std::array<std::uint64_t, 3>{2, 5, 7}),
         std::sqrt(

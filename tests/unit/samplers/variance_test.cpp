@@ -53,9 +53,9 @@ std::array<Integrand, 4> integrands() {
     }};
 }
 
-/// What a sampler must show: the number of points that suits it, and by what factors it must beat
-/// the variance of Monte Carlo on integrands(). About half of what is measured; of a sampler that
-/// is not told of here, that it does no harm.
+/// The requirements on a sampler: its best number of points, and the factors by which it must
+/// reduce the variance of Monte Carlo on integrands(), about half of the measured ones. Other
+/// samplers must not increase the variance.
 struct Promise {
     std::uint64_t count = 1024;
     std::array<double, 4> least_gains{};

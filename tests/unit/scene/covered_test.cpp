@@ -90,7 +90,7 @@ TEST(CutCovered, TakesCopiesOfAMeshApartOnlyWhereTheyAreCovered) {
         OrganSpec copy;
         copy.name = "copy";
         copy.parts.push_back({.material = "leaf", .shared = shared});
-        // The last stands where the first does.
+        // The last has the position of the first.
         copy.parts[0].transform.shift = {3.0 * (i % 9), 0, 0};
         builder.add_organ(copy);
     }

@@ -124,7 +124,7 @@ TEST(SceneInstances, TurnWithTheAxesOfTheFile) {
     EXPECT_EQ(data_of(scene).triangles()[2 * kSmallestPrototype + 3][0], y_up.inward(in_file));
 }
 
-TEST(SceneInstances, StretchedCopiesHaveTheAreaOfTheirTriangles) {
+TEST(SceneInstances, ScaledCopiesHaveTheAreaOfTheirTriangles) {
     SceneBuilder builder = one_band_builder();
     const auto mesh = strip();
     for (int i = 0; i < 3; ++i) {

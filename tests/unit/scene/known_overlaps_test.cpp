@@ -126,7 +126,7 @@ TEST(KnownOverlaps, CompareAllWhereTheSizeOfTheSceneChanges) {
     EXPECT_EQ(known.changed(), std::optional<std::size_t>(1)) << "as long as before";
 }
 
-/// A leaf moves amid copies of a mesh, which are not taken apart but near it.
+/// A leaf moves between copies of a mesh, which are only resolved near it.
 TEST(KnownOverlaps, OfCopiesAreThoseOfASearchOfAll) {
     FlatLeaves leaves(11);
     std::vector<Triangle> plant;
@@ -185,7 +185,7 @@ TEST(KnownOverlaps, CompareAllWhereSoManyAreTheSameThatTheOrderOfTheSearchCounts
     EXPECT_FALSE(known.changed());
 }
 
-/// No step looks at so many pairs by itself, all together they do.
+/// No single step tests that many pairs, but all steps together do.
 TEST(KnownOverlaps, GiveUpWhereASearchOfAllDoesThoughNoPlaneIsShared) {
     KnownOverlaps known;
     OwnedTriangles organs{{0, frame()}};

@@ -70,7 +70,7 @@ TEST(LintOverlap, FindsTrianglesThatOverlapInOnePlane) {
 }
 
 TEST(LintOverlap, FindsSliversWhosePlaneRoundingTurns) {
-    // Longer than the triangle, as flat as single precision can tell, and turned by far more.
+    // Longer than the triangle, as flat as single precision allows, and turned by far more.
     const Vec3 n = normalized(area_vector(kTilted));
     for (const double width : {1e-3, 1e-4}) {
         const Triangle sliver{

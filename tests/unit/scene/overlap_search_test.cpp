@@ -19,7 +19,7 @@ namespace {
 using Pairs = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// Pairs of triangles in one plane, in planes that face anywhere; a third of them along the
-/// direction from which the search looks at planes, so that either side of them may count as the
+/// direction by which the search orients planes, so that either side of them may count as the
 /// upper one.
 class FlatPairs {
   public:

@@ -265,7 +265,7 @@ TEST(SceneFaults, LetOrgansBeSomeTimesLargerThanTheCell) {
     }
 }
 
-TEST(SceneFaults, LookAtPeriodicAxesOnly) {
+TEST(SceneFaults, ConcernPeriodicAxesOnly) {
     SceneBuilder builder = sound_builder();
     Cell cell;
     cell.size_x = -1;

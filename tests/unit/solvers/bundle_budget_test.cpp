@@ -28,7 +28,7 @@ class Stand {
           seen_{&prepared_.caster().mesh(), {}},
           patches_(prepared_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {}
 
-    /// Stretches for each patch.
+    /// Segments for each patch.
     [[nodiscard]] double meetings(const BundleGroup& group) const {
         return patches_.area / 2 * group.directions / group.line_area / patches_.patches.count();
     }
@@ -94,7 +94,7 @@ TEST(BundleBudget, GivesTheLastStepWhatManyOrdersTake) {
     }
     EXPECT_GE(of_orders, 3 * kOrders);
     EXPECT_NEAR(bright.meetings(budget.of_all(segments, 0)), of_orders, 1e-9 * of_orders);
-    // Where orders take little, it has what paths bring, whatever they take.
+    // If orders take little, it has the budget of the paths, whatever they take.
     const double own = bright.meetings(budget.of_all(0, 0));
     const BundleGroup one = budget.of_order({1, 0}, 0);
     EXPECT_LT(bright.meetings(one), own);
@@ -109,8 +109,8 @@ TEST(BundleBudget, CutsPatchesBySquareRootOfVeryManyPaths) {
     EXPECT_LT(patches_for(std::uint64_t{1} << 50U), 1e7);
 }
 
-/// Of few paths as well: of 328 patches for 2,048 paths two leaves got twice the light that they
-/// have on their dark sides, and told a fifth of that.
+/// For few paths as well: with 328 patches for 2,048 paths two leaves got twice the light on their
+/// dark sides, and reported an error of a fifth of that.
 TEST(BundleBudget, CutsThousandsOfPatchesForFewPaths) {
     EXPECT_EQ(patches_for(2048), 4096);
     EXPECT_EQ(patches_for(16'384), 4096);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kPaths = 4096;
 
-/// Leaves in a cell of 1 x 1 that goes on without end, or in the open.
+/// Leaves in a periodic cell of 1 x 1, or in the open.
 Scene stand(bool repeats) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .1, .1));
@@ -72,7 +72,7 @@ double periods_cut(const ProjectedTriangle& triangle, double at, const Projectio
     return low <= high ? 1 + period(high) - period(low) : 0;
 }
 
-/// The mean number of images that a line cuts, by looking at many.
+/// The mean number of images that a line cuts, from many lines.
 double count_cuts(const ProjectedScene& scene, const Vec3& direction) {
     constexpr int kLines = 50;
     const ProjectionPlane plane(scene, direction, 0, AlongPeriods::slanted);
@@ -147,7 +147,7 @@ TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
     EXPECT_LT(before, 800);
 }
 
-/// A line that brings a leaf as much as many paths leaves the larger error where it finds none:
+/// A line that contributes to a leaf as much as many paths has the larger error if it misses:
 /// at 5 degrees 119 lines left the organs of a real stand 30 times the error of 65,536 paths.
 TEST(SamplingBudget, HasNoLinesFartherApartThanPathsFindOrgans) {
     const TestStand infinite(true, {sun(87, {1})});
@@ -232,7 +232,7 @@ TEST(SamplingBudget, SeesNoSkiesWhereThereAreNone) {
                      .sees_skies());
 }
 
-/// Many paths find the same sky by pixels as few find by themselves.
+/// Many paths sample the same sky by pixels that few paths sample themselves.
 TEST(FirstHits, TraceTheSkyOfFewPathsFromItself) {
     const Scene scene = stand(false);
     const Result first = run(scene, {sky({1})}, spec_of(Method::first_hits, 16));

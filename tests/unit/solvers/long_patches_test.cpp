@@ -93,7 +93,7 @@ TEST(LongPatches, MayBeThoseOfAFewNeedles) {
     EXPECT_TRUE(has_long(60));
 }
 
-/// Of closed stems amid leaves a quarter of all surfaces may be: no light gets into them.
+/// Closed stems between leaves may have a quarter of all surfaces: no light gets into them.
 TEST(LongPatches, MayBeThoseOfClosedStems) {
     const auto find_long = [](int stems, bool closed) {
         SceneBuilder builder = make_builder();
@@ -133,8 +133,8 @@ Sources lamp_at(double height) {
     return {make_lamp(std::move(bulb))};
 }
 
-/// A lamp between leaves or next to them is told of, one that is apart is not.
-TEST(LintBundles, TellsOfLampsNextToSurfaces) {
+/// A lamp between leaves or next to them is reported, a distant one is not.
+TEST(LintBundles, WarnsOfLampsNextToSurfaces) {
     RunSpec spec;
     const Scene scene = tubes(20);
     EXPECT_TRUE(lint_bundles(scene, lamp_at(1), spec).empty());
@@ -157,8 +157,8 @@ TEST(LintBundles, TellsOfALampCloseAboveTheMiddleOfAFlatScene) {
     EXPECT_TRUE(lint_bundles(scene, lamp_at(1), spec).empty());
 }
 
-/// A needle that stands on a leaf has its shadow where it gets light from.
-TEST(LintBundles, TellsOfPatchesTooLargeBesideOrgans) {
+/// A needle on a leaf has its shadow where it gets light from.
+TEST(LintBundles, WarnsOfPatchesTooLargeBesideOrgans) {
     const auto warnings = [](double width, double height) {
         SceneBuilder builder = make_builder();
         builder.add_material(diffuse("leaf", .3, .3));

@@ -15,9 +15,9 @@
 namespace quasimc::test {
 namespace {
 
-constexpr std::uint32_t kLooks = 32;
+constexpr std::uint32_t kSamples = 32;
 
-/// Leaves over a floor, in a cell of 1 x 1 that goes on without end, or in the open.
+/// Leaves over a floor, in a periodic cell of 1 x 1, or in the open.
 Scene leaves_over_floor(bool repeats) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .1, .1, 2));
@@ -36,20 +36,20 @@ Sources three_suns() {
         make_sun_disk("disk", normalized(Vec3{-.4, .3, .8}), .27, {50, 80})};
 }
 
-std::vector<SunLight> looks(const PreparedScene& prepared, double pixels) {
+std::vector<SunLight> sun_samples(const PreparedScene& prepared, double pixels) {
     RunSpec spec;
     spec.method = Method::light_tracing;
     const auto sampler = make_sampler(spec.sampler);
     const SunPixels suns({prepared, *sampler, spec}, pixels);
     ItemScratch scratch;
     std::vector<SunLight> found;
-    for (std::uint32_t i = 0; i < kLooks; ++i) {
+    for (std::uint32_t i = 0; i < kSamples; ++i) {
         found.push_back(suns.find(i, scratch));
     }
     return found;
 }
 
-/// Scan lines tell the same far more exactly.
+/// The same light from scan lines, far more exact.
 Result by_lines(const Scene& scene, const Sources& suns) {
     RunSpec spec = spec_of(Method::first_hits, 1 << 18);
     spec.max_depth = 1;
@@ -64,7 +64,7 @@ TEST_P(SunPixelsOfStand, SeeWhatScanLinesSee) {
     const PreparedScene prepared(
         scene, suns, StartArea::silhouette,
         std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
-    const std::vector<SunLight> found = looks(prepared, 400000);
+    const std::vector<SunLight> found = sun_samples(prepared, 400000);
     const Result lines = by_lines(scene, suns);
     ASSERT_EQ(scene.regions().size(), scene.organs().size());
     for (std::size_t o = 0; o < scene.organs().size(); ++o) {
@@ -100,7 +100,7 @@ TEST_P(SunPixelsOfStand, LoseNoLight) {
     const PreparedScene prepared(
         scene, suns, StartArea::silhouette,
         std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
-    for (const SunLight& light : looks(prepared, 1000)) {
+    for (const SunLight& light : sun_samples(prepared, 1000)) {
         for (std::size_t b = 0; b < 2; ++b) {
             double sum = light.escaped[b];
             for (std::size_t i = b; i < light.flux.size(); i += 2) {

@@ -1,4 +1,4 @@
-// What pages are told of a run that goes on.
+// The data of a run in progress for pages.
 
 #include "window/live_window.h"
 
@@ -168,7 +168,7 @@ TEST(LiveWindow, ReplacesWhatIsKnownBetter) {
     EXPECT_EQ(after[0]["number"], before[0]["number"]);
     EXPECT_EQ(after[0]["scene"], before[0]["scene"]);
     EXPECT_NE(after[0]["version"], before[0]["version"]);
-    // A page that asks for what it was told of before gets what is known now.
+    // A page that requests an older version gets the current numbers.
     EXPECT_EQ(first_number(window, "values-1-1-0"), 10.25F);
     EXPECT_EQ(first_number(window, "values-1-2-0"), 10.25F);
 }

@@ -80,7 +80,7 @@ TEST(ViewerRoutes, RefusesOtherTokens) {
 }
 
 TEST(ViewerRoutes, RefusesOtherHosts) {
-    // A name of somebody else's that was made to point to this machine.
+    // A foreign name that resolves to this machine (DNS rebinding).
     for (const char* host :
          {"evil.example:8080", "evil.example", "127.0.0.1", "127.0.0.1:8081", "127.0.0.1:80800",
           "localhost", "", "127.0.0.1:8080.evil.example", "[::1]:8080"}) {
