@@ -81,8 +81,8 @@ InputFiles::Reader checking_reader(
             if (!input.is_run_file && names.resolved(input.path) == file &&
                 input.sha256 != sha256_hex(bytes)) {
                 throw InputError(
-                    {{file.string(), "has changed", "it has changed: its SHA-256 differs from that in the result",
-                      ""}});
+                    {{file.string(), "has changed",
+                      "it has changed: its SHA-256 differs from that in the result", ""}});
             }
         }
         return bytes;

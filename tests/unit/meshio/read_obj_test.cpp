@@ -73,7 +73,8 @@ TEST(ReadObj, ReportsEveryBadStatement) {
     EXPECT_TRUE(mentions(read.faults, "file:2: 'nan' is not a finite number"));
     EXPECT_TRUE(mentions(read.faults, "file:3: 'zero' is not a finite number"));
     EXPECT_TRUE(mentions(read.faults, "file:5: a face with 2 corners"));
-    EXPECT_TRUE(mentions(read.faults, "file:6: '5' is not a vertex (there are 4 vertices above it"));
+    EXPECT_TRUE(
+        mentions(read.faults, "file:6: '5' is not a vertex (there are 4 vertices above it"));
     EXPECT_TRUE(mentions(read.faults, "file:7: '0' is not a vertex"));
     EXPECT_TRUE(mentions(read.faults, "file:8: '-5' is not a vertex"));
     EXPECT_TRUE(mentions(read.faults, "file:9: 'a' is not a vertex"));
