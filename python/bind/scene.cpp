@@ -54,7 +54,7 @@ std::vector<std::string> texts_of(const py::object& list) {
 
 MeshArrays arrays_of(const py::dict& mesh) {
     MeshArrays arrays;
-    arrays.where = mesh["place"].cast<std::string>();
+    arrays.where = mesh["where"].cast<std::string>();
     arrays.vertices = span_of<double>(mesh["vertices"]);
     arrays.faces = faces_of(mesh["faces"]);
     arrays.order = span_of<std::int64_t>(mesh["order"]);

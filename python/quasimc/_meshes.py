@@ -10,30 +10,30 @@ import numpy as np
 from .errors import InputError
 
 
-def fault(place, problem, why="", suggestion=""):
+def fault(where, problem, why="", suggestion=""):
     """Returns an InputError with one error, worded as in the library."""
-    text = f"{place}: {problem}" + (f" ({why})" if why else "")
+    text = f"{where}: {problem}" + (f" ({why})" if why else "")
     text += f"; {suggestion}" if suggestion else ""
-    detail = {"where": place, "problem": problem, "why": why, "suggestion": suggestion}
+    detail = {"where": where, "problem": problem, "why": why, "suggestion": suggestion}
     return InputError(text, [detail])
 
 
-def without_mask(place, what, values):
+def without_mask(where, what, values):
     """The values, of which none may be masked."""
     if np.ma.is_masked(values):
-        raise fault(place, f"some of {what} are masked", "every value is used", "remove them")
+        raise fault(where, f"some of {what} are masked", "every value is used", "remove them")
     return values
 
 
-def integers(place, what, values):
+def integers(where, what, values):
     """Values as an array of int64."""
-    values = np.asarray(without_mask(place, what, values))
+    values = np.asarray(without_mask(where, what, values))
     if values.size == 0:
         return values.astype(np.int64)
     if values.dtype.kind not in "iu":
-        raise fault(place, f"{what} is {values.dtype}", "it must be integers")
+        raise fault(where, f"{what} is {values.dtype}", "it must be integers")
     if int(values.max()) > np.iinfo(np.int64).max:
-        raise fault(place, f"{what} is {values.max()}", "the largest integer is 2^63 - 1")
+        raise fault(where, f"{what} is {values.max()}", "the largest integer is 2^63 - 1")
     return values.astype(np.int64, copy=False)
 
 
@@ -58,29 +58,29 @@ def digest(mesh):
         if isinstance(value, np.ndarray):
             marks.update(f"{key} {value.dtype} {value.shape}".encode())
             marks.update(value)
-        elif key != "place":
+        elif key != "where":
             marks.update(repr((key, value)).encode("utf-8", "backslashreplace"))
     return marks.hexdigest()
 
 
-def vertices_and_faces(place, vertices, faces):
+def vertices_and_faces(where, vertices, faces):
     """Vertices (n, 3) float64; faces (m, 3) integers, or None if every three vertices are one."""
-    vertices = without_mask(place, "vertices", vertices)
+    vertices = without_mask(where, "vertices", vertices)
     vertices = np.ascontiguousarray(vertices, dtype=np.float64)
     if faces is None:
         if vertices.ndim != 3 or vertices.shape[1:] != (3, 3):
             raise fault(
-                place,
+                where,
                 f"vertices have the shape {vertices.shape}",
                 "without faces they are triangles: (m, 3, 3)",
             )
         return vertices.reshape(-1, 3), None
     if vertices.ndim != 2 or vertices.shape[1] != 3:
-        raise fault(place, f"vertices have the shape {vertices.shape}", "it must be (n, 3)")
-    faces = np.asarray(without_mask(place, "faces", faces))
+        raise fault(where, f"vertices have the shape {vertices.shape}", "it must be (n, 3)")
+    faces = np.asarray(without_mask(where, "faces", faces))
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
         raise fault(
-            place,
+            where,
             f"faces are {faces.dtype} of the shape {faces.shape}",
             "they must be integers, (m, 3)",
         )
@@ -88,10 +88,10 @@ def vertices_and_faces(place, vertices, faces):
         return vertices, np.ascontiguousarray(faces).view(np.int32)
     if faces.dtype.itemsize <= 4 and faces.dtype != np.uint32:
         return vertices, np.ascontiguousarray(faces, dtype=np.int32)
-    return vertices, np.ascontiguousarray(integers(place, "faces", faces))
+    return vertices, np.ascontiguousarray(integers(where, "faces", faces))
 
 
-def grouped(place, organ, count):
+def grouped(where, organ, count):
     """Order of the faces, where each organ begins, and the ids; ascending."""
     if organ is None:
         return None, np.array([0, count], dtype=np.int64), None
@@ -99,11 +99,11 @@ def grouped(place, organ, count):
         organ = np.full(count, organ)
     if np.shape(organ) != (count,) or np.asarray(organ).dtype.kind not in "iu":
         raise fault(
-            place,
+            where,
             f"organ is {np.asarray(organ).dtype} of the shape {np.shape(organ)}",
             f"it must be integers, one for each of the {count} faces",
         )
-    organ = integers(place, "organ", organ)
+    organ = integers(where, "organ", organ)
     order = None
     if np.any(organ[1:] < organ[:-1]):
         order = np.argsort(organ, kind="stable")
@@ -123,7 +123,7 @@ def ranks_of(order, starts):
     return ranks
 
 
-def per_organ(place, what, value, ids, ranks):
+def per_organ(where, what, value, ids, ranks):
     """A value for all organs as a list of one, or one for each, by ascending ids, as texts.
 
     Lists are in the order in which the organs first appear among the faces: `ranks`.
@@ -131,26 +131,26 @@ def per_organ(place, what, value, ids, ranks):
     count = len(ranks)
     if isinstance(value, Mapping):
         if ids is None:
-            raise fault(place, f"{what} is given by organ", "the argument organ is missing")
+            raise fault(where, f"{what} is given by organ", "the argument organ is missing")
         missing = [int(i) for i in ids if int(i) not in value]
         if missing:
-            raise fault(place, f"{what} has no value for organ {missing[0]}")
+            raise fault(where, f"{what} has no value for organ {missing[0]}")
         return [str(value[int(i)]) for i in ids]
     if isinstance(value, str) or np.ndim(value) == 0:
         return [str(value)]
-    values = [str(v) for v in without_mask(place, what, value)]
+    values = [str(v) for v in without_mask(where, what, value)]
     if len(values) != count:
-        raise fault(place, f"{what} has {len(values)} values", f"there are {count} organs")
+        raise fault(where, f"{what} has {len(values)} values", f"there are {count} organs")
     return [values[rank] for rank in ranks]
 
 
-def materials_of(place, material, order, starts, ids):
+def materials_of(where, material, order, starts, ids):
     """Names of materials, and the number of each face's among them (None: the first of all)."""
     if isinstance(material, str):
         return [material], None
     faces = int(starts[-1])
     if isinstance(material, Mapping):
-        names = per_organ(place, "material", material, ids, ranks_of(order, starts))
+        names = per_organ(where, "material", material, ids, ranks_of(order, starts))
         unique, number = np.unique(names, return_inverse=True)
         sorted_faces = np.repeat(number.astype(np.uint32), np.diff(starts))
         of_face = sorted_faces
@@ -158,10 +158,10 @@ def materials_of(place, material, order, starts, ids):
             of_face = np.empty_like(sorted_faces)
             of_face[order] = sorted_faces
         return [str(n) for n in unique], of_face
-    names = np.asarray(without_mask(place, "material", material))
+    names = np.asarray(without_mask(where, "material", material))
     if names.shape != (faces,) or names.dtype.kind not in "UO":
         raise fault(
-            place,
+            where,
             "material is neither a name nor a list of one name for each face",
             f"there are {faces} faces",
             "write material=\"leaf\"",
@@ -171,23 +171,23 @@ def materials_of(place, material, order, starts, ids):
 
 
 def mesh_arrays(
-    place, vertices, faces, organ, material, name, labels, measured, field_of_view_deg
+    where, vertices, faces, organ, material, name, labels, measured, field_of_view_deg
 ):
     """The dict that quasimc._core.Document.build takes."""
-    vertices, faces = vertices_and_faces(place, vertices, faces)
+    vertices, faces = vertices_and_faces(where, vertices, faces)
     count = len(vertices) // 3 if faces is None else len(faces)
     if count == 0:
-        raise fault(place, "there are no triangles")
-    order, starts, ids = grouped(place, organ, count)
+        raise fault(where, "there are no triangles")
+    order, starts, ids = grouped(where, organ, count)
     ranks = ranks_of(order, starts)
-    materials, material_of_face = materials_of(place, material, order, starts, ids)
-    names = [] if name is None else per_organ(place, "name", name, ids, ranks)
+    materials, material_of_face = materials_of(where, material, order, starts, ids)
+    names = [] if name is None else per_organ(where, "name", name, ids, ranks)
     if labels is not None and not isinstance(labels, Mapping):
-        raise fault(place, f"labels is of the type {type(labels).__name__}", "it must be a dict")
+        raise fault(where, f"labels is of the type {type(labels).__name__}", "it must be a dict")
     if len(names) == 1 and len(ranks) > 1:
         names = [f"{names[0]} {i}" for i in ids]
     return {
-        "place": place,
+        "where": where,
         "vertices": vertices,
         "faces": faces,
         "order": order,
@@ -197,7 +197,7 @@ def mesh_arrays(
         "material_of_face": material_of_face,
         "names": names,
         "labels": [
-            (str(key), per_organ(place, f"label '{key}'", value, ids, ranks))
+            (str(key), per_organ(where, f"label '{key}'", value, ids, ranks))
             for key, value in (labels or {}).items()
         ],
         "measured": bool(measured),

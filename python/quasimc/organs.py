@@ -50,16 +50,16 @@ class Organs:
         return self._scene.labels
 
     @cached_property
-    def _place_of_id(self):
+    def _index_of_id(self):
         return {int(organ): i for i, organ in enumerate(self.ids)}
 
     @cached_property
-    def _place_of_name(self):
+    def _index_of_name(self):
         """None for a name that several organs have."""
-        places = {}
+        indices = {}
         for i, name in enumerate(self.names):
-            places[name] = None if name in places else i
-        return places
+            indices[name] = None if name in indices else i
+        return indices
 
     def index_of(self, organ):
         """Returns the index of an organ, given by its id or its name.
@@ -67,19 +67,19 @@ class Organs:
         Raises KeyError if there is none, or if several organs have the name.
         """
         if not isinstance(organ, str):
-            return self._place_of_id[organ]
-        if organ in self._place_of_name:
-            place = self._place_of_name[organ]
-            if place is None:
+            return self._index_of_id[organ]
+        if organ in self._index_of_name:
+            index = self._index_of_name[organ]
+            if index is None:
                 count = self.names.count(organ)
                 raise KeyError(f"{count} organs have the name {organ!r}: use an id")
-            return place
+            return index
         near = difflib.get_close_matches(organ, self.names, n=3)
         known = ", ".join(map(repr, near or self.names[:10]))
         raise KeyError(f"there is no organ {organ!r}; there are: {known}")
 
     def triangles(self, index):
-        """The triangles of the organ at a place: (n, 3, 3), in the axes of the scene."""
+        """The triangles of the organ at an index: (n, 3, 3), in the axes of the scene."""
         return self._scene.triangles_of(index)
 
     def __len__(self):

@@ -14,7 +14,7 @@ def _drawn_organs(result, include_ground):
 
 
 def _triangles(result, organs):
-    """All triangles with the place of the organ of each; (n, 3, 3) and (n,)."""
+    """All triangles with the index of the organ of each; (n, 3, 3) and (n,)."""
     step = max(1, -(-result.organs.triangle_count // MOST_TRIANGLES))
     parts = [(i, result.organs.triangles(i)) for i in list(organs)[::step]]
     numbers = np.repeat([i for i, _ in parts], [len(t) for _, t in parts])
@@ -239,12 +239,12 @@ def _errors(estimates, organs):
     return np.stack([mean - estimates.ci95_low, estimates.ci95_high - mean])[:, organs].clip(0)
 
 
-def _draw_fit(ax, x, y, name, points, place):
-    """The fitted curve, if there is one, in the colour of its points; place: where x, y stands."""
+def _draw_fit(ax, x, y, name, points, project):
+    """The fitted curve, if there is one, in the colour of its points; project: (x, y) on the picture."""
     fit = fit_exponential(x, y)
     if fit is not None:
         curve_x = np.linspace(np.min(x), np.max(x), 200)
         curve_y = fit[0] * np.exp(-fit[1] * curve_x)
         label = f"{fit[0]:.3g} exp({-fit[1]:.3g} {name})"
-        curve = place(curve_x, curve_y)
+        curve = project(curve_x, curve_y)
         ax.plot(*curve, color=points.get_color(), linewidth=2.5, zorder=3, label=label)

@@ -79,10 +79,10 @@ class Selection(_Light):
     """
 
     def __init__(self, result, ids):
-        places = [result.organs.index_of(organ) for organ in ids]
-        self.ids = result.organs.ids[places].tolist()
-        sunlit = result._sunlit[places] if len(result._sunlit) else result._sunlit
-        super().__init__(result._values[places], sunlit, result.organs)
+        indices = [result.organs.index_of(organ) for organ in ids]
+        self.ids = result.organs.ids[indices].tolist()
+        sunlit = result._sunlit[indices] if len(result._sunlit) else result._sunlit
+        super().__init__(result._values[indices], sunlit, result.organs)
 
 
 class Groups(_Light):

@@ -86,7 +86,7 @@ class Scene:
         site=None,
         title=None,
     ):
-        stated = {
+        given = {
             "title": title,
             "irradiance_unit": irradiance_unit,
             "length_unit": length_unit,
@@ -95,7 +95,7 @@ class Scene:
             "site": site,
         }
         self._init(
-            plain({**_band_keys(bands), **{k: v for k, v in stated.items() if v is not None}}),
+            plain({**_band_keys(bands), **{k: v for k, v in given.items() if v is not None}}),
             "scene",
             None,
         )
@@ -104,8 +104,8 @@ class Scene:
         self._table = table
         self._name = name
         self._folder = folder  # that paths are relative to; None: the current one
-        self._meshes = {}  # by their places, which are ascending numbers
-        self._places = {}  # of the meshes of each name
+        self._meshes = {}  # by ascending numbers
+        self._numbers = {}  # of the meshes of each name
         self._ids = set()  # of the organs of meshes
         self._numbered = 0  # meshes that were added so far
         self._document = None  # as it was read, with its lines, as long as nothing is changed
@@ -130,7 +130,7 @@ class Scene:
         other = type(self).__new__(type(self))
         other._init(copy.deepcopy(self._table), self._name, self._folder)
         other._meshes = dict(self._meshes)
-        other._places = {name: list(places) for name, places in self._places.items()}
+        other._numbers = {name: list(numbers) for name, numbers in self._numbers.items()}
         other._ids = set(self._ids)
         other._numbered = self._numbered
         other._marks = self._marks.copy()
@@ -158,7 +158,7 @@ class Scene:
         **keys
             reflection_model, reflection_exponent and others.
         """
-        stated = plain(
+        given = plain(
             dict(
                 name=name,
                 reflectance=reflectance,
@@ -170,8 +170,8 @@ class Scene:
         )
         with self._lock.to_change():
             others = [m for m in self._table.get("material", []) if m.get("name") != name]
-            self._frame_of([stated])
-            self._set("material", [*others, stated])
+            self._frame_of([given])
+            self._set("material", [*others, given])
         return self
 
     def add_mesh(
@@ -247,11 +247,11 @@ class Scene:
                 vertices, faces, organ, material, name, labels, measured, field_of_view_deg
             )
             self._check_name(name)
-            places = self._places.get(name, [])
-            self._check_mesh(mesh, [self._meshes[place] for place in places])
-            place = places[0] if places else self._numbered
+            numbers = self._numbers.get(name, [])
+            self._check_mesh(mesh, [self._meshes[number] for number in numbers])
+            number = numbers[0] if numbers else self._numbered
             self._remove(name)
-            self._put(mesh, place)
+            self._put(mesh, number)
         return self
 
     def remove(self, name):
@@ -269,8 +269,8 @@ class Scene:
 
     def _mesh(self, vertices, faces, organ, material, name, *others):
         """A mesh that later writes to the arrays don't change."""
-        place = f"{self._name}: mesh {self._numbered + 1}"
-        mesh = mesh_arrays(place, vertices, faces, organ, material, name, *others)
+        where = f"{self._name}: mesh {self._numbered + 1}"
+        mesh = mesh_arrays(where, vertices, faces, organ, material, name, *others)
         mesh["vertices"] = owned(mesh["vertices"], vertices)
         mesh["faces"] = owned(mesh["faces"], faces)
         mesh["name"] = name if isinstance(name, str) else None
@@ -294,15 +294,15 @@ class Scene:
         double = self._ids.intersection(_ids_of(mesh)).difference(*map(_ids_of, replaced))
         if double:
             raise fault(
-                mesh["place"],
+                mesh["where"],
                 f"an earlier mesh has an organ with the id {min(double)}",
                 "ids must be unique",
                 "use other ids, or replace that mesh by its name",
             )
 
-    def _put(self, mesh, place):
-        self._meshes[place] = mesh
-        self._places.setdefault(mesh["name"], []).append(place)
+    def _put(self, mesh, number):
+        self._meshes[number] = mesh
+        self._numbers.setdefault(mesh["name"], []).append(number)
         self._ids.update(_ids_of(mesh))
         self._marks.update(_marks_of("mesh", mesh))
         self._numbered += 1
@@ -310,7 +310,7 @@ class Scene:
 
     def _mesh_list(self):
         """The meshes in their order."""
-        return [self._meshes[place] for place in sorted(self._meshes)]
+        return [self._meshes[number] for number in sorted(self._meshes)]
 
     def _frame_of(self, materials):
         """Materials, checked, for meshes to be checked against."""
@@ -329,8 +329,8 @@ class Scene:
             )
 
     def _remove(self, name):
-        for place in self._places.pop(name, []):
-            mesh = self._meshes.pop(place)
+        for number in self._numbers.pop(name, []):
+            mesh = self._meshes.pop(number)
             self._ids.difference_update(_ids_of(mesh))
             self._unmark("mesh", mesh)
         for key in _LISTS if ("name", name) in self._marks else ():
@@ -425,9 +425,9 @@ class Scene:
     def set_cell(self, x=None, y=None, z=None):
         """Makes the scene periodic along the given axes: x=(low, high), ..."""
         cell = {"x": x, "y": y, "z": z}
-        stated = {key: plain(list(value)) for key, value in cell.items() if value is not None}
+        given = {key: plain(list(value)) for key, value in cell.items() if value is not None}
         with self._lock.to_change():
-            self._set("cell", stated)
+            self._set("cell", given)
         return self
 
     def _path(self, file):
@@ -607,15 +607,15 @@ def _source_tables(sources):
 
 
 def _numbered(table, meshes):
-    """The table with ids for the organs of shapes that have none, beyond those that are stated.
+    """The table with ids for the organs of shapes that have none, beyond those that are given.
 
     They come before the organs of meshes, and would else be numbered from 1.
     """
     organs = table.get("organ", [])
-    stated = [int(mesh["ids"].max()) for mesh in meshes if mesh["ids"] is not None]
-    if not stated or all("id" in organ for organ in organs):
+    given = [int(mesh["ids"].max()) for mesh in meshes if mesh["ids"] is not None]
+    if not given or all("id" in organ for organ in organs):
         return table
-    largest = max([*stated, *(organ["id"] for organ in organs if "id" in organ), 0])
+    largest = max([*given, *(organ["id"] for organ in organs if "id" in organ), 0])
     numbered = []
     for organ in organs:
         if "id" not in organ:

@@ -40,15 +40,15 @@ function start(parent, label, [x0, x1], [y0, y1], xTitle, isYTick = () => true, 
 /**
  * Adds bars that can be pressed and pointed at, by mouse or key.
  * @param binOf  the number of its bar for each organ, -1 for none
- * @param bars  {bin, place, label, from, to} of each
+ * @param bars  {bin, box, label, from, to} of each
  * @param acts  onRange is called with the ends of a bar that is pressed, onPoint with the organs and
  *     the label of the one that is pointed at, null when it no longer is
  * @returns (organ) => the ends of its bar, which is highlighted; null for none
  */
 function addBars(svg, binOf, bars, { onRange, onPoint }) {
   const made = new Map();
-  for (const { bin, place, label, from, to } of bars) {
-    const bar = add(svg, "rect", { class: "bar", tabindex: 0, role: "button", "aria-label": label, "data-bin": bin, ...place });
+  for (const { bin, box, label, from, to } of bars) {
+    const bar = add(svg, "rect", { class: "bar", tabindex: 0, role: "button", "aria-label": label, "data-bin": bin, ...box });
     add(bar, "title", {}, label);
     const point = () => {
       const organs = [];
@@ -143,13 +143,13 @@ export function drawHistogram(parent, { numbers, isShown, title, usual, absent }
     for (let bin = 0; bin < bins; ++bin) {
       const from = ends.low + bin * width;
       const to = bin === bins - 1 ? Math.max(high, ends.high) : from + width;
-      const place = (count) => ({
+      const box = (count) => ({
         x: x(from), width: Math.max(2, x(from + width) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
       });
       if (all[bin] > 0) {
-        add(svg, "rect", { class: "all", ...place(all[bin]) });
+        add(svg, "rect", { class: "all", ...box(all[bin]) });
         const label = `${short(from)} to ${short(to)}: ${shown[bin]} of ${all[bin]} organ${all[bin] === 1 ? "" : "s"}`;
-        bars.push({ bin, place: place(shown[bin]), label, from, to });
+        bars.push({ bin, box: box(shown[bin]), label, from, to });
       }
     }
     return addBars(svg, binOf, bars, acts);
@@ -177,23 +177,23 @@ export function drawProfile(parent, { numbers, isShown, title, heights, areas },
     }
   });
   const means = sums.map((layer) => (layer.area > 0 ? layer.sum / layer.area : NaN));
-  const told = means.filter(Number.isFinite);
-  if (told.length === 0) {
+  const finite = means.filter(Number.isFinite);
+  if (finite.length === 0) {
     parent.textContent = "No organ shown has a value.";
     return kNoBars;
   }
   return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...told), Math.max(0, ...told) || 1],
+    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...finite), Math.max(0, ...finite) || 1],
       [low, high], title);
     const bars = means.map((mean, bin) => {
       const from = low + bin * thick;
       const to = bin === layers - 1 ? high : from + thick;
       const top = y(to);
-      const place = {
+      const box = {
         x: Math.min(x(0), x(mean)), width: Math.max(2, Math.abs(x(mean) - x(0))), y: top, height: Math.max(2, y(from) - top - 1),
       };
       const label = `height ${short(from)} to ${short(to)}: mean ${short(mean)} of ${sums[bin].count} organ${sums[bin].count === 1 ? "" : "s"}`;
-      return { bin, place, label, from, to };
+      return { bin, box, label, from, to };
     });
     return addBars(svg, layerOf, bars.filter(({ bin }) => Number.isFinite(means[bin])), acts);
   });
@@ -218,9 +218,9 @@ export function drawConvergence(parent, rounds) {
     add(svg, "text", { x: x(log(round.paths)), y: kHeight - kBottom + 14, "text-anchor": anchor }, String(round.paths));
   });
   for (const [key, name, below] of [["worst_error", "largest", -6], ["median_error", "median", 16]]) {
-    const places = known.map((round) => [x(log(round.paths)), y(log(100 * round[key]))]);
-    add(svg, "polyline", { class: `error ${key}`, fill: "none", points: places.map((place) => place.join(",")).join(" ") });
-    places.forEach(([cx, cy]) => add(svg, "circle", { class: `dot ${key}`, cx, cy, r: 3 }));
-    add(svg, "text", { x: places[0][0] + 6, y: places[0][1] + below }, name);
+    const points = known.map((round) => [x(log(round.paths)), y(log(100 * round[key]))]);
+    add(svg, "polyline", { class: `error ${key}`, fill: "none", points: points.map((point) => point.join(",")).join(" ") });
+    points.forEach(([cx, cy]) => add(svg, "circle", { class: `dot ${key}`, cx, cy, r: 3 }));
+    add(svg, "text", { x: points[0][0] + 6, y: points[0][1] + below }, name);
   }
 }

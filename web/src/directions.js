@@ -82,19 +82,19 @@ function makeDome(middle, size, sky) {
     return middle.clone().addScaledVector(new Vector3(
       Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation)), size);
   };
-  const places = [];
+  const vertices = [];
   const colors = [];
   for (let i = 0; i < kRings * kSectors; ++i) {
     const [ring, sector] = [Math.floor(i / kSectors), i % kSectors];
     const [a, b, c, d] = [at(ring, sector), at(ring, sector + 1), at(ring + 1, sector + 1), at(ring + 1, sector)];
     const color = skyColor(sky[i]);
     for (const corner of [a, b, c, a, c, d]) {
-      places.push(...corner);
+      vertices.push(...corner);
       colors.push(...color);
     }
   }
   const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new Float32BufferAttribute(places, 3));
+  geometry.setAttribute("position", new Float32BufferAttribute(vertices, 3));
   geometry.setAttribute("color", new Float32BufferAttribute(colors, 3));
   const dome = new Mesh(geometry, new MeshBasicMaterial({
     vertexColors: true, side: BackSide, transparent: true, opacity: 0.5, depthWrite: false, toneMapped: false,
@@ -112,9 +112,9 @@ export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasS
   const group = new Group();
   const size = 1.1 * radius; // fits in the view of the whole scene
   const at = (v, far) => middle.clone().addScaledVector(new Vector3(...v), far);
-  const addSign = (draw, color, place) => {
+  const addSign = (draw, color, position) => {
     const sprite = sign(draw, color);
-    sprite.position.copy(place);
+    sprite.position.copy(position);
     sprite.scale.setScalar(0.16 * radius);
     group.add(sprite);
   };
@@ -130,10 +130,10 @@ export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasS
     addSign(drawSun, kSun, at(sun, 1.06 * size));
   }
   for (const lamp of lamps.slice(0, 100)) {
-    const place = new Vector3(...lamp);
-    const far = place.distanceTo(middle);
+    const position = new Vector3(...lamp);
+    const far = position.distanceTo(middle);
     // A lamp far away is drawn in its direction.
-    addSign(drawLamp, kSun, far <= 2 * size ? place : place.sub(middle).multiplyScalar((1.1 * size) / far).add(middle));
+    addSign(drawLamp, kSun, far <= 2 * size ? position : position.sub(middle).multiplyScalar((1.1 * size) / far).add(middle));
   }
   if (hasSky && sky) {
     group.add(makeDome(middle, size, sky));

@@ -2,7 +2,7 @@
 
 import { fill, make } from "./tables.js";
 
-const kMostValues = 2000; // maximum length of a list
+const kMaxValues = 2000; // maximum length of a list
 const kFirstLists = 3; // lists that are open at the start
 
 /** A list of the values of a key, for multiple choice. */
@@ -24,7 +24,7 @@ function valueList(key, values, chosen) {
 export function fillLabels(parent, labels) {
   const wanted = wantedLabels(parent);
   const lists = Object.entries(labels)
-    .filter(([, { values, of }]) => values.length <= kMostValues && (values.length > 1 || of.includes(-1)))
+    .filter(([, { values, of }]) => values.length <= kMaxValues && (values.length > 1 || of.includes(-1)))
     .sort(([, one], [, other]) => one.values.length - other.values.length)
     .map(([key, { values }]) => valueList(key, values, wanted.get(key)));
   parent.replaceChildren(...lists.slice(0, kFirstLists));

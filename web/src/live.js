@@ -72,11 +72,11 @@ export class LiveRun {
 /**
  * Shows the newest frames of a run, until the user selects an older one.
  * @param show  (run, index, entries) => promise
- * @param tell  (words, fraction) => shows the progress of the run
+ * @param report  (words, fraction) => shows the progress of the run
  */
 export class Follower {
-  constructor(live, show, tell) {
-    Object.assign(this, { live, show, tell, isFollowing: true, shown: null, turn: Promise.resolve() });
+  constructor(live, show, report) {
+    Object.assign(this, { live, show, report, isFollowing: true, shown: null, turn: Promise.resolve() });
   }
 
   /** Returns when the run or the program has ended. */
@@ -84,7 +84,7 @@ export class Follower {
     for (;;) {
       const { words, fraction, ended } = this.live.state;
       await this.#showNews();
-      this.tell(ended || words, ended ? -1 : fraction);
+      this.report(ended || words, ended ? -1 : fraction);
       if (ended) {
         return;
       }
@@ -92,7 +92,7 @@ export class Follower {
       try {
         await this.live.poll();
       } catch {
-        this.tell("The run has ended. This page keeps the data that it has loaded.", -1);
+        this.report("The run has ended. This page keeps the data that it has loaded.", -1);
         return;
       }
     }

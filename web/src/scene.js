@@ -123,7 +123,7 @@ export class SceneWindow {
     this.picture = new WebGLRenderTarget(1, 1); // number of the visible organ at each pixel
     this.picture.texture.minFilter = this.picture.texture.magFilter = NearestFilter;
     new ResizeObserver(() => this.#resize()).observe(this.canvas.parentElement);
-    this.look(200, 25);
+    this.lookFrom(200, 25);
     this.#resize();
     this.#handOver();
   }
@@ -236,7 +236,7 @@ export class SceneWindow {
   }
 
   /** Sets the camera's azimuth and elevation, degrees; azimuth clockwise from north. */
-  look(azimuth, elevation) {
+  lookFrom(azimuth, elevation) {
     const north = new Vector3(...this.run.json.north);
     const east = new Vector3(north.y, -north.x, 0);
     const radians = Math.PI / 180;

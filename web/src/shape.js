@@ -18,7 +18,7 @@ export function readShape(bytes, count) {
   const triangles = new Uint32Array(bytes, 8 * count, count);
   const total = triangles.reduce((sum, n) => sum + n, 0);
   const size = (bytes.byteLength - 12 * count - 3 * total) / 4;
-  const places = new Float32Array(bytes, 12 * count, size);
+  const vertices = new Float32Array(bytes, 12 * count, size);
   const backward = new Uint8Array(bytes, 12 * count + 4 * size, 3 * total);
   const corners = new Uint32Array(3 * total);
   const first = new Uint32Array(count + 1);
@@ -31,7 +31,7 @@ export function readShape(bytes, count) {
     }
     first[organ + 1] = next;
   }
-  return { areas, heights, triangles: total, places, corners, first };
+  return { areas, heights, triangles: total, vertices, corners, first };
 }
 
 /** A step that visits all of `count` indices once, each far from the last (golden section). */
@@ -66,7 +66,7 @@ class TintedGeometry {
     this.first = shape.first;
     this.geometry = new BufferGeometry();
     this.geometry.setAttribute("position", position);
-    this.geometry.setAttribute("tint", new BufferAttribute(new Uint32Array(shape.places.length / 3), 1));
+    this.geometry.setAttribute("tint", new BufferAttribute(new Uint32Array(shape.vertices.length / 3), 1));
     this.geometry.setIndex(index);
     this.geometry.boundingSphere = new Sphere(); // unused, and slow to compute
     this.tint = this.geometry.attributes.tint;
@@ -107,7 +107,7 @@ class TintedGeometry {
 /** The organs in the colours of their light, in those of the plant, and as numbers, for picking. */
 export class OrganGeometry {
   constructor(shape) {
-    const position = new BufferAttribute(shape.places, 3);
+    const position = new BufferAttribute(shape.vertices, 3);
     const index = new BufferAttribute(spread(shape.corners), 1);
     this.make = () => new TintedGeometry(shape, position, index);
     this.colored = this.make();

@@ -92,9 +92,9 @@ function groupTables(groups, bands, unitOf) {
 
 /** Advice on totals of labels without groups in the run: their errors do not follow from those of organs. */
 function missingGroups(run, groups) {
-  const kMost = 100; // maximum number of values of a label for groups
+  const kMaxLabels = 100; // maximum number of values of a label for groups
   const keys = Object.entries(run.json.organs.labels)
-    .filter(([key, { values }]) => values.length <= kMost && !groups.some(({ by }) => by === key)).map(([key]) => key);
+    .filter(([key, { values }]) => values.length <= kMaxLabels && !groups.some(({ by }) => by === key)).map(([key]) => key);
   return keys.length === 0 ? [] : [make("p",
     `For totals by label with their errors, set groups = ${JSON.stringify(keys)} in [run].`)];
 }

@@ -76,7 +76,7 @@ class Page {
     $("time-controls").hidden = run.json.times.length < 2;
     for (const [name, azimuth, elevation] of kViews) {
       const button = make("button", name, { type: "button" });
-      button.addEventListener("click", () => this.window?.look(azimuth, elevation));
+      button.addEventListener("click", () => this.window?.lookFrom(azimuth, elevation));
       $("views").append(button);
     }
   }
@@ -218,7 +218,7 @@ class Page {
         "+": () => this.window.turn(0, 0, 1.2), "=": () => this.window.turn(0, 0, 1.2),
         "-": () => this.window.turn(0, 0, 1 / 1.2), "−": () => this.window.turn(0, 0, 1 / 1.2),
         n: () => this.#step(1), p: () => this.#step(-1),
-        Escape: () => this.choose(null), Home: () => this.window.look(200, 25),
+        Escape: () => this.choose(null), Home: () => this.window.lookFrom(200, 25),
       };
       const act = acts[event.key.length === 1 ? event.key.toLowerCase() : event.key];
       if (act && !event.ctrlKey && !event.metaKey && !event.altKey) {
@@ -356,9 +356,9 @@ class Page {
 
   /** The columns in the list of an organ: all, but with very many bands only those of the shown band. */
   #toldColumns() {
-    const kMost = 60;
+    const kMaxColumns = 60;
     const { columns } = this.run;
-    return columns.length <= kMost ? columns : columns.filter(({ band }) => !band || band === this.kind.band);
+    return columns.length <= kMaxColumns ? columns : columns.filter(({ band }) => !band || band === this.kind.band);
   }
 
   async showOrgan(organ) {

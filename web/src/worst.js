@@ -3,16 +3,16 @@
 import { short } from "./numbers.js";
 import { make, table } from "./tables.js";
 
-const kMost = 10;
+const kMaxRows = 10;
 
 /** The organs with the largest `parts`, in decreasing order, without NaN. */
 function largest(parts) {
   const found = [];
   for (let i = 0; i < parts.length; ++i) {
-    if (parts[i] > (found.length < kMost ? -Infinity : parts[found.at(-1)])) {
+    if (parts[i] > (found.length < kMaxRows ? -Infinity : parts[found.at(-1)])) {
       const at = found.findIndex((other) => parts[other] < parts[i]);
       found.splice(at < 0 ? found.length : at, 0, i);
-      found.length = Math.min(found.length, kMost);
+      found.length = Math.min(found.length, kMaxRows);
     }
   }
   return found;

@@ -197,7 +197,7 @@ class CaribuScene:
                 bands = list(soil_reflectance.keys())
             self.material = {band: self._for_all(self.default_material) for band in bands}
         elif isinstance(opt, dict):
-            self.material = self._stated_materials(opt)
+            self.material = self._given_materials(opt)
         elif isinstance(opt, (list, tuple)) and is_file:
             soil_reflectance = self._read_optics(opt)
         else:
@@ -211,7 +211,7 @@ class CaribuScene:
     def _for_all(self, material):
         return {} if self.scene is None else {pid: material for pid in self.scene.keys()}
 
-    def _stated_materials(self, opt):
+    def _given_materials(self, opt):
         first = list(opt.values())[0]
         if isinstance(first, tuple):
             return {band: self._for_all(material) for band, material in opt.items()}
@@ -387,18 +387,18 @@ class CaribuScene:
         if self.scene is None:
             return {}, {}
         self._check(infinite, d_sphere, direct)
-        stated = {
+        given = {
             "d_sphere": d_sphere,
             "layers": layers,
             "height": height,
             "screen_size": screen_size,
             "screen_resolution": screen_resolution,
         }
-        warn_of_ignored(**{key: value for key, value in stated.items() if value is not None})
+        warn_of_ignored(**{key: value for key, value in given.items() if value is not None})
         traced = self._trace(direct, infinite, sensors)
-        stated_options = options_of(precision, options)
-        light = traced.run(self.light, direct, stated_options)
-        first = None if direct or sensors is None else traced.run(self.light, True, stated_options)
+        run_options = options_of(precision, options)
+        light = traced.run(self.light, direct, run_options)
+        first = None if direct or sensors is None else traced.run(self.light, True, run_options)
         raw, aggregated = {}, {}
         self.soil_raw, self.soil_aggregated = {}, {}
         for number, band in enumerate(self.material):
@@ -463,10 +463,10 @@ class CaribuScene:
         raw = {key: {} for key in values}
         aggregated = {key: {} for key in values}
         begin = 0
-        for place, pid in enumerate(pids):
+        for index, pid in enumerate(pids):
             part = slice(begin, begin + len(self.scene[pid]))
             begin = part.stop
-            means = _aggregated(values, part, errors.get(str(place)), self.conv_unit**2)
+            means = _aggregated(values, part, errors.get(str(index)), self.conv_unit**2)
             for key in values:
                 raw[key][pid] = values[key][part].tolist()
                 aggregated[key][pid] = means[key]

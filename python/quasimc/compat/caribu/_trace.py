@@ -14,7 +14,7 @@ from ._errors import CaribuRunError
 
 #: Coordinates that differ by less are the same, for triangles of no area.
 DECIMALS = 6
-#: Flag of a side whose light is not told.
+#: Flag of a side without reported light.
 UNRESOLVED = -1.0
 SENSOR = "sensor"
 
@@ -157,12 +157,12 @@ class TracedScene:
         sources = sources_of(lights)
         result = None
         if sources and self._scene is not None:
-            stated = dict(options)
+            given = dict(options)
             if direct:
-                stated["max_depth"] = 1
+                given["max_depth"] = 1
             if self._groups is not None:
-                stated["groups"] = ["pid"]
-            result = self._scene.run(sources, **stated)
+                given["groups"] = ["pid"]
+            result = self._scene.run(sources, **given)
         return Light(self, result)
 
 
@@ -178,11 +178,11 @@ class Light:
         mean, error = np.full((2, count), np.nan)
         mean[indices] = error[indices] = 0.0
         if self._result is not None:
-            places = np.searchsorted(self._sorted_ids, np.asarray(indices) + offset)
-            places = self._order[places]
+            rows = np.searchsorted(self._sorted_ids, np.asarray(indices) + offset)
+            rows = self._order[rows]
             estimates = self._result[quantity]
-            mean[indices] = estimates.mean[places, number]
-            error[indices] = np.nan_to_num(estimates.standard_error[places, number])
+            mean[indices] = estimates.mean[rows, number]
+            error[indices] = np.nan_to_num(estimates.standard_error[rows, number])
         return mean, error
 
     @property

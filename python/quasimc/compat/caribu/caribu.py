@@ -50,14 +50,14 @@ default_light = (1, (0, 0, -1))
 _warned = False
 
 
-def warn_of_ignored(**stated):
+def warn_of_ignored(**given):
     """Warns once per program of arguments that are ignored."""
     global _warned
-    if _warned or not stated:
+    if _warned or not given:
         return
     _warned = True
     warnings.warn(
-        f"{', '.join(stated)}: ignored; paths of light need neither pixels nor layers; "
+        f"{', '.join(given)}: ignored; paths of light need neither pixels nor layers; "
         "set precision= for a smaller error",
         QuasimcWarning,
         stacklevel=4,

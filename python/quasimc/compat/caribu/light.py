@@ -8,13 +8,13 @@ import numpy as np
 
 
 def vecteur_direction(elevation, azimuth):
-    """Towards a place of the sky: elevation and azimuth in degrees, azimuth from X+ to Y+."""
+    """Towards a point of the sky: elevation and azimuth in degrees, azimuth from X+ to Y+."""
     el, az = math.radians(elevation), math.radians(azimuth)
     return (math.cos(el) * math.cos(az), math.cos(el) * math.sin(az), math.sin(el))
 
 
 def light_sources(elevation, azimuth, irradiance, orientation=0):
-    """Lights from places of the sky.
+    """Lights from points of the sky.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ def light_source(energy, elevation, azimuth):
     return [(float(energy), (-x, -y, -z))]
 
 
-def _turtle_places(sectors):
+def _turtle_directions(sectors):
     """Elevations and azimuths of the sectors of a turtle, degrees.
 
     The 16 are the upper vertices of an icosahedron and of its dual dodecahedron; the 46 have on
@@ -93,15 +93,15 @@ def turtle(sectors="46", format="soc", energy=1.0):
         Energy on the horizontal, and across the direction of travel; the directions; degrees,
         azimuth from X+ to Y+.
     """
-    places = _turtle_places(sectors)
-    elevation = tuple(el for el, _ in places)
-    azimuth = tuple(az for _, az in places)
+    directions = _turtle_directions(sectors)
+    elevation = tuple(el for el, _ in directions)
+    azimuth = tuple(az for _, az in directions)
     sines = np.sin(np.radians(elevation))
     radiance = (1 + 2 * sines) / 3 if format == "soc" else np.ones_like(sines)
     weights = radiance * sines
     horizontal = energy * weights / weights.sum()
     direction = tuple(
-        tuple(-x for x in vecteur_direction(el, az)) for el, az in places
+        tuple(-x for x in vecteur_direction(el, az)) for el, az in directions
     )
     return (
         tuple(horizontal.tolist()),

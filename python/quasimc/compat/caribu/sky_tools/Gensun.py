@@ -9,7 +9,7 @@ from .spitters_horaire import declination, sin_elevation
 
 
 class Sun(NamedTuple):
-    """The sun as a cell of `GenSky` is stated: energy on the horizontal, and radians."""
+    """The sun as a cell of `GenSky` is given: energy on the horizontal, and radians."""
 
     energy: float
     azimuth: float
@@ -30,7 +30,7 @@ class Gensun:
     """Calling it gives the `Sun`."""
 
     def __call__(self, Rsun=1.0, DOY=1, heureTU=12, lat=0.0):
-        """The sun, as a cell of `GenSky` is stated.
+        """The sun, as a cell of `GenSky` is given.
 
         Parameters
         ----------
@@ -48,10 +48,10 @@ class Gensun:
             is west, as in `light_sources`.
         """
         sine = sin_elevation(DOY, heureTU, lat)
-        down, place = declination(DOY), math.radians(lat)
+        down, latitude = declination(DOY), math.radians(lat)
         angle = math.radians(15 * (heureTU - 12))
         west = math.cos(down) * math.sin(angle)
-        north = math.sin(down) * math.cos(place) - math.cos(down) * math.sin(place) * math.cos(
+        north = math.sin(down) * math.cos(latitude) - math.cos(down) * math.sin(latitude) * math.cos(
             angle
         )
         zenith = math.atan2(math.hypot(west, north), sine)

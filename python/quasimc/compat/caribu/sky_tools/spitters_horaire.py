@@ -20,9 +20,9 @@ def declination(DOY):
 
 def sin_elevation(DOY, heureTU, latitude):
     """Sine of the sun's elevation; the hour is true solar time, the latitude in degrees."""
-    down, place = declination(DOY), math.radians(latitude)
+    down, phi = declination(DOY), math.radians(latitude)
     angle = math.radians(15 * (heureTU - 12))
-    return math.sin(place) * math.sin(down) + math.cos(place) * math.cos(down) * math.cos(angle)
+    return math.sin(phi) * math.sin(down) + math.cos(phi) * math.cos(down) * math.cos(angle)
 
 
 def RdRsH(Rg, DOY, heureTU, latitude):
