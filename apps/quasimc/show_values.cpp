@@ -218,7 +218,7 @@ const quasimc::FormatEntry* geometry_of(const std::string& path, const std::stri
     const quasimc::ForeignFormat* foreign = quasimc::foreign_format_of_path(path);
     if (found == nullptr && foreign != nullptr) {
         throw quasimc::InputError(
-            {{path, fmt::format("is {}, which is not read", foreign->name), "",
+            {{path, fmt::format("is {}, which is not supported", foreign->name), "",
               std::string(foreign->advice)}});
     }
     return found;

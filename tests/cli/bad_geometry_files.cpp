@@ -76,7 +76,7 @@ const std::vector<BadInput> kBadGeometryFiles{
         "ObjNameNotUtf8", "a.obj", "g Bl\xE4tter\n", "a.obj:1: the name 'Bl?tter' is not UTF-8"),
     bad_file("PlyEmpty", "a.ply", "", "a.ply:1: the first line is not 'ply'"),
     bad_file("PlyHeaderOnly", "a.ply", "ply\nformat ascii 1.0\n", "the header has no end"),
-    bad_file("PlyTruncated", "a.ply", kPly + "0 0 0\n1 0 0\n", "a.ply: vertex 3 is cut short"),
+    bad_file("PlyTruncated", "a.ply", kPly + "0 0 0\n1 0 0\n", "a.ply: vertex 3 is incomplete"),
     bad_file(
         "PlyVertexMissing",
         "a.ply",
@@ -91,7 +91,7 @@ const std::vector<BadInput> kBadGeometryFiles{
         "PlyLyingHeader",
         "a.ply",
         kLyingPly + std::string(100, '\0'),
-        "a.ply: vertex 9 is cut short"),
+        "a.ply: vertex 9 is incomplete"),
     bad_file(
         "PlyLyingList",
         "a.ply",
@@ -102,7 +102,7 @@ const std::vector<BadInput> kBadGeometryFiles{
         "PlyUnknownFormat",
         "a.ply",
         "ply\nformat zip 1.0\nend_header\n",
-        "a.ply:2: 'zip' is no format that is known"),
+        "a.ply:2: 'zip' is not a known format"),
 };
 
 }  // namespace

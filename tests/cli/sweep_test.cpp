@@ -112,7 +112,7 @@ TEST_F(SweepCommand, ThatEndsEarlyHasThePointsThatAreDone) {
     const std::string csv = folder_.read("out.csv");
     EXPECT_EQ(count(csv, "\n1,1,third,"), 1U) << outcome.err;
     EXPECT_EQ(count(csv, "\n3,1,third,"), 1U) << "each point has its share";
-    EXPECT_EQ(count(folder_.read("out.json"), "\"points_asked\": 3"), 1U);
+    EXPECT_EQ(count(folder_.read("out.json"), "\"points_requested\": 3"), 1U);
 }
 
 TEST_F(SweepCommand, IsCheckedWholeAndConvertedPointByPoint) {
