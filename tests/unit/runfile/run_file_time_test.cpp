@@ -208,7 +208,7 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
     EXPECT_TRUE(
         mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhors = [9, 10]\n"), "hours"));
     EXPECT_TRUE(mentions(
-        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the site is missing"));
+        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "[site] is missing"));
     EXPECT_TRUE(mentions(
         faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[site]\nlatitude_deg = 91\n")),
         "latitude_deg"));
