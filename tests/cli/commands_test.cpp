@@ -132,8 +132,7 @@ TEST_F(ProgramTest, WarnsOfIrradiancesBeyondAnyLight) {
     EXPECT_EQ(outcome.status, 0);
     EXPECT_NE(
         outcome.err.find("warning: bright.toml:12: source 'directional': irradiance_facing of band "
-                         "PAR is 2000000 "
-                         "W m-2, but "),
+                         "PAR is 2000000 W m-2, but the sun gives 1361 W m-2"),
         std::string::npos)
         << outcome.err;
 }
@@ -237,7 +236,7 @@ TEST_F(ProgramTest, TellsAFileOfGeometryFromARunFile) {
         EXPECT_TRUE(outcome.err.starts_with(
             "error: " + std::string(name) + ": is geometry, not a run file;"))
             << outcome.err;
-        EXPECT_NE(outcome.err.find("under [[geometry]]"), std::string::npos);
+        EXPECT_NE(outcome.err.find("name it in a run file, under [[geometry]]"), std::string::npos);
     }
     folder_.write("out.json", "{}\n");
     EXPECT_EQ(

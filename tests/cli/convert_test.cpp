@@ -25,8 +25,7 @@ TEST_F(ConvertCommand, TellsWhatAGeometryFileHolds) {
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     for (const char* part :
          {"file      a.can: can, ",
-          "bounds    x 0 to 2 (2), y 0 to 1 (1), z 1 to 3 (2); "
-          "the file has no unit",
+          "bounds    x 0 to 2 (2), y 0 to 1 (1), z 1 to 3 (2); the file has no unit",
           "organs    2\n", "material  leaf 1: 1 organs", "material  stem 1: 1 organs, area 0.5",
           "label     plant: 2 organs, 2 values: 7 8\n", "warning   "}) {
         expect_in(outcome.out, part);

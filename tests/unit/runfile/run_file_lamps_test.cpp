@@ -199,8 +199,8 @@ TEST(RunFileLamps, SayWhatIsWrong) {
     EXPECT_TRUE(mentions(
         faults_of(with_lamp(point + "power = 1\nphoton_flux = 2\n")),
         "photon_flux for band 'PAR' in W m-2"));
-    EXPECT_TRUE(mentions(
-        faults_of(with_lamp(point + "photon_flux = 2\n")), "of irradiance in umol m-2 s-1"));
+    EXPECT_TRUE(
+        mentions(faults_of(with_lamp(point + "photon_flux = 2\n")), "irradiance umol m-2 s-1"));
     EXPECT_TRUE(mentions(faults_of(with_lamp(point + "power = 2\nradius = 1\n")), "radius"));
     const std::string spot = "type = 'spot'\nposition = [0, 0, 3]\npower = 1\n";
     EXPECT_TRUE(mentions(faults_of(with_lamp(spot)), "cone_deg"));

@@ -16,7 +16,7 @@ namespace {
 /// A run file with a site and these sources.
 std::string with_sources(const std::string& sources) {
     RunText text;
-    text.top = "bands = ['PAR']\nplace = { latitude_deg = 50.1, longitude_deg = 8.7 }\n";
+    text.top = "bands = ['PAR']\nsite = { latitude_deg = 50.1, longitude_deg = 8.7 }\n";
     text.sources = sources;
     return text.text();
 }
@@ -122,7 +122,7 @@ TEST(RunFileSun, NeedsATimeZoneASiteAndADateThatIs) {
 
 TEST(RunFileSite, IsOnTheEarth) {
     RunText text;
-    text.top = "bands = ['PAR']\nplace = { latitude_deg = 91, longitud_deg = 8 }\n";
+    text.top = "bands = ['PAR']\nsite = { latitude_deg = 91, longitud_deg = 8 }\n";
     const std::vector<std::string> faults = faults_of(text.text());
     EXPECT_TRUE(mentions(faults, "latitude_deg is 91"));
     EXPECT_TRUE(mentions(faults, "longitude_deg is missing"));

@@ -82,7 +82,7 @@ TEST(RunFileSpectrum, TellsFaults) {
     expect({{"leaf.csv", names + "400,0,0\n400,0,0\n"}}, "", "leaf.csv:3: the wavelength does not");
     expect(
         {{"leaf.csv", names + "400,0.1\n450,0.1\n"}}, "",
-        "has 400 to 450 nm, band 'blue' 400 to 500");
+        "covers 400 to 450 nm, band 'blue' 400 to 500");
     expect(kLeaf, "reflectance = 0.1\n", "its optics are given twice");
     expect(kLeaf, "spectrum_light = 'moon'\n", "spectrum_light: 'moon' is not one of");
     RunText text = spectrum_text();

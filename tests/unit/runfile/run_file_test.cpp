@@ -116,7 +116,9 @@ TEST(RunFile, SaysWhatIsWrongWithGroupsAndLayers) {
     EXPECT_TRUE(
         mentions(faults_of(text.text()), "layer_heights: [\"a\"] is not a list of finite numbers"));
     text.run = "[run]\nlayer_heights = [0, inf]\n";
-    EXPECT_TRUE(mentions(faults_of(text.text()), "run.toml:3: [run]: layer_heights is [0, inf]"));
+    EXPECT_TRUE(mentions(
+        faults_of(text.text()),
+        "run.toml:3: [run]: layer_heights: [0, inf] is not a list of finite numbers"));
 }
 
 TEST(RunFile, ChoosesWhatIsWritten) {
@@ -140,7 +142,8 @@ TEST(RunFile, SaysWhatIsWrongWithTheChoice) {
     EXPECT_TRUE(mentions(faults, "'absorbed' is not a quantity"));
     EXPECT_TRUE(mentions(faults, "'PRA' is not a band; did you mean 'PAR'?"));
     EXPECT_TRUE(mentions(faults, "groups is an option of the run; put it below [run]"));
-    EXPECT_TRUE(mentions(faults, "include_night without [time] (night hours need [time])"));
+    EXPECT_TRUE(
+        mentions(faults, "include_night without [time] (without [time] there are no time steps)"));
     EXPECT_TRUE(mentions(faults, "time_of_day is [8, 6]"));
     text.rest = "[output]\ncsv = 'a'\ngroups_csv = 'a'\n";
     EXPECT_TRUE(mentions(faults_of(text.text()), "csv and groups_csv name the same file"));

@@ -166,7 +166,7 @@ TEST(RunFileTime, TakesTheStandardsLightOutsideAShortSpectrum) {
     EXPECT_NE(dark.warnings.find("0 % of the direct"), std::string::npos) << dark.warnings;
     EXPECT_NE(
         noon_of("wavelength_nm,direct,diffuse\n280,0,0\n400,1,1\n650,1,1\n699,0,0\n4000,0,0\n")
-            .warnings.find("daylight contains no light in band 'NIR', 700 to 2500 nm"),
+            .warnings.find("daylight has no light in band 'NIR', 700 to 2500 nm"),
         std::string::npos);
 }
 
@@ -200,15 +200,15 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
     EXPECT_TRUE(mentions(faults("times = []\n"), "times is empty"));
     EXPECT_TRUE(mentions(
         faults("times = ['2024-06-21T12:00Z']\nglobal = [1, 2]\n"), "global has 2 values"));
-    EXPECT_TRUE(mentions(faults("times = ['2024-06-21T12:00Z']\ndiffuse = 5\n"), "is not known"));
+    EXPECT_TRUE(mentions(faults("times = ['2024-06-21T12:00Z']\ndiffuse = 5\n"), "is unknown"));
     EXPECT_TRUE(mentions(
         faults("times = ['2024-06-21T12:00Z']\nsky = 'cloudy'\n"), "sky: 'cloudy' is not one of"));
     EXPECT_TRUE(
-        mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhours = [9]\n"), "no pair"));
+        mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhours = [9]\n"), "not a pair"));
     EXPECT_TRUE(
         mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhors = [9, 10]\n"), "hours"));
     EXPECT_TRUE(mentions(
-        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "the site is missing"));
+        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "[site] is missing"));
     EXPECT_TRUE(mentions(
         faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[site]\nlatitude_deg = 91\n")),
         "latitude_deg"));
@@ -327,7 +327,7 @@ std::vector<std::string> warnings_of_noon(const std::string& global, const std::
 }
 
 TEST(RunFileTime, WarnsOfMoreLightThanTheSunBringsAndNamesTheUnit) {
-    const auto beyond = "1 times have more light than the sun brings outside the atmosphere";
+    const auto beyond = "1 time has more light than the sun gives outside the atmosphere";
     EXPECT_FALSE(mentions(warnings_of_noon("1000", "full_spectrum"), beyond));
     EXPECT_FALSE(mentions(warnings_of_noon("1900", "PPFD"), beyond));
     EXPECT_FALSE(mentions(warnings_of_noon("100000", "lux"), beyond));
@@ -444,7 +444,7 @@ TEST(RunFileWeather, OvercastHoursShareATrace) {
 
 TEST(RunFileTime, EffortOfADayNeedsTimesWithLengths) {
     RunText text;
-    text.run = "[run]\neffort = 'day'\n";
+    text.run = "[run]\npath_allocation = 'proportional'\n";
     EXPECT_TRUE(mentions(
         faults_of(text.text()), "path_allocation: it is \"proportional\" (the run has no [time])"));
     text.top += "[site]\nlatitude_deg = 52\nlongitude_deg = 5\n";

@@ -11,11 +11,11 @@ namespace {
 using Texts = std::vector<std::string>;
 
 constexpr const char* kSame =
-    "has a triangle have the same corners as triangles of organ 'first' (id 1): where they lie on "
-    "each other, light falls on that organ only";
+    "1 triangle has the same corners as triangles of organ 'first' (id 1); there, only that organ "
+    "receives light";
 constexpr const char* kUpon =
-    "has a triangle overlap coplanar triangles of organ 'first' (id 1): where they lie on each "
-    "other, light falls on that organ only";
+    "1 triangle overlaps coplanar triangles of organ 'first' (id 1); there, only that organ "
+    "receives light";
 
 constexpr Triangle kTilted{Vec3{0.3, 0.1, 0.2}, {1.4, 0.2, 0.7}, {0.5, 1.3, 0.4}};
 
@@ -123,8 +123,9 @@ TEST(LintOverlap, FindsALeafThatLiesOnTheGround) {
     builder.set_ground({.material = "soil"});
     EXPECT_EQ(
         warnings_of(std::move(builder)),
-        (Texts{"organ 'ground' (id 3): has 2 triangles overlap coplanar triangles of organ 'down' "
-               "(id 2): where they lie on each other, light falls on that organ only"}));
+        (Texts{
+            "organ 'ground' (id 3): 2 triangles overlap coplanar triangles of organ 'down' (id 2); "
+            "there, only that organ receives light"}));
 }
 
 TEST(LintOverlap, CountsTheTrianglesOfAnOrganGivenTwice) {
@@ -136,9 +137,8 @@ TEST(LintOverlap, CountsTheTrianglesOfAnOrganGivenTwice) {
     builder.add_organ(organ);
     EXPECT_EQ(
         warnings_of(std::move(builder)),
-        (Texts{
-            "organ 'second' (id 2): has 20 triangles have the same corners as triangles of organ "
-            "'first' (id 1): where they lie on each other, light falls on that organ only"}));
+        (Texts{"organ 'second' (id 2): 20 triangles have the same corners as triangles of organ "
+               "'first' (id 1); there, only that organ receives light"}));
 }
 
 TEST(LintOverlap, NamesAtMostThreePairsOfOrgans) {

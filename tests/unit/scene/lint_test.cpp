@@ -163,7 +163,7 @@ TEST(Lint, NamesAtMostThreeOfAKind) {
     builder.set_ground({.material = "soil"});
     const Texts warnings = warnings_of(std::move(builder));
     ASSERT_EQ(warnings.size(), 4U);
-    EXPECT_EQ(warnings[3], "scene: 7 more organs reach below the ground");
+    EXPECT_EQ(warnings[3], "scene: 7 more organs extend below the ground");
 }
 
 TEST(Lint, NamesAGroundSmallerThanTheCanopy) {

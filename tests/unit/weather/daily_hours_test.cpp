@@ -85,9 +85,9 @@ TEST(RunFileOnHours, NeedAClockAndAnEnd) {
     const auto faults = [](const std::string& hours) {
         return faults_of(lamp_text(hours, kNight));
     };
-    EXPECT_TRUE(mentions(faults("on_hours = 6\n"), "no pair"));
-    EXPECT_TRUE(mentions(faults("on_hours = []\n"), "no pair"));
-    EXPECT_TRUE(mentions(faults("on_hours = [[1, 2], 3]\n"), "no pair"));
+    EXPECT_TRUE(mentions(faults("on_hours = 6\n"), "not a pair"));
+    EXPECT_TRUE(mentions(faults("on_hours = []\n"), "not a pair"));
+    EXPECT_TRUE(mentions(faults("on_hours = [[1, 2], 3]\n"), "not a pair"));
     EXPECT_TRUE(mentions(faults("on_hours = [5, 5]\n"), "ends where it begins"));
     EXPECT_TRUE(mentions(faults("on_hours = [5, 25]\n"), "on_hours"));
     EXPECT_TRUE(mentions(faults("on_hours = [[0, 6], [5, 7]]\n"), "overlap"));

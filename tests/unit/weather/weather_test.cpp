@@ -295,7 +295,7 @@ TEST(WeatherTable, RefusesColumnsThatAreThereTwice) {
         csv("time,GLOBAL,Global" + row).faults, "w.csv:1: two columns are named 'global'"));
     WeatherColumns same;
     same.light = {{"global", "Rg"}, {"diffuse", "Rg"}};
-    EXPECT_TRUE(mentions(csv("time,Rg,x" + row, same).faults, "are the same column 'Rg'"));
+    EXPECT_TRUE(mentions(csv("time,Rg,x" + row, same).faults, "use the same column 'Rg'"));
     EXPECT_TRUE(csv("time,global,wind" + row).faults.empty());
 }
 
