@@ -39,7 +39,7 @@ if(TARGET quasimc_app)
             DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 endif()
 
-# The Python package, where Debian's Python looks for it under /usr.
+# The Python package, in the folder that Debian's Python searches under /usr.
 set(QUASIMC_PYTHON_DESTINATION "lib/python3/dist-packages"
     CACHE STRING "Folder of the Python package, below the prefix")
 if(TARGET quasimc_python)

@@ -6,8 +6,8 @@
 # module or of a third party in the list below.  PUBLIC if a header includes it, PRIVATE if only
 # sources do.  A module without SOURCES is made of headers alone.
 #
-# COLD are modules that nobody waits for, as readers of small files: in a release build they are
-# optimized lightly, which takes half the time of the compiler.
+# COLD modules take little time of a run, such as readers of small files: in a release build they
+# are optimized lightly, which halves the time of the compiler.
 
 set(QUASIMC_THIRD_PARTY_fmt fmt::fmt)
 set(QUASIMC_THIRD_PARTY_threads Threads::Threads)

@@ -3,7 +3,7 @@
 # Bundles the page of web/ with esbuild into <folder>: index.html, viewer.css, viewer.js. Node.js is
 # optional. Without it, or if the packages of web/package.json can't be had, the files are empty, and
 # the program says that it was built without its page. The packages are fetched while configuring,
-# once; whoever has no network gives QUASIMC_BUILD_PAGE=OFF to save the attempt.
+# once; without a network, QUASIMC_BUILD_PAGE=OFF saves the attempt.
 
 option(QUASIMC_BUILD_PAGE "Build the page in the browser, if Node.js is there" ON)
 
@@ -42,7 +42,7 @@ function(quasimc_fetch_page_packages work ready)
             OUTPUT_VARIABLE said
             ERROR_VARIABLE said
             RESULT_VARIABLE status)
-        # What comes last tells whether esbuild runs here.
+        # The last command checks that esbuild runs here.
         if(status EQUAL 0)
             execute_process(
                 COMMAND "${QUASIMC_NODE}" node_modules/esbuild/bin/esbuild --version

@@ -61,7 +61,7 @@ if(QUASIMC_BUILD_FUZZ)
     target_link_options(quasimc_settings INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
-# Of what nobody waits for.
+# The optimization of COLD modules (QuasimcModule.cmake).
 set(QUASIMC_COLD_OPTIMIZATION $<$<CONFIG:Release>:-O1>)
 
 # quasimc_unity(<target> modules|tests): compiles the target's sources joined into a few files, if

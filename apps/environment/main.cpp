@@ -23,13 +23,13 @@
 
 namespace {
 
-/// Exit statuses, those of the program quasimc; and 128 + the number of a signal.
+/// Exit statuses, as of the program quasimc; 128 + the number of a signal is also possible.
 constexpr int kDone = 0;
 constexpr int kInputError = 1;
 constexpr int kUsage = 2;
 constexpr int kInternalError = 3;
 
-/// Every line by itself: what the simulator says stands in the same log.
+/// Marks every line: the simulator writes to the same log.
 void send(std::string_view text) {
     std::string lines;
     while (!text.empty()) {
@@ -40,8 +40,8 @@ void send(std::string_view text) {
     std::fputs(lines.c_str(), stderr);
 }
 
-/// What the simulator had open when it started us stays open in us: its own end of our line, which
-/// would hide its death from us, and those of others.
+/// Closes files inherited from the simulator. Its own end of the connection, if open here, would
+/// hide the simulator's end.
 void close_inherited() {
     ::close_range(STDERR_FILENO + 1, ~0U, 0);
 }
@@ -82,7 +82,7 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
     quasimc::open_standard_streams();
     close_inherited();
-    // A simulator that is gone is noticed by the error of the write.
+    // A write to a simulator that has ended fails with an error instead of a signal.
     std::signal(SIGPIPE, SIG_IGN);
     try {
         return run(argc, argv);

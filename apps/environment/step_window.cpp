@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Of a step whose bands were traced each by itself that of the first that has light.
+/// The light's properties as JSON; with one result per band, those of the first band with light.
 std::string head_of(const quasimc::StepSnapshot& step) {
     const std::vector<quasimc::Result>& results = step.light->results;
     const std::span<const quasimc::Band> bands = step.specification.bands;

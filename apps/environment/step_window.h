@@ -10,11 +10,11 @@
 #include "window/live_window.h"
 #include "window/window_server.h"
 
-/// Shows the steps of a growing plant on the page in the browser. What a step costs here is to keep
-/// its light, and nothing is made of it before a page asks.
+/// Shows the steps of a growing plant on the page in the browser. A step only
+/// stores its light; it is converted when a page requests it.
 class StepWindow final : public quasimc::StepViewer {
   public:
-    /// @param tell  takes the address of the page
+    /// @param send  takes the address of the page
     explicit StepWindow(std::function<void(const std::string&)> send) : send_(std::move(send)) {}
 
     void open(int port) override;

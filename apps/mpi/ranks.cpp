@@ -6,7 +6,7 @@
 
 #include <mpi.h>
 
-// Ranks that wait for others sleep: they may share a core with one that works.
+// Waiting ranks sleep: they may share a core with a working one.
 
 namespace {
 
@@ -24,8 +24,8 @@ void wait_for(MPI_Request& request) {
     }
 }
 
-/// Of bytes of which all who send or take them are there. They go in many small pieces, each of
-/// which takes a call: to sleep in between takes a hundred times as long as they do.
+/// Waits for many bytes while all their senders and receivers take part. MPI moves them in small
+/// pieces, one per call: sleeping in between would take a hundred times as long as the transfer.
 void wait_for_bytes(MPI_Request& request) {
     while (!is_done(request)) {
         std::this_thread::yield();
@@ -38,7 +38,7 @@ void barrier() {
     wait_for(request);
 }
 
-/// Many numbers follow few, which tell of them.
+/// Messages of many numbers are announced by a short one, so their sender is ready.
 void wait_for_numbers(MPI_Request& request, std::uint64_t count) {
     constexpr std::uint64_t kFew = 64;
     count > kFew ? wait_for_bytes(request) : wait_for(request);

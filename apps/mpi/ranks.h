@@ -1,8 +1,7 @@
 #pragma once
 
-// What `quasimc` asks of MPI, as a table of plain functions: the only unit of the program that
-// knows MPI (ranks.cpp) is a library of its own, which is loaded when ranks are many, and not
-// before.
+// The functions of MPI that `quasimc` uses, as a table of plain functions. The only unit that uses
+// MPI (ranks.cpp) is a separate library, which is loaded if there are several ranks.
 
 #include <cstdint>
 
@@ -11,20 +10,20 @@ extern "C" {
 /// The ranks of a job. All functions are called from one thread; barrier, broadcast, add_up and
 /// finalize by all ranks in the same order.
 struct QuasimcRanks {
-    std::uint64_t version;  ///< of this table
+    std::uint64_t version;  ///< version of this table
     std::uint64_t rank, ranks;
     void (*barrier)();
     void (*broadcast)(std::uint64_t* numbers, std::uint64_t count);  ///< from rank 0
     void (*add_up)(std::int64_t* numbers, std::uint64_t count);      ///< to rank 0
-    /// Of the others: sends numbers to rank 0, and waits until they are received.
+    /// On other ranks: sends numbers to rank 0, and waits until they are received.
     void (*send)(const std::uint64_t* numbers, std::uint64_t count);
-    /// Of rank 0: whether another rank has sent something; and receives it.
+    /// On rank 0: whether another rank has sent something; and receives it.
     int (*has_sent)(std::uint64_t rank);
     void (*receive)(std::uint64_t rank, std::uint64_t* numbers, std::uint64_t count);
-    void (*stop)();       ///< of rank 0: asks all others to give up
-    int (*is_stopped)();  ///< of the others: whether it did, once for each time
+    void (*stop)();       ///< on rank 0: asks all others to stop
+    int (*is_stopped)();  ///< on others: whether it did, once per request
     void (*finalize)();
-    void (*abort)(int status);  ///< of all ranks
+    void (*abort)(int status);  ///< ends all ranks
 };
 
 /// Version of the table.

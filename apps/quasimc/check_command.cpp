@@ -44,7 +44,7 @@ std::string times_of(const quasimc::TimeSeries& series) {
         counted(suns, "sun position"));
 }
 
-/// Sun and sky of time steps are not among the sources of the file.
+/// The sources as text; the sun and sky of time steps are not among the sources of the file.
 std::string light_of(const quasimc::RunFile& run) {
     const std::size_t given = run.sources.size();
     if (!run.series) {

@@ -15,8 +15,8 @@ class CheckpointRun final : public quasimc::RunListener, public quasimc::StoredS
     /// @throws quasimc::InputError  if the checkpoint is not one of this run
     CheckpointRun(const RunArguments& arguments, const quasimc::RunFile& first);
 
-    /// What follows is of a point of the sweep that so many moments came before.
-    void set_time_steps_before(std::size_t moments) { time_steps_before_ = moments; }
+    /// Begins a point of the sweep. @param count  time steps of the points before
+    void set_time_steps_before(std::size_t count) { time_steps_before_ = count; }
     /// The states to go on from; null without a checkpoint.
     [[nodiscard]] quasimc::StoredStates* states() { return file_ ? this : nullptr; }
     [[nodiscard]] std::optional<quasimc::RunState> state_of(std::size_t time_step) override;
@@ -28,13 +28,13 @@ class CheckpointRun final : public quasimc::RunListener, public quasimc::StoredS
     void on_last_round(const quasimc::RunSoFar& run) override;
     [[nodiscard]] bool wants(quasimc::SeriesPart /*part*/) const override { return false; }
 
-    /// Saves what was not saved yet.
+    /// Saves the latest state, if it is not saved yet.
     void flush();
     /// @throws quasimc::InputError  if the checkpoint could not be saved: the run went on without
     void throw_if_given_up() const { faults_.throw_if_any(); }
 
   private:
-    /// Saves, or gives saving up for this run: what it computes is not lost for want of room.
+    /// Saves. If that fails, the run goes on without checkpoints, so that its results are not lost.
     template <typename Save>
     void attempt(const Save& save);
 

@@ -1,4 +1,4 @@
-// The tables of flags as a parser of CLI11: the only file that includes it, for it takes seconds to
+// The tables of flags as a parser of CLI11. No other file includes it, as it takes seconds to
 // compile.
 
 #include <algorithm>
@@ -111,7 +111,7 @@ CLI::Option* add_target(CLI::App& app, const Flag& flag, bool* target) {
     return app.add_flag(flag.name, *target, flag.summary);
 }
 
-/// CLI11 takes an empty text for none.
+/// CLI11 treats an empty text as a missing one.
 CLI::Option* add_target(CLI::App& app, const Flag& flag, std::optional<std::string>* target) {
     return app.add_option_function<std::string>(
         flag.name, [target](const std::string& text) { *target = text; }, flag.summary);
@@ -137,7 +137,7 @@ void add_flag(CLI::App& app, const Flag& flag) {
 }
 
 void add_flags(CLI::App& app, const std::vector<Flag>& flags) {
-    app.set_help_flag();  // its group stands last
+    app.set_help_flag();  // added again below, so that its group is last
     for (const Flag& flag : flags) {
         add_flag(app, flag);
     }
@@ -167,16 +167,16 @@ void add_command(CLI::App& app, const Command& command, Parsed& parsed) {
 }
 
 /// `quasimc help run` as `quasimc run --help`.
-std::vector<std::string> words_of(int argc, char** argv) {
-    std::vector<std::string> words(argv + 1, argv + argc);
-    if (!words.empty() && words.front() == "help") {
-        words.front() = "--help";
-        std::rotate(words.begin(), words.begin() + 1, words.end());
+std::vector<std::string> arguments_of(int argc, char** argv) {
+    std::vector<std::string> arguments(argv + 1, argv + argc);
+    if (!arguments.empty() && arguments.front() == "help") {
+        arguments.front() = "--help";
+        std::rotate(arguments.begin(), arguments.begin() + 1, arguments.end());
     }
-    return words;
+    return arguments;
 }
 
-/// Prints what is wrong with a command line.
+/// Prints the errors of a command line.
 /// @param lines  of text
 Parsed refuse(const Program& program, const Command* command, const std::string& lines) {
     for (const std::string& line : CLI::detail::split(lines, '\n')) {
@@ -204,18 +204,18 @@ Parsed parse_command_line(const Program& program, int argc, char** argv) {
         add_command(app, command, parsed);
     }
     app.require_subcommand(0, 1);
-    const std::vector<std::string> words = words_of(argc, argv);
-    const Command* command = command_of(program, words);
-    if (command == nullptr && !words.empty() && !words.front().starts_with('-')) {
-        return refuse(program, command, about_command(program, words.front()));
+    const std::vector<std::string> arguments = arguments_of(argc, argv);
+    const Command* command = command_of(program, arguments);
+    if (command == nullptr && !arguments.empty() && !arguments.front().starts_with('-')) {
+        return refuse(program, command, about_command(program, arguments.front()));
     }
     // The parser would take another flag for the value.
-    const std::string flag = command != nullptr ? flag_without_value(*command, words) : "";
+    const std::string flag = command != nullptr ? flag_without_value(*command, arguments) : "";
     if (!flag.empty()) {
         return refuse(program, command, flag + ": a value is missing");
     }
     try {
-        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
         parsed.help = app.help();
     } catch (const CLI::ExtrasError&) {
         return refuse(program, command, about_extras(program, command, app.remaining(true)));

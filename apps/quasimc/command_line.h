@@ -16,12 +16,12 @@ enum class Exit {
     input_error = 1,
     usage = 2,
     internal_error = 3,
-    target_missed = 4,  ///< or the paths that were asked for, for want of time
-    interrupted = 130,  ///< by Ctrl-C, as a shell says it
-    reader_gone = 141,  ///< from standard output, as a shell reports SIGPIPE
+    target_missed = 4,  ///< or stopped by the time limit
+    interrupted = 130,  ///< by Ctrl-C, as shells report SIGINT
+    reader_gone = 141,  ///< standard output was closed, as shells report SIGPIPE
 };
 
-/// What a flag sets. Whoever owns it must outlive the parsing.
+/// The variable that a flag sets. It must outlive the parsing.
 using FlagTarget = std::variant<
     bool*,
     int*,
@@ -30,7 +30,7 @@ using FlagTarget = std::variant<
     std::string*,
     std::optional<double>*,
     std::optional<std::string>*,
-    std::vector<std::string>*>;  ///< of an argument: one or several
+    std::vector<std::string>*>;  ///< for an argument: one or several
 
 /// A flag or an argument of a command: one row of the command's table.
 struct Flag {
@@ -40,8 +40,8 @@ struct Flag {
     bool required = false;
     std::string type_name = {};             ///< in the help: FILE; by default NAME, X, N or TEXT
     std::string excludes = {};              ///< the name of a flag that excludes it
-    std::vector<std::string> choices = {};  ///< if there are any, it must be one of them
-    std::optional<std::pair<double, double>> range = {};  ///< of a number, ends included
+    std::vector<std::string> choices = {};  ///< valid values; empty: any
+    std::optional<std::pair<double, double>> range = {};  ///< range of a number, ends included
     std::string group = "Options";                        ///< heading in the help
     std::string default_text = {};                        ///< shown in the help
     std::string takes = {};  ///< shown in the help; by default from choices, range and target
@@ -55,7 +55,7 @@ struct Flag {
     return !flag.name.starts_with('-');
 }
 
-/// Thrown by Command::check: the command line asks for what can't be.
+/// Thrown by Command::check for contradictory flags.
 class UsageError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
@@ -65,23 +65,23 @@ class UsageError : public std::runtime_error {
 struct Command {
     std::string name, summary;
     std::vector<Flag> flags;
-    std::function<Exit()> run;         ///< what it does, once its flags are set
-    std::function<void()> check = {};  ///< throws UsageError if flags don't go together
+    std::function<Exit()> run;         ///< called after its flags are set
+    std::function<void()> check = {};  ///< throws UsageError for contradictory flags
 };
 
 /// The program: flags of its own, and its commands.
 struct Program {
     std::string name, version, summary, footer;
     std::vector<Flag> flags;
-    std::vector<Command> commands;  ///< of them `help` needs no run: it is the flag --help
+    std::vector<Command> commands;  ///< `help` has no run: it is the flag --help
 };
 
-/// What a command line asks for.
+/// A parsed command line.
 struct Parsed {
-    std::optional<Exit> exit;          ///< help, version or a usage error was printed: end so
+    std::optional<Exit> exit;          ///< set if help, version or a usage error was printed
     const Command* command = nullptr;  ///< the command, if one was named
-    std::string help;                  ///< of the program
+    std::string help;                  ///< help of the program
 };
 
-/// Sets what the flags name. Prints help and version to stdout, usage errors to stderr.
+/// Sets the targets of flags. Prints help and version to stdout, usage errors to stderr.
 [[nodiscard]] Parsed parse_command_line(const Program& program, int argc, char** argv);

@@ -11,7 +11,7 @@
 
 namespace {
 
-/// The words that a flag or an argument takes; empty if any.
+/// The valid words for a flag or an argument; empty: any.
 std::vector<std::string> values_of(const Flag& flag) {
     constexpr std::string_view kOneOf = "one of ";
     if (!flag.choices.empty() || !flag.takes.starts_with(kOneOf)) {
@@ -104,8 +104,8 @@ std::string fish_script(const Program& program) {
             const std::vector<std::string> values = values_of(flag);
             line += takes_value(flag) ? " -r" : "";
             line += values.empty() ? "" : fmt::format(" -f -a '{}'", fmt::join(values, " "));
-            const bool tells = !is_argument(flag) || !values.empty();
-            lines += tells ? line + fmt::format(" -d {}\n", in_quotes(flag.summary)) : "";
+            const bool is_listed = !is_argument(flag) || !values.empty();
+            lines += is_listed ? line + fmt::format(" -d {}\n", in_quotes(flag.summary)) : "";
         }
     }
     return lines;

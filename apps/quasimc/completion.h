@@ -3,5 +3,5 @@
 #include "command_line.h"
 
 /// The command that prints a script by which a shell completes commands, flags and their values.
-/// @param program  as it is when the command runs
+/// @param program  complete when the command runs
 [[nodiscard]] Command completion_command(const Program& program);

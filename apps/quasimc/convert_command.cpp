@@ -63,7 +63,7 @@ void write_triangles(const ConvertArguments& arguments, const Read& read) {
     });
 }
 
-/// The one OPF file that a run was made from.
+/// The only OPF file of a run.
 const quasimc::InputFile& opf_of(const quasimc::RunFile& run, const std::string& output) {
     const quasimc::InputFile* found = nullptr;
     std::size_t count = 0;

@@ -39,7 +39,7 @@ void convert_to_netcdf(
     quasimc::OutputFiles outputs({{output, "OUTPUT"}}, inputs);
     const auto writer = quasimc::make_netcdf_writer(run, outputs.sink(0), stored.program_version);
     std::size_t at = 0;
-    // Points of a sweep that was stopped are the first ones.
+    // A stopped sweep has its first points only.
     quasimc::LightEvents events;
     events.on_point = [&](std::size_t point) {
         while (at < point && at + 1 < stored.runs.size()) {

@@ -14,7 +14,7 @@
 
 namespace {
 
-/// @param run, taken  the last run that was taken, and its point
+/// @param run, taken  last run taken, and its point
 void help_with_dealt(
     quasimc::RunTeam& team,
     quasimc::RunSweep& sweep,
@@ -30,7 +30,7 @@ void help_with_dealt(
             }
             runs.trace(run->scene, quasimc::time_steps_of(*run), run->spec, first);
         }
-    } catch (const quasimc::Stopped&) {  // by the first process, which wants no more
+    } catch (const quasimc::Stopped&) {  // by the first process, which needs no more
     }
     runs.end();
 }
@@ -43,7 +43,7 @@ Exit help_run(const RunArguments& arguments, quasimc::RunTeam& team) {
     try {
         stored.emplace(read_for_team(arguments, team));
     } catch (...) {
-        failure = std::current_exception();  // the first rank most likely has it as well
+        failure = std::current_exception();  // most likely the first rank fails likewise
     }
     quasimc::TeamHelper helper;
     quasimc::TeamOrder order = team.order({});

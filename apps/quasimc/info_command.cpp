@@ -19,8 +19,8 @@ struct InfoArguments {
     std::string file, format;
 };
 
-/// A line of the report. Names come from strangers' files: what they hold of control characters
-/// must not reach the terminal, nor end the line.
+/// A line of the report. Control characters in names from files must not reach the terminal, nor
+/// end the line.
 std::string line(std::string_view word, const std::string& text) {
     return fmt::format("{:<10}{}\n", word, quasimc::one_line(quasimc::printable(text)));
 }
@@ -96,7 +96,7 @@ std::string labels_text(const quasimc::Scene& scene) {
     return text;
 }
 
-/// Triangles of no area, and of how many the smallest are.
+/// The numbers of triangles without area and of the smallest ones.
 std::string triangles_text(const quasimc::Scene& scene) {
     std::vector<double> areas;
     areas.reserve(scene.triangle_count());

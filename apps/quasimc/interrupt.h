@@ -5,13 +5,12 @@
 #include <stop_token>
 #include <thread>
 
-/// Ctrl-C (SIGINT), from the making of this object to its end: the first asks for a stop, the
-/// second ends the program at once. Not where SIGINT is ignored, as in the background of a shell.
-/// Must be made before other threads are: it is a thread of its own that waits for the signal, and
-/// all others inherit that they don't.
+/// Handles Ctrl-C (SIGINT) during its lifetime: the first requests a stop, the second ends the
+/// program at once. Does nothing if SIGINT is ignored, as in the background of a shell. Must be
+/// made before other threads, which inherit the blocked signal: a separate thread waits for it.
 class InterruptWatch {
   public:
-    /// @param on_first  called when the first comes, from a thread of its own
+    /// @param on_first  called at the first signal, from a separate thread
     explicit InterruptWatch(std::function<void()> on_first);
     ~InterruptWatch();
     InterruptWatch(const InterruptWatch&) = delete;

@@ -1,5 +1,5 @@
-// Outputs that show the light on the scene: pictures, and files for other programs. Of a run with
-// [time] they show the sum, of a sweep the last point.
+// Outputs that show the light on the scene: pictures, and files for other programs. In runs with
+// [time] they show the sum, in sweeps the last point.
 
 #include <algorithm>
 #include <utility>
@@ -35,7 +35,7 @@ std::vector<ShownValues> light_values(
     return all;
 }
 
-/// What is sunlit, and ratios.
+/// Adds the sunlit fraction and the ratios.
 void add_traits(
     const quasimc::RunFile& run, const quasimc::Result& result, std::vector<ShownValues>& all) {
     if (quasimc::written_columns(run).has_sunlit && !result.sunlit_fraction.empty()) {
@@ -51,7 +51,7 @@ void add_traits(
     }
 }
 
-/// Keeps the values that are shown, and writes them at the end.
+/// Stores the shown values, and writes them at the end.
 class LightOnScene final : public quasimc::OutputWriter {
   public:
     using Columns = quasimc::WrittenColumns(const quasimc::RunFile&);
@@ -91,7 +91,7 @@ class LightOnScene final : public quasimc::OutputWriter {
     std::vector<ShownValues> values_;
 };
 
-/// What `quasimc show` draws if nothing is said: the absorbed flux density in the first band.
+/// The default of `quasimc show`: the absorbed flux density in the first band.
 quasimc::WrittenColumns drawn_columns(const quasimc::RunFile& /*run*/) {
     return {.quantities = {quasimc::quantity_table()[1]}, .bands = {0}};
 }

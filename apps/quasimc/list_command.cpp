@@ -20,7 +20,7 @@ std::string list_row(std::string_view name, std::string_view summary) {
     return fmt::format("{:<23} {}\n", name, summary);
 }
 
-/// A row for each entry, with what parameters it has.
+/// A row for each entry with its parameters.
 template <typename Table>
 std::string list_table(const Table& table) {
     std::string text;

@@ -21,8 +21,8 @@ int status_of(Exit exit) {
     return static_cast<int>(exit);
 }
 
-/// What only the command line can mend is wrong usage: errors that begin with the name of a
-/// flag or of the argument OUTPUT.
+/// Errors in the command line are wrong usage: they begin with the name of a flag or of the
+/// argument OUTPUT.
 Exit exit_of(const quasimc::InputError& error) {
     const auto& faults = error.faults();
     const bool is_usage = std::all_of(faults.begin(), faults.end(), [](const auto& fault) {
@@ -38,7 +38,7 @@ int internal_error(const char* what) {
     return status_of(Exit::internal_error);
 }
 
-/// The parser takes it for the flag --help; here it is listed.
+/// The entry of `help` in lists; the parser handles it as the flag --help.
 Command help_command() {
     static std::string name;
     return {
@@ -73,7 +73,7 @@ Program make_program(bool& dump_default) {
          help_command(), version_command()}};
 }
 
-/// Ranks that MPI's launcher has started share the work of `run`. All else the first does alone.
+/// Whether this rank has nothing to do: only the work of `run` is shared between ranks.
 bool is_left_to_the_first_rank(int argc, char** argv) {
     return RankTeam::is_another_rank() && (argc < 2 || std::string_view(argv[1]) != "run");
 }
@@ -100,7 +100,7 @@ Exit run_program(int argc, char** argv) {
     return parsed.command->run();
 }
 
-/// run_program(), after whose end no progress line is left on the terminal, even where it throws.
+/// run_program(), which also wipes the progress line if it throws.
 Exit run_program_to_its_end(int argc, char** argv) {
     try {
         return run_program(argc, argv);
@@ -110,8 +110,8 @@ Exit run_program_to_its_end(int argc, char** argv) {
     }
 }
 
-/// Writes what is left for standard output.
-/// @param exit  of the command. @returns the program's
+/// Flushes standard output.
+/// @param exit  exit status of the command. @returns that of the program
 Exit finish_output(Exit exit) {
     const bool is_whole = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
     if (is_whole || !quasimc::has_standard_output()) {
@@ -128,7 +128,7 @@ Exit finish_output(Exit exit) {
 
 int main(int argc, char** argv) {
     quasimc::open_standard_streams();
-    // A reader that is gone and a file that grows too large are noticed by the error of the write.
+    // Closed pipes and files that grow too large are reported by the failing write.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
     try {

@@ -33,7 +33,7 @@ std::uint64_t number_in(const char* variable) {
     return text == nullptr ? 0 : std::strtoull(text, nullptr, 10);
 }
 
-/// Whether mpirun, or srun with PMIx, has started several of us.
+/// Whether mpirun, or srun with PMIx, has started several processes.
 bool are_several() {
     const bool by_slurm = std::getenv("PMIX_RANK") != nullptr;  // NOLINT(concurrency-mt-unsafe)
     return number_in("OMPI_COMM_WORLD_SIZE") > 1 ||
@@ -46,7 +46,7 @@ bool are_several() {
           "start the program without mpirun, or install its module for MPI"}});
 }
 
-/// The module lies beside the program, or where it was installed.
+/// Loads the module from the folder of the program, or from where it was installed.
 const QuasimcRanks& load_ranks() {
     std::error_code error;
     const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
@@ -126,7 +126,7 @@ class MpiRankTeam final : public RankTeam {
         ranks_.add_up(numbers.data(), numbers.size());
     }
 
-    /// As words of 8 bytes, behind the number of bytes.
+    /// Sends the number of bytes, and then the bytes as words of 8.
     void share_bytes(std::string& bytes) override {
         std::uint64_t count = bytes.size();
         ranks_.broadcast(&count, 1);

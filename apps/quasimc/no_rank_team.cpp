@@ -1,6 +1,6 @@
 #include "rank_team.h"
 
-// The program is built without MPI.
+// Used if the program is built without MPI.
 
 std::unique_ptr<RankTeam> RankTeam::join() {
     return nullptr;

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// What stands for its value in the help.
+/// The placeholder of its value in the help.
 std::string type_name_of(const quasimc::Option& option) {
     switch (option.domain.index()) {
         case 0:

@@ -19,7 +19,7 @@ class OptionFlags {
 
     /// Their rows, at the end of a command's table.
     void add_to(std::vector<Flag>& flags);
-    /// Those that were given.
+    /// The options that were given.
     [[nodiscard]] std::vector<quasimc::Override> overrides() const;
 
   private:
@@ -27,7 +27,7 @@ class OptionFlags {
         const quasimc::Option* option;
         std::optional<std::string> text;
     };
-    std::vector<Given> given_;  // of every option
+    std::vector<Given> given_;  // for every option
 };
 
 /// Prints the warnings of a run file to stderr.

@@ -33,15 +33,15 @@ void trace_points(
     ProgressLine line(progress_lines(arguments));
     const quasimc::Work all({&line});
     const double each = 1 / static_cast<double>(sweep.size());
-    std::size_t before = 0;  // moments of the points before
+    std::size_t before = 0;  // time steps of the points before
     for (std::size_t point = 0; point < sweep.size(); ++point) {
         const std::optional<quasimc::RunFile> later =
             point == 0 ? std::nullopt : std::optional(sweep.take(point));
         const quasimc::RunFile& run = later ? *later : first;
-        const std::vector<quasimc::TimeStep> moments = quasimc::time_steps_of(run);
+        const std::vector<quasimc::TimeStep> time_steps = quasimc::time_steps_of(run);
         try {
             quasimc::trace_share(
-                run.scene, moments, run.spec, quasimc::share_of(number.part, number.parts),
+                run.scene, time_steps, run.spec, quasimc::share_of(number.part, number.parts),
                 [&](std::size_t time_step, const quasimc::Sums& sums) {
                     end_progress_line();
                     writer.add(before + time_step, sums);
@@ -51,7 +51,7 @@ void trace_points(
         } catch (const quasimc::InputError& error) {
             throw error_of_file(error, run, arguments.flags.overrides());
         }
-        before += moments.size();
+        before += time_steps.size();
     }
 }
 

@@ -9,16 +9,16 @@
 #include "quasimc/quasimc.h"
 #include "run_writers.h"
 
-// What `quasimc run` shares with `quasimc run --part`.
+// Functions shared by `quasimc run` and `quasimc run --part`.
 
 /// @throws quasimc::InputError
 [[nodiscard]] quasimc::StoredSweep read_runs(
     const RunArguments& arguments, const quasimc::FileAccess& access = {});
 [[nodiscard]] ProgressLines progress_lines(const RunArguments& arguments);
-/// What says, at the first Ctrl-C, that there may be a second.
+/// A function that prints, at the first Ctrl-C, that a second one ends the program.
 [[nodiscard]] std::function<void()> stopping_note(const RunArguments& arguments);
-/// Faults that show only when a run begins are of the run file, or of the flags that set what is
-/// wrong.
+/// Gives errors that are found when a run begins the location of the run file, or of the flag that
+/// set the wrong value.
 [[nodiscard]] quasimc::InputError error_of_file(
     const quasimc::InputError& error,
     const quasimc::RunFile& file,

@@ -6,17 +6,17 @@
 #include "command_line.h"
 #include "run/run_team.h"
 
-/// The ranks of a job that MPI's launcher has started to run the program together.
+/// The ranks of a job of MPI.
 class RankTeam : public quasimc::RunTeam {
   public:
-    /// Joins them; null if there are not several, or the program is built without MPI.
-    /// @throws quasimc::InputError  if there are, but MPI can't be started
+    /// Joins the job; null if it has one rank, or the program is built without MPI.
+    /// @throws quasimc::InputError  if MPI can't be started
     [[nodiscard]] static std::unique_ptr<RankTeam> join();
 
-    /// Whether the launcher has started several, and this is not the first of them.
+    /// Whether the job has several ranks, and this is not the first.
     [[nodiscard]] static bool is_another_rank();
 
-    /// Does the work of this rank, and then leaves the job in order. If it can't go on, prints why
-    /// and ends the program on all ranks.
+    /// Does the work of this rank, and leaves the job. If the work fails, prints the error and ends
+    /// the program on all ranks.
     [[nodiscard]] virtual Exit run(const std::function<Exit()>& work) = 0;
 };

@@ -9,10 +9,10 @@
 
 namespace {
 
-/// Options that leave the numbers what they are.
+/// Options that do not change the numbers.
 constexpr std::array<std::string_view, 2> kWithoutEffect{"threads", "tally_memory_mb"};
 
-/// The flags that ask for another run: "--seed 9, --paths 64".
+/// The flags that change the run: "--seed 9, --paths 64".
 std::string flags_of_another_run(const RunArguments& arguments) {
     std::vector<std::string> flags;
     for (const quasimc::Override& given : arguments.flags.overrides()) {
@@ -28,7 +28,7 @@ bool is_cut_short(quasimc::StopReason stop) {
     return stop == quasimc::StopReason::interrupted || stop == quasimc::StopReason::time_limit;
 }
 
-/// Why other numbers are no wonder; "" if they are one.
+/// The reason why numbers differ as expected; "" if there is none.
 std::string excuse(
     const RunArguments& arguments, const quasimc::StoredSweep& stored, quasimc::StopReason stop) {
     const std::string flags = flags_of_another_run(arguments);

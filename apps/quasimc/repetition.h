@@ -5,15 +5,15 @@
 #include "quasimc/quasimc.h"
 #include "run_writers.h"
 
-/// What came of repeating a run with --repeat.
+/// The outcome of a run with --repeat.
 struct Repetition {
     std::string
         verdict;  ///< for the summary: "the same numbers as in leaves.json"; "" without --repeat
-    bool has_failed = false;  ///< the same program, asked for the same, computed other numbers
+    bool has_failed = false;  ///< the same program with the same options computed other numbers
 };
 
-/// @param digest  of the organs, as JsonWriter::digest() gives it; "" without --repeat
-/// @param difference  of the rows of numbers, as RowComparison gives it
+/// @param digest  JsonWriter::digest(); "" without --repeat
+/// @param difference  RowComparison::difference()
 /// @param stop  why this run ended
 [[nodiscard]] Repetition judge_repetition(
     const RunArguments& arguments,

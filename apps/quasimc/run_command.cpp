@@ -74,7 +74,7 @@ quasimc::InputError error_of_file(
 
 namespace {
 
-/// What an audit found goes to stderr, quiet or not: it is about errors.
+/// Prints a failed audit on stderr, even with --quiet.
 void print_audit(double p_value) {
     const std::string warning = quasimc::audit_warning(p_value);
     if (!warning.empty()) {
@@ -91,8 +91,7 @@ Exit exit_of(const quasimc::RunFile& file, const quasimc::SeriesSummary& summary
                                                                      : Exit::done;
 }
 
-/// That nothing was lit goes to stderr: the numbers are right, but the scene is hardly what is
-/// meant.
+/// Warns on stderr if nothing was lit: the numbers are right, but the scene is probably wrong.
 void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     if (summary.unlit > 0) {
         const std::string when =
@@ -106,7 +105,7 @@ void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     }
 }
 
-/// @param reading  since the files began to be read
+/// @param reading  started when reading the files began
 Exit run(
     const RunArguments& arguments,
     const quasimc::Stopwatch& reading,
@@ -142,7 +141,7 @@ Exit run(
     return exit_of(sweep.file(), sweep.all());
 }
 
-/// With the other ranks of the job, if there are any.
+/// Runs together with the other ranks of the job, if there are any.
 Exit run_with_others(const RunArguments& arguments) {
     const std::unique_ptr<RankTeam> ranks = RankTeam::join();
     const quasimc::Stopwatch reading;

@@ -7,9 +7,9 @@
 
 /// The flags of `quasimc run`. They write to the arguments, which must outlive them.
 [[nodiscard]] std::vector<Flag> flags_of_run(RunArguments& arguments);
-/// The same of `quasimc merge`.
+/// The flags of `quasimc merge`. They write to the arguments, which must outlive them.
 [[nodiscard]] std::vector<Flag> flags_of_merge(RunArguments& arguments);
 
-/// Whether what `quasimc run` is asked for goes together.
+/// Checks for contradictory flags of `quasimc run`.
 /// @throws UsageError
 void check_usage(const RunArguments& arguments);

@@ -77,11 +77,11 @@ void RunWindow::on_round(const quasimc::RunSoFar& run) {
 
 void RunWindow::show(const quasimc::RunSoFar& run) {
     constexpr std::chrono::milliseconds kBetween{300};
-    constexpr int kMaxRepeats = 20;  // once in so many times the time that it takes
+    constexpr int kPauseFactor = 20;  // pause over the time that an update takes
     const Clock::time_point start = Clock::now();
     add(run.time_step(), run.result());
     const Clock::time_point end = Clock::now();
-    not_before_ = end + std::max<Clock::duration>(kBetween, kMaxRepeats * (end - start));
+    not_before_ = end + std::max<Clock::duration>(kBetween, kPauseFactor * (end - start));
 }
 
 void RunWindow::add(std::size_t time_step, quasimc::Result result) {

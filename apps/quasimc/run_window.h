@@ -10,18 +10,18 @@
 #include "window/window_server.h"
 
 /// The page in the browser that follows `quasimc run --view`. While a page is watched it shows the
-/// result as it is so far: after rounds, and within the first round after replicates. What this
-/// costs is a small part of the run's time.
+/// current result: after rounds, and within the first round after replicates. This takes a small
+/// part of the run's time.
 class RunWindow final : public quasimc::RunListener {
   public:
-    /// Tells the address of the page on stderr.
-    /// @param port  0: any that is free. @throws InputError  if it can't be had, or there is no
-    /// page
+    /// Prints the address of the page on stderr.
+    /// @param port  0: any free port. @throws InputError  if it is not available, or there is
+    /// no page
     RunWindow(const quasimc::RunFile& first, int port);
 
-    /// What follows is of the next point of a sweep.
+    /// Begins the next point of a sweep.
     void next_run(const quasimc::RunFile& run);
-    /// The run is over.
+    /// Marks the run as finished.
     void finish(quasimc::StopReason stop);
     /// Serves the page until Ctrl-C.
     static void stay();
@@ -48,8 +48,8 @@ class RunWindow final : public quasimc::RunListener {
     quasimc::HttpServer server_;
     const quasimc::RunFile* run_ = nullptr;
     std::shared_ptr<const quasimc::LiveScene> scene_;
-    std::optional<std::size_t> newest_;  // moment of the point, that a frame stands for
-    std::size_t shown_ = 0;              // replicates of the round
-    Clock::time_point not_before_;       // the next result
-    Clock::time_point ask_after_;        // the next pause
+    std::optional<std::size_t> newest_;  // time step of the newest frame, within the point
+    std::size_t shown_ = 0;              // replicates in the shown result
+    Clock::time_point not_before_;       // earliest time of the next result
+    Clock::time_point ask_after_;        // earliest time of the next pause
 };

@@ -57,7 +57,7 @@ void refuse_checkpoint(
     faults.throw_if_any();
 }
 
-/// Finds the outputs that were asked for. Paths on the command line count from the current folder,
+/// The requested outputs. Paths on the command line count from the current folder,
 /// and override those of the run file.
 std::vector<AskedOutput> asked_outputs(const RunArguments& arguments, const quasimc::RunFile& run) {
     std::vector<AskedOutput> asked;

@@ -7,11 +7,11 @@
 #include "picture/scene_picture.h"
 #include "show_values.h"
 
-/// How values become colours.
+/// The mapping of values to colours.
 struct ScaleChoice {
-    bool error = false;                    ///< of the standard error, per cent of the value
+    bool error = false;                    ///< show the standard error, per cent of the value
     std::string colors = "viridis";        ///< name of a colour map
-    std::pair<double, double> range = {};  ///< as in quasimc::scale_of
+    std::pair<double, double> range = {};  ///< see quasimc::scale_of
 };
 
 // Each gives every organ of a picture its colour, and the picture its second title and legend.
@@ -27,15 +27,14 @@ void color_by_value(
     const ScaleChoice& choice,
     quasimc::ScenePicture& picture);
 
-/// Directions towards the suns that a picture shows: all of a run without [time]; of one with it
-/// those of the time that is shown.
-/// @param values  that are shown, or null
+/// Directions towards the suns in a picture: all suns, or with [time] those of the shown time.
+/// @param values  shown values, or null
 [[nodiscard]] std::vector<quasimc::Vec3> suns_of(
     const quasimc::RunFile& run, const ShownValues* values);
 
-/// A name may do without an ending, as that of a pipe does.
+/// Checks the ending of a picture's name, if it has one; pipes have none.
 /// @param where  for the message
-/// @throws quasimc::InputError  if the name promises something else
+/// @throws quasimc::InputError  for an ending of another format
 void check_picture_name(const std::string& where, const std::string& path);
 
 /// @throws quasimc::InputError  if the program was built without pictures

@@ -67,7 +67,7 @@ quasimc::ViewSpec view_of(const ShowArguments& arguments, Faults& faults) {
     return view;
 }
 
-/// "x<0.5": the half that is shown, in the axes of the file.
+/// "x<0.5": the shown half-space, in the axes of the file.
 std::optional<quasimc::CutPlane> cut_of(std::string_view text, const quasimc::Orientation& axes) {
     const std::size_t at = text.find_first_of("<>");
     if (at == std::string_view::npos) {
@@ -131,7 +131,7 @@ std::pair<double, double> range_of(const ShowArguments& arguments, Faults& fault
     return range.value_or(std::pair(0.0, 0.0));
 }
 
-/// Where the scene is looked at from, and what is shown of it.
+/// Sets the camera, the clipping planes and the annotations.
 void set_view(
     const ShowArguments& arguments,
     const quasimc::Scene& scene,
@@ -143,7 +143,7 @@ void set_view(
     set_cuts(arguments, scene, picture, faults);
 }
 
-/// What the organs' colours tell, and title and suns of the picture.
+/// Sets the organs' colours, the title and the suns of the picture.
 void set_colors(
     const ShowArguments& arguments,
     const ShownRun& shown,
@@ -200,7 +200,7 @@ Exit show(const ShowArguments& arguments) {
     return Exit::done;
 }
 
-/// How it is drawn.
+/// The flags for drawing.
 std::vector<Flag> view_flags(ShowArguments& arguments) {
     std::vector<std::string> maps;
     for (const quasimc::ColorMap& map : quasimc::color_map_table()) {
@@ -254,7 +254,7 @@ std::vector<Flag> view_flags(ShowArguments& arguments) {
          .group = "Colours"}};
 }
 
-/// What is shown, and how.
+/// All flags of `quasimc show`.
 std::vector<Flag> flags_of(ShowArguments& arguments) {
     ValueChoice& choice = arguments.choice;
     const std::string kColors = "Colours";

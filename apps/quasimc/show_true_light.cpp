@@ -2,7 +2,7 @@
 
 namespace {
 
-/// Of the moment that was chosen.
+/// The sources of the chosen time step.
 const quasimc::Sources& sources_of(
     const quasimc::RunFile& run, const std::string& path, const ShownValues& values) {
     if (!run.series) {

@@ -17,7 +17,7 @@ namespace {
 
 using quasimc::RunFile;
 
-/// Quantities that a result may have of an organ.
+/// Quantities that a result may have for an organ.
 std::vector<std::string> quantity_names(const RunFile& run) {
     std::vector<std::string> names;
     for (const quasimc::QuantityEntry& entry : quasimc::quantity_table()) {
@@ -61,7 +61,7 @@ const quasimc::Band& band_of(const RunFile& run, const std::string& name) {
     return *found;
 }
 
-/// Where the numbers stand in the file, and what they are called.
+/// The position of the numbers in the file; also sets their names.
 quasimc::RowsQuery query_of(const RunFile& run, const ValueChoice& choice, ShownValues& values) {
     quasimc::RowsQuery query;
     query.part = !run.series            ? ""
@@ -134,8 +134,8 @@ void check_times(const RunFile& run, const ValueChoice& choice) {
           "the run did not write it, or there is none", "check [output] in the run file"}});
 }
 
-/// The numbers of those choices that the result has, read in one pass.
-/// @param choices  of one time
+/// The available numbers among some choices, read in one pass.
+/// @param choices  choices for one time
 std::vector<ShownValues> find_shown_values(
     const ShownRun& shown, const std::string& path, const std::vector<ValueChoice>& choices) {
     const RunFile& run = shown.run;
@@ -231,7 +231,7 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
         throw quasimc::InputError({{path, "is empty", "", "give a result or a run file"}});
     }
     const bool is_result = text[first] == '{';
-    // Standard input and pipes are read once.
+    // Standard input and pipes can be read only once.
     quasimc::FileAccess access;
     access.read = [&](const std::filesystem::path& file) {
         return file == path ? text : quasimc::read_file(file);

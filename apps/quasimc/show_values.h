@@ -8,31 +8,31 @@
 #include "meshio/geometry_scene.h"
 #include "quasimc/quasimc.h"
 
-/// What a run is called: its title, or else its file.
+/// The title of a run, or else its file.
 [[nodiscard]] inline const std::string& title_of(const quasimc::RunFile& run) {
     return run.title.empty() ? run.path : run.title;
 }
 
-/// Which numbers of a result are shown.
+/// The choice of numbers to show.
 struct ValueChoice {
     std::string quantity = "absorbed_flux_density", band;
-    std::string time, day;  ///< how the name of one begins
-    std::size_t point = 0;  ///< of a sweep, from 1; 0: the first
+    std::string time, day;  ///< beginning of its name
+    std::size_t point = 0;  ///< point of a sweep, from 1; 0: the first
     bool error = false;     ///< the standard error over the mean instead of the mean
 };
 
 /// The flag that sets ValueChoice::point.
 [[nodiscard]] Flag point_flag(std::size_t& point);
 
-/// The run that a file states or a result was made by, and the text of that result.
+/// The run of a run file or of a result, and the text of that result.
 struct ShownRun {
     quasimc::RunFile run;
     std::string result_text;                 ///< empty: the file is a run file
-    std::vector<quasimc::InputFile> inputs;  ///< the run's, and the file itself
+    std::vector<quasimc::InputFile> inputs;  ///< inputs of the run, and the file itself
 };
 /// The format of a geometry file, or null for another file.
 /// @param format  its name; empty: by the name of the file
-/// @throws quasimc::InputError  for a format that is known and not read
+/// @throws quasimc::InputError  for a format that can only be written
 [[nodiscard]] const quasimc::FormatEntry* geometry_of(
     const std::string& path, const std::string& format = "");
 /// A geometry file as a run without sources.
@@ -40,26 +40,25 @@ struct ShownRun {
     const std::string& path, const quasimc::FormatEntry& format);
 [[nodiscard]] ShownRun read_shown_run(const std::string& path, std::size_t point);
 
-/// Numbers of each organ, with words for headings.
+/// Numbers of each organ, with texts for headings.
 struct ShownValues {
     std::vector<quasimc::Estimate> estimates;  ///< in the order of the scene
     std::string name, unit;                    ///< "absorbed flux density, PAR", "W m-2"
     std::string key;                           ///< "absorbed_flux_density_PAR"
     std::string when;                          ///< time, day or period; empty without [time]
 };
-/// Those of a quantity and a band, without the estimates.
+/// ShownValues of a quantity and a band, without the estimates.
 [[nodiscard]] ShownValues named_values(
     const quasimc::RunFile& run,
     const quasimc::QuantityEntry& entry,
     const quasimc::Band& band,
     bool is_sum);
-/// @throws quasimc::InputError  if there are none of the kind
+/// @throws quasimc::InputError  if the result has none of this kind
 [[nodiscard]] ShownValues read_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice);
 
-/// All numbers that a result has of each organ, at the time, day or point that is chosen: every
-/// quantity in every band, the sunlit fraction, ratios. The chosen quantity and band are not looked
-/// at.
+/// All numbers of each organ at the chosen time, day or point: every quantity in every band, the
+/// sunlit fraction, ratios. The chosen quantity and band are ignored.
 /// @throws quasimc::InputError  if there are none
 [[nodiscard]] std::vector<ShownValues> read_all_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice);

@@ -35,7 +35,7 @@ struct SkyArguments {
     std::size_t size = 512;
 };
 
-/// "LAT,LON"; nothing after a fault.
+/// The site, from "LAT,LON"; nothing after an error.
 std::optional<quasimc::Site> site_of(const SkyArguments& arguments, quasimc::Faults& faults) {
     const std::string_view text = arguments.site;
     const std::size_t comma = text.find(',');
@@ -111,7 +111,7 @@ std::string sun_text(
                        quasimc::solar_radius_deg(sun.distance_au)));
 }
 
-/// What the sun and a sky without clouds bring.
+/// Irradiance of the sun and a cloudless sky.
 std::string clear_text(
     const quasimc::Site& site, const quasimc::SunPosition& sun, double linke_turbidity) {
     const double outside = quasimc::kSolarConstant / (sun.distance_au * sun.distance_au);
@@ -173,7 +173,7 @@ void write_png(const SkyArguments& arguments, const quasimc::Source& sky, const 
     file.commit();
 }
 
-/// The sky asked for; nothing if the sun it needs is below the horizon and none was asked for.
+/// The requested sky; null, with an error added, if it lacks its irradiance or a sun.
 std::shared_ptr<const quasimc::Source> sky_of(
     const quasimc::SkyEntry& entry, const quasimc::SkyState& state, quasimc::Faults& faults) {
     if (entry.needs == quasimc::SkyNeeds::sun_and_weather && state.diffuse_horizontal <= 0) {

@@ -10,7 +10,7 @@
 
 namespace {
 
-/// What all points of a sweep have together.
+/// Adds the summary of a point to that of the sweep.
 void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all) {
     all.computed += point.computed;
     all.unlit += point.unlit;
@@ -18,7 +18,7 @@ void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all)
     all.completed += point.completed;
     all.with_fewer_paths += point.with_fewer_paths;
     all.stop = point.stop == quasimc::StopReason::finished ? all.stop : point.stop;
-    // Of the most unlikely audit, times their number.
+    // The smallest p value times the number of audits (Bonferroni).
     if (point.audited > 0) {
         const double count = static_cast<double>(all.audited);
         const double own = static_cast<double>(point.audited);
@@ -137,7 +137,7 @@ bool SweepRun::trace(const std::stop_token& stop) {
     } catch (const quasimc::InputError& error) {
         checkpoint_.flush();
         if (writers_.are_all_given_up()) {
-            throw;  // it says so
+            throw;  // the error names these files
         }
         quasimc::Faults faults = writers_.faults();
         faults.add(

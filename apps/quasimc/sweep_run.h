@@ -17,13 +17,13 @@
 #include "run_window.h"
 #include "run_writers.h"
 
-/// Computes the runs of a sweep, one after the other, until all are done or Ctrl-C or the limit of
-/// time stops them.
+/// Computes the runs of a sweep, one after the other, until all are done, or Ctrl-C or the time
+/// limit stops them.
 class SweepRun final : private quasimc::SumsSource {
   public:
-    /// @param parts  which the sums of the runs are taken from; null: they are traced
-    /// @param team  which they are traced with; null: alone
-    /// @param reading  since the files began to be read
+    /// @param parts  source of the sums of the runs; null: they are traced
+    /// @param team  ranks that trace together; null: this one only
+    /// @param reading  started when reading the files began
     SweepRun(
         const RunArguments& arguments,
         quasimc::RunSweep& sweep,
@@ -32,10 +32,10 @@ class SweepRun final : private quasimc::SumsSource {
         const quasimc::Stopwatch& reading);
 
     void compute();
-    /// The page stays for who wants to see the result. One who has stopped the run wants to leave.
+    /// Serves the page of a finished run until Ctrl-C. A stopped run ends at once.
     void stay() const;
 
-    /// Of all points that are done. Its total is that of the last one.
+    /// The summary of all finished points. Its total is that of the last one.
     [[nodiscard]] const quasimc::SeriesSummary& all() const { return all_; }
     [[nodiscard]] const quasimc::SeriesSummary& last() const { return last_; }
     [[nodiscard]] const quasimc::RunFile& file() const { return *run_; }
@@ -44,15 +44,15 @@ class SweepRun final : private quasimc::SumsSource {
 
   private:
     [[nodiscard]] std::unique_ptr<quasimc::RunFile> next_file(std::size_t point);
-    /// Whether there is time for another point.
+    /// Whether another point can begin.
     [[nodiscard]] bool goes_on();
-    /// Traces a point. @returns false  if there is no result of it, and others are there
+    /// Traces a point. @returns false  if it has no result, but others have one
     [[nodiscard]] bool trace(const std::stop_token& stop);
     [[nodiscard]] std::vector<quasimc::RunListener*> listeners();
-    /// How the run of this point is reported and ended: the points that are left share the time.
+    /// The control of the run of this point: the remaining points share the remaining time.
     [[nodiscard]] quasimc::RunControl control(const std::stop_token& stop);
-    /// The sums of the next run, of parts or of runs that are dealt out to the ranks. These begin
-    /// with the first that no checkpoint knows: what it knows is traced together.
+    /// The sums of the next run, from parts or from runs that are dealt out to the ranks. Runs in
+    /// the checkpoint are not dealt out: all ranks trace them together.
     [[nodiscard]] std::optional<quasimc::GivenSums> sums_of(
         std::size_t time_step,
         const quasimc::RunSpec& spec,
@@ -62,19 +62,19 @@ class SweepRun final : private quasimc::SumsSource {
     quasimc::RunSweep& sweep_;
     quasimc::PartFiles* parts_;
     quasimc::RunTeam* team_;
-    double reading_seconds_ = 0;  // of all points, before and between their runs
+    double reading_seconds_ = 0;  // for all points, before and between their runs
     std::size_t point_ = 0;
     std::size_t time_steps_before_ = 0;  // of the points before
     std::unique_ptr<quasimc::RunFile> run_;
     RunWriters writers_;
-    std::optional<InterruptWatch> interrupt_;  // before what has threads and what is left behind
+    std::optional<InterruptWatch> interrupt_;  // before members with threads or files
     CheckpointRun checkpoint_;
     ProgressLine progress_line_;
     std::optional<RunWindow> window_;
     quasimc::Simulator simulator_;
-    quasimc::Deadline deadline_;                 // of all points
-    quasimc::Work work_;                         // of all points
-    std::vector<quasimc::TimeStep> time_steps_;  // of the point
+    quasimc::Deadline deadline_;                 // for all points
+    quasimc::Work work_;                         // for all points
+    std::vector<quasimc::TimeStep> time_steps_;  // of the current point
     bool is_dealt_ = false;                      // enough runs for all ranks
     std::unique_ptr<quasimc::DealtRuns> dealt_;
     quasimc::SeriesSummary last_, all_;

@@ -15,10 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the first rank has found out about files, for the others.
+/// File access of the first rank, shared with the others.
 ///
-/// It sends what it is asked, and the answer. Others ask the same, as they read the same, and find
-/// the answers in what was sent; they may ask in another order.
+/// The first rank sends its requests with their answers. Other ranks make the same requests, maybe
+/// in another order, and take the answers from there.
 class TeamFiles {
   public:
     explicit TeamFiles(quasimc::RunTeam& team) : team_(team) {}
@@ -42,7 +42,7 @@ class TeamFiles {
         return known->second;
     }
 
-    /// Everything was read. All ranks call it.
+    /// Ends reading. All ranks call it.
     void end() {
         if (team_.is_first()) {
             send(kEnd, "");

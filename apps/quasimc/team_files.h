@@ -4,8 +4,8 @@
 #include "run/run_team.h"
 #include "run_writers.h"
 
-/// Reads the runs on all ranks. Only the first reaches for the disk or a pipe; the others get the
-/// bytes of each file from it as soon as it has read them.
-/// @throws quasimc::InputError  on all ranks, if the first finds a fault
+/// Reads the runs on all ranks. Only the first accesses files and pipes; it sends their bytes to
+/// the others as soon as it has read them.
+/// @throws quasimc::InputError  on all ranks, if the first finds an error
 [[nodiscard]] quasimc::StoredSweep read_for_team(
     const RunArguments& arguments, quasimc::RunTeam& team);

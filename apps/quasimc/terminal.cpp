@@ -31,7 +31,7 @@ void print_message(std::string_view word, int color, std::string_view text) {
 }  // namespace
 
 std::size_t terminal_width() {
-    constexpr std::int64_t kUsual = 80, kMin = 40, kMax = 1000;
+    constexpr std::int64_t kUsual = 80, kMin = 40, kMax = 1000000;
     const char* columns = std::getenv("COLUMNS");
     if (const auto given = quasimc::parse_integer(columns != nullptr ? columns : "")) {
         return static_cast<std::size_t>(std::clamp(*given, kMin, kMax));

@@ -13,8 +13,8 @@
 namespace {
 
 /// "; did you mean '--paths'?", or nothing if no candidate is near.
-template <typename Words>
-std::string nearest(std::string_view word, const Words& candidates) {
+template <typename Candidates>
+std::string nearest(std::string_view word, const Candidates& candidates) {
     const std::vector<std::string_view> views(candidates.begin(), candidates.end());
     const std::string_view near = quasimc::nearest_word(word, views);
     return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
@@ -118,7 +118,7 @@ std::string about_extras(
             word_lines += fmt::format("unexpected argument '{}'\n", word);
         }
     }
-    // A word beside an unknown flag was probably its value, and a command goes before its flags.
+    // A word next to an unknown flag is probably its value, and a command precedes its flags.
     const bool has_list = command == nullptr ? !word_lines.empty() : flag_lines.empty();
     return has_list ? word_lines.substr(0, word_lines.find('\n') + 1) : flag_lines;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What is wrong with a command line, in words.
+// Messages on errors in command lines.
 
 #include <string>
 #include <utility>
@@ -14,24 +14,24 @@
 /// Whether a flag takes a number.
 [[nodiscard]] bool is_number(const Flag& flag);
 
-/// What a number may be: "whole number, 0 to 150", "number >= 0"; large bounds are left out.
+/// The valid numbers: "whole number, 0 to 150", "number >= 0"; large bounds are left out.
 [[nodiscard]] std::string number_text(bool is_whole, std::pair<double, double> range);
 
-/// The command that the words name, or null.
+/// The command that the arguments name, or null.
 [[nodiscard]] const Command* command_of(
     const Program& program, const std::vector<std::string>& words);
 
-/// What is wrong with the value of a flag that takes a number or has choices; "" if nothing is.
+/// The message on the value of a flag that takes a number or has choices; "" if it is valid.
 [[nodiscard]] std::string about_value(const Flag& flag, const std::string& text);
 
-/// That a word is not a command.
+/// The message on a word that is no command.
 [[nodiscard]] std::string about_command(const Program& program, const std::string& word);
 
-/// What is wrong with words that belong to no command or flag: one line each.
+/// The messages on words that belong to no command or flag, one line each.
 /// @param command  may be null
 [[nodiscard]] std::string about_extras(
     const Program& program, const Command* command, const std::vector<std::string>& extras);
 
-/// The flag of a command that lacks its value, at the end or before another flag; "" if none does.
+/// The flag without its value, at the end or before another flag; "" if there is none.
 [[nodiscard]] std::string flag_without_value(
     const Command& command, const std::vector<std::string>& words);

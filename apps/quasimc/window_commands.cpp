@@ -1,4 +1,4 @@
-// The page in the browser: as a file, and served.
+// Commands for the page in the browser: as a file, and served.
 
 #include <cstdio>
 #include <memory>
@@ -22,7 +22,7 @@ struct WindowArguments {
     std::size_t point = 0, port = 0;
 };
 
-/// A run, and what the page needs of it.
+/// A run and its data for the page.
 struct WindowRun {
     std::vector<quasimc::InputFile> inputs;
     quasimc::WindowData data;

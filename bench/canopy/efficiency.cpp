@@ -76,7 +76,7 @@ void print_efficiency(const Effort& effort) {
             for (const double albedo : {0.2, 0.9}) {
                 print_case(
                     {leaves, {albedo}, 1}, light,
-                    std::string(albedo < 0.5 ? "PAR (rho = tau = .1)" : "NIR (rho = tau = .45)") +
+                    std::string(albedo < 0.5 ? "PAR (rho = tau = 0.1)" : "NIR (rho = tau = 0.45)") +
                         (light == Light::sun ? ", sun" : ", uniform sky"),
                     effort);
             }

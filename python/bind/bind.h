@@ -1,7 +1,7 @@
 #pragma once
 
 // The Python module quasimc._core: one file for each part of the library, without logic of its own.
-// What Python does better is in python/quasimc.
+// The rest of the interface is in python/quasimc.
 
 #include <pybind11/pybind11.h>
 

@@ -39,7 +39,7 @@ Node integer_node(py::handle object) {
     return {static_cast<std::int64_t>(value)};
 }
 
-/// Objects that are known by what they can do.
+/// A value from a duck-typed object.
 Node node_by_attributes(py::handle object, int depth) {
     for (const char* method : {"isoformat", "__fspath__"}) {
         if (py::hasattr(object, method)) {

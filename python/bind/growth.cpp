@@ -17,7 +17,7 @@
 namespace quasimc::python {
 namespace {
 
-/// A session, and what was said of its frame when it was read.
+/// A session, and the warnings on its run settings.
 struct GrowthHandle {
     GrowthSession session;
     std::vector<Warning> frame_warnings;
@@ -62,7 +62,7 @@ void remove_from(GrowthHandle& handle, const std::vector<std::int64_t>& ids) {
     handle.session.remove(ids);
 }
 
-/// The scene of this step, with what is to be said of it and of its frame.
+/// The scene of this step, with the warnings on it and on its run settings.
 SceneHandle scene_of(GrowthHandle& handle) {
     const py::gil_scoped_release release;
     std::vector<Warning> warnings = handle.frame_warnings;

@@ -81,7 +81,7 @@ py::object audit_of(const Result& result) {
     return audit;
 }
 
-/// What was known after each round, named as in the JSON file.
+/// The rounds, with keys as in the JSON file.
 py::list rounds_of(const Result& result) {
     py::list rounds;
     for (const RoundErrors& known : result.rounds) {

@@ -8,12 +8,12 @@
 
 namespace quasimc::python {
 
-/// A result all of whose estimates are as they are reported.
+/// A result with all estimates as they are reported.
 [[nodiscard]] std::shared_ptr<Result> reported_result(Result result);
-/// The same of a sum over times.
+/// A sum over times with all estimates as they are reported.
 [[nodiscard]] SeriesSum reported_sum(SeriesSum sum);
 
-/// Estimates that live in `owner`, without a copy: the given shape and (mean, standard error, low,
+/// A view of estimates owned by `owner`: the given shape and (mean, standard error, low,
 /// high).
 [[nodiscard]] py::object estimates_view(
     const std::vector<Estimate>& values, std::vector<py::ssize_t> shape, py::handle owner);

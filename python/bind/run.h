@@ -4,7 +4,7 @@
 
 namespace quasimc::python {
 
-/// What light falls on a scene and how it is computed.
+/// The light on a scene and the options of its computation.
 struct LightHandle {
     LightOfRun light;
 };

@@ -74,7 +74,7 @@ MeshArrays arrays_of(const py::dict& mesh) {
 
 namespace {
 
-/// Gives back what was freed: runs work in threads of their own, whose allocations can't use it.
+/// Returns freed memory to the system: the threads of runs allocate from other arenas.
 void give_memory_back() {
 #ifdef __GLIBC__
     malloc_trim(0);
@@ -106,7 +106,7 @@ Document read_document(const std::string& path) {
     return {read_toml(text, path), path, std::filesystem::absolute(path).parent_path().string()};
 }
 
-/// What meshes are checked against: bands, materials, axes. Faulty materials are refused.
+/// Bands, materials and axes, for checks of meshes. Invalid materials are refused.
 FrameOfRun read_frame(const Document& document) {
     const py::gil_scoped_release release;
     InputFiles files(document.folder);
@@ -121,7 +121,7 @@ void check_mesh(const FrameOfRun& frame, const py::dict& mesh) {
     frame.builder.check_organs(make_organs(arrays));
 }
 
-/// One number of each organ.
+/// One number for each organ.
 template <typename T, typename Get>
 py::array_t<T> of_organs(const Scene& scene, Get get) {
     py::array_t<T> array(static_cast<py::ssize_t>(scene.organs().size()));
@@ -163,7 +163,7 @@ py::dict labels_of(const Scene& scene) {
     return labels;
 }
 
-/// The triangles of an organ, the file's axes: shape (n, 3, 3).
+/// The triangles of an organ in the file's axes: shape (n, 3, 3).
 Doubles triangles_of(const SceneHandle& handle, std::size_t organ) {
     const Scene& scene = *handle.scene;
     const std::vector<Triangle> triangles = scene.triangles_of(scene.organs().at(organ));

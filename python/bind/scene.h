@@ -12,13 +12,13 @@
 
 namespace quasimc::python {
 
-/// A scene, shared by all that were computed with it.
+/// A scene, shared by all results computed with it.
 struct SceneHandle {
     std::shared_ptr<const Scene> scene;
     std::vector<Warning> warnings;
 };
 
-/// A view of the arrays in a dict that quasimc._meshes made, which must outlive it.
+/// A view of the arrays in a dict from quasimc._meshes, which must outlive it.
 [[nodiscard]] MeshArrays arrays_of(const pybind11::dict& mesh);
 
 /// One text for each warning, which begins with its location if it has one.
@@ -28,7 +28,7 @@ struct SceneHandle {
 struct Document {
     Node node;
     std::string name;    ///< for messages
-    std::string folder;  ///< that its paths are relative to
+    std::string folder;  ///< base of its relative paths
 };
 
 }  // namespace quasimc::python

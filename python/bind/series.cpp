@@ -18,7 +18,7 @@
 namespace quasimc::python {
 namespace {
 
-/// A series as it was computed.
+/// The results of a series.
 class SeriesHandle final : public RunListener {
   public:
     SeriesHandle(TimeSeries of, bool keeps) : series(std::move(of)), keeps_times(keeps) {}
@@ -36,8 +36,8 @@ class SeriesHandle final : public RunListener {
 
     TimeSeries series;
     bool keeps_times;
-    std::vector<std::shared_ptr<Result>> results;  ///< per moment; empty if they are not kept
-    std::vector<std::size_t> days;                 ///< numbers of those in `sums`
+    std::vector<std::shared_ptr<Result>> results;  ///< per time step; empty if they are not kept
+    std::vector<std::size_t> days;                 ///< numbers of the days in `sums`
     std::vector<SeriesSum> sums;
     SeriesSummary summary;
 };

@@ -37,9 +37,9 @@ void WatchedWork::on_progress(const Progress& progress) {
 }
 
 void WatchedWork::watch() {
-    constexpr std::chrono::milliseconds kLook{50};
+    constexpr std::chrono::milliseconds kInterval{50};
     std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, kLook, [&] { return done_; })) {
+    while (!changed_.wait_for(lock, kInterval, [&] { return done_; })) {
         lock.unlock();
         listen();
         lock.lock();

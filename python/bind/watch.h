@@ -13,19 +13,18 @@
 
 namespace quasimc::python {
 
-/// Does work in a thread of its own, without the lock of the interpreter, while this thread tells
-/// its progress to Python and listens to signals. Ctrl-C, or an exception of the callback, asks the
-/// work to stop.
+/// Runs work in another thread without the interpreter lock, while this thread reports its progress
+/// to Python and handles signals. Ctrl-C, or an exception of the callback, requests a stop.
 class WatchedWork final : private RunListener {
   public:
-    /// @param on_progress  of Python, called with (fraction, seconds, expected_seconds,
+    /// @param on_progress  Python function, called with (fraction, seconds, expected_seconds,
     ///        fraction_at_target); or None
     explicit WatchedWork(py::object on_progress) : on_progress_(std::move(on_progress)) {}
 
-    /// Work that is stopped, and reports its progress, through a control.
+    /// Work that stops, and reports its progress, through a control.
     using Task = std::function<void(const RunControl& control)>;
 
-    /// @throws what the work throws; what the callback raised; KeyboardInterrupt, if the work ended
+    /// @throws the exception of the work or of the callback; KeyboardInterrupt, if the work ended
     ///         without a result
     void run(const Task& task);
 
@@ -43,7 +42,7 @@ class WatchedWork final : private RunListener {
     std::optional<Progress> latest_;
     bool done_ = false;
     std::exception_ptr thrown_;                       // by the work
-    std::optional<py::error_already_set> interrupt_;  // what asked for the stop
+    std::optional<py::error_already_set> interrupt_;  // the exception that requested the stop
 };
 
 }  // namespace quasimc::python

@@ -57,7 +57,7 @@ std::vector<double> mean_absorbed_flux(
     return mean;
 }
 
-/// What an organ absorbs in a band.
+/// Absorbed flux of an organ in a band.
 Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
     std::vector<double> absorbed(reader.replicates());
     for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
@@ -176,7 +176,7 @@ struct ErrorSpread {
     double worst = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// Of the errors that are finite; NaN if there are none.
+/// Statistics of the finite errors; NaN without any.
 ErrorSpread spread_of(std::vector<double> errors) {
     std::erase_if(errors, [](double error) { return !std::isfinite(error); });
     if (errors.empty()) {

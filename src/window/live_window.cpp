@@ -17,7 +17,7 @@ std::int64_t now_in_ms() {
     return duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
 }
 
-/// What a frame keeps in memory, about. @param is_new  its scene is no other frame's
+/// Approximate memory of a frame. @param is_new  whether no other frame has its scene
 std::size_t bytes_of(const LiveFrame& frame, bool is_new) {
     constexpr std::size_t kTriangle = 100, kOrgan = 300;
     const Scene& scene = *frame.scene->scene;
@@ -30,13 +30,13 @@ std::size_t bytes_of(const LiveFrame& frame, bool is_new) {
     return bytes;
 }
 
-/// The numbers of a column, as far as they are known.
+/// The known numbers of a column.
 class ColumnValues {
   public:
     ColumnValues(const LiveFrame& frame, std::size_t column)
         : frame_(frame), bands_(frame.scene->bands.size()), column_(column) {}
 
-    /// Whether there is anything.
+    /// Whether the column has values.
     [[nodiscard]] bool is_known() const {
         const auto& results = *frame_.results;
         const std::size_t quantities = kQuantities * bands_;
@@ -66,7 +66,7 @@ class ColumnValues {
     [[nodiscard]] std::size_t result_of_band() const {
         return frame_.results->size() > 1 ? band() : 0;
     }
-    /// Columns of quantities stand as window_columns() has them.
+    /// The quantity of this column, in the order of window_columns().
     [[nodiscard]] Quantity quantity() const {
         const std::size_t position = column_ / bands_;
         const auto first = static_cast<std::size_t>(Quantity::absorbed_flux_density);
@@ -139,7 +139,8 @@ void LiveWindow::replace_newest(LiveFrame frame) {
     put({.number = number, .scene = is_same ? old.scene : 0}, std::move(frame));
 }
 
-/// @param kept  without a scene: that of the frame before, if it is the same
+/// @param kept  if its scene is 0, it gets the number of the last frame's scene, if that is the
+/// same
 void LiveWindow::put(Kept kept, LiveFrame frame) {
     const bool has_same = !frames_.empty() && frames_.back().frame->scene == frame.scene;
     if (kept.scene == 0) {

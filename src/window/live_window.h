@@ -18,14 +18,14 @@
 
 namespace quasimc {
 
-/// The scene of frames, and how its numbers are called.
+/// The scene of frames, and the names of its numbers.
 struct LiveScene {
     std::shared_ptr<const Scene> scene;
-    std::vector<Band> bands;  ///< of all results
+    std::vector<Band> bands;  ///< bands of all results
     std::vector<std::string> ratios = {};
     std::string title;
-    std::string head = "{}";  ///< JSON: what was run, as a result has it
-    bool grows = false;       ///< a plant's, which the page shows beside its light
+    std::string head = "{}";  ///< JSON: the run, as in a result
+    bool grows = false;       ///< a growing plant; the page also shows it without light
 };
 
 /// A state of a run that is being computed: a step of growth, or the light of a time as it is known
@@ -33,31 +33,31 @@ struct LiveScene {
 struct LiveFrame {
     std::string label = {};  ///< "step 12"; may be empty
     std::shared_ptr<const LiveScene> scene = nullptr;
-    /// Of all bands together, or of each by itself; one without values has no light.
+    /// One result with all bands, or one per band; empty values: no light.
     std::shared_ptr<const std::vector<Result>> results = nullptr;
-    Sources sources = {};     ///< of this light
-    std::string head = "{}";  ///< JSON: method, energy and the like, as a result has them
+    Sources sources = {};     ///< sources of this light
+    std::string head = "{}";  ///< JSON: method, energy and so on, as in a result
 };
 
-/// How much of a run the window keeps: its newest frames.
+/// Limits on the frames that are kept; older ones are dropped.
 struct LiveLimits {
     std::size_t frames = 200;
     std::size_t bytes = std::size_t{256} << 20U;  ///< about; the newest frame is always kept
 };
 
-/// What is known of a run that goes on, for the pages that follow it. Made by one thread, read by
-/// another: frames are shared, and turned into what a page takes when it asks.
+/// The state of a run in progress, for pages that follow it. One thread adds frames, another one
+/// reads them: frames are shared, and converted when a page requests them.
 class LiveWindow {
   public:
     explicit LiveWindow(const LiveLimits& limits = {}) : limits_(limits) {}
 
-    /// A further frame.
+    /// Adds a frame.
     void add(LiveFrame frame);
-    /// The newest frame is known better now.
+    /// Replaces the newest frame by a more exact one.
     void replace_newest(LiveFrame frame);
-    /// How far the run is. @param fraction  0 to 1; negative: it is not known
+    /// Sets the progress of the run. @param fraction  0 to 1; negative: unknown
     void send(std::string words, double fraction = -1);
-    /// The run is over: nothing will follow. @param words  how it ended
+    /// Marks the run as finished. @param words  how it ended
     void end(std::string words);
 
     /// Whether a page has asked for news within the last seconds.
@@ -65,9 +65,9 @@ class LiveWindow {
     /// The bytes that frames take, about.
     [[nodiscard]] std::size_t bytes() const;
 
-    /// What pages ask for: "live", "scene-S", "shape-S", "light-F-V" and "values-F-V-C", of
-    /// scene S, frame F and column C. Of a frame that is known better than in its version V, what
-    /// is known now: a version tells browsers apart what is new.
+    /// The files of pages: "live", "scene-S", "shape-S", "light-F-V" and "values-F-V-C" for scene
+    /// S, frame F and column C. The version V only keeps browsers from using cached data: the
+    /// current state of the frame is returned.
     [[nodiscard]] std::optional<WindowFile> file(std::string_view name);
 
   private:
@@ -82,7 +82,7 @@ class LiveWindow {
     [[nodiscard]] std::shared_ptr<const LiveScene> scene(std::uint64_t number) const;
 
     LiveLimits limits_;
-    mutable std::mutex mutex_;  // of all that follows
+    mutable std::mutex mutex_;  // guards all members below
     std::deque<Kept> frames_;
     std::uint64_t frame_count_ = 0, scene_count_ = 0, version_ = 0;
     std::size_t bytes_ = 0;

@@ -43,7 +43,7 @@ std::string_view between(const char* begin, const char* end) {
     return {begin, static_cast<std::size_t>(end - begin)};
 }
 
-/// As a policy names a script or a style: 'sha256-...'.
+/// The hash of a script or a style in a content security policy: 'sha256-...'.
 std::string source_hash(std::string_view text) {
     const std::string hex = sha256_hex(text);
     std::string bytes;
@@ -54,7 +54,7 @@ std::string source_hash(std::string_view text) {
     return fmt::format("'sha256-{}'", encode_base64(bytes));
 }
 
-/// JSON that can stand in an element of HTML: no '<' in it ends the element.
+/// JSON for an element of HTML, with '<' escaped, so that it can't end the element.
 std::string in_element(std::string_view json) {
     std::string text;
     text.reserve(json.size());
@@ -68,7 +68,7 @@ std::string in_element(std::string_view json) {
     return text;
 }
 
-/// The page up to a mark, and what follows it.
+/// Splits the page at a mark: returns the text before it, and leaves the text after it.
 std::string_view take_until(std::string_view& rest, std::string_view mark) {
     const std::size_t at = rest.find(mark);
     ENSURE(at != std::string_view::npos);

@@ -23,8 +23,8 @@ void require_page(std::string_view command);
 /// Colour maps, as a JSON object for the page.
 [[nodiscard]] std::string color_maps_json();
 
-/// Writes the page with its data as one file that needs no network, and may reach none: its policy
-/// allows its own script alone.
+/// Writes the page with its data as one file that needs no network: its content security policy
+/// allows its own script only.
 void write_report(const WindowData& data, const TextSink& sink);
 
 }  // namespace quasimc

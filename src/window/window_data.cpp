@@ -13,7 +13,7 @@
 namespace quasimc {
 namespace {
 
-/// Of a time; a sum over times has none of its own.
+/// The sources of a time step; none for a sum over times.
 const Sources& lights_at(const RunFile& run, const RowsPosition& position) {
     if (!run.series) {
         return run.sources;
@@ -27,7 +27,7 @@ const Sources& lights_at(const RunFile& run, const RowsPosition& position) {
     return kNone;
 }
 
-/// A time, with the number of the values of every column, -1 where there are none.
+/// A time step, with the index of the values of every column, -1 where there are none.
 Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
     Json time = {
         {"part", rows.position.part},

@@ -12,8 +12,8 @@ namespace quasimc {
 inline constexpr std::string_view kJsonType = "application/json";
 inline constexpr std::string_view kBytesType = "application/octet-stream";
 
-/// The numbers of a name such as "values-3-17"; nothing if it is another name, or has other than
-/// Count numbers. @param word  "values"
+/// The numbers in a name such as "values-3-17"; nothing for other words, or if there are not Count
+/// numbers. @param word  "values"
 template <std::size_t Count>
 [[nodiscard]] std::optional<std::array<std::uint64_t, Count>> numbers_behind(
     std::string_view word, std::string_view name) {

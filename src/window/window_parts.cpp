@@ -107,7 +107,8 @@ Json organs_of(const std::vector<Organ>& organs) {
     Json ids = Json::array(), names = Json::array(), ground = Json::array();
     for (std::size_t i = 0; i < organs.size(); ++i) {
         if (has_ids) {
-            ids.push_back(std::to_string(organs[i].id));  // it may be more than a number holds
+            ids.push_back(
+                std::to_string(organs[i].id));  // may exceed the exact integers of a JSON number
         }
         if (has_names) {
             names.push_back(organs[i].name);
@@ -159,7 +160,7 @@ std::vector<WindowColumn> window_columns(
                  summed_unit(unit).name});
         }
     }
-    // What reads first is what is asked for most: light absorbed per area.
+    // The most used column comes first: light absorbed per area.
     std::stable_partition(columns.begin(), columns.end(), [](const WindowColumn& column) {
         return column.quantity == "absorbed_flux_density";
     });

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the page in the browser takes (docs/develop/decisions/viewer-server.md).
+// Data for the page in the browser (docs/develop/decisions/viewer-server.md).
 
 #include <span>
 #include <string>
@@ -17,13 +17,15 @@ namespace quasimc {
 /// The sources of a time, z up: lists "suns" of unit vectors towards them and towards other
 /// parallel light, and "lamps" of their positions about `middle`; "sky": its radiance,
 /// all bands together, in cells of 10 degrees: nine rings from the horizon up, each of 36 cells
-/// from the x axis towards y. A digit of base64 each: 63 parts of the square root of the brightest.
+/// from the x axis towards y. Each cell is a base64 digit: 63 times the square root of its radiance
+/// relative to the brightest one.
 /// Empty without a sky.
 [[nodiscard]] Json json_lights(const Sources& sources, const Vec3& middle);
 
 /// A kind of number that the page in the browser shows of every organ.
 struct WindowColumn {
-    /// Where it stands in a result: a quantity and a band, "ratios" and a ratio, "sunlit_fraction".
+    /// Keys of its values in a result: a quantity and a band, "ratios" and a ratio,
+    /// "sunlit_fraction".
     std::vector<std::string> path;
     std::string quantity, name, band, unit, sum_unit;
 };
@@ -40,13 +42,13 @@ struct WindowColumn {
 /// Means, standard errors, low and high ends of the organs, single precision.
 [[nodiscard]] std::string window_values(const std::vector<Estimate>& organs);
 
-// What a result says beside its organs, as JSON objects, for the page of a run that goes on.
+// Parts of a result without its organs, as JSON objects, for the page of a run in progress.
 
-/// Of the run: files, settings, sources, warnings.
+/// The run: files, settings, sources, warnings.
 [[nodiscard]] std::string window_run_head(const RunFile& run);
-/// Of the light at a time: method, rays, energy, groups.
+/// The light at a time: method, rays, energy, groups.
 [[nodiscard]] std::string window_light_head(const RunFile& run, const Result& result);
-/// The same where there is no run file. @param bands  of the result
+/// The light at a time of a run without run file. @param bands  bands of the result
 [[nodiscard]] std::string window_light_head(
     std::span<const Band> bands, const std::string& length_unit, const Result& result);
 

@@ -40,7 +40,7 @@ bool can_be_tried_again() {
     return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
 }
 
-constexpr double kTimeToBegin = 0.1;  // seconds: who connects has something to ask
+constexpr double kTimeToBegin = 0.1;  // seconds until a connection without a request is silent
 
 /// One request and its answer.
 class Connection {
@@ -54,13 +54,13 @@ class Connection {
     [[nodiscard]] pollfd waits_for() const {
         return {socket_.number(), static_cast<short>(is_answering() ? POLLOUT : POLLIN), 0};
     }
-    /// Whether it has had time to ask for something, and has not.
+    /// Whether it has sent nothing within kTimeToBegin.
     [[nodiscard]] bool is_silent() const { return head_.empty() && Clock::now() > silent_from_; }
-    /// Whether its answer is on its way, whole: what is left is to wait for the other side.
+    /// Whether its answer is sent completely, and only the other side still has to close.
     [[nodiscard]] bool is_answered() const { return is_leaving_; }
     [[nodiscard]] bool is_late() const { return Clock::now() > deadline_; }
 
-    /// Goes on as far as it can without waiting. @returns whether there is more to do
+    /// Proceeds as far as possible without waiting. @returns whether there is more to do
     bool go_on(const ViewerRoutes& site) {
         if (is_leaving_) {
             return drain();
@@ -104,8 +104,8 @@ class Connection {
         sent_ += static_cast<std::size_t>(sent);
         deadline_ = after(limits_->idle_seconds);
         if (sent_ == head_.size() + body_.size()) {
-            // What still comes is read and dropped: a socket closed on unread bytes would take
-            // the answer away from who has not read it yet (RFC 9112, section 9.6).
+            // Further bytes are read and dropped: closing a socket with unread bytes would reset
+            // the connection before the client has read the answer (RFC 9112, section 9.6).
             shutdown(socket_.number(), SHUT_WR);
             is_leaving_ = true;
             deadline_ = after(1);
@@ -124,7 +124,7 @@ class Connection {
     Clock::time_point deadline_, silent_from_;
     std::string request_, head_;
     std::string_view body_;
-    std::shared_ptr<const std::string> owner_;  // of the body
+    std::shared_ptr<const std::string> owner_;  // owner of the body
     std::size_t sent_ = 0;
     bool is_leaving_ = false;
 };
@@ -171,8 +171,8 @@ class HttpServer::State {
 
     [[nodiscard]] std::string address() const { return site_.address(); }
 
-    /// One look at all connections; waits a fifth of a second for something to happen, less where
-    /// others wait for room.
+    /// Serves all connections once; waits at most 0.2 s for an event, less if further connections
+    /// wait for room.
     void step() {
         std::vector<pollfd> waits;
         for (const Connection& each : connections_) {
@@ -189,7 +189,7 @@ class HttpServer::State {
         for (std::size_t i = 0; i < connections_.size(); ++i) {
             const bool is_ready = waits[i].revents != 0;
             if (is_ready ? connections_[i].go_on(site_) : !connections_[i].is_late()) {
-                // Who sends a byte now and then is late all the same.
+                // Single bytes sent now and then do not extend the time limit.
                 if (!connections_[i].is_late()) {
                     going.push_back(std::move(connections_[i]));
                 }
@@ -209,7 +209,7 @@ class HttpServer::State {
   private:
     [[nodiscard]] bool has_room() const { return connections_.size() < limits_.connections; }
 
-    /// The oldest connection that has its answer, or else that keeps silent.
+    /// The oldest connection that has its answer, or else the oldest silent one.
     [[nodiscard]] std::vector<Connection>::iterator find_idle() {
         const auto first = [this](bool (Connection::*is)() const) {
             return std::find_if(connections_.begin(), connections_.end(), std::mem_fn(is));
@@ -218,9 +218,9 @@ class HttpServer::State {
         return answered != connections_.end() ? answered : first(&Connection::is_silent);
     }
 
-    /// Where there is no room, who has an answer or keeps silent makes it. What a connection has
-    /// said before it is accepted is read at once: those that come together with many others are
-    /// not taken for silent.
+    /// Without room, connections that are answered or silent are closed. Bytes sent before a
+    /// connection is accepted are read at once, so that it does not count as silent when many
+    /// connections arrive together.
     void accept_all() {
         for (std::size_t i = 0; i < limits_.connections; ++i) {
             const auto idle = find_idle();
@@ -255,7 +255,7 @@ HttpServer::HttpServer(ViewerRoutes site, int port, const ServerLimits& limits)
     sigfillset(&all);
     ::pthread_sigmask(SIG_BLOCK, &all, &before);
     thread_ = start_thread([this](const std::stop_token& ends) {
-        // Of this thread alone: what is computed comes first.
+        // Lowers the priority of this thread only: computing comes first.
         constexpr int kLowest = 19;
         static_cast<void>(::setpriority(PRIO_PROCESS, 0, kLowest));
         while (!ends.stop_requested()) {

@@ -9,7 +9,7 @@
 
 namespace quasimc {
 
-/// How much a server bears.
+/// Limits of a server.
 struct ServerLimits {
     std::size_t connections = 64;      ///< at a time; one more ends the oldest that is idle
     std::size_t request_bytes = 8192;  ///< up to the empty line
@@ -17,14 +17,14 @@ struct ServerLimits {
     double idle_seconds = 30;          ///< without taking a byte of the answer
 };
 
-/// Serves a site on 127.0.0.1, one request a connection, beside the work of a program: on one
-/// thread that gives way to all others, takes no signals and never waits for a single connection,
-/// so that slow or many clients hold up nobody else. It ends at once with this object, whoever is
-/// connected.
+/// Serves a site on 127.0.0.1, one request per connection, while the program computes. Its one
+/// thread has the lowest priority, takes no signals and never waits for a single connection, so
+/// that slow clients do not delay others. It ends at once with this object, even with open
+/// connections.
 class HttpServer {
   public:
-    /// Opens the port. @param port  0: any that is free
-    /// @throws InputError  if the port can't be had
+    /// Opens the port. @param port  0: any free port
+    /// @throws InputError  if the port is not available
     HttpServer(ViewerRoutes site, int port, const ServerLimits& limits = {});
     ~HttpServer();
     HttpServer(const HttpServer&) = delete;

@@ -13,9 +13,8 @@ namespace {
 
 using Vertex = std::array<float, 3>;
 
-/// The number of the last vertices of an organ that are searched for a corner that is known
-/// already.
-constexpr std::size_t kLookBack = 16;
+/// The number of last vertices of an organ among which a repeated corner is searched.
+constexpr std::size_t kSearched = 16;
 
 class ShapeWriter {
   public:
@@ -66,7 +65,7 @@ class ShapeWriter {
         const Vertex vertex{
             static_cast<float>(corner.x), static_cast<float>(corner.y),
             static_cast<float>(corner.z)};
-        const std::size_t known = std::min(kLookBack, vertices_.size() - first_);
+        const std::size_t known = std::min(kSearched, vertices_.size() - first_);
         for (std::size_t back = 1; back <= known; ++back) {
             if (vertices_[vertices_.size() - back] == vertex) {
                 corners_.push_back(static_cast<char>(back));

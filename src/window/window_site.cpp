@@ -47,8 +47,8 @@ bool take_first_line(std::string_view line, HttpRequest& request) {
     return is_clean && !request.target.empty() && (version == "HTTP/1.1" || version == "HTTP/1.0");
 }
 
-/// Without control characters but tabs (RFC 9110, section 5.5): where some see the end of a line in
-/// a lone CR or LF, another Host could stand behind it.
+/// Whether a value has no control characters except tabs (RFC 9110, section 5.5): for programs that
+/// end lines at a lone CR or LF, another Host could follow.
 bool is_field_value(std::string_view value) {
     return std::none_of(value.begin(), value.end(), [](unsigned char c) {
         return (c < ' ' && c != '\t') || c == 0x7F;
@@ -84,7 +84,7 @@ bool take_header(std::string_view line, HttpRequest& request) {
     return name.find_first_of(" \t") == std::string_view::npos;
 }
 
-/// Takes as long wherever the texts differ.
+/// Compares in constant time.
 bool is_same_secret(std::string_view a, std::string_view b) {
     if (a.size() != b.size()) {
         return false;

@@ -3,11 +3,11 @@
 // Each seed is one canopy and one run of one replicate; what is measured is the mean over the
 // seeds, so its error holds both the scatter of the canopies and that of the paths.
 //
-// A medium has no leaf size, a canopy has. The reflectance of conservative leaves (rho = tau = .5,
-// LAI 3, sun overhead, medium .4410) shows it most, as light that returns along its path finds the
-// gap that it came through: .4448, .4440, .4424 and .4421 (each +- .0004) with leaves of .118,
-// .083, .042 and .021 of the canopy's height. Here they are .021, where that is less than the
-// resolution.
+// A medium has no leaf size, a canopy has. The reflectance of conservative leaves (rho = tau = 0.5,
+// LAI 3, sun overhead, medium 0.4410) shows it most, as light that returns along its path finds the
+// gap that it came through: 0.4448, 0.4440, 0.4424 and 0.4421 (each +- 0.0004) with leaves of
+// 0.118, 0.083, 0.042 and 0.021 of the canopy's height. Here they are 0.021, where that is less
+// than the resolution.
 
 #include <array>
 #include <cmath>
@@ -71,8 +71,8 @@ TEST(LargerLeaves, AreNotTakenForSmallerOnes) {
     EXPECT_FALSE(agrees(over_seeds(64, numbers)[0], .556791, .01));
 }
 
-/// Leaves that reach out of the sphere widen its shadow: at x 3.75 the crown transmits .1205, .1237
-/// and .1259 (+- .0005) with 4000, 16000 and 64000 leaves in the cube around it.
+/// Leaves that reach out of the sphere widen its shadow: at x 3.75 the crown transmits 0.1205,
+/// 0.1237 and 0.1259 (+- 0.0005) with 4000, 16000 and 64000 leaves in the cube around it.
 TEST_P(Canopies, ASphericalCrownCastsTheShadowOfATurbidSphere) {
     constexpr std::array<std::array<double, 2>, 2> kCases{{{1, .528482}, {3.75, .126335}}};
     for (const auto& [depth, transmitted] : kCases) {
@@ -94,7 +94,7 @@ struct Shares {
     double absorbed, reflected, transmitted;
 };
 
-/// References for PAR (.0735/.0566), NIR (.3912/.4146) and optionally rho = tau = .5; standard
+/// References for PAR (0.0735/0.0566), NIR (0.3912/0.4146) and optionally rho = tau = 0.5; standard
 /// errors up to 5e-4.
 struct Medium {
     std::string name;

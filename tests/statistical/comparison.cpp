@@ -102,7 +102,8 @@ double nine_in_ten(std::vector<double> values) {
         for (const auto part : {&BandBudget::absorbed_by_organs, &BandBudget::absorbed_by_ground}) {
             Pair pair{a.budget[band].*part, b.budget[band].*part};
             if (unseen_ == Unseen::few_contributions) {
-                pair.missed = contributions * (contribution_to_total(pair.a) + contribution_to_total(pair.b));
+                pair.missed =
+                    contributions * (contribution_to_total(pair.a) + contribution_to_total(pair.b));
                 pair = {seen(pair.a), seen(pair.b), pair.missed};
             }
             total_widths_.push_back(

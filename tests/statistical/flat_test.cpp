@@ -30,7 +30,7 @@ TEST_P(FlatSurfaces, ABlackPatchAbsorbsAllThatFallsOnIt) {
         holds({"1x1 black patch, absorbed", 1000, .1}, result.at(0, Quantity::absorbed_flux, 0)));
 }
 
-/// A floor that reflects .3 and a black wall along one of its edges.
+/// A floor that reflects 0.3 and a black wall along one of its edges.
 Scene make_l() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("floor", .3, 0));
@@ -115,7 +115,7 @@ TEST_P(FlatSurfaces, ALitRingLightsTheDiskAboveItsShadow) {
         result.at(1, Quantity::incident_upper, 0)));
 }
 
-/// A black well of radius .5 and depth .5 shows a disk at its bottom the sky through the opening.
+/// A black well of radius 0.5 and depth 0.5 shows a disk at its bottom the sky through the opening.
 Scene make_well(double disk_radius) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));

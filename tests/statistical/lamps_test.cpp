@@ -50,7 +50,7 @@ TEST_P(Lamps, ADiskSendsItsViewFactorToACoaxialDisk) {
         trace(scene, {lamp}, 1 << 15).at(0, Quantity::absorbed_flux_density, 0)));
 }
 
-/// Two facing rectangles: the view factor of the closed form, .508989 (Howell, C-11).
+/// Two facing rectangles: the view factor of the closed form, 0.508989 (Howell, C-11).
 TEST_P(Lamps, ARectangleSendsItsViewFactorToOneThatFacesIt) {
     const Scene scene = make_floor(floor_of(-1, 1, -.5, .5, 0));
     const Opening opening{.kind = Opening::Kind::rectangle, .length = 2, .width = 1};

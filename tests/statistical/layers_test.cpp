@@ -90,7 +90,7 @@ TEST_P(Layers, AnInfiniteTileAbsorbsByTheCosineOfTheSun) {
     }
 }
 
-/// Plates x .85..1 at z 1 and x 0...9 at z 0, 1 deep, in [0, 1]^2; the sun is at 45 degrees, so
+/// Plates x 0.85..1 at z 1 and x 0...9 at z 0, 1 deep, in [0, 1]^2; the sun is at 45 degrees, so
 /// shadows fall 1 to the side.
 Scene make_plates(const Cell& cell) {
     SceneBuilder builder = make_builder();

@@ -104,7 +104,7 @@ TEST(RayBundles, LoseNothingInAClosedBox) {
     EXPECT_LE(left, 1e-5 * .9 * 6);
 }
 
-/// A floor that reflects .3 and a black wall along one of its edges.
+/// A floor that reflects 0.3 and a black wall along one of its edges.
 Scene make_corner() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("floor", .3, 0));
@@ -227,7 +227,7 @@ TEST(RayBundles, KnowTheSkyViewFactorsOfLeaves) {
         mean += e.mean;
     }
     const auto organs = static_cast<double>(fine.organs());
-    // .0028 if sky view factors came from lines alone.
+    // 0.0028 if sky view factors came from lines alone.
     EXPECT_LT(std::sqrt(squares / organs), .0024 * mean / organs);
 }
 

@@ -48,7 +48,7 @@ void add_leaves(SceneBuilder& builder, const std::vector<Triangle>& leaves);
 
 /// The horizontal rectangle [x0, x1] x [y0, y1] at height z, upper side up.
 [[nodiscard]] std::vector<Triangle> floor_of(double x0, double x1, double y0, double y1, double z);
-/// A leaf of 1 x 1 half a unit above a ground of 3 x 3 that reflects .3 of the light.
+/// A leaf of 1 x 1 half a unit above a ground of 3 x 3 that reflects 0.3 of the light.
 [[nodiscard]] Scene leaf_over_ground(double rho = .4, double tau = .2);
 
 /// Reverses triangles, upper side down.

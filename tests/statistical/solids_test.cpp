@@ -88,7 +88,7 @@ TEST_P(Solids, AnIntegratingSphereMultipliesTheLightOfTheSunByOneOverOneLessRho)
 }
 
 TEST_P(Solids, AnIntegratingSphereMultipliesTheLightOfTheSkyByOneOverOneLessRho) {
-    // Backwards, a path grows by 1 + rho at every bounce: beyond rho = .618 its variance is
+    // Backwards, a path grows by 1 + rho at every bounce: beyond rho = 0.618 its variance is
     // infinite. No such sheet exists in nature.
     for (const double rho : {.5, .8, .98}) {
         if (rho > .5 && !from_sources()) {

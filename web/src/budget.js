@@ -1,23 +1,23 @@
-// How much is drawn while one turns the scene, so that it follows the hand.
+// Limits the triangles drawn while the scene is turned, so that it stays responsive.
 
-const kWanted = 33; // milliseconds a frame
-const kLeast = 10000; // triangles, where there are more
+const kWanted = 33; // milliseconds per frame
+const kLeast = 10000; // minimum number of triangles
 const kRest = 250; // milliseconds without a movement, after which all are drawn
-const kAhead = 2; // frames that are asked of the graphics at a time
+const kAhead = 2; // maximum number of frames in progress
 const kPoll = 3; // milliseconds between questions whether a frame is done
 
 /**
- * The share of triangles to draw: all of them at rest, and while one turns as many as graphics can
- * draw 30 times a second, by the time that frames before took. A frame is begun when the last but one
- * is done: they do not queue up, and graphics do not wait for the page.
+ * The fraction of triangles to draw: all at rest; while the scene moves as many as the GPU draws 30 times
+ * a second, estimated from earlier frames. A frame begins when the last but one is done: frames do not
+ * queue up, and the GPU does not wait for the page.
  */
 export class FrameBudget {
-  /** @param gl  the graphics  @param onRest  called when all are to be drawn again */
+  /** @param gl  WebGL context  @param onRest  called when all triangles are to be drawn again */
   constructor(gl, onRest) {
     Object.assign(this, { gl, onRest, triangles: 0, moving: 0, isMoving: false, isFirst: true, waiting: null, fences: [], done: 0 });
   }
 
-  /** Of the scene that is drawn from now on. The first frames are thin: nothing is known of the graphics yet. */
+  /** Sets the number of triangles. The first frames have few of them, as the speed of the GPU is unknown. */
   setTriangles(count) {
     this.triangles = count;
     this.moving = Math.min(1, Math.max(this.moving, kLeast / count));
@@ -27,7 +27,7 @@ export class FrameBudget {
     return this.isMoving ? this.moving : 1;
   }
 
-  /** The scene is looked at from elsewhere. */
+  /** To be called when the camera has moved. */
   moved() {
     this.isMoving = true;
     this.#awaitRest();
@@ -47,7 +47,7 @@ export class FrameBudget {
     }
   }
 
-  /** A frame has been asked of the graphics. */
+  /** To be called after a frame was submitted. */
   drawn() {
     const { gl } = this;
     this.fences.push({ sync: gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0), begun: performance.now() });
@@ -74,7 +74,7 @@ export class FrameBudget {
         this.#wait();
       }
       if (this.isMoving && this.isFirst) {
-        this.#stop(); // nobody turns it yet: after the thin frame that is soon seen, all
+        this.#stop(); // the first frame has few triangles; without movement, all follow at once
       } else if (this.isMoving) {
         this.#awaitRest();
       }
@@ -92,7 +92,7 @@ export class FrameBudget {
 
   #stop() {
     if (this.fences.length > 0) {
-      return; // a frame takes longer than the hand rests
+      return; // a frame is still in progress
     }
     const wasLess = this.share < 1;
     this.isMoving = false;

@@ -20,7 +20,7 @@ function add(parent, name, attributes, text) {
   return made;
 }
 
-/** An empty chart with axes. @returns its svg, and where values of x and y stand */
+/** An empty chart with axes. @returns its svg, and the scales of x and y */
 function start(parent, label, [x0, x1], [y0, y1], xTitle, isYTick = () => true, isXTick = () => true) {
   parent.replaceChildren();
   const svg = add(parent, "svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "group", "aria-label": label });
@@ -38,12 +38,12 @@ function start(parent, label, [x0, x1], [y0, y1], xTitle, isYTick = () => true, 
 }
 
 /**
- * Bars that can be pressed and pointed at, by mouse or key.
- * @param binOf  of each organ the number of its bar, -1 for none
+ * Adds bars that can be pressed and pointed at, by mouse or key.
+ * @param binOf  the number of its bar for each organ, -1 for none
  * @param bars  {bin, place, label, from, to} of each
  * @param acts  onRange is called with the ends of a bar that is pressed, onPoint with the organs and
  *     the label of the one that is pointed at, null when it no longer is
- * @returns (organ) => the ends of its bar, which is set apart from the others; null for none
+ * @returns (organ) => the ends of its bar, which is highlighted; null for none
  */
 function addBars(svg, binOf, bars, { onRange, onPoint }) {
   const made = new Map();
@@ -77,7 +77,7 @@ function addBars(svg, binOf, bars, { onRange, onPoint }) {
   };
 }
 
-/** Draws anew what a chart shows; the bar that has the focus keeps it. */
+/** Redraws a chart; the focused bar stays focused. */
 function keepingFocus(parent, draw) {
   const bin = parent.contains(document.activeElement) ? document.activeElement.dataset.bin : undefined;
   const result = draw();
@@ -89,13 +89,13 @@ function keepingFocus(parent, draw) {
 
 const kNoBars = () => null;
 
-/** Ends of an axis: those of numbers, or about the one number that all are. */
+/** Ends of an axis, widened if all numbers are equal. */
 function widened(low, high) {
   const about = 0.1 * Math.abs(low) || 0.5;
   return high > low ? { low, high } : { low: low - about, high: low + about };
 }
 
-/** Of each number its bin, one of `bins` between the ends; -1 of what is left out. */
+/** The bin of each number, one of `bins` between the ends; -1 for numbers that are left out. */
 function binsOf(numbers, bins, { low, high }, isIn) {
   const width = (high - low) / bins;
   const result = new Int16Array(numbers.length).fill(-1);
@@ -108,9 +108,10 @@ function binsOf(numbers, bins, { low, high }, isIn) {
 }
 
 /**
- * How many of the organs shown have which value. The last bar has all that is far beyond the usual too, so that a few
- * organs do not press all others into one bar.
- * @param usual  what few exceed  @param absent  why there are no numbers, if there should be  @param acts, @returns  see addBars
+ * Histogram of the values of shown organs. The last bar includes outliers, so that a few organs do not press all
+ * others into one bar.
+ * @param usual  value that few organs exceed  @param absent  reason for missing numbers
+ * @param acts, @returns  see addBars
  */
 export function drawHistogram(parent, { numbers, isShown, title, usual, absent }, acts) {
   const { low, high } = endsOf(numbers);
@@ -156,7 +157,7 @@ export function drawHistogram(parent, { numbers, isShown, title, usual, absent }
 }
 
 /**
- * Means over the organs shown, weighted by area, in layers of height.
+ * Area-weighted means of shown organs in layers of height.
  * @param acts, @returns  see addBars
  */
 export function drawProfile(parent, { numbers, isShown, title, heights, areas }, acts) {

@@ -2,7 +2,7 @@
 
 import { readShape } from "./shape.js";
 
-/** The bytes that a base64 text says. */
+/** The bytes of a base64 text. */
 export function fromBase64(text) {
   const letters = atob(text);
   const bytes = new Uint8Array(letters.length);
@@ -35,18 +35,18 @@ async function readBytes(name) {
     return (await request(name)).arrayBuffer();
   }
   const bytes = fromBase64(found.textContent);
-  found.remove(); // its text is not needed any more
+  found.remove(); // frees its text
   return bytes;
 }
 
-/** Everything of a run; numbers of a time are read when they are first asked for. */
+/** The data of a run; numbers of a time are read at the first request. */
 export class RunData {
   static async load() {
     const shape = readBytes("shape");
     const colorMaps = readJson("colors");
     const run = new RunData(await readJson("data"), await colorMaps, null, (blob) => readBytes(`values-${blob}`));
     if (run.columns.length > 0) {
-      run.values(0, run.columns[0].number); // shown first: they are on their way while the shape is
+      run.values(0, run.columns[0].number); // shown first: loads together with the shape
     }
     run.shape = readShape(await shape, run.count);
     return run;
@@ -54,7 +54,7 @@ export class RunData {
 
   /**
    * @param shape  see readShape; null: it is set later
-   * @param readBlob  gives a promise of the bytes of numbers, null if they can't be had
+   * @param readBlob  returns a promise of the bytes of numbers, null if they are not available
    */
   constructor(json, colorMaps, shape, readBlob) {
     Object.assign(this, { json, colorMaps, shape, readBlob });
@@ -110,12 +110,12 @@ export class RunData {
     return part === "total" ? "sum of all times" : label;
   }
 
-  /** The user's number of an organ, as text: it may be more than a number holds. */
+  /** The user's number of an organ, as text: it may exceed the exact integers of numbers. */
   idOf(organ) {
     return this.json.organs.id?.[organ] ?? String(organ + 1);
   }
 
-  /** -1: there is none. */
+  /** The index of an organ; -1 for unknown numbers. */
   organOfId(text) {
     const { id, count } = this.json.organs;
     const number = Number(text);
@@ -126,7 +126,7 @@ export class RunData {
     return this.json.organs.name?.[organ] || `organ ${this.idOf(organ)}`;
   }
 
-  /** What the result says beside its organs: energy, groups, method at a time. */
+  /** The result at a time without its organs: energy, groups, method. */
   headOf(time) {
     const { part, index } = this.json.times[time];
     const head = this.json.head;

@@ -1,4 +1,4 @@
-// Horizon, north, suns, lamps and sky about the scene.
+// Horizon, north, suns, lamps and sky around the scene.
 
 import {
   BackSide, BufferGeometry, CanvasTexture, Color, Float32BufferAttribute, Group, Line, LineBasicMaterial, LineLoop, Mesh,
@@ -7,17 +7,17 @@ import {
 
 const kGrey = "#75808a";
 const kSun = "#e09b00";
-const kRings = 9; // of cells of the sky, from the horizon up
+const kRings = 9; // rings of sky cells, from the horizon up
 const kSectors = 36; // from the x axis towards y
 const kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-// Of a sky from black to its brightest: none is so light that it would not be seen on white.
+// Colours from black to the brightest sky; all are visible on white.
 const kSky = [[12, 24, 70], [30, 80, 160], [96, 170, 225], [190, 225, 245]];
 
-/** A sign of 64 x 64 pixels, which `draw` draws. */
+/** A sign of 64 x 64 pixels, drawn by `draw`. */
 function sign(draw, color) {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d", { willReadFrequently: true }); // drawn without the graphics: few signs
+  const pen = canvas.getContext("2d", { willReadFrequently: true }); // on the CPU: there are few signs
   pen.fillStyle = pen.strokeStyle = color;
   pen.lineWidth = 5;
   draw(pen);
@@ -30,7 +30,7 @@ function drawNorth(pen) {
   pen.font = "bold 44px sans-serif";
   pen.textAlign = "center";
   pen.textBaseline = "middle";
-  pen.fillStyle = "#3a434b"; // with a rim of paper: read on light and dark, and before the sky
+  pen.fillStyle = "#3a434b"; // with a white rim, legible on any background
   pen.strokeStyle = "#ffffff";
   pen.lineWidth = 8;
   pen.strokeText("N", 32, 34);
@@ -43,7 +43,7 @@ function drawDisk(pen, radius) {
   pen.fill();
 }
 
-/** Not a letter: not every computer has one. */
+/** Drawn, as not every font has a symbol for it. */
 function drawSun(pen) {
   drawDisk(pen, 15);
   pen.beginPath();
@@ -66,7 +66,7 @@ function line(points, color, Kind = Line) {
   return new Kind(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color }));
 }
 
-/** The colour of a digit of the sky, as graphics take it. */
+/** The linear colour of a digit of the sky. */
 function skyColor(digit) {
   const at = (kDigits.indexOf(digit) / 63) * (kSky.length - 1);
   const below = Math.min(kSky.length - 2, Math.floor(at));
@@ -74,7 +74,7 @@ function skyColor(digit) {
   return new Color().setRGB(...rgb, SRGBColorSpace).toArray();
 }
 
-/** The inner side of the sky's dome, cell by cell. One looks through the near half of it. */
+/** The inner side of the sky's dome, cell by cell. Its near half is transparent. */
 function makeDome(middle, size, sky) {
   const at = (ring, sector) => {
     const elevation = (ring * Math.PI) / 2 / kRings;
@@ -104,13 +104,13 @@ function makeDome(middle, size, sky) {
 }
 
 /**
- * Horizon, north, and where light comes from, about a place. @param radius  of the scene
+ * Horizon, north and sources around a point. @param radius  radius of the scene
  * @param north  unit vector  @param lights  {suns, lamps, sky} of a time
  * @param hasSky  whether the dome of the sky is shown, if there is one
  */
 export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasSky) {
   const group = new Group();
-  const size = 1.1 * radius; // such that all of it is seen where the scene is seen whole
+  const size = 1.1 * radius; // fits in the view of the whole scene
   const at = (v, far) => middle.clone().addScaledVector(new Vector3(...v), far);
   const addSign = (draw, color, place) => {
     const sprite = sign(draw, color);
@@ -132,7 +132,7 @@ export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasS
   for (const lamp of lamps.slice(0, 100)) {
     const place = new Vector3(...lamp);
     const far = place.distanceTo(middle);
-    // One that is far away is shown where it shines from.
+    // A lamp far away is drawn in its direction.
     addSign(drawLamp, kSun, far <= 2 * size ? place : place.sub(middle).multiplyScalar((1.1 * size) / far).add(middle));
   }
   if (hasSky && sky) {
@@ -141,7 +141,7 @@ export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasS
   return group;
 }
 
-/** Gives back what the graphics hold of a group of directions. */
+/** Frees the GPU memory of a group of directions. */
 export function disposeDirections(group) {
   group.children.forEach((child) => {
     child.geometry.dispose();

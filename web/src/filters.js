@@ -1,11 +1,11 @@
-// Which organs are shown.
+// Filters of the shown organs.
 
 import { fill, make } from "./tables.js";
 
-const kMostValues = 2000; // that a person looks through
-const kFirstLists = 3; // that are open from the start
+const kMostValues = 2000; // maximum length of a list
+const kFirstLists = 3; // lists that are open at the start
 
-/** A list of the values of a key, of which some can be chosen. */
+/** A list of the values of a key, for multiple choice. */
 function valueList(key, values, chosen) {
   const list = make("select", undefined, { multiple: "", size: Math.min(4, values.length), "data-key": key });
   const letters = new Intl.Collator(undefined, { numeric: true });
@@ -18,8 +18,8 @@ function valueList(key, values, chosen) {
 }
 
 /**
- * A list for each key of labels that tells organs apart, those of the fewest values first; what was chosen before stays
- * so. Files of plants give organs many labels, measures among them: all but the first lists are folded away.
+ * A list for each key of labels with different values, those of the fewest values first; choices stay. Organs may have
+ * many labels, such as lengths: all but the first lists are folded away.
  */
 export function fillLabels(parent, labels) {
   const wanted = wantedLabels(parent);
@@ -35,7 +35,7 @@ export function fillLabels(parent, labels) {
   }
 }
 
-/** The values that are chosen, of each key of labels of which some are. */
+/** The chosen values for each key of labels with choices. */
 export function wantedLabels(parent) {
   const lists = [...parent.querySelectorAll("select")].filter((list) => list.selectedOptions.length > 0);
   return new Map(lists.map((list) =>
@@ -44,7 +44,7 @@ export function wantedLabels(parent) {
 
 /**
  * A number for each organ, 0 for those that do not pass.
- * @param wanted  see wantedLabels: of each key there one of its values must be the organ's
+ * @param wanted  see wantedLabels: for each of its keys, the organ must have one of the values
  * @param layer  ends of heights, null for all  @param range  ends of numbers, each null for none
  */
 export function organsPassing(run, numbers, { wanted, layer, range: [from, to], hasGround }) {

@@ -1,10 +1,10 @@
-// A run that goes on: its states so far, as the server tells of them.
+// A run in progress: its states so far, from the server.
 
 import { RunData, readJson, request } from "./data.js";
 import { readShape } from "./shape.js";
 
-const kBetween = 400; // milliseconds from one question for news to the next
-const kHidden = 3000; // the same while nobody sees the page
+const kBetween = 400; // milliseconds between requests for news
+const kHidden = 3000; // milliseconds while the page is hidden
 
 export function isLive() {
   return document.getElementById("live") !== null;
@@ -12,7 +12,7 @@ export function isLive() {
 
 const wait = (milliseconds) => new Promise((done) => setTimeout(done, milliseconds));
 
-/** The numbers of a frame; null once the program is gone. */
+/** The numbers of a frame; null after the program has ended. */
 async function valuesOrNothing(name) {
   try {
     return await (await request(name)).arrayBuffer();
@@ -31,7 +31,7 @@ export class LiveRun {
     return live;
   }
 
-  /** Asks for news. Rejects when the program is gone. */
+  /** Requests news. Rejects if the program has ended. */
   async poll() {
     this.state = await (await request("live")).json();
     const known = new Set(this.state.frames.map(({ number, version }) => `${number}-${version}`));
@@ -50,7 +50,7 @@ export class LiveRun {
     return this.scenes.get(number);
   }
 
-  /** A state of the run, as if it were a run that is done. */
+  /** A state of the run, in the form of a finished run. */
   frame({ number, version, scene }) {
     const key = `${number}-${version}`;
     if (!this.frames.has(key)) {
@@ -70,16 +70,16 @@ export class LiveRun {
 }
 
 /**
- * Shows the newest frame of a run as it comes, until somebody goes back to an older one.
+ * Shows the newest frames of a run, until the user selects an older one.
  * @param show  (run, index, entries) => promise
- * @param tell  (words, fraction) of how far the run is
+ * @param tell  (words, fraction) => shows the progress of the run
  */
 export class Follower {
   constructor(live, show, tell) {
     Object.assign(this, { live, show, tell, isFollowing: true, shown: null, turn: Promise.resolve() });
   }
 
-  /** Returns when the run has ended, or the program is gone. */
+  /** Returns when the run or the program has ended. */
   async follow() {
     for (;;) {
       const { words, fraction, ended } = this.live.state;
@@ -103,7 +103,7 @@ export class Follower {
     const { frames } = this.live.state;
     this.isFollowing = index >= frames.length - 1;
     this.asked = index;
-    await this.#inTurn(() => (this.asked === index ? frames[index] : null)); // the slider may have gone on
+    await this.#inTurn(() => (this.asked === index ? frames[index] : null)); // the slider may have moved on
   }
 
   async #showNews() {
@@ -114,7 +114,7 @@ export class Follower {
     });
   }
 
-  /** One frame after the other: a frame that is being read is not told of as shown. */
+  /** Shows frames one after the other, so that `shown` is never a frame that is still loading. */
   #inTurn(choose) {
     const shown = this.turn.then(() => this.#showFrame(choose()));
     this.turn = shown.catch(() => {});
@@ -129,7 +129,7 @@ export class Follower {
     const isNew = frame.number !== this.shown?.number || frame.version !== this.shown?.version;
     const run = isNew ? await this.live.frame(frame).catch(() => null) : null;
     if (isNew && run === null) {
-      return; // it is gone; the next news will tell
+      return; // the program has ended; the next request reports it
     }
     this.shown = frame;
     await this.show(run, Math.max(0, frames.findIndex(({ number }) => number === frame.number)), frames);

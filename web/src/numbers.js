@@ -1,6 +1,6 @@
-// Numbers as people read them, and scales.
+// Formats of numbers, and scales.
 
-/** Four digits, no more than are needed. */
+/** At most four digits. */
 export function short(value) {
   if (!Number.isFinite(value)) {
     return "—";
@@ -12,7 +12,7 @@ export function short(value) {
   return String(Number(value.toPrecision(4)));
 }
 
-/** "0.3697 ± 0.0009": the value as far as its error lets it be known. */
+/** "0.3697 ± 0.0009": the value with the digits that its error justifies. */
 export function withError(mean, error) {
   if (!Number.isFinite(mean)) {
     return "not known";
@@ -43,7 +43,7 @@ export function ticks(low, high, count) {
   return result;
 }
 
-/** The least and the largest of numbers that are finite; low > high where there is none. */
+/** The minimum and maximum of the finite numbers; low > high if there are none. */
 export function endsOf(numbers) {
   let low = Infinity;
   let high = -Infinity;
@@ -56,7 +56,7 @@ export function endsOf(numbers) {
   return { low, high };
 }
 
-/** What a part of the area exceeds. Numbers of one bin of many are sorted, not all. */
+/** The value that a part of the area exceeds. Only the numbers of one bin are sorted. */
 function exceededBy(numbers, areas, part, { low, high }) {
   const bins = 4096;
   const binOf = (value) => Math.min(bins - 1, Math.floor(((value - low) / (high - low)) * bins));
@@ -86,7 +86,7 @@ function exceededBy(numbers, areas, part, { low, high }) {
 }
 
 /**
- * Ends of a scale of colours: from 0, unless some are negative, to what a two-hundredth of the area
+ * Ends of a colour scale: from 0, unless some numbers are negative, to the value that 0.5 % of the area
  * exceeds, so that single organs do not darken all others.
  */
 export function scaleOf(numbers, areas) {
@@ -110,7 +110,7 @@ function paletteOf(map, count) {
   });
 }
 
-/** Colours of numbers on a scale, red in the lowest of three bytes: grey what is not known, -1 what is not shown. */
+/** Colours of numbers on a scale, red in the lowest of three bytes: grey for unknown numbers, -1 for hidden organs. */
 export function colorsOf(numbers, isShown, scale, map) {
   const kGrey = 0xc8c8c8;
   const last = 1023;
@@ -125,7 +125,7 @@ export function colorsOf(numbers, isShown, scale, map) {
   return colors;
 }
 
-/** A number in words with its unit, if it has one: plants of simulators have none. */
+/** A number as text with its unit, if it has one: plants of simulators have none. */
 export function withUnit(text, unit) {
   return unit ? `${text} ${unit}` : text;
 }

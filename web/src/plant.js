@@ -1,4 +1,4 @@
-// The plant as it is without its light.
+// The plant in its own colours, without light.
 
 const kGround = [190, 170, 150];
 const kKinds = [[150, 190, 110], [165, 125, 85], [205, 190, 95], [200, 110, 100], [140, 120, 180], [95, 160, 165]];

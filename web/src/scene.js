@@ -1,4 +1,4 @@
-// The scene in three dimensions, drawn when something has changed.
+// The scene in three dimensions, redrawn after changes.
 
 import {
   DoubleSide, GLSL3, Group, Mesh, NearestFilter, NoBlending, PerspectiveCamera, RawShaderMaterial, Scene,
@@ -28,10 +28,9 @@ void main() {
   gl_Position = tint == 0u ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
 }`;
 
-// Colours are light, not paint: only a little darker where a surface is seen edge-on, and more in a
-// picture of the plant without its light. The normal
-// follows from how depth changes from pixel to pixel: the plane z = slope * xy + c of the
-// projection, taken back through the matrix. So corners carry no more than a colour.
+// Colours show light: surfaces seen edge-on are only a little darker, and more in the view of the plant
+// without its light. The normal follows from the derivatives of depth: the plane z = slope * xy + c of
+// the projection, transformed back by the matrix. So vertices need no normals.
 const kFragmentShader = `
 precision highp float;
 precision highp int;
@@ -61,7 +60,7 @@ void main() {
 #endif
 }`;
 
-/** Whether the processor does what graphics should. */
+/** Whether the CPU renders instead of a GPU. */
 function isSoftware(gl) {
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
@@ -69,9 +68,9 @@ function isSoftware(gl) {
 }
 
 /**
- * What draws on a canvas, or on one that takes its place. Throws where there is no WebGL. Smooth edges are decided on when graphics
- * are asked for. To ask takes long where the processor does their work, and smooth edges cost more
- * than they are worth: so one asks without them first.
+ * A renderer for a canvas, or for a new one that replaces it. Throws without WebGL. Antialiasing is fixed
+ * when a context is made. On a CPU this takes long, and antialiasing is too slow: so the first context is
+ * made without it.
  */
 export function makeRenderer(canvas) {
   const gl = canvas.getContext("webgl2", { alpha: true, antialias: false });
@@ -121,7 +120,7 @@ export class SceneWindow {
       this.budget.moved();
       this.changed();
     });
-    this.picture = new WebGLRenderTarget(1, 1); // which organ is seen at each pixel
+    this.picture = new WebGLRenderTarget(1, 1); // number of the visible organ at each pixel
     this.picture.texture.minFilter = this.picture.texture.magFilter = NearestFilter;
     new ResizeObserver(() => this.#resize()).observe(this.canvas.parentElement);
     this.look(200, 25);
@@ -129,7 +128,7 @@ export class SceneWindow {
     this.#handOver();
   }
 
-  /** Gives graphics the triangles and what draws them, which they make ready while the page goes on. */
+  /** Uploads triangles and shaders, which the GPU prepares in the background. */
   #handOver() {
     this.mesh.geometry.setDrawRange(0, 3);
     this.renderer.render(this.scene, this.camera);
@@ -143,8 +142,8 @@ export class SceneWindow {
   }
 
   /**
-   * Another scene of the same run. One looks at all of it if one has looked at all of the scene
-   * before, and otherwise at the same place.
+   * Sets another scene of the same run. If the last one was shown whole, so is this one; otherwise the
+   * camera stays.
    */
   setScene(run) {
     const moved = new Vector3(...this.run.json.middle).sub(new Vector3(...run.json.middle));
@@ -168,20 +167,20 @@ export class SceneWindow {
     return this.low.clone().add(this.high).multiplyScalar(0.5);
   }
 
-  /** From where all is seen. */
+  /** The distance from which the whole scene is visible. */
   #distance() {
     const opening = (this.camera.fov * Math.PI) / 360;
     return ((1.25 * this.radius) / Math.sin(opening)) * Math.max(1, 1 / this.camera.aspect);
   }
 
-  /** Whether one looks at all of the scene. */
+  /** Whether the whole scene is shown. */
   get showsAll() {
     const far = this.camera.position.distanceTo(this.controls.target);
     return this.controls.target.distanceTo(this.#middle()) < 1e-3 * this.radius &&
       Math.abs(far / this.#distance() - 1) < 1e-3;
   }
 
-  /** Looks at all of the scene, from where one looks. */
+  /** Shows the whole scene from the same direction. */
   #showAll() {
     const from = this.camera.position.clone().sub(this.controls.target).normalize();
     this.controls.target.copy(this.#middle());
@@ -196,13 +195,13 @@ export class SceneWindow {
     this.scene.add(this.mesh);
   }
 
-  /** @param colors  of each organ, red in the lowest of three bytes; negative hides it */
+  /** @param colors  one per organ, red in the lowest of three bytes; negative hides it */
   paint(colors) {
     this.organs.paint(colors);
     this.changed();
   }
 
-  /** Shows the plant without its light beside it. @param colors  of each organ; null: the light alone */
+  /** Also shows the plant without light, side by side. @param colors  one per organ; null: the light only */
   paintPlant(colors) {
     const { showsAll } = this;
     this.organs.paintPlant(colors);
@@ -214,13 +213,13 @@ export class SceneWindow {
     this.changed();
   }
 
-  /** Sets organs apart from all others. */
+  /** Highlights organs. */
   mark(organs) {
     this.organs.mark(organs);
     this.changed(false);
   }
 
-  /** Shows dot(normal, p) <= offset, null for all. */
+  /** Clips to dot(normal, p) <= offset; null: no clipping. */
   cut(normal, offset) {
     this.uniforms.cut.value.set(...(normal ? [...normal, offset] : [0, 0, 0, 1]));
     for (const material of [this.material, this.picking]) {
@@ -236,7 +235,7 @@ export class SceneWindow {
     this.changed();
   }
 
-  /** From azimuth and elevation, degrees; azimuth clockwise from north. */
+  /** Sets the camera's azimuth and elevation, degrees; azimuth clockwise from north. */
   look(azimuth, elevation) {
     const north = new Vector3(...this.run.json.north);
     const east = new Vector3(north.y, -north.x, 0);
@@ -251,7 +250,7 @@ export class SceneWindow {
     this.changed();
   }
 
-  /** Turns by angles in degrees, and comes nearer by a factor. */
+  /** Turns by angles in degrees, and zooms in by a factor. */
   turn(around, up, nearer = 1) {
     const from = this.camera.position.clone().sub(this.controls.target);
     const radians = Math.PI / 180;
@@ -268,7 +267,7 @@ export class SceneWindow {
     this.changed();
   }
 
-  /** Horizon, north and where light comes from. @param lights  see makeDirections  @param hasSky  see there */
+  /** Shows horizon, north and sources. @param lights, hasSky  see makeDirections */
   showDirections(lights, isShown, hasSky) {
     this.scene.remove(this.directions);
     disposeDirections(this.directions);
@@ -278,7 +277,7 @@ export class SceneWindow {
     this.changed(false);
   }
 
-  /** @param moves  whether another organ may be seen at a pixel */
+  /** To be called after changes. @param moves  whether the visible organ of a pixel may have changed */
   changed(moves = true) {
     this.isPictureOld ||= moves;
     if (!this.isAsked) {
@@ -305,20 +304,20 @@ export class SceneWindow {
     this.budget.drawn();
   }
 
-  /** All that is seen now, as an address of its own. */
+  /** The current picture as a data URL. */
   pictureUrl() {
     this.budget.isMoving = false;
     this.draw();
     return this.canvas.toDataURL();
   }
 
-  /** What stands side by side, and how much darker it is where it is seen edge-on. */
+  /** The views side by side, and how much darker each is where it is seen edge-on. */
   get #views() {
     const { colored, plant } = this.organs;
     return [{ organs: colored, depth: 0.28 }, ...(plant ? [{ organs: plant, depth: 0.6 }] : [])];
   }
 
-  /** Of one of the views, CSS pixels. */
+  /** The width of a view, CSS pixels. */
   get #width() {
     return Math.floor(this.canvas.clientWidth / this.#views.length);
   }
@@ -347,7 +346,7 @@ export class SceneWindow {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     const known = this.renderer.getSize(new Vector2());
     if (width > 0 && height > 0 && (width !== known.x || height !== known.y)) {
-      this.renderer.setSize(width, height, false); // which clears what is seen
+      this.renderer.setSize(width, height, false); // which clears the canvas
       this.#setAspect();
       if (this.hasDrawn) {
         this.draw();
@@ -356,7 +355,7 @@ export class SceneWindow {
     }
   }
 
-  /** The organ at a place of the canvas, in any of its views, CSS pixels; null for none. */
+  /** The organ at a point of the canvas, in any of its views, CSS pixels; null for none. */
   organAt(x, y) {
     const width = this.#width;
     const height = this.canvas.clientHeight;

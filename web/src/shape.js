@@ -1,16 +1,16 @@
-// The triangles of a scene as the graphics take them.
+// The triangles of a scene for the GPU.
 
 import { BufferAttribute, BufferGeometry, Sphere } from "three";
 
-/** What is told of an organ, in the highest byte of its colour. */
+/** The state of an organ, in the highest byte of its colour. */
 const kWhole = 255;
 const kMarked = 128;
 const kNumber = 0xffffff;
 
 /**
- * The shape of a scene, of the bytes that the program writes
+ * The shape of a scene, from the bytes that the program writes
  * (docs/develop/decisions/viewer-server.md): areas, heights and numbers of triangles of `count`
- * organs; places; corners, each the number of a place; and the first place of each organ.
+ * organs; vertices; corners, each the number of a vertex; and the first vertex of each organ.
  */
 export function readShape(bytes, count) {
   const areas = new Float32Array(bytes, 0, count);
@@ -34,7 +34,7 @@ export function readShape(bytes, count) {
   return { areas, heights, triangles: total, places, corners, first };
 }
 
-/** A step that goes through all of `count` places once, far from the last at each (golden section). */
+/** A step that visits all of `count` indices once, each far from the last (golden section). */
 function farStep(count) {
   const divisor = (a, b) => (b === 0 ? a : divisor(b, a % b));
   let step = Math.max(1, Math.round(count * 0.618));
@@ -46,7 +46,7 @@ function farStep(count) {
 
 /**
  * Corners in another order of triangles: blocks of neighbours, such that any first part of the list
- * has triangles from everywhere. It is what is drawn where there is no time for all.
+ * has triangles from everywhere. It is drawn if there is no time for all triangles.
  */
 function spread(corners) {
   const kBlock = 3 * 64;
@@ -60,7 +60,7 @@ function spread(corners) {
   return result;
 }
 
-/** The triangles, each in the tint of its organ: colour, and in the highest byte what is told of it; 0 hides it. */
+/** The triangles, each in the tint of its organ: its colour, and its state in the highest byte; 0 hides it. */
 class TintedGeometry {
   constructor(shape, position, index) {
     this.first = shape.first;
@@ -68,13 +68,13 @@ class TintedGeometry {
     this.geometry.setAttribute("position", position);
     this.geometry.setAttribute("tint", new BufferAttribute(new Uint32Array(shape.places.length / 3), 1));
     this.geometry.setIndex(index);
-    this.geometry.boundingSphere = new Sphere(); // nobody asks for it, and to compute it takes long
+    this.geometry.boundingSphere = new Sphere(); // unused, and slow to compute
     this.tint = this.geometry.attributes.tint;
-    this.isAllOld = true; // of what the graphics hold of tints
+    this.isAllOld = true; // whether all tints on the GPU are outdated
     this.tint.onUpload(() => (this.isAllOld = false));
   }
 
-  /** Gives all organs the tints that a function tells. */
+  /** Sets the tints of all organs. */
   write(tintOf) {
     for (let organ = 0; organ + 1 < this.first.length; ++organ) {
       this.tint.array.fill(tintOf(organ), this.first[organ], this.first[organ + 1]);
@@ -84,9 +84,9 @@ class TintedGeometry {
     this.tint.needsUpdate = true;
   }
 
-  /** The same of a few organs. */
+  /** Sets the tints of a few organs. */
   rewrite(organs, tintOf) {
-    const kFew = 16; // parts that are sent by themselves
+    const kFew = 16; // maximum number of separate uploads
     this.isAllOld ||= organs.length > kFew;
     if (this.isAllOld) {
       this.tint.clearUpdateRanges();
@@ -104,7 +104,7 @@ class TintedGeometry {
   }
 }
 
-/** The organs in the colours of their light, in those of the plant, and as numbers, for the picture that tells what is pointed at. */
+/** The organs in the colours of their light, in those of the plant, and as numbers, for picking. */
 export class OrganGeometry {
   constructor(shape) {
     const position = new BufferAttribute(shape.places, 3);
@@ -122,7 +122,7 @@ export class OrganGeometry {
     [this.colored, this.numbered, this.plant].forEach((each) => each?.geometry.dispose());
   }
 
-  /** @param colors  of each organ, red in the lowest of three bytes; negative hides it */
+  /** @param colors  one per organ, red in the lowest of three bytes; negative hides it */
   paint(colors) {
     colors.forEach((color, organ) => {
       this.tints[organ] = color < 0 ? 0 : (kWhole << 24) | color;
@@ -133,14 +133,14 @@ export class OrganGeometry {
     this.areNumbersOld = true;
   }
 
-  /** @param colors  of each organ, as a plant without light; null if that is not shown */
+  /** @param colors  one per organ, for the plant without light; null if it is not shown */
   paintPlant(colors) {
     this.plantColors = colors;
     this.plant = colors && (this.plant ?? this.make());
     this.plant?.write((organ) => this.#plantTint(organ));
   }
 
-  /** Sets these organs apart from all others. */
+  /** Highlights organs. */
   mark(organs) {
     const changed = [...this.marked, ...organs];
     this.marked.forEach((organ) => this.#setMark(organ, kWhole));

@@ -1,4 +1,4 @@
-// The report: what was run, and what came out, as tables. Texts of the result are never markup.
+// The report: the run and its results, as tables. Texts of the result are never markup.
 
 import { drawConvergence } from "./charts.js";
 import { short, withError } from "./numbers.js";
@@ -14,7 +14,7 @@ export function make(name, text, attributes = {}) {
   return made;
 }
 
-/** Gives a list of choices its entries. @param entries  of [value, text] */
+/** Sets the entries of a list of choices. @param entries  pairs [value, text] */
 export function fill(select, entries) {
   select.replaceChildren(...entries.map(([value, text]) => make("option", text, { value })));
 }
@@ -90,9 +90,9 @@ function groupTables(groups, bands, unitOf) {
   });
 }
 
-/** What to do for totals of labels that the run has not summed: their errors do not follow from those of organs. */
+/** Advice on totals of labels without groups in the run: their errors do not follow from those of organs. */
 function missingGroups(run, groups) {
-  const kMost = 100; // values of a label that groups are made of
+  const kMost = 100; // maximum number of values of a label for groups
   const keys = Object.entries(run.json.organs.labels)
     .filter(([key, { values }]) => values.length <= kMost && !groups.some(({ by }) => by === key)).map(([key]) => key);
   return keys.length === 0 ? [] : [make("p",
@@ -124,7 +124,7 @@ function settingsTables(head) {
   ];
 }
 
-/** "65536 paths x 8 replicates, finished"; of a series its time steps. */
+/** "65536 paths x 8 replicates, finished"; for a series, its time steps. */
 function completedWords(completed) {
   const { paths, replicates, time_steps: steps, time_steps_requested: requested, computed, stop } = completed;
   return [

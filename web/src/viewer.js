@@ -1,4 +1,4 @@
-// The page: what is shown, what was chosen, and what follows from it.
+// The page: its controls, the choices of the user, and their effects.
 
 import { drawHistogram, drawProfile } from "./charts.js";
 import { RunData } from "./data.js";
@@ -17,8 +17,8 @@ const kViews = [
 
 class Page {
   /**
-   * @param graphics  of openGraphics()
-   * @param onTime  is told of the place of the slider if the run goes on; null: it is done
+   * @param graphics  result of openGraphics()
+   * @param onTime  called with the position of the slider in a run in progress; null: it is finished
    */
   constructor(run, graphics, onTime = null) {
     this.run = run;
@@ -28,9 +28,9 @@ class Page {
     this.layer = null;
     this.chosen = null;
     this.hovered = null;
-    this.pointed = null; // organs of the bar that is pointed at
+    this.pointed = null; // organs of the bar under the pointer
     this.markBars = [];
-    this.bars = []; // that hold the organ chosen, in words
+    this.bars = []; // bars with the chosen organ, as text
     this.#fillControls();
     this.#describeRun();
     this.#usePart();
@@ -81,7 +81,7 @@ class Page {
     }
   }
 
-  /** What depends on the scene: its name, kinds of numbers, labels and organs. */
+  /** Fills the parts that depend on the scene: name, kinds of numbers, labels and organs. */
   #describeRun() {
     const { run } = this;
     const { json } = run;
@@ -102,8 +102,8 @@ class Page {
   }
 
   /**
-   * Shows another frame of a run that goes on. @param run  null: what was shown before
-   * @param at, labels  its place among the frames, and their names
+   * Shows another frame of a run in progress. @param run  null: the shown one
+   * @param at, labels  its index among the frames, and their names
    */
   async show(run, at, labels) {
     if (run && run !== this.run) {
@@ -187,7 +187,7 @@ class Page {
     }
     on("reset", "click", () => this.#reset());
     $("controls").addEventListener("submit", (event) => event.preventDefault());
-    // Paper takes a picture: what graphics hold is gone by then.
+    // Printing needs an image: the canvas is cleared by then.
     addEventListener("beforeprint", () => ($("printed").src = this.window?.pictureUrl() ?? ""));
     this.#listenToCanvas();
   }
@@ -332,14 +332,14 @@ class Page {
     this.showOrgan(organ);
   }
 
-  /** Sets apart, in the scene, the organs of the bar that is pointed at, or else the one chosen; and its bars. */
+  /** Highlights the organs of the bar under the pointer, or else the chosen organ; and its bars. */
   #mark() {
     const one = this.chosen ?? this.hovered;
     this.window?.mark(this.pointed ?? (one === null ? [] : [one]));
     this.bars = this.markBars.map((markBar) => markBar(one));
   }
 
-  /** A bar is pointed at, by mouse or key. @param organs  null: it no longer is */
+  /** To be called when the pointer or the focus enters or leaves a bar. @param organs  null: it leaves */
   #point(organs, label) {
     this.pointed = organs;
     const n = organs?.length;
@@ -354,7 +354,7 @@ class Page {
     return withUnit(withError(mean[organ], error[organ]), unit);
   }
 
-  /** What is told of an organ: all, but of very many bands only that which is shown. */
+  /** The columns in the list of an organ: all, but with very many bands only those of the shown band. */
   #toldColumns() {
     const kMost = 60;
     const { columns } = this.run;
@@ -371,7 +371,7 @@ class Page {
     const columns = this.#toldColumns();
     const all = await Promise.all(columns.map((column) => run.values(time, column.number)));
     if ((this.chosen ?? this.hovered) !== organ || time !== this.time) {
-      return; // another one meanwhile
+      return; // another organ was chosen in the meantime
     }
     const { unit, organs } = run.json;
     const labels = Object.entries(organs.labels)
@@ -390,7 +390,7 @@ class Page {
       table("± standard error, and 95 % interval", ["", "value", "interval", "unit"], rows));
   }
 
-  /** Which organs pass the filters: a number for each, 0 for those that do not. */
+  /** The organs that pass the filters: a number for each organ, 0 for hidden ones. */
   #filtered() {
     const bound = (id) => ($(id).value === "" || !Number.isFinite(Number($(id).value)) ? null : Number($(id).value));
     this.range = [bound("from"), bound("to")];
@@ -398,7 +398,7 @@ class Page {
       { wanted: wantedLabels($("labels")), layer: this.layer, range: this.range, hasGround: $("ground").checked });
   }
 
-  /** The numbers that colours tell. */
+  /** The numbers that colours show. */
   #numbersOf({ mean, error }) {
     const aspect = $("aspect").value;
     if (aspect === "mean") {
@@ -413,7 +413,7 @@ class Page {
     const { run, time, column } = this;
     const values = await run.values(time, column);
     if (time !== this.time || column !== this.column) {
-      return; // something else was chosen meanwhile
+      return; // the choice has changed in the meantime
     }
     const n = run.count;
     const nothing = () => new Float32Array(n).fill(NaN);
@@ -495,7 +495,7 @@ class Page {
   }
 }
 
-/** The renderer, or why there is none. */
+/** The renderer, or the reason why there is none. */
 function openGraphics() {
   try {
     return { renderer: makeRenderer($("canvas")) };
@@ -512,7 +512,7 @@ function tellProgress(words, fraction) {
   $("progress").querySelector("span").textContent = words;
 }
 
-/** Follows a run that goes on. */
+/** Follows a run in progress. */
 async function followRun() {
   const opening = LiveRun.open();
   const graphics = openGraphics();
@@ -539,7 +539,7 @@ async function main() {
     await followRun();
     return;
   }
-  const loading = RunData.load(); // graphics take long to get ready, and data come meanwhile
+  const loading = RunData.load(); // loads while the slow context is made
   const graphics = openGraphics();
   const page = new Page(await loading, graphics);
   await page.update();

@@ -5,7 +5,7 @@ import { make, table } from "./tables.js";
 
 const kMost = 10;
 
-/** The organs with the largest of `parts`, the largest first; NaN are left out. */
+/** The organs with the largest `parts`, in decreasing order, without NaN. */
 function largest(parts) {
   const found = [];
   for (let i = 0; i < parts.length; ++i) {

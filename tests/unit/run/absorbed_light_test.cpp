@@ -1,5 +1,5 @@
-// Light absorbed by surfaces whose albedo depends on the angle of the light: it is summed, and does
-// not follow from the light that falls on them.
+// Light absorbed by surfaces whose albedo depends on the angle of incidence: it is summed, and not
+// derived from the incident light.
 
 #include <cmath>
 
@@ -26,7 +26,7 @@ MaterialSpec coated(std::string name, double rho, double tau, std::size_t bands 
     return spec;
 }
 
-/// A plate of reflectance .6 and transmittance .3 under its coat.
+/// A plate of reflectance 0.6 and transmittance 0.3 under its coat.
 Scene coated_plate() {
     SceneBuilder builder = make_builder();
     builder.add_material(coated("waxy", .6, .3));
@@ -60,10 +60,10 @@ TEST_P(AbsorbedLight, OfAPlateUnderASkyIsTheMeanOverItsAngles) {
 TEST_P(AbsorbedLight, OfAStandIsTheSameFromEveryWayAndItsEnergyCloses) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(coated("waxy", .4, .3, 2));
-    builder.add_material(diffuse("matt", .2, .5, 2));
+    builder.add_material(diffuse("lambertian", .2, .5, 2));
     const std::vector<Triangle> leaves = random_leaves(24, .5, 1, 3);
     for (std::size_t i = 0; i < leaves.size(); ++i) {
-        builder.add_organ(organ("", i % 2 == 0 ? "waxy" : "matt", {leaves[i]}));
+        builder.add_organ(organ("", i % 2 == 0 ? "waxy" : "lambertian", {leaves[i]}));
     }
     const Scene scene = std::move(builder).build();
     const Sources sources{sun(40, {2, 1}), sky({1, 1})};
@@ -84,7 +84,7 @@ TEST_P(AbsorbedLight, OfAStandIsTheSameFromEveryWayAndItsEnergyCloses) {
     }
 }
 
-/// Negative control: what would follow from the light that falls on it is something else.
+/// Negative control: the value derived from the incident light differs.
 TEST_P(AbsorbedLight, DoesNotFollowFromIncidentLight) {
     const Result result = run(coated_plate(), {sun(80, {1})}, spec_of(GetParam(), 1 << 10));
     const double incident = result.at(0, Quantity::incident_upper, 0).mean;

@@ -10,7 +10,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Word for word what is promised.
+/// A direct implementation of the contract.
 void add_plainly(
     const std::vector<std::vector<float>>& from,
     const std::vector<double>& factors,
@@ -27,7 +27,7 @@ void add_plainly(
     }
 }
 
-/// A value is added beyond `count` for what must not be touched.
+/// One more value beyond `count`, which must not change.
 void expect_the_same(std::size_t responses, std::size_t sums, std::size_t count) {
     std::mt19937_64 random(count);
     std::uniform_real_distribution<double> uniform;

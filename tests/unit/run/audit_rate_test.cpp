@@ -1,5 +1,5 @@
-// How often an audit of a right run calls it wrong, over many seeds: at a level of 5 %, as far as
-// that can be counted, at most about 5 times in 100.
+// False alarms of the audit of a right run, over many seeds: at a level of 5 %, within the counting
+// error, at most about 5 times in 100.
 
 #include <string>
 
@@ -46,8 +46,8 @@ TEST_P(AuditRate, OfFalseAlarmsIsThatOfTheLevel) {
     }
     RecordProperty("chi", std::to_string(by_chi / seeds));
     RecordProperty("total", std::to_string(by_total / seeds));
-    // Totals are nearly normal. Sides that few paths hit are not: fewer or some more alarms.
-    // Of 1000 seeds, the scatter alone is .034 at the level of a test, of 2000 it is .024.
+    // Totals are nearly normal. Sides with few paths are not: fewer or some more alarms. With 1000
+    // seeds, the scatter alone is 0.034 at the level of a test, with 2000 it is 0.024.
     const double resolution = seeds < 2000 ? .035 : .03;
     EXPECT_TRUE(agrees(measured_fraction(by_total, seeds, kAlarm), kAlarm, resolution));
     EXPECT_LT(by_chi / seeds, 2 * kAlarm);

@@ -46,7 +46,7 @@ RunSpec audited_spec() {
     return spec;
 }
 
-/// A result of organs of area 1 whose upper sides got that light; their lower sides got none.
+/// A result of organs of area 1 with that light on their upper sides and none on their lower sides.
 Result result_of(const std::vector<Estimate>& upper, const Estimate& total) {
     Result result;
     result.bands = 1;
@@ -78,12 +78,12 @@ TEST(Audit, ChiIsTheSumOfSquaresOverTheSumOfVariances) {
     const Result a = result_of({known(10, .3), known(20, .4)}, known(30, .6));
     const Result b = result_of({known(11, 1.2), known(18, .3)}, known(29, .8));
     const Audit audit = compare_results(two_leaves(), a, b);
-    // (1 + 4) / (.09 + 1.44 + .16 + .09), but for the least that a number scatters.
+    // (1 + 4) / (0.09 + 1.44 + 0.16 + 0.09), except for the minimum scatter of a number.
     EXPECT_NEAR(audit.bands[0].reduced_chi_square, 5 / 1.78, 1e-6);
     EXPECT_NEAR(audit.bands[0].freedom, 1.78 * 1.78 / (1.53 * 1.53 + .25 * .25), 1e-6);
     EXPECT_NEAR(audit.bands[0].difference, 1, 1e-12);
     EXPECT_NEAR(audit.bands[0].standard_error, 1, 1e-6);
-    // Variances of 7 degrees each: (.36 + .64)^2 / (.36^2 + .64^2) * 7 = 12.98; |t| = 1.
+    // Variances of 7 degrees each: (0.36 + 0.64)^2 / (0.36^2 + 0.64^2) * 7 = 12.98; |t| = 1.
     EXPECT_NEAR(audit.bands[0].difference_p_value, f_tail(1, 1, 7 / .5392), 1e-6);
     EXPECT_TRUE(audit.agrees());
 }
@@ -146,7 +146,7 @@ TEST(Audit, KnowsTheOrgansThatAreMeasured) {
     EXPECT_LE(result.audit->bands[0].freedom, 12);
 }
 
-/// A control: what leaves of another brightness would get.
+/// A control: leaves with another albedo.
 TEST(Audit, FindsAWrongAlbedo) {
     RunSpec spec = audited_spec();
     spec.audit = 0;

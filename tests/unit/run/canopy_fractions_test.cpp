@@ -12,15 +12,15 @@ namespace {
 
 class Fractions : public BothWays {};
 
-/// Whether a fraction is as near to the expected one as its error promises. Errors count as at
-/// least 1e-6: triangles are traced in single precision.
+/// Whether a fraction agrees with the expected one within its error. Errors count as at least 1e-6:
+/// triangles are traced in single precision.
 ::testing::AssertionResult is_near(const Estimate& fraction, double expected, double resolution) {
     Measured m = measured(fraction, kReplicates);
     m.standard_error = std::max(m.standard_error, 1e-6 * expected);
     return agrees(m, expected, resolution);
 }
 
-/// Sheets without end above a soil of albedo .3; the answers are those of the adding method.
+/// Infinite sheets above a soil of albedo 0.3; the answers are those of the adding method.
 Scene make_sheets_over_soil(int sheets, bool has_soil = true) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("sheet", .1, .2));
@@ -67,7 +67,7 @@ TEST_P(Fractions, AddUpToOneButForTheRoulette) {
     EXPECT_NEAR(open, 0, 1e-12);
 }
 
-/// What a mirror image of the errors shows: where the one part has more, the other has less.
+/// Errors of complementary fractions have opposite signs.
 TEST_P(Fractions, HaveErrorsOfTheirOwn) {
     const Result result = trace(make_sheets_over_soil(1), {sky({1})}, 1 << 10);
     const CanopyFractions& f = result.canopy.at(0);
@@ -79,15 +79,15 @@ TEST_P(Fractions, HaveErrorsOfTheirOwn) {
     }
 }
 
-TEST_P(Fractions, WithoutAGroundTellWhatOrgansAbsorbAlone) {
+TEST_P(Fractions, WithoutAGroundAreAbsorptancesOfOrgansAlone) {
     const Result result = trace(make_sheets_over_soil(1, false), {sun(0, {1})}, 1 << 10);
     const CanopyFractions& f = result.canopy.at(0);
     EXPECT_TRUE(is_near(f.absorptance, .7, .02));
-    EXPECT_TRUE(std::isnan(f.reflectance.mean)) << "up and down are not told apart";
+    EXPECT_TRUE(std::isnan(f.reflectance.mean)) << "light upwards and downwards is not separated";
     EXPECT_TRUE(std::isnan(f.transmittance.mean));
 }
 
-/// A soil of 4, and a black plate of .25 that casts its shadow on it, if there is one.
+/// A soil of area 4, and optionally a black plate of 0.25 that casts its shadow on it.
 Scene make_plot(double albedo, bool has_plate) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));

@@ -20,7 +20,7 @@ Scene make_leaf_of_bands(std::size_t bands = 1) {
     return std::move(builder).build();
 }
 
-/// The faults of a run of one leaf under a sun.
+/// The errors of a run of one leaf under a sun.
 std::vector<Fault> faults_of(const RunSpec& spec, const Sources& sources = {sun(0, {1})}) {
     const Scene scene = make_leaf_of_bands();
     Faults faults;
@@ -33,7 +33,7 @@ std::vector<Fault> faults_of(const RunSpec& spec, const Sources& sources = {sun(
     }
 }
 
-/// A leaf of a material with one side like this.
+/// A leaf with this material on one side.
 Scene make_leaf_with(const SideOptics& upper) {
     SceneBuilder builder = make_builder();
     MaterialSpec waxy = diffuse("waxy", .1, .1);
@@ -43,8 +43,8 @@ Scene make_leaf_with(const SideOptics& upper) {
     return std::move(builder).build();
 }
 
-// What bundles can't do is refused by the name of the material.
-TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotMatt) {
+// Materials unsuitable for bundles are rejected by name.
+TEST(CheckRun, RefusesRayBundlesWhereSurfacesAreNotLambertian) {
     RunSpec spec;
     spec.method = Method::ray_bundles;
     EXPECT_TRUE(faults_of(spec).empty());

@@ -1,10 +1,10 @@
-// How often the 95 % intervals of a run hold the truth, over many seeds.
+// Coverage of the 95 % intervals of a run, over many seeds.
 //
-// The truth is a run of so many paths that its own error is a twentieth of those of the runs on
-// trial. Intervals of totals, one per run, are independent; those of the organs of one run are not,
-// so each run counts as one observation: the part of its organs that it has right. Student's t is
-// exact for replicates that are normally distributed. Those of an organ that a run hits a few dozen
-// times are skewed, so that the coverage of organs may be a little less.
+// The truth is a run with a twentieth of the errors of the tested runs. Intervals of totals, one
+// per run, are independent; those of the organs of one run are not, so each run counts as one
+// observation: the fraction of its organs whose intervals contain the truth. Student's t is exact
+// for normally distributed replicates. Those of an organ with a few dozen hits are skewed, so that
+// the coverage of organs may be a little smaller.
 
 #include <cmath>
 
@@ -39,9 +39,9 @@ struct Pilot {
 
 constexpr int kFewSeeds = 1000, kManySeeds = 3000;
 
-/// Totals scatter by .22 / sqrt(seeds), and 4.9 times that is the level of a test: of 3000 seeds,
+/// Totals scatter by 0.22 / sqrt(seeds), and 4.9 times that is the level of a test: of 3000 seeds,
 /// 93 to 97 % is all that passes, of 1000, 91.6 to 98.4 %. (Of 200, the scatter alone would be
-/// .075.)
+/// 0.075.)
 double resolution_of(int seeds) {
     return seeds < kManySeeds ? .034 : .02;
 }
@@ -100,7 +100,7 @@ TEST_P(Coverage, NinetyFivePercentIntervalsHoldTheTruthThatOften) {
     RecordProperty("organs", std::to_string(organs.mean));
 }
 
-std::string name_of_trial(const ::testing::TestParamInfo<Pilot>& pilot) {
+std::string name_of_pilot(const ::testing::TestParamInfo<Pilot>& pilot) {
     return name_of({pilot.param.from, pilot.index}) + "_" + pilot.param.sampler;
 }
 
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
         Pilot{Method::light_tracing, "sobol", kFewSeeds},
         Pilot{Method::first_hits, "korobov", kFewSeeds},
         Pilot{Method::from_organs, "monte_carlo", kFewSeeds}),
-    name_of_trial);
+    name_of_pilot);
 
 INSTANTIATE_TEST_SUITE_P(
     Long,
@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
         Pilot{Method::first_hits, "korobov", kManySeeds},
         Pilot{Method::from_organs, "monte_carlo", kManySeeds},
         Pilot{Method::from_organs, "sobol", kManySeeds}),
-    name_of_trial);
+    name_of_pilot);
 
 /// Two leaves, one in the shade of the other: the sum of both, whose errors have opposite signs.
 Scene make_pair() {
@@ -198,8 +198,8 @@ Scene make_slit(double lit) {
     return std::move(builder).build();
 }
 
-/// Of 512 points, a few are lit, or all but a few: in how many runs do the intervals of
-/// the sunlit fraction and of what the leaf absorbs hold the truth?
+/// Coverage of the intervals of the sunlit fraction and of absorbed light where a few of 512 points
+/// are lit, or all but a few.
 TEST(CoverageOfFewFinds, IntervalsHoldTheTruthWhereHardlyAnythingIsLitOrAllBut) {
     constexpr int kSeeds = 500;
     constexpr double kTries = 64 * 8;
@@ -222,7 +222,7 @@ TEST(CoverageOfFewFinds, IntervalsHoldTheTruthWhereHardlyAnythingIsLitOrAllBut) 
                 absorbed_right +=
                     holds_truth(result.at(0, Quantity::absorbed_flux, 0), .5 * lit) ? 1 : 0;
             }
-            // Of 500 at 95 %, one in a million has fewer than 450.
+            // With 500 at 95 %, one in a million has fewer than 450.
             EXPECT_GE(sunlit_right, 450) << lit;
             EXPECT_GE(absorbed_right, 450) << lit;
             RecordProperty(
@@ -232,7 +232,7 @@ TEST(CoverageOfFewFinds, IntervalsHoldTheTruthWhereHardlyAnythingIsLitOrAllBut) 
     }
 }
 
-/// A control: intervals of two standard errors, as if there were many replicates, are too short.
+/// A control: intervals of two standard errors, as with many replicates, are too short.
 TEST(CoverageControl, TwoStandardErrorsAreTooFew) {
     const Scene scene = make_stand();
     const Sources sources = make_sources();

@@ -1,4 +1,4 @@
-// Which runs have the same digest: only those of the same parameters.
+// Only runs with equal parameters have equal digests.
 
 #include "run/digest.h"
 
@@ -57,7 +57,7 @@ TEST(Digest, IsTheSameForTheSameParameters) {
     EXPECT_EQ(digest(SideOptics{.reflectance = .2}), digest(SideOptics{.reflectance = .2}));
 }
 
-TEST(Digest, TellsASensorFromABlackLeaf) {
+TEST(Digest, DistinguishesASensorFromABlackLeaf) {
     EXPECT_NE(
         digest(scene_of(diffuse("leaf", 0, 0)), {sky({1})}),
         digest(scene_of(sensor("leaf", 1)), {sky({1})}));
@@ -214,7 +214,7 @@ class SpottedSky final : public SourceModel {
     double spot_;
 };
 
-TEST(Digest, TellsSourcesApartThatStartAllPathsAlike) {
+TEST(Digest, DistinguishesSourcesThatStartEqualPaths) {
     EXPECT_NE(digest(std::make_shared<SpottedSky>(1)), digest(std::make_shared<SpottedSky>(2)));
 }
 

@@ -19,7 +19,7 @@ class EvaluateBothWays : public BothWays {
     }
 };
 
-/// A grey leaf inside a black box under the sun, where no light comes.
+/// A grey leaf inside a black box under the sun, without light.
 Scene make_dark_room() {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .3, .1, 2));
@@ -59,8 +59,8 @@ TEST_P(EvaluateBothWays, AnOrganThatNoPathHitHasAnUpperBoundAndNoError) {
     EXPECT_GT(result.sunlit_fraction[0].ci95_high, 0);
 }
 
-/// A grey ground right under a larger black plate, the sun overhead: what the ground absorbs in all
-/// is as unknown as what falls on it.
+/// A grey ground close under a larger black plate, the sun overhead: the total absorbed by the
+/// ground is as unknown as its incident light.
 TEST_P(EvaluateBothWays, WhatNoPathFoundHasAnUpperBoundInTheBudgetToo) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("soil", .3, 0, 2));
@@ -81,7 +81,7 @@ TEST_P(EvaluateBothWays, WhatNoPathFoundHasAnUpperBoundInTheBudgetToo) {
     }
 }
 
-/// Rule of three: 3 finds in all tries, each of which could have brought the light of one path.
+/// Rule of three: 3 contributions in all samples, each with the light of one path.
 TEST(Evaluate, TheBoundIsThatOfTheRuleOfThree) {
     const Scene scene = make_dark_room();
     const Result result = run(scene, {sun(0, {10, 20})}, spec_of(Method::light_tracing, kPaths));
@@ -175,7 +175,7 @@ TEST_P(EvaluateBothWays, AnOrganOfNoAreaReceivesNothingForSure) {
     EXPECT_EQ(result.sunlit_fraction[2].ci95_high, 0);
 }
 
-/// Bands that ride on the same paths have errors in common, which a ratio does not have.
+/// Bands on the same paths have errors in common, which cancel in a ratio.
 TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("black", 0, 0, 2));
@@ -193,9 +193,9 @@ TEST_P(EvaluateBothWays, ARatioOfBandsIsSharperThanTheBands) {
     EXPECT_NEAR(result.ratio(0, 1).mean, 2, 1e-12);
 }
 
-/// One band lit by the sun, one by the sky: leaves of which a few paths found the light of one
-/// alone had a ratio without any error.
-TEST_P(EvaluateBothWays, ARatioOfFewFindsHoldsTheTruth) {
+/// One band lit by the sun, one by the sky: the ratio on leaves with contributions to one of them
+/// alone had no error.
+TEST_P(EvaluateBothWays, ARatioOfFewContributionsHoldsTheTruth) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .2, .2, 2));
     add_leaves(builder, random_leaves(60, .2, 1, 5));
@@ -231,7 +231,7 @@ TEST_P(EvaluateBothWays, ASingleReplicateHasAMeanAndNoError) {
     EXPECT_TRUE(std::isnan(estimate.ci95_low));
 }
 
-/// What can't absorb any light is known without tracing.
+/// Organs that can't absorb light are known without tracing.
 TEST_P(EvaluateBothWays, OrgansThatAbsorbNothingForSureAreAtAnyTarget) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));

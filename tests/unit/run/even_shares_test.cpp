@@ -1,6 +1,5 @@
-// Points from the organs are shared out evenly: among lights, and on what is not covered.
-// Replicates that have a point more or less of a light, mostly all the same number, can't tell how
-// often.
+// Points on organs are divided evenly: among lights, and over the uncovered area. Replicates whose
+// numbers of points differ by at most one, and rarely, do not show how often they differ.
 
 #include <cmath>
 #include <string>
@@ -23,7 +22,7 @@ RunSpec few_points(const std::string& sampler) {
 
 class EvenShares : public testing::TestWithParam<std::string> {};
 
-TEST_P(EvenShares, ALeafThatNothingShadesKnowsWhatSeveralSunsBring) {
+TEST_P(EvenShares, AnUnshadedLeafKnowsTheLightOfSeveralSuns) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(organ("leaf", "black", floor_of(0, 1, 0, 1, 0)));

@@ -22,7 +22,7 @@ OrganSpec labelled(OrganSpec organ, Labels labels) {
 }
 
 /// Two plants of three leaves and a stem each, over a soil; a sensor, and a leaf of the border that
-/// nobody asks for.
+/// is not measured.
 Scene make_two_plants() {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .3, .2, 2));
@@ -87,7 +87,7 @@ TEST(Groups, AreTheValuesOfLabelsInTheirOrderAndThenLayers) {
         "layer 3"};
     EXPECT_EQ(names, expected);
     EXPECT_EQ(groups[0].organs, (std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5, 6, 7}))
-        << "no sensor, no organ that nobody asked for, no ground";
+        << "no sensor, no organ that is not measured, no ground";
     EXPECT_EQ(groups[2].organs, (std::vector<std::uint32_t>{3, 4, 5, 6}));
     EXPECT_EQ(groups[5].organs, (std::vector<std::uint32_t>{8}));
     double area = 0;
@@ -104,7 +104,7 @@ TEST(Groups, TakeAKeyThatHasAPlusInItForOneKey) {
     EXPECT_EQ(groups[1].organs.size(), 6U);
 }
 
-/// Horizontal squares of 1 and of .25, and an upright one from 0 to 1, in a cell of 2.
+/// Horizontal squares of 1 and of 0.25, and a vertical one from 0 to 1, in a cell of 2.
 Scene make_stories() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .2));
@@ -181,7 +181,7 @@ TEST(GroupFaults, NameTheLabelThatNoOrganHas) {
             "you mean 'kind'?"}));
 }
 
-TEST(GroupFaults, TellHeightsThatDoNotAscend) {
+TEST(GroupFaults, IncludeHeightsThatDoNotAscend) {
     RunSpec spec = spec_of(Method::light_tracing, 64);
     spec.layer_heights = {0, 2, 1};
     EXPECT_EQ(
@@ -198,7 +198,7 @@ TEST(GroupFaults, TellHeightsThatDoNotAscend) {
     EXPECT_EQ(faults_of_groups(make_two_plants(), spec).size(), 1U) << "both";
 }
 
-TEST(GroupFaults, TellLayersOfAFlatScene) {
+TEST(GroupFaults, IncludeLayersOfAFlatScene) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .3, .2, 2));
     builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, .2)));
@@ -262,18 +262,18 @@ TEST_P(GroupsOfRuns, AreTheSameBitsOnAnyNumberOfThreads) {
     }
 }
 
-TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
+TEST_P(GroupsOfRuns, WithoutContributionsHaveTheBoundOfTheLargestOne) {
     SceneBuilder builder = make_builder(1);
     builder.add_material(diffuse("leaf", .3, .1));
     builder.add_material(diffuse("black", 0, 0));
     builder.add_organ(
-        labelled(organ("a", "leaf", floor_of(.4, .6, .4, .6, -1)), {{"place", "below"}}));
+        labelled(organ("a", "leaf", floor_of(.4, .6, .4, .6, -1)), {{"part", "below"}}));
     builder.add_organ(
-        labelled(organ("b", "leaf", floor_of(.4, .5, .4, .6, -2)), {{"place", "below"}}));
+        labelled(organ("b", "leaf", floor_of(.4, .5, .4, .6, -2)), {{"part", "below"}}));
     builder.add_organ(
-        labelled(organ("roof", "black", floor_of(0, 1, 0, 1, 0)), {{"place", "roof"}}));
+        labelled(organ("roof", "black", floor_of(0, 1, 0, 1, 0)), {{"part", "roof"}}));
     RunSpec spec = spec_of(GetParam(), 256);
-    spec.groups = {"place"};
+    spec.groups = {"part"};
     const Result result = run(std::move(builder).build(), {sun(0, {10})}, spec);
     const Estimate& dark = result.groups.at(1, Quantity::absorbed_flux, 0);
     EXPECT_EQ(dark.mean, 0);
@@ -281,7 +281,7 @@ TEST_P(GroupsOfRuns, InWhichNothingWasSeenHaveTheBoundOfTheirMostLikelyFind) {
     const double a = result.at(0, Quantity::absorbed_flux, 0).ci95_high;
     const double b = result.at(1, Quantity::absorbed_flux, 0).ci95_high;
     if (GetParam() == Method::first_hits) {
-        // A line may meet both.
+        // A line may hit both.
         EXPECT_GT(dark.ci95_high, 1.2 * std::max(a, b));
         EXPECT_LE(dark.ci95_high, a + b);
     } else {
@@ -301,7 +301,7 @@ TEST_P(GroupsOfRuns, WithoutOrgansHaveNoLightForSure) {
 
 QUASIMC_BOTH_WAYS(GroupsOfRuns);
 
-/// A leaf in the shade of another: what the one takes the other lacks.
+/// A leaf in the shade of another: light absorbed by the one is missing on the other.
 Scene make_shading_pair() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .1, .05));
@@ -319,7 +319,7 @@ RunSpec pair_spec(std::uint64_t seed) {
     return spec;
 }
 
-/// Whether an error is that of two organs whose errors are independent.
+/// Whether an error is that of two organs with independent errors.
 ::testing::AssertionResult is_added(double error, const Result& result) {
     const double a = result.at(0, Quantity::absorbed_flux, 0).standard_error;
     const double b = result.at(1, Quantity::absorbed_flux, 0).standard_error;

@@ -67,7 +67,7 @@ class GrowthSessionTest : public ::testing::Test {
 };
 
 TEST_F(GrowthSessionTest, GivesInAHundredStepsTheBitsOfAHundredRuns) {
-    std::vector<OrganSpec> organs;  // what the session should have
+    std::vector<OrganSpec> organs;  // the organs that the session should have
     for (int step = 0; step < 100; ++step) {
         if (step % 3 == 0) {
             organs.push_back(growing_leaf(step + 1, step));
@@ -158,7 +158,7 @@ TEST_F(GrowthSessionTest, ChangesAllOrNone) {
     EXPECT_TRUE(have_same_bits(run(), run_alone({growing_leaf(1, 20), growing_leaf(2, 30)})));
 }
 
-TEST_F(GrowthSessionTest, TellsAllFaultsOfAListAtOnce) {
+TEST_F(GrowthSessionTest, ReportsAllErrorsOfAListAtOnce) {
     session_.add(growing_leaf(1, 0));
     try {
         session_.remove(std::array<std::int64_t, 4>{5, 1, 6, 1});
@@ -208,7 +208,7 @@ TEST_F(GrowthSessionTest, WarnsOfWhatLintFinds) {
     session_.remove(2);
     EXPECT_TRUE(session_.warnings().empty());
     EXPECT_EQ(
-        session_.scene_builds(), 3U);  // warnings() builds the scene of the step, run() no other
+        session_.scene_builds(), 3U);  // warnings() builds the scene of the step, run() builds none
     static_cast<void>(run());
     EXPECT_EQ(session_.scene_builds(), 3U);
 }

@@ -43,7 +43,7 @@ Scene make_copied_stand(bool shared, const Cell& cell) {
     return std::move(builder).build();
 }
 
-/// Every organ absorbs the same of both scenes, but for the errors of both.
+/// Every organ absorbs the same in both scenes, within the errors of both.
 void expect_same_light(const Scene& one, const Scene& other, const RunSpec& spec) {
     const Sources sources{
         make_directional_source("sun", {.3, .2, -1}, {1}), make_uniform_sky("sky", {1})};

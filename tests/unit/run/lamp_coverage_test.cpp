@@ -1,5 +1,5 @@
-// How often the intervals of what auto takes hold the truth under lamps, of few leaves that are
-// measured next to them: it traces from the organs there, where single looks may bring much.
+// Coverage of intervals of auto under lamps, for few measured leaves close to them: it traces from
+// the organs there, where single samples may contribute much.
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,8 @@ struct Case {
     Opening opening;
     Pattern pattern;
     double albedo;
-    double most;  ///< coverage: of few finds the rule of three holds more often than it has to
+    double most;  ///< upper limit of coverage: with few contributions the rule of three is
+                  ///< conservative
 };
 
 constexpr Opening kPanel{.kind = Opening::Kind::rectangle, .length = .1, .width = .05};
@@ -56,11 +57,11 @@ constexpr Opening kTube{.kind = Opening::Kind::line, .length = .3};
 
 std::vector<Case> cases() {
     return {
-        {"point_amid_bright_leaves", {}, isotropic_pattern(), .8, .99},
+        {"point_among_bright_leaves", {}, isotropic_pattern(), .8, .99},
         {"panel", kPanel, cosine_pattern(), .2, .97}};
 }
 
-/// Which go the same ways as the others.
+/// Further cases for the same methods.
 std::vector<Case> further_cases() {
     return {
         {"point", {}, isotropic_pattern(), .2, .999}, {"tube", kTube, tube_pattern(), .2, .999}};
@@ -77,7 +78,7 @@ Sources lamp_of(const Case& one) {
     return {make_lamp(std::move(spec))};
 }
 
-/// What is compared: of measured leaves that are lit.
+/// The compared values: of lit, measured leaves.
 constexpr std::array kAsked{
     Quantity::absorbed_flux, Quantity::incident_upper, Quantity::incident_lower,
     Quantity::incident_scattered};

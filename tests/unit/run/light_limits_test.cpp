@@ -1,4 +1,4 @@
-// No interval reaches beyond what is physically possible.
+// No interval extends beyond the physically possible values.
 
 #include <cmath>
 #include <numbers>
@@ -11,7 +11,7 @@
 namespace quasimc::test {
 namespace {
 
-/// A leaf of .1 x .1 and a slope, in the shade of a roof, in a scene of 4 x 4 x 4.
+/// A leaf of 0.1 x 0.1 and a slope, in the shade of a roof, in a scene of 4 x 4 x 4.
 Scene make_shaded_slope(double slope, const std::string& material = "leaf") {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .1));
@@ -92,7 +92,7 @@ TEST_P(PhysicalBounds, NoOrganAbsorbsMoreThanFallsOnIt) {
     EXPECT_LE(reported(result.at(0, Quantity::incident_upper, 0)).mean, 1000 * (1 + 1e-12));
 }
 
-/// The truth is inside: of a leaf in the open that all methods see as lit.
+/// The interval contains the truth: for an unshaded leaf that all methods sample.
 TEST_P(PhysicalBounds, WhatIsReachedIsNotCutOff) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .1));
@@ -105,8 +105,8 @@ TEST_P(PhysicalBounds, WhatIsReachedIsNotCutOff) {
     EXPECT_EQ(result.sunlit_fraction[0].ci95_high, 1);
 }
 
-/// A sun exactly along a surface lights neither of its sides, whatever cosines of 1e-17 rounding
-/// leaves.
+/// A sun exactly parallel to a surface lights neither of its sides, whatever cosines of 1e-17
+/// rounding leaves.
 TEST_P(PhysicalBounds, ASunAlongASurfaceLightsNoneOfIt) {
     for (const double turned : {0.0, .3, 1.0, 2.5}) {
         SceneBuilder builder = make_builder();
@@ -124,7 +124,7 @@ TEST_P(PhysicalBounds, ASunAlongASurfaceLightsNoneOfIt) {
 
 QUASIMC_BOTH_WAYS(PhysicalBounds);
 
-/// A leaf in the open, seen as steeply as `slope` says, above a floor.
+/// An unshaded leaf of the given slope, above a floor.
 Scene make_open_slope(double slope) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .1));
@@ -149,8 +149,8 @@ void expect_possible(const Estimate& e, double most) {
 
 class ReportedMeans : public ::testing::TestWithParam<Method> {};
 
-/// Means scatter beyond what is possible, and are reported at the limit. Sums are of means as they
-/// were found, and the budget adds up.
+/// Means scatter beyond the possible values, and are reported at the limit. Sums use the unclipped
+/// means, and the budget adds up.
 TEST_P(ReportedMeans, LieInTheirIntervalsAndInWhatIsPossible) {
     int beyond = 0;
     for (const double slope : {0.0, 1.0, 20.0}) {

@@ -1,4 +1,4 @@
-// The means alone of sums equal those of evaluate(), in every entry that is read.
+// The means of evaluate_means() equal those of evaluate(), in every entry that is read.
 
 #include "results/means.h"
 
@@ -59,7 +59,7 @@ TEST(Means, AreThoseOfTheWholeResult) {
     }
 }
 
-TEST(Means, AreUnknownOfOrgansThatNobodyAskedFor) {
+TEST(Means, AreUnknownForOrgansThatAreNotMeasured) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .3, .2));
     builder.add_organ(organ("asked for", "leaf", floor_of(0, 1, 0, 1, 1)));

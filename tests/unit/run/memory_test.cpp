@@ -1,9 +1,9 @@
-// Rationale: a scene may fill the memory of a machine. What a triangle costs at the peak, when the
-// ray engine is built, is kept within bounds that a further copy of the corners would break.
+// Rationale: a scene may exhaust the memory of a machine. The peak memory per triangle, while the
+// ray caster is built, has a limit that a further copy of the corners would exceed.
 //
 // Expected behaviour: the resident memory of a child process that makes a scene ready to trace
-// grows at most by so many bytes a triangle. (Tallies and results come on top, for each organ; sums
-// are given back while there is more and more of the result.)
+// grows at most by a given number of bytes per triangle. (Tallies and results add to it, per organ;
+// sums are released while the result grows.)
 
 #include <array>
 #include <cmath>
@@ -44,7 +44,7 @@ void prepare(SceneBuilder builder) {
     EXPECT_EQ(prepared.lights().size(), 1U);
 }
 
-/// The bytes that a child process tells, for each triangle.
+/// The bytes that a child process reports, per triangle.
 /// @param work  returns them
 template <typename Work>
 double of_child(const Work& work) {
@@ -67,7 +67,7 @@ double of_child(const Work& work) {
     return got == sizeof grown && status == 0 ? grown / kTriangles : NAN;
 }
 
-/// The peak of a child process that does `work`, above what it had before, in bytes a triangle.
+/// The peak of a child process that does `work`, above its initial memory, in bytes per triangle.
 template <typename Work>
 double bytes_a_triangle(const Work& work) {
     return of_child([&] {
@@ -140,7 +140,7 @@ TEST_F(Memory, OfAnOrganForEachTriangleIsBounded) {
     EXPECT_GT(bytes, 200);
 }
 
-/// Sums of eight replicates take more than the result that is made of them.
+/// Sums of eight replicates are larger than their result.
 TEST_F(Memory, OfSumsIsGivenBackWhileTheResultGrows) {
     constexpr const char* kPeak = "/proc/self/clear_refs";
     if (access(kPeak, W_OK) != 0) {

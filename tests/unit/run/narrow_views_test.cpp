@@ -1,7 +1,6 @@
-// How often the 95 % intervals of what sees a narrow part of the sky hold the truth, which is known
-// exactly. Directions that are spread evenly in elevation fall into a cone about the zenith as many
-// times in nearly every replicate: the few in which they don't decide the mean, and most runs do
-// not see them.
+// Coverage of the 95 % intervals for a narrow part of the sky, against exact values. Directions
+// that are evenly distributed in elevation fall into a cone about the zenith equally often in
+// nearly every replicate: the few exceptions decide the mean, and most runs have none of them.
 
 #include <cmath>
 #include <numbers>
@@ -17,7 +16,7 @@ namespace {
 
 constexpr int kNarrowSeeds = 500, kManyNarrowSeeds = 2000;
 
-/// Half of the angle that a narrow sensor sees.
+/// Half-angle of a narrow sensor's view.
 constexpr double kHalfView = 25;
 
 Scene make_sensor_over_leaves() {
@@ -31,8 +30,8 @@ Scene make_sensor_over_leaves() {
     return std::move(builder).build();
 }
 
-/// Coverage of what falls on the upper side of the first organ, and the scatter of its errors in
-/// units of their standard errors.
+/// Coverage for the upper side of the first organ, and the scatter of its errors in units of their
+/// standard errors.
 void expect_covered(const Scene& scene, std::uint64_t paths, double truth, int seeds) {
     RunSpec spec;
     spec.method = Method::first_hits;
@@ -55,7 +54,7 @@ void expect_covered(const Scene& scene, std::uint64_t paths, double truth, int s
         EXPECT_LT(part, .97) << "of " << paths << " paths";
     }
     EXPECT_NEAR(squares / variances, 1, .3);
-    // It could tell: the errors are not those of thousands of directions.
+    // The test is meaningful: the errors are not those of thousands of directions.
     EXPECT_GT(variances / seeds, std::pow(1e-3 * truth, 2));
     ::testing::Test::RecordProperty("coverage", std::to_string(part));
 }
@@ -112,7 +111,7 @@ TEST(NarrowViewsFromOrgans, ShowAnEvenSkyWithoutNoise) {
         const double truth = std::pow(std::sin(half * std::numbers::pi / 180), 2);
         const Estimate seen = seen_from_organs(make_sensor(half), {sky({1})}, 256);
         EXPECT_NEAR(seen.mean, truth, 1e-5 * truth) << half;
-        // One find of scattered light more is possible.
+        // One more contribution of scattered light is possible.
         EXPECT_LT(seen.standard_error, 3e-4 * truth) << half;
     }
 }
@@ -129,7 +128,7 @@ TEST(NarrowViewsFromOrgans, OfAnOvercastSkyAreCoveredAsPromised) {
             seen_from_organs(scene, sources, 256, static_cast<std::uint64_t>(seed));
         right += seen.ci95_low <= truth && truth <= seen.ci95_high ? 1 : 0;
     }
-    // Of 300 that hold in 95 % fewer than 271 are seen once in 600.
+    // With 300 at 95 % fewer than 271 occur once in 600.
     EXPECT_GE(right, 271);
 }
 
@@ -146,7 +145,7 @@ TEST(NarrowViewsFromOrgans, OfASlopeAreThoseOfLightTracing) {
     }
 }
 
-/// Light passes a sensor and goes on as it came: no light path has to look for it.
+/// Light passes a sensor undisturbed: no light subpath has to connect to it.
 TEST(NarrowViewsFromOrgans, ASmallSensorKnowsTheSunAsALeafDoes) {
     const Estimate seen = seen_from_organs(make_sensor(90, 0, .01), {sun(0, {1})}, 1024);
     EXPECT_NEAR(seen.mean, 1, 1e-3);

@@ -23,12 +23,12 @@ struct Setting {
     Opening opening = {};
     bool has_lamp = true, has_sun = false;
     double floor = .6;          ///< its albedo
-    double exponent = 0;        ///< of leaves that shine; 0: matt ones
+    double exponent = 0;        ///< of glossy leaves; 0: Lambertian ones
     std::vector<Vec3> sensors;  ///< their corners
     double side = .05;          ///< of a sensor
-    double view_deg = 0;        ///< half of what it sees; 0: all
+    double view_deg = 0;        ///< half of the view angle; 0: all
     std::size_t leaves = 0;
-    double widest = .2;  ///< interval of the scattered light, over that light
+    double widest = .2;  ///< largest interval of the scattered light, relative to that light
 };
 
 std::vector<Setting> settings() {
@@ -50,7 +50,7 @@ std::vector<Setting> settings() {
          .exponent = 200,
          .sensors = {{.4, .4, .9}, {.6, .3, .2}},
          .leaves = 20},
-        {.name = "by_a_lamp_amid_shiny_leaves",
+        {.name = "by_a_lamp_among_shiny_leaves",
          .lamp = {.5, .5, .5},
          .exponent = 200,
          .sensors = {{.1, .2, .2}, {.8, .8, .9}},
@@ -119,33 +119,33 @@ Sources sources_of(const Setting& setting) {
     return sources;
 }
 
-struct SettingTrial {
+struct SettingPilot {
     Setting setting;
     int seeds = 0;
     std::uint64_t paths = 0;  ///< of light tracing
     double resolution = 0;    ///< of the comparison with it
 };
 
-void PrintTo(const SettingTrial& pilot, std::ostream* out) {
+void PrintTo(const SettingPilot& pilot, std::ostream* out) {
     *out << pilot.setting.name;
 }
 
-std::vector<SettingTrial> pilots(int seeds, std::uint64_t paths, double resolution) {
-    std::vector<SettingTrial> all;
+std::vector<SettingPilot> pilots(int seeds, std::uint64_t paths, double resolution) {
+    std::vector<SettingPilot> all;
     for (const Setting& setting : settings()) {
         all.push_back({setting, seeds, paths, resolution});
     }
     return all;
 }
 
-class NearLight : public ::testing::TestWithParam<SettingTrial> {};
+class NearLight : public ::testing::TestWithParam<SettingPilot> {};
 
-/// What is asked of a sensor. Of few finds the rule of three holds more often than it has to, so
-/// that what tells too wide intervals is their width.
+/// The requirements for a sensor. With few contributions the rule of three is conservative, so that
+/// the width shows whether intervals are too wide.
 constexpr std::array kAskedOfSensors{
     Quantity::incident_upper, Quantity::incident_lower, Quantity::incident_scattered};
 
-/// How many of the intervals of a run hold the truth, of those that are asked.
+/// Number of a run's intervals that contain the truth, among those that are tested.
 double part_held(const Result& result, const Result& truth, std::size_t sensors) {
     double right = 0;
     for (std::size_t i = 0; i < sensors; ++i) {
@@ -158,7 +158,7 @@ double part_held(const Result& result, const Result& truth, std::size_t sensors)
     return right / static_cast<double>(sensors * kAskedOfSensors.size());
 }
 
-TEST_P(NearLight, IsKnownByTheSensorsThatLookForIt) {
+TEST_P(NearLight, IsKnownByTheSensorsThatSampleIt) {
     const auto& [setting, seeds, paths, resolution] = GetParam();
     const Scene scene = scene_of(setting);
     const Sources sources = sources_of(setting);
@@ -184,7 +184,7 @@ TEST_P(NearLight, IsKnownByTheSensorsThatLookForIt) {
     EXPECT_LE(estimate_mean(widths).mean, setting.widest);
     RecordProperty("coverage", std::to_string(part.mean));
     RecordProperty("width", std::to_string(estimate_mean(widths).mean));
-    // Of what comes from below or above alone there may be none.
+    // Light from below or above alone may be missing.
     for (std::size_t i = 0; i < sensors; ++i) {
         for (const Quantity q : {Quantity::incident_direct, Quantity::incident_scattered}) {
             const Estimate& a = truth.at(i, q, 0);
@@ -197,7 +197,7 @@ TEST_P(NearLight, IsKnownByTheSensorsThatLookForIt) {
     }
 }
 
-std::string name_of_setting(const ::testing::TestParamInfo<SettingTrial>& info) {
+std::string name_of_setting(const ::testing::TestParamInfo<SettingPilot>& info) {
     return info.param.setting.name;
 }
 INSTANTIATE_TEST_SUITE_P(

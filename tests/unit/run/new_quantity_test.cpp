@@ -1,5 +1,5 @@
-// What a quantity that the engine does not know costs: a solver that declares its blocks and a
-// function that reads them, both here. Nothing in src/sums knows of them.
+// A new quantity outside the engine: a solver that declares its blocks and a function that reads
+// them, both here. Nothing in src/sums knows them.
 
 #include <cstdint>
 #include <memory>

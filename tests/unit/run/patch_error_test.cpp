@@ -21,7 +21,7 @@ PatchErrorPool pool_of(const std::vector<Draw>& draws) {
     return pool;
 }
 
-/// A difference that is small by chance counts as what organs with as much scattered light have.
+/// A difference that is small by chance is replaced by that of organs with equal scattered light.
 TEST(PatchErrorPool, GivesAnOrganHalfOfWhatOthersHave) {
     const PatchErrorPool pool = pool_of({{1, .3}, {1, -.3}, {2, .6}, {2, -.6}});
     EXPECT_NEAR(pool.shrunk(0, 1), .3 / std::sqrt(2), 1e-15);
@@ -42,8 +42,8 @@ TEST(PatchErrorPool, KeepsTheSumOfSquares) {
     EXPECT_NEAR(after, before, 1e-14);
 }
 
-/// What all organs have in common adds up in a group, what is each one's own averages out.
-TEST(PatchErrorPool, TellsOfGroupsWhatTheirOrgansHaveInCommon) {
+/// Common errors of organs add up in a group, individual ones average out.
+TEST(PatchErrorPool, KeepsTheCommonErrorOfGroups) {
     const PatchErrorPool alike = pool_of({{1, .1}, {2, .2}, {3, .3}});
     EXPECT_NEAR(alike.shrunk(.6, 6, 14), .6, 1e-15);
     const PatchErrorPool apart = pool_of({{1, .1}, {1, -.1}, {1, .1}, {1, -.1}});

@@ -22,7 +22,7 @@ std::shared_ptr<const Source> lamp(double flux = 1) {
     return make_lamp(std::move(spec));
 }
 
-/// A hundred equal leaves, of which some are measured.
+/// A hundred equal leaves, some of them measured.
 struct StandSpec {
     std::size_t measured = 100;
     MaterialSpec leaf = diffuse("leaf", .1, .1);
@@ -60,7 +60,7 @@ ChosenMethod plan(const StandSpec& stand, const Sources& sources) {
 
 constexpr Cell kField{.along_x = true, .along_y = true};
 
-TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
+TEST(Planner, LeavesAnExplicitChoice) {
     for (const Method from : {Method::light_tracing, Method::from_organs, Method::first_hits}) {
         const ChosenMethod choice =
             plan_method(make_stand(StandSpec{}), {sun(0, {1})}, spec_of(from, 1));
@@ -69,7 +69,7 @@ TEST(Planner, LeavesTheChoiceToWhoMakesIt) {
     }
 }
 
-TEST(Planner, SendsWhatMattSurfacesScatterAlongBundles) {
+TEST(Planner, TakesBundlesForLambertianSurfaces) {
     EXPECT_EQ(plan({}, {sun(0, {1})}).method, Method::ray_bundles);
     EXPECT_EQ(plan({}, {sky({1})}).method, Method::ray_bundles);
     EXPECT_EQ(plan({.cell = kField}, {sun(0, {1})}).method, Method::ray_bundles);
@@ -82,8 +82,8 @@ TEST(Planner, TracesSunsAndSkiesFromWhatTheyLight) {
     EXPECT_EQ(plan({}, {lamp(), sky({1})}).method, Method::first_hits) << "lamps are traced";
 }
 
-/// Each patch is met a few times in every step, however few paths there are; with very many paths
-/// for each organ first hits leave less of an error than patches do.
+/// Lines hit each patch a few times in every iteration, however few paths there are; with very many
+/// paths per organ first hits have smaller errors than patches.
 TEST(Planner, TakesBundlesForNeitherTooFewPathsNorTooMany) {
     const auto planned = [](std::size_t leaves, std::uint64_t paths) {
         SceneBuilder builder = make_builder();
@@ -100,7 +100,7 @@ TEST(Planner, TakesBundlesForNeitherTooFewPathsNorTooMany) {
     EXPECT_EQ(planned(5, 4096), Method::first_hits);
 }
 
-/// A ground so wide that no shadow of a leaf would show in its patches.
+/// A ground so wide that its patches could not resolve a leaf's shadow.
 TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
     const auto planned = [](double half_width) {
         SceneBuilder builder = make_builder();
@@ -116,7 +116,7 @@ TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
     EXPECT_EQ(planned(.75), Method::first_hits);
 }
 
-/// Light that goes to and fro in small things, between patches that lines hardly ever meet.
+/// Light between small things, on patches that lines rarely hit.
 TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
     const auto planned = [](double radius) {
         SceneBuilder builder = make_builder();
@@ -131,7 +131,8 @@ TEST(Planner, TakesBundlesOnlyWhereLinesMeetThePatchesOfAllOrgans) {
     EXPECT_EQ(planned(.001), Method::first_hits);
 }
 
-/// Under a sun, beside closed stems of long triangles, whose errors more paths do not make less.
+/// Under a sun, beside closed stems of long triangles, whose errors do not decrease with more
+/// paths.
 TEST(Planner, TakesFewPathsForBundlesBesideManyStems) {
     const auto planned = [](int stems, const Sources& sources, std::uint64_t paths) {
         SceneBuilder builder = make_builder();
@@ -151,7 +152,7 @@ TEST(Planner, TakesFewPathsForBundlesBesideManyStems) {
     EXPECT_EQ(planned(10, {sun(0, {1})}, 8192), Method::ray_bundles);
 }
 
-/// A heap of leaves through one point, each of which crosses all others.
+/// Leaves that all cross at one point.
 TEST(Planner, ARunTakesAnotherMethodWherePatchesCantBeCut) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .1, .1));
@@ -169,8 +170,9 @@ TEST(Planner, ARunTakesAnotherMethodWherePatchesCantBeCut) {
     EXPECT_EQ(run(scene, {sun(0, {1})}, spec).chosen.method, Method::first_hits);
 }
 
-/// A sun that grazes an endless stand is traced from itself, and what its spots scatter too.
-TEST(Planner, ARunTakesAnotherMethodWhereSunsAloneGrazeAnEndlessStand) {
+/// A sun that grazes an infinite stand is sampled by paths from the source, and its scattered light
+/// too.
+TEST(Planner, ARunTakesAnotherMethodWhereSunsAloneGrazeAnInfiniteStand) {
     const Scene scene = make_stand({.cell = kField});
     const RunSpec spec = spec_of(Method::automatic, 1024);
     ASSERT_EQ(plan_method(scene, {sun(89.95, {1})}, spec).method, Method::ray_bundles);
@@ -182,7 +184,7 @@ TEST(Planner, ARunTakesAnotherMethodWhereSunsAloneGrazeAnEndlessStand) {
 TEST(Planner, TracesLampsFromThemselves) {
     const StandSpec bright{.leaf = diffuse("leaf", .4, .4)};
     EXPECT_EQ(plan(bright, {lamp()}).method, Method::light_tracing);
-    // A dark source is none.
+    // A dark source does not count.
     EXPECT_EQ(plan(bright, {lamp(), sun(0, {0})}).method, Method::light_tracing);
     EXPECT_EQ(plan({}, {lamp(0), sun(0, {1})}).method, Method::ray_bundles);
 }
@@ -197,7 +199,7 @@ TEST(Planner, TracesFromTheOrgansWhereFewAreMeasured) {
     EXPECT_EQ(plan({.measured = 60}, {sky({1})}).method, Method::ray_bundles);
 }
 
-/// Leaves in a row, so far apart that hardly any of the light which enters meets one.
+/// Leaves in a row, so far apart that little of the entering light hits one.
 TEST(Planner, TracesFromTheOrgansWhereASceneIsNearlyEmpty) {
     const auto row = [](double apart) {
         SceneBuilder builder = make_builder();
@@ -235,9 +237,9 @@ TEST(Planner, KnowsThatShinyLeavesHideTheSun) {
     }
 }
 
-/// A sensor sees the sun in leaves of any lobe; that of mirrors comes by paths that hardly meet it,
-/// whatever the method, so the fastest is taken.
-TEST(Planner, LooksThroughLobesFromSensorsAndNotIntoMirrors) {
+/// A sensor sees the sun in leaves of any lobe. Paths reach it through mirrors so rarely with every
+/// method that the fastest is taken.
+TEST(Planner, SamplesLobesFromSensorsButNotMirrors) {
     for (const Sources& light : {Sources{sun(0, {1})}, Sources{lamp()}}) {
         const auto planned = [&](const MaterialSpec& leaf) {
             SceneBuilder builder = make_builder();
@@ -258,9 +260,9 @@ TEST(Planner, LooksThroughLobesFromSensorsAndNotIntoMirrors) {
     }
 }
 
-/// Lamps that stand apart from dark leaves are looked for from all of them, if there are paths to
-/// spare; not lamps amid the leaves, nor with bright leaves, nor with a sun.
-TEST(Planner, LooksForLampsThatStandApartFromDarkLeaves) {
+/// Lamps at a distance from low-albedo leaves are sampled from all of them, with enough paths; not
+/// lamps among the leaves, nor with high-albedo leaves, nor with a sun.
+TEST(Planner, SamplesLampsAtADistanceFromLowAlbedoLeaves) {
     const auto planned = [](double height, double albedo, std::uint64_t paths) {
         LampSpec spec;
         spec.name = "lamp";
@@ -276,8 +278,8 @@ TEST(Planner, LooksForLampsThatStandApartFromDarkLeaves) {
     EXPECT_EQ(planned(.5, .1, 1 << 14), Method::light_tracing);
     EXPECT_EQ(planned(3, .4, 1 << 14), Method::light_tracing);
     EXPECT_EQ(planned(3, .1, 1 << 10), Method::light_tracing);
-    // Above the box, about which the sphere would hold it; next to its top, much of which it lights
-    // more brightly than the rest.
+    // Above the box, whose bounding sphere would contain it; close to its top, much of which it
+    // lights more brightly than the rest.
     EXPECT_EQ(planned(1.3, .1, 1 << 14), Method::from_organs);
     EXPECT_EQ(planned(1.1, .1, 1 << 14), Method::light_tracing);
 }
@@ -294,7 +296,7 @@ TEST(Planner, ComparesTheMeasuredOrgansWithAll) {
     EXPECT_NEAR(gain_of_equal_shares(make_stand({.measured = 4})), 25, 1e-10);
     EXPECT_EQ(
         gain_of_equal_shares(make_stand({.measured = 0})), std::numeric_limits<double>::infinity());
-    // Of areas 1, 4 and 100 the median is 4.
+    // The median of areas 1, 4 and 100 is 4.
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .1, .1));
     for (const double side : {1.0, 2.0, 10.0}) {

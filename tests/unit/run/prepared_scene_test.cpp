@@ -28,7 +28,7 @@ Scene make_layer(std::size_t bands, const std::vector<OrganSpec>& more = {}) {
     return std::move(builder).build();
 }
 
-/// A stage and what it refers to.
+/// A stage and the objects that it refers to.
 struct Staged {
     Scene scene;
     Sources sources;
@@ -59,7 +59,7 @@ TEST(PreparedScene, SharesThePathsOutByTheMeanOverTheBands) {
     const Staged staged(make_layer(2), {sun(0, {1, 1}), sky({3, 0}), sun(0, {0, 0})});
     const PreparedScene& prepared = staged.prepared;
     ASSERT_EQ(prepared.lights().size(), 2U) << "a source without light is left out";
-    // Of band 0 the sun has a quarter, of band 1 all.
+    // The sun has a quarter of band 0, and all of band 1.
     EXPECT_NEAR(prepared.lights()[0].probability, (.25 + 1) / 2, 1e-12);
     EXPECT_NEAR(prepared.lights()[1].probability, .75 / 2, 1e-12);
     EXPECT_EQ(prepared.lights()[0].before, 0);

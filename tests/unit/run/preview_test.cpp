@@ -1,5 +1,4 @@
-// Who looks on while a run is computed sees what a shorter run would have told, and changes
-// nothing.
+// A preview of a run equals the result of a shorter run, and does not change the run.
 
 #include <algorithm>
 #include <bit>
@@ -34,8 +33,8 @@ Scene make_leaves() {
     return std::move(builder).build();
 }
 
-/// Keeps the result of every pause that has another one, and of every round but the last.
-class Looking final : public RunListener {
+/// Stores the result of every pause with a new one, and of every round but the last.
+class PreviewListener final : public RunListener {
   public:
     std::vector<Result> seen;
 
@@ -58,9 +57,9 @@ class Looking final : public RunListener {
 
 class PreviewOfMethods : public ::testing::TestWithParam<Method> {
   protected:
-    /// The result of a run that is looked at; what was seen of it goes to seen_.
+    /// The result of a run with previews, which go to seen_.
     Result run_seen(const RunSpec& spec) {
-        Looking watching;
+        PreviewListener watching;
         const Result result = run(scene_, sources_, spec, {.listeners = {&watching}});
         seen_ = std::move(watching.seen);
         return result;
@@ -111,8 +110,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles));
 
-/// Keeps what is seen of a series, with the time steps.
-class LookingAtTimes final : public RunListener {
+/// Stores the previews of a series, with the time steps.
+class SeriesPreviewListener final : public RunListener {
   public:
     std::vector<std::size_t> rounds, last_rounds;  ///< their time steps
     std::vector<Result> seen;                      ///< of rounds
@@ -124,7 +123,7 @@ class LookingAtTimes final : public RunListener {
     void on_last_round(const RunSoFar& run) override { last_rounds.push_back(run.time_step()); }
 };
 
-TEST(Preview, TellsTheTimeStepOfASeries) {
+TEST(Preview, HasTheTimeStepOfASeries) {
     const Scene scene = make_leaves();
     std::vector<TimeStep> times(2);
     times[0] = {.name = "early", .sources = {sun(30, {1})}, .directional_key = "low sun"};
@@ -137,7 +136,7 @@ TEST(Preview, TellsTheTimeStepOfASeries) {
     };
     static_cast<void>(run_series(scene, times, spec, {.listeners = {&listening}}));
     spec.max_paths = 512;
-    LookingAtTimes watching;
+    SeriesPreviewListener watching;
     static_cast<void>(run_series(scene, times, spec, {.listeners = {&watching}}));
     EXPECT_EQ(watching.rounds, (std::vector<std::size_t>{0, 1}));
     EXPECT_EQ(watching.last_rounds, (std::vector<std::size_t>{0, 1}));

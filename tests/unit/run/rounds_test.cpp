@@ -105,7 +105,7 @@ TEST(Rounds, StopAtTwoToTheThirtyPointsWhateverTheTarget) {
     EXPECT_EQ(traced, std::uint64_t{1} << 30U);
 }
 
-/// A round that would end after the time is up is not begun.
+/// A round that would end after the time limit is not begun.
 TEST(Rounds, StopBeforeTheTimeIsUp) {
     RunSpec spec = spec_with_target();
     spec.max_seconds = 5;
@@ -122,8 +122,8 @@ TEST(Rounds, StopBeforeTheTimeIsUp) {
     EXPECT_EQ(rounds.stop(), StopReason::time_limit);
 }
 
-/// The first points and the numbers of the rounds of a run in which a round takes `fixed` seconds,
-/// and each path `each`. A round that is not done in time is given up.
+/// The first points and the sizes of the rounds of a run in which a round takes `fixed` seconds,
+/// and each path `each`. A round that is not complete in time is abandoned.
 struct Course {
     std::vector<std::pair<std::uint64_t, std::uint64_t>> rounds;
     StopReason stop = StopReason::finished;
@@ -162,8 +162,8 @@ std::uint64_t paths_of(const Course& course) {
     return course.rounds.back().first + course.rounds.back().second;
 }
 
-/// What is left of a huge run that is stopped, and costs little.
-TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithTrials) {
+/// The result of a huge run that is stopped, at a small cost.
+TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithPilots) {
     RunSpec spec;
     spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 30U;
@@ -210,8 +210,8 @@ TEST(Rounds, OfALongLimitEndWithThoseOfNone) {
     }
 }
 
-/// Whatever rounds and paths cost, what is reported is of a good part of the paths that could be
-/// traced in the time, and no round is begun that has to be given up.
+/// Whatever rounds and paths cost, the result has a good part of the paths that are possible in the
+/// time, and no round is begun that must be abandoned.
 TEST(Rounds, OfAShortLimitUseTheTime) {
     RunSpec spec;
     spec.method = Method::light_tracing;
@@ -230,9 +230,9 @@ TEST(Rounds, OfAShortLimitUseTheTime) {
     }
 }
 
-/// A method may do more for many paths than for few, as first hits, which looks at a large scene
-/// line by line only where paths are many: trials of few paths tell nothing of that.
-TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanTrialsTell) {
+/// The cost per path may rise with the number of paths, as in first hits, which samples a large
+/// scene by lines only where paths are many: pilot rounds of few paths do not show that.
+TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanPilotsShow) {
     RunSpec spec;
     spec.method = Method::light_tracing;
     spec.paths = std::uint64_t{1} << 20U;
@@ -253,7 +253,7 @@ TEST(Rounds, OfALimitUseTheTimeWhereManyPathsCostMoreThanTrialsTell) {
     }
 }
 
-/// Rounds double from a power of two on, so that point sets are whole.
+/// Rounds double from a power of two on, so that point sets are complete.
 TEST(Rounds, OfAShortLimitAreWhole) {
     RunSpec spec;
     spec.method = Method::light_tracing;
@@ -268,7 +268,7 @@ TEST(Rounds, OfAShortLimitAreWhole) {
     }
 }
 
-TEST(Rounds, BeginWithATrialWhereOneCannotTell) {
+TEST(Rounds, BeginWithAPilotWhereTheCostIsUnknown) {
     RunSpec spec;
     spec.method = Method::light_tracing;
     spec.paths = 1U << 20U;
@@ -276,7 +276,7 @@ TEST(Rounds, BeginWithATrialWhereOneCannotTell) {
     const RoundLimits limits = limits_of(spec);
     Rounds rounds(spec, limits);
     EXPECT_EQ(rounds.next()->count, 256U);
-    rounds.finish(after(limits, 5), 0);  // the time is up already
+    rounds.finish(after(limits, 5), 0);  // the time limit is over already
     EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::time_limit);
 }

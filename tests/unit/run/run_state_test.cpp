@@ -1,4 +1,4 @@
-// Runs that go on from a state that was kept.
+// Runs that resume from a stored state.
 
 #include "run/run_state.h"
 
@@ -18,7 +18,7 @@
 namespace quasimc::test {
 namespace {
 
-/// Keeps every state that a run has, as bytes.
+/// Stores every state of a run, as bytes.
 class RecordedStates final : public RunListener, public StoredStates {
   public:
     std::vector<std::string> saved;
@@ -34,10 +34,10 @@ class RecordedStates final : public RunListener, public StoredStates {
     void on_last_round(const RunSoFar& run) override { finished = save_state(run.snapshot()); }
 };
 
-Scene kept_scene() {
+Scene test_scene() {
     return leaf_over_ground();
 }
-Sources kept_lights() {
+Sources test_lights() {
     return {sun(30, {1}), sky({1})};
 }
 
@@ -45,7 +45,7 @@ Result run_recorded(RunSpec spec, RecordedStates& states, unsigned threads = 1) 
     spec.threads = threads;
     std::stop_source never;
     return run(
-        kept_scene(), kept_lights(), spec,
+        test_scene(), test_lights(), spec,
         {.stop = never.get_token(), .listeners = {&states}, .origin = {.states = &states}});
 }
 
@@ -76,7 +76,7 @@ TEST_P(RunStates, GoOnToTheSameBitsFromEveryPause) {
     rounds.paths /= 2;
     rounds.max_paths = 2 * rounds.paths;
     for (const RunSpec& spec : {spec(), rounds}) {
-        const Result whole = run(kept_scene(), kept_lights(), spec);
+        const Result whole = run(test_scene(), test_lights(), spec);
         RecordedStates first;
         expect_equal_runs(run_recorded(spec, first), whole);
         ASSERT_GE(first.saved.size(), 3U);
@@ -86,12 +86,12 @@ TEST_P(RunStates, GoOnToTheSameBitsFromEveryPause) {
             later.from = load_state(first.saved[i]);
             const Result resumed = run_recorded(spec, later, static_cast<unsigned>(1 + i % 3));
             expect_equal_runs(resumed, whole);
-            // Each pause comes after a task more.
+            // Each pause comes after one more task.
             const auto tasks = static_cast<double>(first.saved.size());
             const double expected = static_cast<double>((i + 1) * whole.paths) / tasks;
             EXPECT_NEAR(
                 resumed.paths_before, expected, 2 * static_cast<double>(whole.paths) / tasks);
-            // Nothing that was done is done again.
+            // Completed tasks are not repeated.
             if (i % 3 == 0) {
                 EXPECT_EQ(later.saved.size(), first.saved.size() - i - 1);
             }
@@ -123,7 +123,7 @@ TEST_P(RunStates, OfRunsThatAreDoneGiveTheResultAndGoOnToASmallerTarget) {
     EXPECT_EQ(exact.paths, spec.max_paths);
     EXPECT_EQ(exact.paths_before, static_cast<double>(whole.paths));
     EXPECT_EQ(exact.stop, StopReason::path_limit);
-    expect_equal_runs(exact, run(kept_scene(), kept_lights(), spec));
+    expect_equal_runs(exact, run(test_scene(), test_lights(), spec));
 }
 
 TEST_P(RunStates, BecomeRunsOfMorePathsWhereTheBitsAreTheSame) {
@@ -141,7 +141,7 @@ TEST_P(RunStates, BecomeRunsOfMorePathsWhereTheBitsAreTheSame) {
         RecordedStates later;
         later.from = load_state(first.finished);
         if (can) {
-            expect_equal_runs(run_recorded(many, later), run(kept_scene(), kept_lights(), many));
+            expect_equal_runs(run_recorded(many, later), run(test_scene(), test_lights(), many));
         } else {
             EXPECT_THROW(static_cast<void>(run_recorded(many, later)), InputError) << sampler.name;
         }
@@ -178,8 +178,8 @@ TEST(RunState, BecomesNoRunThatWouldHaveOtherBits) {
     EXPECT_NE(refusal_of(60000).find("must be 20000, doubled"), std::string::npos);
 }
 
-/// The target of a run of more paths is looked at when these are traced, as if it had begun so.
-TEST(RunState, LooksAtATargetAfterTheFirstRoundThatWasAskedFor) {
+/// A run with more paths checks its target after these, like a run that began with them.
+TEST(RunState, ChecksATargetAfterTheFirstRequestedRound) {
     RunSpec few = spec_of(Method::light_tracing, 1U << 14U);
     few.target_error = 0.9;
     RecordedStates first;
@@ -188,7 +188,7 @@ TEST(RunState, LooksAtATargetAfterTheFirstRoundThatWasAskedFor) {
     many.paths = 1U << 16U;
     RecordedStates later;
     later.from = load_state(first.finished);
-    expect_equal_runs(run_recorded(many, later), run(kept_scene(), kept_lights(), many));
+    expect_equal_runs(run_recorded(many, later), run(test_scene(), test_lights(), many));
 }
 
 TEST_P(RunStates, OfAnotherRunAreRefused) {

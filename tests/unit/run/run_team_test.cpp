@@ -30,7 +30,7 @@
 namespace quasimc::test {
 namespace {
 
-/// What the processes of a team share.
+/// Shared data of the processes of a team.
 class Meeting {
   public:
     explicit Meeting(unsigned size) : size_(size), barrier_(size) {}
@@ -38,7 +38,7 @@ class Meeting {
   private:
     friend class Member;
 
-    /// What the first has to say.
+    /// Orders of the first process.
     template <typename T>
     T reported(unsigned rank, const T& own, T& shared) {
         if (rank == 0) {
@@ -55,12 +55,12 @@ class Meeting {
     bool met_ = true;
     TeamOrder order_;
     std::mutex mutex_;
-    std::map<std::uint64_t, std::deque<std::string>> sent_;  // by whom
+    std::map<std::uint64_t, std::deque<std::string>> sent_;  // by sender
     std::atomic<bool> is_stopped_{false};
     std::vector<std::int64_t> total_;
 };
 
-/// A team as one of its processes sees it.
+/// A team from the view of one of its processes.
 class Member final : public RunTeam {
   public:
     Member(Meeting& all, unsigned rank) : all_(all), rank_(rank) {}
@@ -126,11 +126,11 @@ class Member final : public RunTeam {
 
 struct Day {
     Scene scene = leaf_over_ground();
-    std::vector<TimeStep> moments;
+    std::vector<TimeStep> time_steps;
 
     explicit Day(const std::vector<double>& elevations = {20, 50, 50, 80}) {
         for (const double elevation : elevations) {
-            moments.push_back(
+            time_steps.push_back(
                 {.name = "",
                  .sources = {sun(elevation, {1}), sky({1})},
                  .directional_key = std::to_string(elevation),
@@ -140,19 +140,19 @@ struct Day {
     }
 };
 
-/// How a team traces a day: every run together, or each process some of them.
+/// How a team traces a day: every run together, or some runs in each process.
 enum class Sharing { tasks, runs };
 
-/// What another process does, until the first has no more orders.
+/// The work of another process, until the first has no more orders.
 void help(RunTeam& team, const Day& day, const RunSpec& spec) {
     TeamHelper helper;
     TeamOrder order = team.order({});
     while (order.kind != TeamOrder::kEnd) {
-        order = helper.help(day.scene, day.moments, spec, team, order);
+        order = helper.help(day.scene, day.time_steps, spec, team, order);
         if (order.kind == TeamOrder::kDealt) {
             HelpedRuns runs(team);
             try {
-                runs.trace(day.scene, day.moments, spec, order.time_step);
+                runs.trace(day.scene, day.time_steps, spec, order.time_step);
             } catch (const Stopped&) {  // by the first
             }
             runs.end();
@@ -161,7 +161,7 @@ void help(RunTeam& team, const Day& day, const RunSpec& spec) {
     }
 }
 
-/// States of runs that are kept, as bytes.
+/// Stored states of runs, as bytes.
 class RecordedRuns : public RunListener, public StoredStates {
   public:
     std::map<std::size_t, std::string> saved, finished;  // by time step
@@ -191,7 +191,7 @@ class RecordedRuns : public RunListener, public StoredStates {
     }
 };
 
-/// Deals the runs of a day out to a team, from the first that was not kept.
+/// Distributes the runs of a day to a team, from the first that was not stored.
 class DealtDay final : public SumsSource {
   public:
     DealtDay(RunTeam& team, const Day& day, const RecordedRuns* kept)
@@ -205,7 +205,8 @@ class DealtDay final : public SumsSource {
         if (!dealt_) {
             dealt_.emplace(team_, 0, time_step);
         }
-        return dealt_->next(simulator_, day_.scene, day_.moments[time_step].sources, spec, control);
+        return dealt_->next(
+            simulator_, day_.scene, day_.time_steps[time_step].sources, spec, control);
     }
 
   private:
@@ -216,7 +217,7 @@ class DealtDay final : public SumsSource {
     std::optional<DealtRuns> dealt_;
 };
 
-/// The results of a day that a team of so many processes traces.
+/// The results of a day that a team of `size` processes traces.
 std::vector<Result> trace_day(
     const Day& day,
     const RunSpec& spec,
@@ -250,7 +251,7 @@ std::vector<Result> trace_day(
         static_cast<void>(team.order({.kind = TeamOrder::kEnd}));
     };
     try {
-        static_cast<void>(run_series(day.scene, day.moments, spec, control));
+        static_cast<void>(run_series(day.scene, day.time_steps, spec, control));
     } catch (const Stopped&) {
         end();
         throw;
@@ -276,7 +277,7 @@ std::vector<Result> day_alone(const Day& day, const RunSpec& spec) {
     std::vector<Result> results;
     Listening events;
     events.time_step = [&](auto, const Result& result, auto) { results.push_back(result); };
-    static_cast<void>(run_series(day.scene, day.moments, spec, {.listeners = {&events}}));
+    static_cast<void>(run_series(day.scene, day.time_steps, spec, {.listeners = {&events}}));
     return results;
 }
 
@@ -345,7 +346,7 @@ INSTANTIATE_TEST_SUITE_P(
     RunTeams,
     ::testing::Values(Method::light_tracing, Method::from_organs, Method::first_hits));
 
-TEST(RunTeam, TellsTheProcessorTimeOfAll) {
+TEST(RunTeam, ReportsTheProcessorTimeOfAll) {
     const Day day;
     RunSpec spec = spec_of(Method::light_tracing, 1U << 18U);
     spec.threads = 1;
@@ -354,7 +355,7 @@ TEST(RunTeam, TellsTheProcessorTimeOfAll) {
     for (const Result& result : trace_day(day, spec, 3)) {
         reported += result.solve_cpu_seconds;
     }
-    // Here all are threads of one process, and each tells the time of all.
+    // All processes are threads of one here, and each reports the time of all.
     EXPECT_GT(reported, 1.5 * watch.cpu_seconds());
 }
 

@@ -18,7 +18,7 @@
 namespace quasimc::test {
 namespace {
 
-/// A uniform sky in which every 512th look takes three milliseconds.
+/// A uniform sky in which every 512th sample takes three milliseconds.
 class TiredSky final : public SourceModel {
   public:
     TiredSky() : SourceModel("tired", {1}, kSkyTraits, 1), sky_(make_uniform_sky("sky", {1})) {}
@@ -53,7 +53,7 @@ RunSpec long_run() {
     return spec;
 }
 
-TEST(Progress, IsToldFromTheCallingThreadAlone) {
+TEST(Progress, IsReportedFromTheCallingThreadAlone) {
     const auto caller = std::this_thread::get_id();
     int calls = 0;
     double before = 0;
@@ -73,7 +73,7 @@ TEST(Progress, IsToldFromTheCallingThreadAlone) {
     EXPECT_GT(calls, 0);
 }
 
-/// Were each time as long as the others, all of the tracing would be the last hundredth.
+/// With equal shares for all times, tracing would be only the last hundredth.
 TEST(Progress, OfASeriesIsThatOfTheTimesThatAreTraced) {
     std::vector<TimeStep> times(99);
     times.emplace_back().sources = {std::make_shared<TiredSky>()};
@@ -96,7 +96,7 @@ TEST(Progress, AnExceptionOfTheListenerEndsTheRun) {
         std::runtime_error);
 }
 
-/// There is no ambiguity among overloads.
+/// Overloads are unambiguous.
 TEST(Run, TakesEmptyBracesForItsControl) {
     const Scene scene = leaf_over_ground();
     const Sources sources{sky({1})};
@@ -111,7 +111,7 @@ TEST(Run, TakesEmptyBracesForItsControl) {
     EXPECT_EQ(run_series(std::move(simulator), scene, steps, spec, {}).computed, 1U);
 }
 
-/// The parts of work are fractions of the whole, however deep they lie in the tree.
+/// Parts of work are fractions of the whole, at any depth of the tree.
 TEST(Progress, OfAPartIsThatOfTheWhole) {
     std::vector<double> fractions;
     Listening listening;
@@ -120,7 +120,7 @@ TEST(Progress, OfAPartIsThatOfTheWhole) {
     const Work later = whole.part(.5, .5).part(.5, .25);
     later.report(0);
     later.report(1);
-    whole.report(.25);  // progress does not go back
+    whole.report(.25);  // progress does not decrease
     EXPECT_EQ(fractions, (std::vector<double>{.75, .875, .875}));
     Work().report(1);
     EXPECT_TRUE(Work().is_empty());
@@ -169,7 +169,7 @@ TEST(Run, SaysWhyItMissedTheTarget) {
 
 class RunBothWays : public BothWays {};
 
-/// Rounds that double give what one long run gives, with as sharp an error.
+/// Doubling rounds give the same as one long run, with the same error.
 TEST_P(RunBothWays, RoundsAddUp) {
     RunSpec spec = spec_of(GetParam(), 512);
     spec.max_paths = 8192;
@@ -188,7 +188,7 @@ TEST_P(RunBothWays, RoundsAddUp) {
     }
 }
 
-TEST_P(RunBothWays, ThreadsAreAsManyAsTheMachineHasUnlessToldOtherwise) {
+TEST_P(RunBothWays, ThreadsAreThoseOfTheMachineUnlessGiven) {
     RunSpec spec = spec_of(GetParam(), 1024);
     const Estimate one =
         run(leaf_over_ground(), {sky({1})}, spec).at(0, Quantity::absorbed_flux, 0);
@@ -218,7 +218,7 @@ TEST_P(RunBothWays, WithADepthOfOneNothingIsScattered) {
     }
 }
 
-/// All that would have been scattered is cut off.
+/// All light that would be scattered is cut off.
 TEST(Run, ReportsWhatADepthOfOneCutsOff) {
     RunSpec spec = spec_of(Method::light_tracing, 1024);
     spec.max_depth = 1;
@@ -239,14 +239,14 @@ TEST_P(RunBothWays, LightFromBelowFallsOnLowerSides) {
     const auto below = make_directional_source("below", {0, .6, .8}, {1});
     const Result result = trace(scene, {below}, 1024);
     EXPECT_EQ(result.at(0, Quantity::incident_upper, 0).mean, 0);
-    // Windows are larger than the scene by a millionth; scan lines have some noise.
+    // Start areas are larger than the scene by a millionth; scan lines have some noise.
     const Estimate& lower = result.at(0, Quantity::incident_lower, 0);
     constexpr double kQuantile = 6;
     EXPECT_NEAR(lower.mean, .8, 1e-5 + kQuantile * lower.standard_error);
     EXPECT_LT(lower.standard_error, 1e-3);
 }
 
-/// A band for which there is no light is dark, and nothing is divided by zero.
+/// A band without light is dark, and nothing is divided by zero.
 TEST_P(RunBothWays, ABandWithoutLightIsDark) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .4, .2, 2));
@@ -263,8 +263,8 @@ TEST_P(RunBothWays, ABandWithoutLightIsDark) {
 
 QUASIMC_BOTH_WAYS(RunBothWays);
 
-/// A leaf that lies on another, one under a roof and one edge-on to the sun get nothing: no paths
-/// are enough to see any light there.
+/// A leaf coplanar with another, one under a roof and one edge-on to the sun get nothing: no number
+/// of paths samples any light there.
 TEST(Targets, AreReachedWhereOrgansCanHaveNoLight) {
     for (const Method method : {Method::light_tracing, Method::first_hits, Method::from_organs}) {
         SceneBuilder builder = make_builder();
@@ -284,7 +284,7 @@ TEST(Targets, AreReachedWhereOrgansCanHaveNoLight) {
     }
 }
 
-/// Half of the errors of the organs' absorbed flux are smaller; and the largest.
+/// Half of the errors of the organs' absorbed flux are smaller than the median; and the largest.
 std::pair<double, double> spread_in(const Scene& scene, const Result& result) {
     std::vector<double> errors;
     for (std::size_t i = 0; i < scene.organs().size(); ++i) {
@@ -297,7 +297,7 @@ std::pair<double, double> spread_in(const Scene& scene, const Result& result) {
     return {errors[errors.size() / 2], errors.back()};
 }
 
-TEST(Run, TellsHowErrorsFellRoundByRound) {
+TEST(Run, ReportsTheErrorsOfEachRound) {
     const Scene scene = leaf_over_ground();
     const Sources sources{sun(30, {1}), sky({.5})};
     RunSpec spec = spec_of(Method::light_tracing, 256);

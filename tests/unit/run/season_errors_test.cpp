@@ -16,8 +16,8 @@ BasisLayout layout_of_regions() {
     return {kRegions, 1};
 }
 
-/// Light that falls straight on regions, the second half ten times as bright, times a factor, with
-/// relative noise.
+/// Direct light on regions, the second half ten times as bright, times a factor, with relative
+/// noise.
 LightSum light(double factor, double noise, std::mt19937_64& random) {
     const BasisLayout layout = layout_of_regions();
     std::normal_distribution<double> normal;

@@ -1,4 +1,4 @@
-// Times of a series that are computed together.
+// Time steps of a series that are computed together.
 
 #include <cmath>
 #include <limits>
@@ -102,7 +102,7 @@ TEST(Season, GivesTheSameBitsOnAnyNumberOfThreads) {
         << "a control";
 }
 
-/// Light is linear: a day is the sum of its hours, of organs and of groups.
+/// Light is linear: a day is the sum of its hours, for organs and for groups.
 TEST(Season, SumsOverDays) {
     RunSpec spec = together();
     spec.groups = {"plant"};
@@ -130,7 +130,7 @@ TEST(Season, SumsOverDays) {
     EXPECT_EQ(season.summary.computed, 3U);
 }
 
-/// Hours lit alike but for a factor have the same light times that factor, but for their suns.
+/// Hours whose light differs by a factor have proportional results, except for their suns.
 TEST(Season, IsLinearInTheLightOfItsSkies) {
     const SeasonResults season = compute_season(
         together(), {hour_of({sky({10, 20})}), hour_of({sky({30, 60})}), hour_of({sky({10, 60})})});
@@ -144,7 +144,7 @@ TEST(Season, IsLinearInTheLightOfItsSkies) {
     }
 }
 
-TEST(Season, KnowsDarkness) {
+TEST(Season, KnowsNight) {
     const SeasonResults season = compute_season(together());
     for (const std::size_t hour : {1U, 4U}) {
         for (const Estimate& e : season.hours[hour].values) {
@@ -169,7 +169,7 @@ TEST(Season, ClosesTheBudgetOfEachHour) {
     EXPECT_NEAR(season.hours[0].sunlit_fraction[0].mean, 1, .01);
 }
 
-/// The light straight from the sun is that of the hour, not of the directions about it.
+/// Direct light of the sun is that of the hour, not of the basis directions around it.
 TEST(Season, LeavesTheSunsDirectLightToEachHour) {
     RunSpec spec = together();
     spec.replicates = 32;
@@ -224,7 +224,7 @@ TEST(Season, HasNoResultIfItIsStoppedBeforeItsFirstHour) {
     }
 }
 
-TEST(Season, TellsHowFarItIs) {
+TEST(Season, ReportsItsProgress) {
     std::vector<double> fractions;
     Listening events;
     events.progress = [&](const Progress& progress) { fractions.push_back(progress.fraction); };

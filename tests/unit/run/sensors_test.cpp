@@ -29,7 +29,7 @@ class Sensors : public ::testing::TestWithParam<Method> {
         RunSpec spec = spec_of(from, 1U << 15U);
         return run(scene, sources, spec);
     }
-    /// The estimate holds `expected` at the level of one test.
+    /// The estimate agrees with `expected` at the level of one test.
     static void expect_holds(const Estimate& estimate, double expected) {
         constexpr double kQuantile = 6;
         constexpr double kFixedPoint = 1e-11;
@@ -49,7 +49,7 @@ TEST_P(Sensors, SeeThePartOfTheSkyInTheirFieldOfView) {
     }
 }
 
-/// Three sensors in the plane of a plate: each counts all light.
+/// Three sensors in the plane of a plate: each receives all light.
 TEST_P(Sensors, CountAllLightThoughTheyLieOnEachOther) {
     SceneBuilder builder = make_builder();
     builder.add_material(sensor("sensor"));
@@ -67,7 +67,7 @@ TEST_P(Sensors, CountAllLightThoughTheyLieOnEachOther) {
     }
 }
 
-/// Sensors that lie on their own images, through the borders of the cell along x, y and both.
+/// Sensors that overlap their periodic copies across the borders of the cell along x, y and both.
 TEST_P(Sensors, CountAllLightThoughTheyAreWiderThanTheirCell) {
     SceneBuilder builder = make_builder();
     builder.add_material(sensor("sensor"));
@@ -99,7 +99,7 @@ TEST_P(Sensors, SeeTheSunOnlyInTheirFieldOfView) {
     expect_holds(wide.at(0, Quantity::incident_direct, 0), std::cos(30 * std::numbers::pi / 180));
 }
 
-TEST_P(Sensors, OfDirectLightThatIsIgnoredTellNothing) {
+TEST_P(Sensors, OfExcludedDirectLightReceiveNothing) {
     const Scene scene = above_ground(60);
     RunSpec spec = spec_of(GetParam(), 1U << 13U);
     const Result all = run(scene, {sun(0, {1})}, spec);
@@ -112,8 +112,8 @@ TEST_P(Sensors, OfDirectLightThatIsIgnoredTellNothing) {
         all.at(0, Quantity::incident_scattered, 0).mean);
 }
 
-/// A sensor on a leaf sees the light that falls there, and the leaf shades what is below as before,
-/// whichever of them comes first.
+/// A sensor on a leaf receives the light of that leaf, and the leaf shades as before, whichever of
+/// them comes first.
 TEST_P(Sensors, OnALeafLeaveItsShadeAsItIs) {
     for (const bool is_first : {true, false}) {
         SceneBuilder builder = make_builder();

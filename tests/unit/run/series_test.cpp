@@ -24,7 +24,7 @@ Scene make_scene(std::size_t bands = 1) {
 
 TimeStep time_step_of(
     Sources sources, std::string shapes, std::size_t day = 0, double seconds = 3600) {
-    return {"moment", std::move(sources), std::move(shapes), seconds, day};
+    return {"time step", std::move(sources), std::move(shapes), seconds, day};
 }
 
 RunSpec small_spec() {
@@ -35,7 +35,7 @@ RunSpec small_spec() {
     return spec;
 }
 
-/// The results of all moments.
+/// The results of all time steps.
 std::vector<Result> results_of(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
     std::vector<Result> results;
@@ -88,7 +88,7 @@ TEST(Progress, IsReportedOfManyShortRounds) {
     EXPECT_GT(reports, 0U);
 }
 
-/// A listener that says nothing of what it needs.
+/// A listener that does not specify its needs.
 class PlainListener final : public RunListener {
   public:
     std::size_t ends = 0, done = 0;
@@ -113,7 +113,7 @@ TEST(Series, ReportsItsEndOnceWithTheTotalToAPlainListener) {
     EXPECT_TRUE(listener.has_total);
 }
 
-TEST(Series, OfOneMomentIsTheRun) {
+TEST(Series, OfOneTimeStepIsTheRun) {
     const Scene scene = make_scene();
     const Sources sources{sun(30, {500}), sky({100})};
     const auto results = results_of(scene, {time_step_of(sources, "a")}, small_spec());
@@ -121,7 +121,7 @@ TEST(Series, OfOneMomentIsTheRun) {
     EXPECT_TRUE(same_numbers(results[0], run(scene, sources, small_spec())));
 }
 
-TEST(Series, TracesProportionalMomentsOnce) {
+TEST(Series, TracesProportionalTimeStepsOnce) {
     const std::vector<TimeStep> time_steps{
         time_step_of({sky({100, 40})}, "overcast"),
         time_step_of({sun(20, {100, 40})}, "sun"),
@@ -142,7 +142,7 @@ TEST(Series, TracesProportionalMomentsOnce) {
     for (std::size_t i = 0; i < results[0].values.size(); ++i) {
         EXPECT_DOUBLE_EQ(results[2].values[i].mean, .5 * results[0].values[i].mean);
         EXPECT_EQ(results[4].values[i].mean, 0);
-        EXPECT_EQ(results[4].values[i].standard_error, 0) << "darkness is certain";
+        EXPECT_EQ(results[4].values[i].standard_error, 0) << "night is certain";
     }
     EXPECT_DOUBLE_EQ(results[2].budget[0].emitted.mean, .5 * results[0].budget[0].emitted.mean);
     EXPECT_TRUE(results[4].sunlit_fraction.empty());
@@ -158,7 +158,7 @@ TEST(Series, GivesEachTraceNumbersOfItsOwn) {
     EXPECT_TRUE(same_numbers(results[1], again[1]));
 }
 
-/// Sums are those of the moments; their errors add in squares, unless they share a trace.
+/// Sums are those of the time steps; their errors add in squares, unless they share a trace.
 TEST(Series, SumsOverDaysAndInAll) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
@@ -186,7 +186,7 @@ TEST(Series, SumsOverDaysAndInAll) {
         const auto mean = [&](std::size_t m) { return results[m].values[i].mean; };
         const auto error = [&](std::size_t m) { return results[m].values[i].standard_error; };
         if (!std::isfinite(error(0)) || !std::isfinite(error(1)) || !std::isfinite(error(4))) {
-            continue;  // nothing was seen there: see below
+            continue;  // without contributions: see below
         }
         const double first = 3600 * (mean(0) + mean(1) + mean(2));
         EXPECT_NEAR(days[0].values[i].mean, first, 1e-9 * first);
@@ -203,7 +203,7 @@ TEST(Series, SumsOverDaysAndInAll) {
     }
 }
 
-/// A stop after the third of four times: they are there, and of the days the one that is whole.
+/// A stop after the third of four times: they are complete, and so is the only whole day.
 TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
@@ -235,7 +235,7 @@ TEST(Series, KeepsWhatIsDoneWhenItIsStopped) {
     EXPECT_TRUE(same_numbers(whole[1], results[1]));
 }
 
-/// A time that could take all of the limit leaves the others their shares.
+/// A time step that could take the whole limit leaves the others their shares.
 TEST(Series, SharesItsTime) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
@@ -254,15 +254,14 @@ TEST(Series, SharesItsTime) {
     EXPECT_EQ(summary.with_fewer_paths, 3U);
 }
 
-/// Sums take as much memory as a result: they are made only for who asks for them.
-/// Three hours of a day that bring less and less, and each is traced.
+/// Three hours of a day with decreasing light, each of them traced.
 std::vector<TimeStep> fading_day() {
     return {
         time_step_of({sky({900})}, "a"), time_step_of({sky({90})}, "b"),
         time_step_of({sky({9})}, "c")};
 }
 
-/// Of two traces after a dark night each is half of the work.
+/// After a night each of two traces is half of the work.
 TEST(Series, CountsNoDarkTimesAsProgress) {
     std::vector<TimeStep> time_steps(10, time_step_of({}, ""));
     time_steps.push_back(time_step_of({sun(30, {1})}, "a"));
@@ -290,7 +289,7 @@ TEST(SpreadEffort, FollowsTheLightOfTheDay) {
     auto plans = plan_series(time_steps);
     EXPECT_EQ(plans[0].path_factor, 1) << "unless it is asked for";
     allocate_paths(make_scene(), time_steps, plans);
-    // Of the sum 900/999, 90/999 and 9/999; three times that is 2.7, .27 and .027.
+    // Shares of the sum are 900/999, 90/999 and 9/999; three times that is 2.7, 0.27 and 0.027.
     EXPECT_EQ(plans[0].path_factor, 2);
     EXPECT_EQ(plans[1].path_factor, .25);
     EXPECT_EQ(plans[2].path_factor, 1. / 32);
@@ -322,7 +321,7 @@ TEST(SpreadEffort, CountsASharedTraceByAllItServes) {
     EXPECT_EQ(plans[1].path_factor, .25);
 }
 
-/// Paths where the light is: for the same error of the sum, less than half of the paths.
+/// Proportional allocation: less than half of the paths for the same error of the sum.
 TEST(Series, OfADayNeedsFewerPathsForItsSum) {
     const Scene scene = make_scene();
     RunSpec spec = small_spec();
@@ -339,7 +338,7 @@ TEST(Series, OfADayNeedsFewerPathsForItsSum) {
                                  .total.at(0, Quantity::absorbed_flux, 0);
         return paths * sum.standard_error * sum.standard_error / (sum.mean * sum.mean);
     };
-    // 3 (.9^2 + .09^2 + .009^2) = 2.46 against 1.
+    // 3 (0.9^2 + 0.09^2 + 0.009^2) = 2.46 against 1.
     EXPECT_LT(cost(PathAllocation::proportional), .55 * cost(PathAllocation::equal));
 }
 
@@ -366,7 +365,7 @@ TEST(Series, OfADayHasTheTargetForItsSum) {
     EXPECT_GT(paths[0], 8 * paths[2]);
 }
 
-/// Whatever the brightest hour would deserve.
+/// Independent of the ideal share of the brightest hour.
 TEST(Series, OfADayKeepsToTheMostPaths) {
     RunSpec spec = small_spec();
     spec.paths = 256;
@@ -382,7 +381,7 @@ TEST(Series, OfADayKeepsToTheMostPaths) {
     EXPECT_LT(paths[2], 256U);
 }
 
-TEST(Series, LeavesOutSumsThatNobodyWants) {
+TEST(Series, LeavesOutSumsThatAreNotRequested) {
     const Scene scene = make_scene();
     const std::vector<TimeStep> time_steps{
         time_step_of({sky({10})}, "o"), time_step_of({}, ""), time_step_of({sky({20})}, "o", 1)};
@@ -445,7 +444,7 @@ TEST(SeriesAdder, KeepsTheBoundsOfWhatWasNotSeen) {
     EXPECT_TRUE(std::isnan(adder.sum(1, 1).values[0].standard_error));
 }
 
-/// A mean is cut at what is possible where it is reported: sums have it as it was found.
+/// Means are clipped to possible values when they are reported: sums use unclipped means.
 TEST(SeriesAdder, AddsMeansThatAreNotCut) {
     Result result;
     result.bands = 1;
@@ -457,7 +456,7 @@ TEST(SeriesAdder, AddsMeansThatAreNotCut) {
     EXPECT_EQ(adder.sum(1, 1).values[0].mean, 5);
 }
 
-/// With nothing traced, sums are of the size asked for, and 0.
+/// Without any trace, sums have the requested size, and are 0.
 TEST(SeriesAdder, OfNothingIsCertainlyNothing) {
     const SeriesSum sum = SeriesAdder().sum(1, 3);
     ASSERT_EQ(sum.values.size(), 3U);

@@ -98,7 +98,7 @@ TEST_F(SimulatorTest, SurvivesASceneThatIsGone) {
     EXPECT_EQ(simulator_.builds(), 3U);
 }
 
-/// As a plant simulator asks for it, step after step.
+/// Runs of a plant simulator, step after step.
 TEST_F(SimulatorTest, GivesAGrowingPlantTheSameLightOnAnyNumberOfThreads) {
     Simulator of_one_thread;
     for (const std::size_t leaves : {1U, 30U, 200U, 1000U}) {

@@ -16,7 +16,7 @@
 namespace quasimc::test {
 namespace {
 
-/// How many of a replicate's points lie in a region of the hemisphere, for many replicates.
+/// Numbers of points in a region of the hemisphere, for many replicates.
 template <typename Inside>
 std::vector<double> counts_of(std::uint32_t points, int replicates, const Inside& inside) {
     std::mt19937_64 bits(11);
@@ -35,13 +35,13 @@ std::vector<double> counts_of(std::uint32_t points, int replicates, const Inside
 }
 
 /// Mean, variance and skewness.
-struct Moments {
+struct SampleStatistics {
     double mean = 0, variance = 0, skewness = 0;
 };
 
-Moments time_steps_of(const std::vector<double>& values) {
+SampleStatistics statistics_of(const std::vector<double>& values) {
     const auto n = static_cast<double>(values.size());
-    Moments m;
+    SampleStatistics m;
     for (const double x : values) {
         m.mean += x / n;
     }
@@ -60,8 +60,8 @@ struct NamedCone {
 
 constexpr int kRotations = 600;
 
-/// The variance of the number of lattice points in a cone goes with the points along its edge; a
-/// number that is the same in nearly all replicates would have none, and a skewness without end.
+/// The variance of the number of lattice points in a cone depends on the points along its edge; a
+/// number equal in nearly all replicates would have none, and an infinite skewness.
 TEST(HemisphereLattice, FallsIntoAnyConeInVaryingNumbers) {
     for (const std::uint32_t points : {32U, 64U, 75U, 128U, 256U, 300U}) {
         for (const NamedCone& cone :
@@ -75,10 +75,10 @@ TEST(HemisphereLattice, FallsIntoAnyConeInVaryingNumbers) {
                 points, kRotations, [&](const Vec3& d) { return dot(d, cone.axis) > least; });
             const double expected = points * (1 - least);
             EXPECT_TRUE(agrees(measured(counts), expected, .05 * expected + .1, 1e-8));
-            const Moments m = time_steps_of(counts);
+            const SampleStatistics m = statistics_of(counts);
             EXPECT_GT(m.variance, .1 * std::sqrt(expected)) << points << " " << expected;
             EXPECT_LT(std::abs(m.skewness), 1) << points << " " << expected;
-            // It is still a good lattice: far from random points.
+            // It remains a good lattice: far from random points.
             EXPECT_LT(m.variance, .7 * expected) << points << " " << expected;
         }
     }
@@ -89,7 +89,7 @@ TEST(HemisphereLattice, FallsIntoAnyBandOfHeightsInVaryingNumbers) {
         for (const double low : {0.0, .25, .5, .75}) {
             const std::vector<double> counts = counts_of(
                 points, kRotations, [&](const Vec3& d) { return d.z > low && d.z <= low + .25; });
-            const Moments m = time_steps_of(counts);
+            const SampleStatistics m = statistics_of(counts);
             EXPECT_NEAR(m.mean, points / 4.0, 6 * std::sqrt(m.variance / kRotations) + 1e-9);
             EXPECT_GT(m.variance, .1 * std::sqrt(points / 4.0)) << points << " " << low;
             EXPECT_LT(std::abs(m.skewness), 1) << points << " " << low;

@@ -22,7 +22,7 @@ PathStarts random_starts(std::size_t n) {
     return starts;
 }
 
-/// How far it is from each start to the next, on average.
+/// Mean distance from each start to the next.
 double mean_step(const PathStarts& starts) {
     double sum = 0;
     for (std::size_t i = 1; i < starts.order.size(); ++i) {

@@ -1,4 +1,4 @@
-// Runs that end early: because somebody asked for it, or by a limit of time.
+// Runs that end early: on request, or by a time limit.
 
 #include <algorithm>
 #include <atomic>
@@ -17,7 +17,7 @@
 namespace quasimc::test {
 namespace {
 
-/// A uniform sky that requests a stop at a look.
+/// A uniform sky that requests a stop at a given sample.
 class StoppingSky final : public SourceModel {
   public:
     StoppingSky(std::stop_source& source, std::uint64_t at)
@@ -41,7 +41,7 @@ class StoppingSky final : public SourceModel {
     [[nodiscard]] double radiance(const Vec3& to_light) const override {
         return model_of(*sky_).radiance(to_light);
     }
-    [[nodiscard]] std::uint64_t looks() const { return samples_; }
+    [[nodiscard]] std::uint64_t samples() const { return samples_; }
 
   private:
     std::shared_ptr<const Source> sky_;
@@ -72,7 +72,7 @@ TEST(StoppedRun, IsThatOfTheRoundsThatWereComplete) {
     ASSERT_EQ(of_two_rounds.paths, 512U);
     // In the middle of the third.
     std::stop_source source;
-    const auto stopping = std::make_shared<StoppingSky>(source, counting->looks() * 3 / 2);
+    const auto stopping = std::make_shared<StoppingSky>(source, counting->samples() * 3 / 2);
     const Result stopped =
         run(leaf_over_ground(), {stopping}, run_in_rounds(1U << 20U),
             RunControl{.stop = source.get_token()});
@@ -93,14 +93,14 @@ TEST(StoppedRun, OfNoCompleteRoundHasNoResult) {
     } catch (const Stopped& stopped) {
         EXPECT_EQ(stopped.why(), StopReason::interrupted);
     }
-    const std::uint64_t looks = sky->looks();
-    EXPECT_LT(looks, 100U + 2 * kReplicates) << "a point at most is done after that";
-    // The simulator is as good as new.
+    const std::uint64_t samples = sky->samples();
+    EXPECT_LT(samples, 100U + 2 * kReplicates) << "at most one more point is computed";
+    // The simulator still works.
     const Result again = simulator.run(leaf_over_ground(), {sky}, run_in_rounds(0));
     EXPECT_TRUE(same_values(again, run(leaf_over_ground(), {sky}, run_in_rounds(0))));
 }
 
-/// A stop within the first round leaves a few paths, if there is time for them, as in a series.
+/// A stop within the first round yields a few paths, if there is time for them, as in a series.
 TEST(StoppedRun, OfNoCompleteRoundIsThatOfAFewPathsIfThereIsTime) {
     std::stop_source source;
     const auto sky = std::make_shared<StoppingSky>(source, 5000);
@@ -115,7 +115,7 @@ TEST(StoppedRun, OfNoCompleteRoundIsThatOfAFewPathsIfThereIsTime) {
         << "as if no more had been asked for";
 }
 
-/// A closed box that absorbs nothing, with a lamp in it: no path ever ends.
+/// A closed box without absorption, with a lamp in it: no path ever ends.
 Scene make_white_box() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("white", 1, 0));
@@ -169,18 +169,18 @@ TEST_P(TimeLimit, ThatIsLongChangesNoBit) {
 
 TEST_P(TimeLimit, EndsAHugeRunWithAResult) {
     RunSpec spec = spec_of(GetParam(), std::uint64_t{1} << 30U);
-    spec.max_seconds = 2;  // for the first trial, under a sanitizer too
+    spec.max_seconds = 2;  // for the first pilot round, under a sanitizer too
     const Result result = run(leaf_over_ground(), {sun(20, {1}), sky({1})}, spec);
     EXPECT_EQ(result.stop, StopReason::time_limit);
     EXPECT_GE(result.paths, 256U);
     EXPECT_LT(result.paths, spec.paths);
-    // What is reported is what so many paths give without a limit.
+    // The result is that of as many paths without a limit.
     const Estimate& absorbed = result.at(0, Quantity::absorbed_flux, 0);
     EXPECT_GT(absorbed.mean, 0);
     EXPECT_GT(absorbed.standard_error, 0);
 }
 
-/// What trials cost is time only.
+/// Pilot rounds cost only time.
 TEST_P(TimeLimit, OfNoneChangesNoBitOfAHugeRunThatMayBeStopped) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));

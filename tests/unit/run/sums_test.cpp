@@ -52,8 +52,8 @@ TEST_P(RunSums, SayWhatTheRunSays) {
         run(scene, two_lights(), spec));
 }
 
-/// With more organs than are evaluated before their sums are given back.
-TEST(GivenSums, GiveTheSameResultAsKeptOnes) {
+/// More organs than are evaluated before their sums are released.
+TEST(GivenSums, GiveTheSameResultAsRetainedOnes) {
     constexpr std::size_t kLeaves = 33'000;
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .3, .2, 2));
@@ -70,7 +70,7 @@ TEST(GivenSums, GiveTheSameResultAsKeptOnes) {
     ASSERT_EQ(given.ratio_values.size(), kLeaves);
     for (std::size_t i = 0; i < kLeaves; ++i) {
         EXPECT_EQ(given.sunlit_fraction[i].ci95_high, kept.sunlit_fraction[i].ci95_high) << i;
-        const double low = kept.ratio(i, 0).ci95_low;  // NaN where nothing was found
+        const double low = kept.ratio(i, 0).ci95_low;  // NaN without contributions
         EXPECT_TRUE(given.ratio(i, 0).ci95_low == low || std::isnan(low)) << i;
     }
     ASSERT_EQ(given.groups.values.size(), kept.groups.values.size());

@@ -34,7 +34,7 @@ TEST_P(Sunlit, ALeafHalfInTheShadeIsHalfSunlit) {
     EXPECT_TRUE(agrees(measured(fraction(scene, {sun(0, {1})}), kReplicates), .5, .02));
 }
 
-/// The shadow falls to the side, by as much as the cover is high.
+/// The shadow is displaced sideways by the height of the cover.
 TEST_P(Sunlit, TheShadowOfALowSunFallsAside) {
     const Scene scene = make_covered_leaf("leaf", floor_of(-1, -.7, -1, 2, 1));
     EXPECT_TRUE(agrees(measured(fraction(scene, {sun(45, {1})}), kReplicates), .7, .02));
@@ -66,10 +66,10 @@ TEST_P(Sunlit, TheSkyIsNoSun) {
     EXPECT_TRUE(trace(scene, {sky({1})}, 64).sunlit_fraction.empty());
 }
 
-/// Of two suns each counts by its irradiance: .7 of the leaf sees the one, all of it the other.
+/// Each of two suns counts by its irradiance: 0.7 of the leaf sees the one, all of it the other.
 TEST_P(Sunlit, SeveralSunsCountByTheirIrradiance) {
     const Scene scene = make_covered_leaf("leaf", floor_of(.5, .8, -1, 2, 1));
-    // Overhead: shadow from .5 to .8. At 45 degrees it falls beyond the leaf.
+    // Overhead: shadow from 0.5 to 0.8. At 45 degrees it falls beyond the leaf.
     const double expected = (3 * .7 + 1 * 1) / 4;
     EXPECT_TRUE(
         agrees(measured(fraction(scene, {sun(0, {3}), sun(45, {1})}), kReplicates), expected, .03));
@@ -85,7 +85,7 @@ TEST_P(Sunlit, ASphereIsSunlitOnOneHalf) {
 
 QUASIMC_BOTH_WAYS(Sunlit);
 
-/// One path of a sun that is picked once in a hundred times stands for a hundred.
+/// One path of a sun that is sampled once in a hundred times represents a hundred.
 TEST(SunlitBound, CountsHowSeldomTheSunIsPicked) {
     const auto bound = [](double sky_irradiance) {
         SceneBuilder builder = make_builder();

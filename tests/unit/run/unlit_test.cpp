@@ -1,4 +1,4 @@
-// Scenes that no light meets: exact zeros, no fault.
+// Scenes without light: exact zeros, no error.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace quasimc::test {
 namespace {
 
-/// A leaf in the plane of y and z: light along y or z, or down, finds only its edge.
+/// A leaf in the plane of y and z: light along y or z, or down, is edge-on.
 Scene upright_leaf() {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("leaf", .4, .2));
@@ -74,7 +74,7 @@ TEST_P(Unlit, LeafEdgeOnToTheSunHasExactZeros) {
     EXPECT_NE(result.chosen.reason.find("no light reaches"), std::string::npos);
 }
 
-/// Others light it as if the sun that can't were not there.
+/// Other sources light it independently of the hidden sun.
 TEST_P(Unlit, SunAmongOthersChangesNothing) {
     const Scene scene = upright_leaf();
     const Result alone = run(scene, {sun(60, {1})}, spec());
@@ -126,7 +126,7 @@ TEST_P(Unlit, SumsAddUpAndSayZero) {
     EXPECT_EQ(result.budget[0].closure_error, 0);
 }
 
-/// Sensors see nothing of a sun that they are edge-on to.
+/// Sensors receive nothing of a sun that they are edge-on to.
 TEST_P(Unlit, SensorSeesNothing) {
     SceneBuilder builder = make_builder();
     builder.add_material(sensor("glass"));

@@ -1,6 +1,6 @@
-// How often the 95 % intervals of first_hits hold the truth where hardly anything is found: along
-// few of the directions of a sky, on few of the scan lines, by few of the paths. What the sun
-// lights must not hide that the sky was never found.
+// Coverage of the 95 % intervals of first_hits with few contributions: along few of the directions
+// of a sky, on few of the scan lines, by few of the paths. Contributions of the sun must not hide
+// that the sky has none.
 
 #include <array>
 #include <cmath>
@@ -27,8 +27,8 @@ struct Asked {
     Method method = Method::first_hits;
 };
 
-/// The part of the runs whose interval holds the truth.
-/// @param read  the number of a result
+/// Fraction of the runs whose interval contains the truth.
+/// @param read  reads a value of a result
 template <typename Read>
 double coverage_of(
     const Scene& scene,
@@ -36,7 +36,7 @@ double coverage_of(
     double truth,
     const Asked& asked,
     const Read& read) {
-    constexpr double kRounding = 1e-12;  // of limits that are the truth
+    constexpr double kRounding = 1e-12;  // of limits that equal the truth
     RunSpec spec;
     spec.method = asked.method;
     spec.threads = 1;
@@ -59,7 +59,7 @@ double coverage_of(const Scene& scene, const Sources& sources, double truth, con
 
 class FewFinds : public ::testing::TestWithParam<int> {
   protected:
-    /// Of 200 at 95 % one in a million has less than .87, of 1000 less than .914.
+    /// With 200 at 95 % one in a million has less than 0.87, with 1000 less than 0.914.
     static double least() { return GetParam() >= kManyFindsSeeds ? .93 : .9; }
     static void note(const std::string& what, double part) {
         ::testing::Test::RecordProperty(what, std::to_string(part));
@@ -105,9 +105,9 @@ TEST_P(FewFinds, OfANeedleThatFewLinesMeetHold) {
     }
 }
 
-/// A leaf below an endless stand's low sun, which is traced from itself, and a high one, which has
-/// lines: what the lines find for certain must not hide that no path has brought the low sun's
-/// light.
+/// A leaf in an infinite stand with a low sun, sampled by paths from the source, and a high one,
+/// sampled by lines: the contributions of lines must not hide that no path has delivered light of
+/// the low sun.
 TEST_P(FewFinds, OfALowSunBesideAHighOneHold) {
     constexpr double kHigh = 80, kLow = 1;
     for (const double width : {1e-4, 1e-3, 5e-3}) {
@@ -131,7 +131,7 @@ TEST_P(FewFinds, OfALowSunBesideAHighOneHold) {
     }
 }
 
-/// Of 20.04 paths expected from a sun nearly every replicate has 20, and seldom one has 21.
+/// With 20.04 expected paths of a sun nearly every replicate has 20, and few have 21.
 TEST_P(FewFinds, OfASunThatGetsTheSameNumberOfPathsHold) {
     for (const double expected : {5.03, 20.04, 20.97}) {
         SceneBuilder builder = make_builder();
@@ -154,9 +154,9 @@ TEST_P(FewFinds, OfASunThatGetsTheSameNumberOfPathsHold) {
     }
 }
 
-/// A steep leaf, on which the few paths of a high sun are the same number in all replicates. That
-/// the low sun, which the leaf faces, has plenty of them must not hide it, whether it is of the
-/// same colour or not.
+/// A steep leaf with the same small number of paths of a high sun in all replicates. The many paths
+/// of the low sun, which the leaf faces, must not hide it, whether both have the same spectrum or
+/// not.
 TEST_P(FewFinds, OfASteepLeafInALowSunAndAHighOneHold) {
     for (const auto& [low, height] : {std::pair{.8, 37.5}, {.9, 37.5}, {.8, 56.}, {.9, 56.}}) {
         SceneBuilder builder = make_builder(2);
@@ -174,7 +174,7 @@ TEST_P(FewFinds, OfASteepLeafInALowSunAndAHighOneHold) {
     }
 }
 
-/// Inside of a bright hollow body each of the few paths that got in meets it again and again.
+/// Each of the few paths inside a bright hollow body hits it repeatedly.
 TEST_P(FewFinds, InsideOfAHollowOrganHold) {
     constexpr double kSide = .03, kInto = .2, kBright = .9;
     const Vec3 a{.5, .5, .5}, b{.5 + kSide, .5, .5}, c{.5, .5 + kSide, .5};
@@ -201,8 +201,8 @@ TEST_P(FewFinds, InsideOfAHollowOrganHold) {
     }
 }
 
-/// Ground in the shadow of a needle that few paths of few replicates meet: all others find as much
-/// light as each other, but for what the directions of the sun's disk make, not all there could be.
+/// Ground in the shadow of a needle that few paths of few replicates hit: all others have equal
+/// light, except for the directions of the sun's disk, but not all that is possible.
 TEST_P(FewFinds, OfTheGroundBelowANeedleHold) {
     constexpr double kShadow = 4e-5;
     SceneBuilder builder = make_builder();
@@ -219,8 +219,8 @@ TEST_P(FewFinds, OfTheGroundBelowANeedleHold) {
     note("ground", sunlit);
 }
 
-/// Of the points on a sensor that stands upright and has a narrow top, which alone has the sun in
-/// its view, nearly all replicates have nine there, where 8.97 are expected.
+/// A vertical sensor with a narrow top, where alone the sun is in view: nearly all replicates have
+/// nine points there, 8.97 are expected.
 TEST_P(FewFinds, OfPointsOnTheTopOfASensorHold) {
     constexpr double kPaths = 1024, kOnTop = 8.97, kZenith = 5;
     constexpr double kWidth = kOnTop / (kPaths - kOnTop);
@@ -244,8 +244,8 @@ TEST_P(FewFinds, OfPointsOnTheTopOfASensorHold) {
     note("top", part);
 }
 
-/// A small leaf that stands upright over endless shiny ground, which sends much of a sky's light
-/// almost along itself: each factor of the angle brings as much as the next one.
+/// A small vertical leaf over infinite glossy ground, which reflects much of a sky's light at
+/// grazing angles: each factor of the angle contributes equally.
 TEST_P(FewFinds, OfALeafUprightOverShinyGroundHold) {
     SceneBuilder builder = make_builder();
     builder.add_material(diffuse("black", 0, 0));
@@ -269,7 +269,7 @@ TEST_P(FewFinds, OfALeafUprightOverShinyGroundHold) {
     note("upright", part);
 }
 
-/// A small leaf under a bright floor, that light from the floor alone reaches.
+/// A small leaf under a bright floor, lit by light from the floor alone.
 TEST_P(FewFinds, OfALeafThatFewScatteredPathsMeetHold) {
     for (const double size : {.01, .03, .06, .1}) {
         SceneBuilder builder = make_builder();
@@ -289,8 +289,8 @@ TEST_P(FewFinds, OfALeafThatFewScatteredPathsMeetHold) {
     }
 }
 
-/// Into a cone about the zenith a lattice of the golden ratio alone falls so evenly that 92 % of
-/// the intervals hold the number expected.
+/// A lattice of the golden ratio alone falls into a cone about the zenith so evenly that 92 % of
+/// the intervals contain the expected number.
 TEST(ManyDirections, FallIntoNarrowConesAsIntervalsPromise) {
     constexpr int kRuns = 2000;
     constexpr std::uint32_t kDirections = 1024;
@@ -318,8 +318,8 @@ TEST(ManyDirections, FallIntoNarrowConesAsIntervalsPromise) {
 INSTANTIATE_TEST_SUITE_P(Ordinary, FewFinds, ::testing::Values(kFewFindsSeeds));
 INSTANTIATE_TEST_SUITE_P(Long, FewFinds, ::testing::Values(kManyFindsSeeds));
 
-/// Three finds are the bound of none, also on a leaf that the sun grazes.
-TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
+/// Three contributions are the upper bound of none, also on a leaf at grazing incidence.
+TEST(SunlitBound, OfASteepLeafIsOfItsOwnContributions) {
     double of_one = std::numeric_limits<double>::infinity();
     double of_none = 0;
     for (std::uint64_t seed = 1; seed <= 24; ++seed) {
@@ -328,7 +328,7 @@ TEST(SunlitBound, OfASteepLeafIsOfItsOwnFinds) {
         builder.add_organ(organ("floor", "leaf", floor_of(-1, 1, -1, 1, 0)));
         builder.add_organ(
             organ("steep", "leaf", {make_triangle({-.5, 0, .5}, {.5, 0, .5}, {0, .1, 1.49})}));
-        // So large that the bound of none is less than all of the leaf.
+        // So large that the upper bound of none is less than all of the leaf.
         builder.add_organ(organ("roof", "leaf", floor_of(-.6, .2, -1, 1, 2)));
         RunSpec spec = spec_of(Method::light_tracing, 64);
         spec.replicates = 4;
