@@ -199,7 +199,7 @@ corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
     const { page, faults } = await open(context, /view: (http:\S+\/)\n/.exec(told)[1]);
     await page.waitForSelector("html[data-state=ready]");
     const replicates = async () =>
-      Number(/replicates (\d+)/.exec(await page.locator("#report").textContent())[1]);
+      Number(/x (\d+) replicates/.exec(await page.locator("#report").textContent())[1]);
     const early = await replicates();
     await page.waitForSelector("html[data-ended]");
     const result = JSON.parse(readFileSync(inFolder("run.json")));

@@ -203,8 +203,10 @@ TEST(RunFileSky, TablesHaveTheirFaultsToldByLine) {
     EXPECT_TRUE(mentions(faults_with("2 2\n1 2\n"), "ends after 1 of 2 rings"));
     EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n3 4\n"), "sky.txt:3: is one line too many"));
     EXPECT_TRUE(mentions(faults_with("2 1\n0 0\n"), "a sky must have light somewhere"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "format = 'radiance'\n"), "format is"));
-    EXPECT_TRUE(mentions(faults_with("2 1\n1 2\n", "values = 'light'\n"), "values is"));
+    EXPECT_TRUE(mentions(
+        faults_with("2 1\n1 2\n", "format = 'radiance'\n"), "format: 'radiance' is not one of"));
+    EXPECT_TRUE(
+        mentions(faults_with("2 1\n1 2\n", "values = 'light'\n"), "values: 'light' is not one of"));
     EXPECT_TRUE(mentions(faults_of(with_sources(kTable)), "sky.txt"));
     const std::string vlab = "format = 'vlab'\n";
     EXPECT_TRUE(mentions(faults_with("2 1\n0 0 1\n0 1\n", vlab), "sky.txt:3: a value is missing"));
