@@ -11,7 +11,7 @@
 //          same scramble. It starts again under a new scramble after 11^9 points (kFaurePeriod).
 // Dims     Blocks of 10 dimensions: the start and the first directions of a path. From the second
 //          block on, each block takes the points in an order of its own, a scramble of the index:
-//          every block is a scrambled net, and the blocks are independent.
+//          every block is a scrambled net.
 // Cost     Consecutive points some 28 ns a number, random access some 50 ns, twice that in later
 //          blocks (bench/samplers).
 #pragma once

@@ -20,8 +20,8 @@
 //          After every 2^32 points the sequence starts again under a new scramble: still unbiased,
 //          but the parts are independent of each other.
 // Dims     0 ... 31 are Sobol's. Beyond, each block of 32 dimensions repeats them with its points
-//          in an order of its own (an Owen scramble of the index): every block is a scrambled net,
-//          and the blocks are independent. More dimensions of the sequence itself would do harm to
+//          in an order of its own (an Owen scramble of the index, which keeps pairs of neighbours):
+//          every block is a scrambled net. More dimensions of the sequence itself would do harm to
 //          few points: from dimension 47 on some pairs share their first digit throughout the first
 //          128 points.
 // Cost     Consecutive points some 1 ns a number, random access some 11 ns (bench/samplers).
