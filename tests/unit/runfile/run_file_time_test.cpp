@@ -207,8 +207,8 @@ TEST(RunFileTime, SaysWhatIsMissingOrWrong) {
         mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhours = [9]\n"), "not a pair"));
     EXPECT_TRUE(
         mentions(faults("day = '2024-06-21'\nutc_offset_hours = 1\nhors = [9, 10]\n"), "hours"));
-    EXPECT_TRUE(mentions(
-        faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "[site] is missing"));
+    EXPECT_TRUE(
+        mentions(faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "")), "[site] is missing"));
     EXPECT_TRUE(mentions(
         faults_of(with_time("times = ['2024-06-21T12:00Z']\n", "[site]\nlatitude_deg = 91\n")),
         "latitude_deg"));
