@@ -15,7 +15,9 @@ def main() -> None:
     for time_step, result in zip(series.times, series):
         light = result.groups["absorbed_flux"].mean[0]
         print(time_step["time"], *(f"{band} {x:8.3f}" for band, x in zip(result.bands, light)))
-    total = series.days["2024-06-21"].groups["absorbed_flux"]  # group 0: all organs, without the ground
+    groups = series.days["2024-06-21"].groups
+    assert groups is not None
+    total = groups["absorbed_flux"]  # group 0: all organs, without the ground
     print("the day:", *(f"{b} {total[b].mean[0]:.3g} {total[b].unit}" for b in total.bands))
 
 

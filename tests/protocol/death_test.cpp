@@ -125,7 +125,7 @@ TEST_P(Deaths, OfTheSimulatorEndTheProgramAndLeaveNothing) {
         std::get<1>(GetParam()), go_to);
     EXPECT_EQ(wait_for(traces.program), (Ending{false, 1}));
     const std::string reported = folder_.read("err");
-    const bool names_the_loss = reported.find("is gone") != std::string::npos ||
+    const bool names_the_loss = reported.find("has ended") != std::string::npos ||
                                 reported.find("can't be reached") != std::string::npos;
     EXPECT_TRUE(names_the_loss) << reported;
     EXPECT_EQ(left_over(), std::vector<std::string>());
@@ -175,7 +175,7 @@ TEST_P(LongComputations, EndWhenTheSimulatorDies) {
             ::usleep(300'000);  // into the computation
         });
     EXPECT_EQ(wait_for(traces.program), (Ending{false, 1}));
-    EXPECT_NE(folder_.read("err").find("is gone"), std::string::npos);
+    EXPECT_NE(folder_.read("err").find("has ended"), std::string::npos);
 }
 
 class Vanishing : public LongComputations {};

@@ -96,7 +96,7 @@ TEST_P(MatrixOfKills, OfTheSimulatorEndTheProgram) {
                              const std::string reported = folder.read("err");
                              require(ending == Ending{false, 1}, "not status 1: " + reported);
                              require(
-                                 reported.find("is gone") != std::string::npos ||
+                                 reported.find("has ended") != std::string::npos ||
                                      reported.find("can't be reached") != std::string::npos,
                                  reported);
                              const std::string remains = left_over(folder, left.key);

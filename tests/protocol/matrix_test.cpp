@@ -208,7 +208,7 @@ TEST_F(Matrix, RefusedCommandLine) {
     expect_all_good(over_all_lines([](Talk talk) {
         PlayedSession c(talk, kBlackLeaves);
         c.start({"-windows"});
-        grow_in_the_dark(c, "-windows is no switch", 2);
+        grow_in_the_dark(c, "-windows is not a switch", 2);
     }));
 }
 
