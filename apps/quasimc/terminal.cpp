@@ -14,10 +14,15 @@
 
 namespace {
 
+/// A variable of the environment, or null. The program reads them before it starts threads.
+const char* variable(const char* name) {
+    return std::getenv(name);  // NOLINT(concurrency-mt-unsafe)
+}
+
 /// Whether standard error shows colours.
 bool has_colors() {
-    const char* refused = std::getenv("NO_COLOR");
-    const char* terminal = std::getenv("TERM");
+    const char* refused = variable("NO_COLOR");
+    const char* terminal = variable("TERM");
     return (refused == nullptr || *refused == '\0') && isatty(STDERR_FILENO) == 1 &&
            (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
@@ -32,7 +37,7 @@ void print_message(std::string_view word, int color, std::string_view text) {
 
 std::size_t terminal_width() {
     constexpr std::int64_t kDefault = 80, kMin = 40, kMax = 1000000;
-    const char* columns = std::getenv("COLUMNS");
+    const char* columns = variable("COLUMNS");
     if (const auto given = quasimc::parse_integer(columns != nullptr ? columns : "")) {
         return static_cast<std::size_t>(std::clamp(*given, kMin, kMax));
     }

@@ -107,7 +107,7 @@ std::string near_word_text(std::string_view word, std::span<const std::string_vi
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string_view> candidates) {
-    const std::string near = near_word_text(word, candidates);
+    std::string near = near_word_text(word, candidates);
     if (!near.empty()) {
         return near;
     }

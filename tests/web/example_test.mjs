@@ -95,7 +95,7 @@ async function check(browser, child, said) {
   await page.goto(address);
   child.stdin.write("\n");
   await page.waitForSelector("html[data-state=ready]");
-  await until(child, said, (text) => text.includes("All steps are there"));
+  await until(child, said, (text) => text.includes("All steps are computed"));
   await page.waitForSelector(`html[data-frame="${kSteps}"]`);
   const leaves = [...said().matchAll(/^step +\d+: .* (\d+) leaves/gm)].map((match) => Number(match[1]));
   assert.equal(leaves.length, kSteps);
