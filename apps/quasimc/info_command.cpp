@@ -68,8 +68,10 @@ std::string materials_text(const quasimc::Scene& scene) {
     }
     std::string text;
     for (const auto& [name, use] : uses) {
-        text +=
-            line("material", fmt::format("{}: {} organs, area {:.6g}", name, use.organs, use.area));
+        text += line(
+            "material",
+            fmt::format(
+                "{}: {}, area {:.6g}", name, quasimc::counted(use.organs, "organ"), use.area));
     }
     return text;
 }
@@ -86,7 +88,9 @@ std::string labels_text(const quasimc::Scene& scene) {
     }
     std::string text;
     for (const auto& [key, all] : values) {
-        std::string label = fmt::format("{}: {} organs, {} values:", key, organs[key], all.size());
+        std::string label = fmt::format(
+            "{}: {}, {}:", key, quasimc::counted(organs[key], "organ"),
+            quasimc::counted(all.size(), "value"));
         std::size_t shown = 0;
         for (auto value = all.begin(); value != all.end() && shown < kShown; ++value, ++shown) {
             label += fmt::format(" {}", *value);

@@ -84,6 +84,7 @@ CheckpointFile::CheckpointFile(
     std::error_code error;
     was_there_ = std::filesystem::exists(path_, error);
     if (was_there_ && start == CheckpointStart::anew) {
+        refuse_if_no_checkpoint(read_file(path_));
         throw InputError({{path_, "exists", "", "use --resume to continue it, or delete it"}});
     }
     if (!was_there_ && std::filesystem::exists(done_path(path_), error)) {
@@ -101,11 +102,17 @@ void CheckpointFile::refuse(const std::string& problem, const std::string& why) 
     throw InputError({{path_, problem, why, ""}});
 }
 
+void CheckpointFile::refuse_if_no_checkpoint(std::string_view bytes) const {
+    if (!bytes.starts_with(kFirstCheckpointLine)) {
+        throw InputError(
+            {{path_, "is not a checkpoint",
+              "it must be a file written by `quasimc run --checkpoint`", "name another file"}});
+    }
+}
+
 void CheckpointFile::read() {
     const std::string bytes = read_file(path_);
-    if (!bytes.starts_with(kFirstCheckpointLine)) {
-        refuse("is not a checkpoint", "it must be a file written by `quasimc run --checkpoint`");
-    }
+    refuse_if_no_checkpoint(bytes);
     const std::size_t size = bytes.size() - std::min(bytes.size(), kSha256Digits);
     if (sha256_hex(std::string_view(bytes).substr(0, size)) != bytes.substr(size)) {
         refuse("is damaged", "its checksum is wrong");

@@ -84,6 +84,7 @@ class CheckpointFile {
     };
 
     [[noreturn]] void refuse(const std::string& problem, const std::string& why) const;
+    void refuse_if_no_checkpoint(std::string_view bytes) const;
     void read();
     void read_locations(ByteReader& reader);
     void open_done();

@@ -76,6 +76,17 @@ TEST_F(CheckpointTest, LosesNothingOfASweepThatIsKilled) {
     expect_the_bits_of_the_whole("sweep.toml --method light_tracing --paths 131072", 6);
 }
 
+TEST_F(CheckpointTest, IsNoOtherFile) {
+    const std::string text = folder_.read("run.toml");
+    const Outcome outcome = run({"run", "run.toml", "--checkpoint", "run.toml"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(
+        outcome.err,
+        "error: run.toml: is not a checkpoint (it must be a file written by `quasimc run "
+        "--checkpoint`); name another file\n");
+    EXPECT_EQ(folder_.read("run.toml"), text);
+}
+
 TEST_F(CheckpointTest, OfARunThatIsDoneGivesItAgainOrMoreExactly) {
     ASSERT_EQ(run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"}).status, 0);
     const Outcome again = run({"run", "run.toml", "--checkpoint", "c", "--csv", "a.csv"});

@@ -26,7 +26,7 @@ TEST_F(ConvertCommand, TellsWhatAGeometryFileHolds) {
     for (const char* part :
          {"file      a.can: can, ",
           "bounds    x 0 to 2 (2), y 0 to 1 (1), z 1 to 3 (2); the file has no unit",
-          "organs    2\n", "material  leaf 1: 1 organs", "material  stem 1: 1 organs, area 0.5",
+          "organs    2\n", "material  leaf 1: 1 organ", "material  stem 1: 1 organ, area 0.5",
           "label     plant: 2 organs, 2 values: 7 8\n", "warning   "}) {
         expect_in(outcome.out, part);
     }
@@ -131,8 +131,8 @@ TEST_F(ConvertCommand, ShowsNamesWithoutWhatATerminalRuns) {
     const Outcome outcome = run({"info", "evil.toml"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     expect_in(outcome.out, "smallest organ 0.5 ('o [2J x ')");
-    expect_in(outcome.out, "material  m ]0;x : 1 organs");
-    expect_in(outcome.out, "label     k warning   none: 1 organs");
+    expect_in(outcome.out, "material  m ]0;x : 1 organ");
+    expect_in(outcome.out, "label     k warning   none: 1 organ");
     const std::string all = outcome.out + outcome.err + run({"check", "evil.toml"}).err;
     for (const char c : {'\x1B', '\a', '\0'}) {
         EXPECT_EQ(all.find(c), std::string::npos) << static_cast<int>(c);
