@@ -52,8 +52,10 @@ class SeriesRun final : public SeriesSteps {
         groups_.bands = in_.scene.bands().size();
         groups_.values.resize(groups_.groups.size() * kQuantities * groups_.bands);
         for (std::size_t i = 0; i < in_.time_steps.size(); ++i) {
-            path_factors_left_ +=
-                plans_[i].factor > 0 && plans_[i].traced == i ? plans_[i].path_factor : 0;
+            if (plans_[i].factor > 0 && plans_[i].traced == i) {
+                path_factors_left_ += plans_[i].path_factor;
+                ++traces_left_;
+            }
             if (plans_[i].factor > 0) {
                 last_traced_ = std::max(last_traced_, plans_[i].traced);
                 last_use_[plans_[i].traced] = i;
@@ -117,16 +119,18 @@ class SeriesRun final : public SeriesSteps {
         }
     }
 
-    /// A trace takes time in proportion to its path factor, and time steps without light take none.
-    /// Its first paths may take all of the remaining time.
+    /// A trace takes time for its paths, in proportion to its path factor, and for its preparation,
+    /// like every other. Time steps without light take none. The first paths of a trace may take
+    /// all of the remaining time.
     [[nodiscard]] RunControl control_of(const TimeStepPlan& plan) const {
         const bool is_only = in_.time_steps.size() == 1;
         return {
             .stop = in_.control.stop,
-            .deadline =
-                is_only ? deadline_
-                        : deadline_.share(
-                              plan.path_factor / std::max(plan.path_factor, path_factors_left_)),
+            .deadline = is_only
+                            ? deadline_
+                            : deadline_.share(
+                                  (plan.path_factor + 1) /
+                                  (std::max(plan.path_factor, path_factors_left_) + traces_left_)),
             .listeners = in_.control.listeners,
             .origin = in_.control.origin,
             .work = work_.part(
@@ -138,6 +142,7 @@ class SeriesRun final : public SeriesSteps {
         const RunSpec spec = trace_spec(in_.spec, plans_[i], summary_.computed);
         Result result = run_one(i, spec, control_of(plans_[i]));
         path_factors_left_ -= plans_[i].path_factor;
+        --traces_left_;
         ++summary_.computed;
         if (result.stop == StopReason::time_limit || result.stop == StopReason::interrupted) {
             ++summary_.with_fewer_paths;
@@ -237,6 +242,7 @@ class SeriesRun final : public SeriesSteps {
     double least_chance_ = 1;       // over all audits
     double path_factors_ = 0;       // sum over all traces
     double path_factors_left_ = 0;  // sum over the remaining traces
+    double traces_left_ = 0;
     SeriesSummary summary_;
 };
 

@@ -1,6 +1,7 @@
 #include "series/trace_spec.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "run/trace_plan.h"
 #include "samplers/hash.h"
@@ -40,7 +41,8 @@ std::vector<Trace> traces_of(
 RunSpec trace_spec(const RunSpec& series, const TimeStepPlan& plan, std::uint64_t trace) {
     TracePlan own{
         .seed = seed_of(series.seed, trace),
-        .target_error = std::min(1.0, series.target_error * plan.target)};
+        // A target is below 1; the dimmest time steps have one near it.
+        .target_error = std::min(std::nextafter(1.0, 0.0), series.target_error * plan.target)};
     if (plan.path_factor != 1) {
         constexpr std::uint64_t kMinPaths = 64;
         const std::uint64_t most = series.max_paths > 0 ? series.max_paths : kMaxPaths;

@@ -365,6 +365,19 @@ TEST(Series, OfADayHasTheTargetForItsSum) {
     EXPECT_GT(paths[0], 8 * paths[2]);
 }
 
+/// The target of an hour that hardly counts in the sum of the day is no error of 100 % or more.
+TEST(Series, OfADayHasTargetsBelowOneForDimHours) {
+    RunSpec spec = small_spec();
+    spec.paths = 256;
+    spec.target_error = .2;
+    spec.path_allocation = PathAllocation::proportional;
+    const std::vector<TimeStep> day{
+        time_step_of({sky({1e-9})}, "dawn"), time_step_of({sky({1})}, "noon")};
+    const SeriesSummary summary = run_series(make_scene(), day, spec);
+    EXPECT_EQ(summary.with_fewer_paths, 0U);
+    EXPECT_EQ(summary.at_target, 2U);
+}
+
 /// Independent of the ideal share of the brightest hour.
 TEST(Series, OfADayKeepsToTheMostPaths) {
     RunSpec spec = small_spec();
