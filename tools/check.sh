@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # All steps of continuous integration in order, up to the first failure (durations:
-# docs/develop/testing.md).  --full adds the slow ones: clang-tidy over all files and with its analyzer, the tests that are labelled "long", threads outside the library's core, longer fuzzing.
+# docs/develop/testing.md).  --full adds the slow ones: clang-tidy over all files and with its analyzer, the
+# tests that are labelled "long", threads outside the library's core, longer fuzzing.
 #   tools/check.sh                      every step
 #   tools/check.sh format tidy          these steps
 #   tools/check.sh --full [STEPS]

@@ -2,6 +2,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -40,12 +41,12 @@ int internal_error(const char* what) {
 
 /// The entry of `help` in lists; the parser handles it as the flag --help.
 Command help_command() {
-    static std::string name;
+    const auto name = std::make_shared<std::string>();
     return {
         "help",
         "print the help of the program or of a command",
-        {{"COMMAND", &name, "name of a command"}},
-        [] { return Exit::done; }};
+        {{"COMMAND", name.get(), "name of a command"}},
+        [name] { return Exit::done; }};
 }
 
 Command version_command() {

@@ -76,37 +76,36 @@ std::vector<Flag> flags_of_run(RunArguments& arguments) {
          .summary = "show the run in a browser of this computer; Ctrl-C ends both"}};
     add_output_flags(arguments, flags);
     arguments.flags.add_to(flags);
-    for (const Flag& flag : std::vector<Flag>{
-             {.name = "--checkpoint",
-              .target = &arguments.checkpoint,
-              .summary = "save progress in this file",
-              .type_name = "FILE",
-              .excludes = "--part",
-              .group = kWays},
-             {.name = "--checkpoint-interval",
-             .target = &arguments.checkpoint_interval,
-             .summary = "seconds between saves",
-             .range = std::pair(0.0, 1e6),
-             .group = kWays,
-             .default_text = "60"},
-             {.name = "--resume",
-             .target = &arguments.resume,
-             .summary = "continue from the checkpoint file; paths, target_error, "
-                        "target_fraction, max_paths and max_seconds may change",
-             .group = kWays},
-             {.name = "--part",
-             .target = &arguments.part,
-             .summary = "compute part K of N (3/16) only; join the parts with `quasimc merge`",
-             .type_name = "K/N",
-             .group = kWays},
-             {.name = "--part-file",
-             .target = &arguments.sums,
-             .summary = "file for the part",
-             .type_name = "FILE",
-             .group = kWays,
-             .default_text = "NAME.KofN.part"}}) {
-        flags.push_back(flag);
-    }
+    flags.insert(
+        flags.end(),
+        {{.name = "--checkpoint",
+          .target = &arguments.checkpoint,
+          .summary = "save progress in this file",
+          .type_name = "FILE",
+          .excludes = "--part",
+          .group = kWays},
+         {.name = "--checkpoint-interval",
+          .target = &arguments.checkpoint_interval,
+          .summary = "seconds between saves",
+          .range = std::pair(0.0, 1e6),
+          .group = kWays,
+          .default_text = "60"},
+         {.name = "--resume",
+          .target = &arguments.resume,
+          .summary = "continue from the checkpoint file; paths, target_error, "
+                     "target_fraction, max_paths and max_seconds may change",
+          .group = kWays},
+         {.name = "--part",
+          .target = &arguments.part,
+          .summary = "compute part K of N (3/16) only; join the parts with `quasimc merge`",
+          .type_name = "K/N",
+          .group = kWays},
+         {.name = "--part-file",
+          .target = &arguments.sums,
+          .summary = "file for the part",
+          .type_name = "FILE",
+          .group = kWays,
+          .default_text = "NAME.KofN.part"}});
     return flags;
 }
 

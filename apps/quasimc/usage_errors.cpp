@@ -16,8 +16,8 @@ namespace {
 template <typename Candidates>
 std::string nearest(std::string_view word, const Candidates& candidates) {
     const std::vector<std::string_view> views(candidates.begin(), candidates.end());
-    const std::string_view near = quasimc::nearest_word(word, views);
-    return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+    const std::string near = quasimc::near_word_text(word, views);
+    return near.empty() ? "" : "; " + near;
 }
 
 /// The flag of a command by one of its names, or null.
