@@ -64,7 +64,7 @@ endfunction()
 
 # Modules that read what comes from outside: fuzzers follow which way their code goes. The others,
 # which compute, would be slowed down for nothing.
-set(QUASIMC_FUZZED_MODULES base coupling files light meshio options parallel resultio runfile scene text
+set(QUASIMC_FUZZED_MODULES base coupling files growth light meshio options parallel resultio runfile scene text
                            weather window)
 
 # Modules that read, write and talk: under sanitizers the optimizer takes longer for them than the

@@ -2,16 +2,13 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 
 #include "coupling/environment.h"
-#include "window/live_window.h"
-#include "window/window_server.h"
+#include "window/plant_window.h"
 
-/// Shows the steps of a growing plant on the page in the browser. A step only
-/// stores its light; it is converted when a page requests it.
+/// Shows the light of the steps of a growing plant on the page in the browser.
 class StepWindow final : public quasimc::StepViewer {
   public:
     /// @param send  takes the address of the page
@@ -23,6 +20,5 @@ class StepWindow final : public quasimc::StepViewer {
 
   private:
     std::function<void(const std::string&)> send_;
-    std::shared_ptr<quasimc::LiveWindow> window_;
-    std::optional<quasimc::HttpServer> server_;
+    std::optional<quasimc::PlantWindow> window_;
 };

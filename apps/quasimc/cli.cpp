@@ -7,6 +7,7 @@
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -176,6 +177,18 @@ std::vector<std::string> arguments_of(int argc, char** argv) {
     return arguments;
 }
 
+/// Replaces the flags that another program names otherwise.
+std::vector<std::string> with_own_names(
+    const Command& command, std::vector<std::string> arguments) {
+    for (std::string& word : arguments) {
+        const auto old = std::find_if(
+            command.old_flags.begin(), command.old_flags.end(),
+            [&](const OldFlag& flag) { return flag.old == word; });
+        word = old != command.old_flags.end() ? std::string(old->flag) : word;
+    }
+    return arguments;
+}
+
 /// Prints the errors of a command line.
 /// @param lines  of text
 Parsed refuse(const Program& program, const Command* command, const std::string& lines) {
@@ -204,8 +217,11 @@ Parsed parse_command_line(const Program& program, int argc, char** argv) {
         add_command(app, command, parsed);
     }
     app.require_subcommand(0, 1);
-    const std::vector<std::string> arguments = arguments_of(argc, argv);
+    std::vector<std::string> arguments = arguments_of(argc, argv);
     const Command* command = command_of(program, arguments);
+    if (command != nullptr) {
+        arguments = with_own_names(*command, std::move(arguments));
+    }
     if (command == nullptr && !arguments.empty() && !arguments.front().starts_with('-')) {
         return refuse(program, command, about_command(program, arguments.front()));
     }

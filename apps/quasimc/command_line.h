@@ -61,12 +61,19 @@ class UsageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// A flag by the name that another program has for it: a long name after one dash.
+struct OldFlag {
+    std::string_view old;   ///< "-str"
+    std::string_view flag;  ///< "--string"
+};
+
 /// A command of the program, as "run" in `quasimc run FILE`.
 struct Command {
     std::string name, summary;
     std::vector<Flag> flags;
-    std::function<Exit()> run;         ///< called after its flags are set
-    std::function<void()> check = {};  ///< throws UsageError for contradictory flags
+    std::function<Exit()> run;            ///< called after its flags are set
+    std::function<void()> check = {};     ///< throws UsageError for contradictory flags
+    std::vector<OldFlag> old_flags = {};  ///< replaced before the parsing
 };
 
 /// The program: flags of its own, and its commands.

@@ -1,3 +1,5 @@
+#include "growth.h"
+
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -15,13 +17,6 @@
 #include "watch.h"
 
 namespace quasimc::python {
-namespace {
-
-/// A session, and the warnings on its run settings.
-struct GrowthHandle {
-    GrowthSession session;
-    std::vector<Warning> frame_warnings;
-};
 
 FrameOfRun frame_of(const Document& document, const std::vector<py::dict>& meshes) {
     std::vector<MeshArrays> arrays;
@@ -37,6 +32,14 @@ FrameOfRun frame_of(const Document& document, const std::vector<py::dict>& meshe
         }
     });
 }
+
+namespace {
+
+/// A session, and the warnings on its run settings.
+struct GrowthHandle {
+    GrowthSession session;
+    std::vector<Warning> frame_warnings;
+};
 
 GrowthHandle make_session(const Document& document, const std::vector<py::dict>& meshes) {
     FrameOfRun frame = frame_of(document, meshes);

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module) {
     bind_run(module);
     bind_series(module);
     bind_growth(module);
+    bind_grow(module);
 }

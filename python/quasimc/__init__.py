@@ -15,6 +15,7 @@ from ._core import version as __version__
 from ._progress import Progress
 from .errors import Error, InputError, QuasimcWarning, Stopped
 from .estimates import DetectorResult, Estimate, Estimates
+from .grow import GrowthStep, grow
 from .growth import GrowthSession
 from .organs import Organs
 from .result import Groups, Result, Selection, Series, Sums, quantities
@@ -46,6 +47,7 @@ __all__ = [
     "Estimates",
     "Groups",
     "GrowthSession",
+    "GrowthStep",
     "InputError",
     "Organs",
     "Progress",
@@ -60,6 +62,7 @@ __all__ = [
     "SunPosition",
     "__version__",
     "directional",
+    "grow",
     "lamp",
     "load",
     "options",

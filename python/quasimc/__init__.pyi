@@ -548,6 +548,53 @@ class GrowthSession:
     @property
     def tree_builds(self) -> int: ...
 
+class GrowthStep:
+    step: int
+    string: str
+    image: str | None
+    light: Any
+    def __init__(self, core: Any, light: Any) -> None: ...
+    @property
+    def organs(self) -> Organs | None: ...
+    @property
+    def scene(self) -> Organs | None: ...
+
+def grow(
+    model: str | os.PathLike[str],
+    view: str | os.PathLike[str] | None = None,
+    *,
+    light: Scene | str | os.PathLike[str] | None = None,
+    sources: SourcesArgument = None,
+    materials: Mapping[str, str] | None = None,
+    material: str | None = None,
+    quantity: str = "absorbed_flux_density",
+    steps: int | None = None,
+    image: bool = False,
+    progress: ProgressArgument = None,
+    sampler: str = ...,
+    method: str = ...,
+    paths: int = ...,
+    replicates: int = ...,
+    seed: int = ...,
+    threads: int = ...,
+    target_error: float = ...,
+    target_fraction: float = ...,
+    max_seconds: float = ...,
+    max_paths: int = ...,
+    path_allocation: str = ...,
+    time_method: str = ...,
+    ratios: Sequence[str] = ...,
+    groups: Sequence[str] = ...,
+    layers: int = ...,
+    layer_heights: Sequence[float] = ...,
+    direct_light: str = ...,
+    audit: float = ...,
+    max_depth: int = ...,
+    roulette_threshold: float = ...,
+    start_area: str = ...,
+    accelerator: str = ...,
+    tally_memory_mb: float = ...,
+) -> Iterator[GrowthStep]: ...
 def load(path: str | os.PathLike[str]) -> Scene: ...
 def options() -> list[dict[str, Any]]: ...
 def quantities() -> dict[str, str]: ...

@@ -505,9 +505,13 @@ class Scene:
 
     def _light(self, built, sources, time, run_options):
         """What quasimc._core calls the light of a run, on a scene that was built."""
+        return _core.Light(self._light_document(sources, time, run_options), built)
+
+    def _light_document(self, sources, time, run_options):
+        """The document of the light of a run."""
         unchanged = sources is None and time is _OF_SCENE and not run_options
         if unchanged and self._document is not None:
-            return _core.Light(self._document, built)
+            return self._document
         table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
         if sources is not None:
             table["source"] = _source_tables(sources)
@@ -518,7 +522,7 @@ class Scene:
             table["time"] = dict(time)
         if run_options:
             table["run"] = {**table.get("run", {}), **run_options}
-        return _core.Light(self._document_of(table), built)
+        return self._document_of(table)
 
     def run(self, sources=None, *, time=_OF_SCENE, progress=None, keep_times=True, **options):
         """Computes the light on every organ.

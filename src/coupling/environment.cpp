@@ -9,10 +9,10 @@
 
 #include <fmt/format.h>
 
+#include "base/notices.h"
 #include "base/number_text.h"
 #include "coupling/plant_light.h"
 #include "coupling/protocol/guarded_stream.h"
-#include "coupling/protocol/notices.h"
 #include "coupling/protocol/session.h"
 #include "coupling/protocol/stop_signals.h"
 #include "coupling/step_error_log.h"
@@ -221,23 +221,12 @@ class Environment {
                 if (tells_steps) {
                     report_step(*light_, pass, send_);
                 }
-                report_if_unlit();
+                light_->report_if_unlit();
             },
             [&](std::uint64_t step, const std::exception_ptr& fault) {
                 light_->set_step(step + 1);
                 faults_.report_step(step, fault);
             });
-    }
-
-    void report_if_unlit() {
-        for (const Result& result : light_->last().results) {
-            if (result.stop == StopReason::no_light) {
-                notices_.once(
-                    "unlit",
-                    "no light reaches the plant: all surfaces are parallel to the light or have no "
-                    "area; its organs receive 0");
-            }
-        }
     }
 
     const Arguments& arguments_;

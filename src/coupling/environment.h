@@ -8,7 +8,7 @@
 
 #include "coupling/lighting.h"
 #include "coupling/protocol/byte_stream.h"
-#include "coupling/protocol/notices.h"
+#include "base/notices.h"
 #include "coupling/step_light.h"
 #include "coupling/vlab/arguments.h"
 #include "coupling/vlab/specification.h"

@@ -93,6 +93,17 @@ void PlantLight::report_warnings() {
     }
 }
 
+void PlantLight::report_if_unlit() {
+    for (const Result& result : light_->results) {
+        if (result.stop == StopReason::no_light) {
+            notices_.once(
+                "unlit",
+                "no light reaches the plant: all surfaces are parallel to the light or have no "
+                "area; its organs receive 0");
+        }
+    }
+}
+
 bool PlantLight::anything_is_measured(const Pass& pass, std::span<const PlacedShape> shapes) const {
     return std::any_of(shapes.begin(), shapes.end(), [&](const PlacedShape& shape) {
         const bool is_answered = spec_.is_answered(pass.queries[shape.query].asks);

@@ -32,6 +32,9 @@ class PlantLight {
     /// computation
     void answer(const Pass& pass, const std::function<void()>& check, Answers& answers);
 
+    /// Reports, once, that no light reached the plant in the last step, if that is so.
+    void report_if_unlit();
+
     /// The light of the last step; a shared copy stays valid after the next step.
     [[nodiscard]] const StepLight& last() const { return *light_; }
     [[nodiscard]] std::shared_ptr<const StepLight> shared_last() const { return light_; }

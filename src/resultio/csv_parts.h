@@ -1,6 +1,6 @@
 #pragma once
 
-// The parts that tables in CSV are made of. Included by their writer only.
+// The parts that tables in CSV are made of. Included by their writers only.
 
 #include <string>
 #include <string_view>

@@ -8,6 +8,7 @@ import time
 HEAD = """
 import sys, warnings
 sys.path.insert(0, {folder!r})
+import quasimc
 from canopies import canopy
 scene = canopy(200)
 scene.build()
@@ -60,3 +61,20 @@ print(scene.run(paths=256).stop)
         after=1.0,
     )
     assert said.split() == ["KeyboardInterrupt", "finished"]
+
+
+def test_ctrl_c_ends_the_growth_of_a_plant(tmp_path):
+    model = tmp_path / "model.l"
+    model.write_text("lsystem: 1\nderivation length: 9\naxiom: ?E(1)F(1)\nendlsystem\n")
+    said = interrupted(
+        f"""
+steps = quasimc.grow({str(model)!r}, light=scene, {LONG})
+print("ready", flush=True)
+try:
+    next(steps)
+except KeyboardInterrupt:
+    print("KeyboardInterrupt", len(list(steps)))
+""",
+        after=2.0,
+    )
+    assert said.split() == ["KeyboardInterrupt", "0"]

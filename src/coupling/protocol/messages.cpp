@@ -9,7 +9,7 @@
 
 #include "base/number_text.h"
 #include "base/text.h"
-#include "coupling/protocol/notices.h"
+#include "base/notices.h"
 #include "text/line_scanner.h"
 #include "text/numbers.h"
 

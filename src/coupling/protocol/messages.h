@@ -45,7 +45,7 @@ struct Pass {
     std::vector<Query> queries;
     std::vector<double> parameters;
     std::vector<ListPart> polygons;            ///< in `vertices`
-    std::vector<std::uint32_t> polygon_lines;  ///< first line of each in its message
+    std::vector<std::uint32_t> polygon_lines;  ///< first line of each in its message, or 0
     std::vector<Vec3> vertices;
     /// Keywords of graphics other than polygons in the queries ("cylinder").
     std::vector<std::string> other_graphics;

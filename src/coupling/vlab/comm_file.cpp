@@ -27,8 +27,11 @@ struct Reading {
 
 /// The printf format of a turtle line: how many characters other than blanks it prints before the
 /// first number, and how many numbers. Blanks are not counted, as a line may begin with one or not.
-TurtleLine parse_format(std::string_view format) {
-    TurtleLine line{true, trimmed(format.substr(0, format.find('%'))).size(), 0};
+TurtleLine parse_format(const CommLine& of_file) {
+    const std::string_view format = of_file.value;
+    TurtleLine line{
+        true, trimmed(format.substr(0, format.find('%'))).size(), 0, std::string(format),
+        of_file.where};
     for (std::size_t i = 0; i + 1 < format.size(); ++i) {
         if (format[i] == '%') {
             line.values += format[i + 1] == '%' ? 0 : 1;
@@ -86,11 +89,42 @@ void read_binary(const CommLine& line, Reading& reading) {
 
 template <TurtleField Field>
 void read_turtle(const CommLine& line, Reading& reading) {
-    reading.file.turtle[static_cast<std::size_t>(Field)] = parse_format(line.value);
+    reading.file.turtle[static_cast<std::size_t>(Field)] = parse_format(line);
 }
 
 void read_interpreted(const CommLine& line, Reading& reading) {
+    constexpr Separators kBetweenModules(" \t,;");
     reading.file.interprets_modules = !trimmed(line.value).empty();
+    std::string_view rest = line.value;
+    for (auto word = take_word(rest, kBetweenModules); !word.empty();
+         word = take_word(rest, kBetweenModules)) {
+        const std::size_t open = std::min(word.find('('), word.size());
+        const std::string_view name = word.substr(0, open);
+        std::string_view count = word.substr(open);
+        const auto parameters = parse_integer(take_word(count, "()"));
+        InterpretedModules modules{std::string(name == "all" ? "" : name), {}};
+        if (parameters && *parameters >= 0) {
+            modules.parameters = static_cast<std::size_t>(*parameters);
+        }
+        reading.file.interpreted.push_back(std::move(modules));
+    }
+}
+
+/// The old form: numbers of parameters, -1 for any.
+void read_when_interpret(const CommLine& line, Reading& reading) {
+    reading.file.interprets_modules = !trimmed(line.value).empty();
+    std::string_view rest = line.value;
+    while (const auto count = parse_integer(take_word(rest, " \t,;"))) {
+        reading.file.interpreted.push_back({"", {}});
+        if (*count >= 0) {
+            reading.file.interpreted.back().parameters = static_cast<std::size_t>(*count);
+        }
+    }
+}
+
+template <std::string CommFile::*Text>
+void read_text(const CommLine& line, Reading& reading) {
+    reading.file.*Text = trimmed(line.value);
 }
 
 void ignore(const CommLine& /*line*/, Reading& /*reading*/) {}
@@ -103,7 +137,7 @@ struct CommEntry {
 
 constexpr std::array kCommEntries{
     CommEntry{"communication type", read_transport},
-    CommEntry{"executable", ignore},  // for the simulator
+    CommEntry{"executable", read_text<&CommFile::executable>},
     CommEntry{"turtle position", read_turtle<TurtleField::position>},
     CommEntry{"turtle heading", read_turtle<TurtleField::heading>},
     CommEntry{"turtle left", read_turtle<TurtleField::left>},
@@ -112,13 +146,13 @@ constexpr std::array kCommEntries{
     CommEntry{"turtle scale factor", read_turtle<TurtleField::scale_factor>},
     CommEntry{"following module", read_following},
     CommEntry{"interpreted modules", read_interpreted},  // strings are always read
-    CommEntry{"when interpret", read_interpreted},
+    CommEntry{"when interpret", read_when_interpret},
     CommEntry{
         "verbose", [](const CommLine& line,
                       Reading& reading) { reading.file.verbose = trimmed(line.value) == "on"; }},
     CommEntry{"strings only", ignore},
     CommEntry{"binary data", read_binary},
-    CommEntry{"remote host", ignore},
+    CommEntry{"remote host", read_text<&CommFile::remote_host>},
 };
 
 void read_line(const CommLine& line, Reading& reading) {
@@ -139,6 +173,14 @@ void read_line(const CommLine& line, Reading& reading) {
 }
 
 }  // namespace
+
+bool CommFile::interprets(std::string_view module, std::size_t parameters) const {
+    return std::any_of(
+        interpreted.begin(), interpreted.end(), [&](const InterpretedModules& modules) {
+            return (modules.name.empty() || modules.name == module) &&
+                   modules.parameters.value_or(parameters) == parameters;
+        });
+}
 
 CommFile read_comm_text(std::string_view text, const std::string& name, Notices& notices) {
     Reading reading{notices};

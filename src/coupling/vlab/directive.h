@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/range.h"
-#include "coupling/protocol/notices.h"
+#include "base/notices.h"
 #include "quasimc/error.h"
 
 namespace quasimc {

@@ -343,7 +343,8 @@ class OrganShapes::Maker {
 
     /// Reports a problem of the current polygon.
     void report_polygon(const std::string& key, const std::string& text) {
-        report(key, fmt::format("has a polygon (line {} of its message) {}", line_, text));
+        const std::string where = line_ == 0 ? "" : fmt::format(" (line {} of its message)", line_);
+        report(key, fmt::format("has a polygon{} {}", where, text));
     }
 
     void add_polygon(std::span<const Vec3> corners, Triangles& triangles) {
@@ -390,7 +391,7 @@ class OrganShapes::Maker {
     const Query& query_;
     std::span<const double> parameters_;
     OrganFrame frame_;
-    std::uint32_t line_ = 0;  // of a polygon in its message
+    std::uint32_t line_ = 0;  // of a polygon in its message; 0: there is none
 };
 
 OrganShape OrganShapes::make(const Pass& pass, const Query& query) {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "coupling/protocol/notices.h"
+#include "base/notices.h"
 #include "coupling/vlab/arguments.h"
 #include "coupling/vlab/directive.h"
 #include "files/input_files.h"

@@ -1,0 +1,7 @@
+/* Drawing of competition.l: colour 2 is leaves, 4 stems, 5 and 6 the stakes. Stems turn up as they grow. */
+angle increment: 30
+initial line width: 0.2
+initial color: 1
+contour sides: 8
+surface: l leaf.s 1 3 5
+tropism: T: 0 1 0 E: 0.06

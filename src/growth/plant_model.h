@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/notices.h"
+#include "growth/view/view.h"
+#include "quasimc/error.h"
+
+namespace quasimc {
+
+struct PlantProgram;  // growth/language/program.h
+
+/// A model of cpfg's language: an L-system with its view file, checked and compiled; const.
+class PlantModel {
+  public:
+    /// Reads a model and its view file, if `view` is not empty. Files that they name are relative
+    /// to the folder of the file that names them.
+    /// @throws InputError  with all faults that were found
+    [[nodiscard]] static std::shared_ptr<const PlantModel> read(
+        const std::string& model, const std::string& view, Notices& notices);
+
+    ~PlantModel();
+    PlantModel(const PlantModel&) = delete;
+    PlantModel& operator=(const PlantModel&) = delete;
+
+    [[nodiscard]] const View& view() const;
+    /// The number after "derivation length:".
+    [[nodiscard]] std::int64_t steps() const;
+    /// Whether the model has queries, so that environment passes are made.
+    [[nodiscard]] bool asks_environment() const;
+    [[nodiscard]] const std::vector<InputFile>& inputs() const;
+
+    [[nodiscard]] const PlantProgram& program() const { return *program_; }
+
+  private:
+    PlantModel();
+    std::unique_ptr<PlantProgram> program_;
+};
+
+}  // namespace quasimc
