@@ -140,12 +140,14 @@ std::vector<ShownValues> light_values(
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     std::vector<ShownValues> all;
     const std::vector<quasimc::Band>& bands = light.specification.bands;
+    const auto& scene = light.light->scene;
+    const std::string length_unit = scene ? scene->length_unit() : "";
     for (const quasimc::QuantityEntry& entry : quasimc::quantity_table()) {
         for (std::size_t b = 0; b < bands.size(); ++b) {
             ShownValues values{
                 .estimates = {},
                 .name = fmt::format("{}, {}", entry.name, bands[b].name),
-                .unit = quasimc::unit_of(entry, bands[b], ""),
+                .unit = quasimc::unit_of(entry, bands[b], length_unit),
                 .key = fmt::format("{}_{}", entry.name, bands[b].name),
                 .when = ""};
             for (const std::uint32_t organ : organs) {

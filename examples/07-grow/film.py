@@ -4,8 +4,8 @@
     examples/07-grow/film.py tree -o tree.png
     examples/07-grow/film.py tree --steps 30 --light -o light.png
 
-Runs `quasimc grow --series`, places the plants of some steps in one scene, in metres, and draws it by `quasimc run`
-and `quasimc show`.
+Runs `quasimc grow --series`, puts the plants of some steps in one scene, in metres, and draws it
+by `quasimc run` and `quasimc show`.
 """
 
 import argparse
@@ -40,12 +40,20 @@ FILMS = {
 
 SCENE = """
 title = "Growth"
-band = [{ name = "blue", from_nm = 400, to_nm = 500 }, { name = "green", from_nm = 500, to_nm = 600 },
+band = [{ name = "blue", from_nm = 400, to_nm = 500 },
+        { name = "green", from_nm = 500, to_nm = 600 },
         { name = "red", from_nm = 600, to_nm = 700 }]
 run = { paths = 65536 }
 output = { json = "film.json" }
-source = [{ type = "sun", azimuth_deg = 235, elevation_deg = 48, irradiance_facing = [115, 130, 125] },
-          { type = "sky", model = "cie_clear", irradiance_horizontal = [42, 34, 26] }]
+[[source]]
+type = "sun"
+azimuth_deg = 235
+elevation_deg = 48
+irradiance_facing = [115, 130, 125]
+[[source]]
+type = "sky"
+model = "cie_clear"
+irradiance_horizontal = [42, 34, 26]
 """
 
 # Reflectance in blue, green and red by the colour of the turtle; leaves transmit light too.
@@ -82,11 +90,11 @@ def materials():
 
 
 def scene(film):
-    """The run file of steps side by side. South, +x of the models, is on the left, where the sun is."""
+    """The run file of steps side by side. South, +x of the models, is on the left, at the sun."""
     half_width = film.spacing * len(film.steps) / 2
     yield SCENE
-    yield f'ground = {{ material = "soil", x = [{-half_width}, {half_width}], '
-    yield f"y = [{-film.depth / 2}, {film.depth / 2}] }}\n"
+    yield f'[ground]\nmaterial = "soil"\nx = [{-half_width}, {half_width}]\n'
+    yield f"y = [{-film.depth / 2}, {film.depth / 2}]\n"
     yield from materials()
     for i, step in enumerate(film.steps):
         x = film.spacing * (i + 0.5) - half_width
@@ -108,11 +116,10 @@ def main():
     film.steps = arguments.steps or film.steps
     with tempfile.TemporaryDirectory() as folder:
 
-        def quasimc(*words, cwd=folder):
-            subprocess.run([program, *words], cwd=cwd, check=True)
+        def quasimc(*words):
+            subprocess.run([program, *words], cwd=folder, check=True)
 
-        light = ["--light", f"{arguments.model}.qmc"]
-        quasimc("grow", f"{arguments.model}.l", *light, "--series", folder, "--quiet", cwd=HERE)
+        quasimc("grow", str(HERE / f"{arguments.model}.l"), "--series", ".", "--quiet")
         Path(folder, "film.toml").write_text("".join(scene(film)), encoding="utf-8")
         quasimc("run", "film.toml", "--quiet")
         colors = ["--band", "red"] if arguments.light else ["--realistic", "--no-annotations"]

@@ -34,6 +34,7 @@ namespace {
 struct StepLightHandle {
     std::optional<SceneHandle> scene;
     std::vector<std::shared_ptr<Result>> results;  ///< one for all bands, or one per band
+    std::vector<Band> bands;                       ///< with one result per band
     std::vector<std::string> source_notes, ratio_names;
 };
 
@@ -54,7 +55,7 @@ struct StandHandle {
 };
 
 /// Reads a specification; the files that it names are relative to its folder.
-Specification read_light(const std::string& path, Notices& notices) {
+Specification read_specification_file(const std::string& path, Notices& notices) {
     InputFiles files(absolute_path(path).parent_path());
     return read_specification_text(
         read_file(path), path, SpecificationKind::quasimc, files, notices);
@@ -141,7 +142,7 @@ class GrowingPlant {
             }
         };
         auto light = std::make_unique<LightInProcess>(
-            read_light(file, notices_), notices_,
+            read_specification_file(file, notices_), notices_,
             [this](const std::string& text) { texts_.push_back(text); },
             LightInProcess::Options{{}, check});
         specification_ = light.get();
@@ -170,7 +171,8 @@ class GrowingPlant {
 
     StandLight light_on(const Document& document, const Scene& scene) {
         LightOfRun light = read_step_light(document, scene);
-        light_ = {{}, {}, std::move(light.source_notes), light.spec.ratios};
+        light_.source_notes = std::move(light.source_notes);
+        light_.ratio_names = light.spec.ratios;
         stand_warnings_.insert(stand_warnings_.end(), light.warnings.begin(), light.warnings.end());
         return {std::move(light.sources), std::move(light.spec)};
     }
@@ -243,6 +245,7 @@ class GrowingPlant {
         const auto computed = specification_->snapshot().light;
         if (computed->scene && computed != last_) {
             last_ = computed;
+            light.bands = specification_->specification().bands;
             light.scene = {std::make_shared<const Scene>(*computed->scene), {}};
             for (const Result& result : computed->results) {
                 light.results.push_back(result.values.empty() ? nullptr : reported_result(result));
@@ -312,6 +315,14 @@ std::unique_ptr<StandHandle> make_stand(
     return stand;
 }
 
+py::list bands_of_results(const StepHandle& step) {
+    py::list bands;
+    for (const Band& band : step.light.bands) {
+        bands.append(py::make_tuple(band.name, band.unit));
+    }
+    return bands;
+}
+
 std::optional<SceneHandle> drawn_scene(const StepHandle& step) {
     const py::gil_scoped_release release;
     std::optional<Scene> drawn = drawn_plant_scene(*step.drawing, step.step);
@@ -330,6 +341,7 @@ void bind_grow(py::module_& module) {
         .def_readonly("image", &StepHandle::image)
         .def("organs", &drawn_scene)
         .def_property_readonly("scene", [](const StepHandle& h) { return h.light.scene; })
+        .def_property_readonly("bands", &bands_of_results)
         .def_property_readonly("results", [](const StepHandle& h) { return h.light.results; })
         .def_property_readonly(
             "source_notes", [](const StepHandle& h) { return h.light.source_notes; })

@@ -132,7 +132,12 @@ def grow(
     if "stand" in chosen:
         chosen["stand"] = _stand(chosen["stand"], sources, materials, material, quantity, options)
     elif any(v is not None for v in (sources, materials, material)) or options:
-        raise fault("grow", "sources, materials and run options are given without a stand", "", "pass a Scene as `light`")
+        raise fault(
+            "grow",
+            "sources, materials or run options are given without a stand",
+            "",
+            "pass a Scene as `light`",
+        )
     model = os.fspath(model)
     steps = -1 if steps is None else _count(steps)
     core = _core.GrowingPlant(model, _view(model, view), steps, bool(image), chosen)
@@ -172,7 +177,12 @@ def _stand(scene, sources, materials, material, quantity, options):
     materials = dict(materials or {})
     for symbol in materials:
         if not isinstance(symbol, str) or len(symbol.encode()) != 1:
-            raise fault("grow", f"{symbol!r} is not the symbol of a module", "it has one letter", "")
+            raise fault(
+                "grow",
+                f"{symbol!r} is not the symbol of a module",
+                "symbols have one character",
+                "",
+            )
     return _core.PlantStand(
         scene._whole_document(),
         scene._mesh_list(),
@@ -227,8 +237,8 @@ def _step_of(core, reported):
         light = result_of(results[0], Organs(built)) if results[0] is not None else None
         return GrowthStep(core, light)
     light = []
-    for band, result in enumerate(results):
+    for (name, unit), result in zip(core.bands, results):
         organs = Organs(built)
-        organs.bands, organs.units = organs.bands[band : band + 1], organs.units[band : band + 1]
+        organs.bands, organs.units = (name,), (unit,)
         light.append(None if result is None else result_of(result, organs))
     return GrowthStep(core, tuple(light))

@@ -4,12 +4,26 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace quasimc {
+
+/// Allocates memory without setting it to zero.
+template <typename T>
+struct UninitializedAllocator : std::allocator<T> {
+    template <typename U>
+    struct rebind {
+        using other = UninitializedAllocator<U>;
+    };
+    template <typename U>
+    void construct(U* p) {
+        ::new (static_cast<void*>(p)) U;
+    }
+};
 
 /// A string of modules: symbols with parameters, in flat memory. A module is a header of 32 bits
 /// (symbol, number of parameters, sizes of this and the previous module), for a bracket the
@@ -83,7 +97,8 @@ class ModuleString {
     void link(Position p);
     [[nodiscard]] std::string written(std::size_t length) const;
 
-    std::vector<std::uint32_t> words_;  // up to `end_`; the others are room for more
+    std::vector<std::uint32_t, UninitializedAllocator<std::uint32_t>>
+        words_;  // up to `end_`; the others are room for more
     Position end_ = 0;
     std::vector<Position> open_;  // brackets without a partner so far
     std::size_t size_ = 0;

@@ -60,6 +60,7 @@ class Plant::Impl {
           instances_(program_, machine_),
           rewriter_(program_, state_, machine_, instances_, notices) {
         state_.print = options_.print;
+        state_.files = ModelFiles({}, options_.limits.open_files);
         state_.max_rounds = options_.limits.loop_rounds;
         state_.length = options_.steps >= 0 ? options_.steps : program_.steps;
         set_globals();
@@ -107,23 +108,38 @@ class Plant::Impl {
 
     void observe(PlantEnvironment& environment) {
         ModuleString string = string_;
-        const std::vector<CutState> cuts = cuts_;
-        query(string, &environment);
-        cuts_ = cuts;
-        static_cast<void>(environment.answers(step_));
+        without_effects([&] {
+            query(string, &environment);
+            static_cast<void>(environment.answers(step_));
+        });
     }
 
     ModuleString homomorphic_image() {
         ModuleString image;
-        interpret(string_, {.image = &image}, Turtle::Commands::all);
+        without_effects([&] { interpret(string_, {.image = &image}, Turtle::Commands::all); });
         return image;
     }
 
     void draw(Drawing& drawing) {
-        interpret(string_, {.drawing = &drawing}, Turtle::Commands::all);
+        without_effects([&] { interpret(string_, {.drawing = &drawing}, Turtle::Commands::all); });
     }
 
   private:
+    /// Does `work`, after which variables and random numbers are as before. Nothing is printed.
+    template <typename Work>
+    void without_effects(const Work& work) {
+        const PlantRandom random = state_.random, of_homomorphism = homomorphism_random_;
+        const std::vector<CutState> cuts = cuts_;
+        const auto variables = instances_.variables();
+        state_.is_silent = true;
+        work();
+        state_.is_silent = false;
+        state_.random = random;
+        homomorphism_random_ = of_homomorphism;
+        cuts_ = cuts;
+        instances_.set_variables(variables);
+    }
+
     [[nodiscard]] const LSystem& main() const { return program_.systems.front(); }
 
     void set_globals() {

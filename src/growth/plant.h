@@ -17,6 +17,7 @@ namespace quasimc {
 struct GrowthLimits {
     std::size_t string_bytes = std::size_t{4} << 30U;  ///< of one string
     std::uint64_t loop_rounds = 100'000'000;           ///< of one "while" or "do"
+    std::size_t open_files = 64;                       ///< of the model at a time
 };
 
 struct GrowthOptions {
@@ -54,10 +55,12 @@ class Plant {
     /// positions in the final string. To be called once.
     void finish();
 
+    [[nodiscard]] const ModuleString& string() const;
+
+    // These change neither variables nor random numbers, and print nothing.
+
     /// Makes a pass of the current string whose answers the plant does not receive.
     void observe(PlantEnvironment& environment);
-
-    [[nodiscard]] const ModuleString& string() const;
     /// The string with its homomorphism.
     [[nodiscard]] ModuleString homomorphic_image();
     /// Draws the plant. The organs of a drawing are the modules of the string.

@@ -1,6 +1,7 @@
 #include "growth/plant_model.h"
 
 #include <filesystem>
+#include <utility>
 
 #include "growth/language/parser.h"
 #include "growth/language/preprocessor.h"
@@ -8,11 +9,15 @@
 #include "growth/view/view.h"
 
 namespace quasimc {
+
 PlantModel::PlantModel() : program_(std::make_unique<PlantProgram>()) {}
 PlantModel::~PlantModel() = default;
 
 std::shared_ptr<const PlantModel> PlantModel::read(
-    const std::string& model, const std::string& view, Notices& notices) {
+    const std::string& model,
+    const std::string& view,
+    Notices& notices,
+    InputFiles::Reader reader) {
     std::shared_ptr<PlantModel> result(new PlantModel());
     PlantProgram& program = *result->program_;
     Faults faults;
@@ -23,7 +28,7 @@ std::shared_ptr<const PlantModel> PlantModel::read(
             faults.add(error);
         }
     };
-    InputFiles sources{std::filesystem::path()};
+    InputFiles sources(std::filesystem::path(), std::move(reader));
     guarded([&] { parse_model(preprocess(model, sources, notices), program, notices); });
     if (!view.empty()) {
         guarded([&] {

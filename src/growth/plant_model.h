@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/notices.h"
+#include "files/input_files.h"
 #include "growth/view/view.h"
 #include "quasimc/error.h"
 
@@ -19,8 +20,12 @@ class PlantModel {
     /// Reads a model and its view file, if `view` is not empty. Files that they name are relative
     /// to the folder of the file that names them.
     /// @throws InputError  with all faults that were found
+    /// @param reader  reads all of them
     [[nodiscard]] static std::shared_ptr<const PlantModel> read(
-        const std::string& model, const std::string& view, Notices& notices);
+        const std::string& model,
+        const std::string& view,
+        Notices& notices,
+        InputFiles::Reader reader = read_file);
 
     ~PlantModel();
     PlantModel(const PlantModel&) = delete;

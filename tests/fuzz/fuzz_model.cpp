@@ -1,12 +1,15 @@
-// A model and its view file, separated by a zero byte: read, grown a few steps and drawn. Every
-// other file that they name is the view file.
+// A model, its view file, and the content of all files that they name, separated by zero bytes:
+// read, grown a few steps and drawn.
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -54,11 +57,13 @@ void grow(const std::shared_ptr<const PlantModel>& model, Notices& notices) {
 }  // namespace
 
 void fuzz_model(const std::string& bytes) {
-    const std::size_t zero = std::min(bytes.find('\0'), bytes.size());
-    const std::string model = bytes.substr(0, zero);
-    const std::string view = bytes.substr(std::min(zero + 1, bytes.size()));
+    std::istringstream stream(bytes);
+    std::array<std::string, 3> parts;
+    for (std::string& part : parts) {
+        std::getline(stream, part, '\0');
+    }
     const auto read = [&](const std::filesystem::path& path) {
-        return path.filename() == "a.l" ? model : view;
+        return parts[path.filename() == "a.l" ? 0 : path.filename() == "a.v" ? 1 : 2];
     };
     Notices silent([](const std::string&) {});
     try {

@@ -13,6 +13,7 @@ namespace quasimc::fuzz {
 std::vector<FuzzedReader> fuzzed_readers() {
     std::vector<FuzzedReader> readers{
         {"ies", fuzz_ies},
+        {"model", fuzz_model},
         {"protocol", fuzz_protocol},
         {"result", fuzz_result},
         {"run_file", fuzz_run_file},

@@ -20,6 +20,7 @@ struct FuzzedReader {
 [[nodiscard]] FuzzedReader find_reader(std::string_view name);
 
 void fuzz_ies(const std::string& bytes);
+void fuzz_model(const std::string& bytes);
 void fuzz_protocol(const std::string& bytes);
 void fuzz_result(const std::string& bytes);
 void fuzz_run_file(const std::string& bytes);

@@ -95,6 +95,22 @@ def test_materials_by_module(model):
         quasimc.grow(model(), light=stand(), sources=ZENITH, quantity="light")
 
 
+def test_a_stand_in_a_run_file(model, tmp_path):
+    (tmp_path / "stand.toml").write_text(
+        'bands = ["PAR"]\n[run]\npaths = 512\n[[material]]\nname = "leaf"\nreflectance = 0\n'
+        '[[source]]\ntype = "directional"\ndirection = [0, 0, -1]\nirradiance_facing = 50\n'
+    )
+    first = next(quasimc.grow(model(), light=tmp_path / "stand.toml"))
+    assert density(first)["U"] == pytest.approx(50, abs=0.5)
+    scene = quasimc.Scene("PAR").set_ground("leaf", x=[-9, 9], y=[-9, 9])
+    scene.add_material("leaf", reflectance=0)
+    scene.add_mesh([[[8, 8, 8], [9, 8, 8], [8, 9, 8]]], material="leaf", organ=4)
+    first = next(quasimc.grow(model(), light=scene, sources=ZENITH, **FEW))
+    ids = first.light.organs.ids.tolist()
+    assert ids[0] == 4 and ids[1:-1] == [4 + organ for organ in first.organs.ids]
+    assert first.light.organs.has_ground and density(first)["L"] == pytest.approx(75, abs=1)
+
+
 def test_a_specification(model, tmp_path):
     (tmp_path / "light.qmc").write_text("number of rays: 1024\nreturn type: D\n")
     path = model("lsystem: 1\nderivation length: 2\naxiom: ^(90)?E(1)P(1,1)\nendlsystem\n")
@@ -103,6 +119,19 @@ def test_a_specification(model, tmp_path):
     value = float(light[first.light.bands[0]].mean[0])
     assert value > 0 and second.string == f"^(90)?E({value:g})P(1,1)"
     assert last.step == 2 and last.light is not None
+
+
+def test_a_specification_with_rays_of_each_band(model, tmp_path):
+    (tmp_path / "light.qmc").write_text(
+        "number of rays: 512\nspectrum samples: 2\nsource spectrum: 660 1 730 2\n"
+        "one ray per spectrum: no\nreturn type: D\nleaf material (top): 0 0 0 0\n: 0 0 0 0\n"
+    )
+    path = model("lsystem: 1\nderivation length: 1\naxiom: ^(90)?E(1,1)P(1,1)\nendlsystem\n")
+    red, far_red = next(quasimc.grow(path, light=tmp_path / "light.qmc")).light
+    assert (red.bands, far_red.bands) == (("1: 660",), ("2: 730",))
+    light = [r["absorbed_flux_density"][r.bands[0]].mean[0] for r in (red, far_red)]
+    assert 0 < light[0] < light[1]
+    assert len(far_red.to_pandas()) == 1
 
 
 def test_an_environment_program(model, tmp_path):

@@ -143,10 +143,10 @@ double Machine::print(std::span<const double> arguments, const Instruction& at, 
     for (const std::string& problem : formatted.problems) {
         warn(at, problem);
     }
-    if (to_file) {
+    if (to_file && !state_.is_silent) {
         return state_.files.write(arguments[0], formatted.text);
     }
-    if (state_.print) {
+    if (state_.print && !state_.is_silent) {
         state_.print(formatted.text);
     }
     return static_cast<double>(formatted.text.size());

@@ -25,6 +25,7 @@ struct MachineState {
     std::int64_t length = 0;  ///< derivation length
     bool stops = false;       ///< stop() was called
     std::uint64_t max_rounds = 0;
+    bool is_silent = false;  ///< nothing is printed
     std::function<void(std::string_view)> print;
 };
 

@@ -256,7 +256,22 @@ class ModelParser {
         set.max_depth = static_cast<int>(depth);
     }
 
+    /// Notes the symbols without productions, except those of cuts and sub-L-systems.
+    static void find_copied_symbols(LSystem& system) {
+        if (system.is_stochastic || !system.decomposition.productions.empty()) {
+            return;
+        }
+        for (std::size_t i = 0; i < system.copied.size(); ++i) {
+            const char symbol = static_cast<char>(i);
+            system.copied[i] = system.productions.candidates(symbol).empty() && symbol != '%' &&
+                               symbol != '?' && symbol != '$';
+        }
+    }
+
     void check_systems() {
+        for (LSystem& system : program_.systems) {
+            find_copied_symbols(system);
+        }
         for (std::size_t i = 0; i < program_.systems.size(); ++i) {
             for (std::size_t j = i + 1; j < program_.systems.size(); ++j) {
                 const auto &a = program_.systems[i].id, &b = program_.systems[j].id;

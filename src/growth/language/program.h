@@ -98,6 +98,7 @@ struct LSystem {
     std::optional<std::int64_t> id;
     std::string name;
     std::bitset<256> ignored;  ///< symbols that contexts skip
+    std::bitset<256> copied;   ///< symbols whose modules no derivation step changes
     bool is_ring = false;
     bool is_stochastic = false;
     CodeIndex start = kNoCode, start_each = kNoCode, end_each = kNoCode, end = kNoCode;

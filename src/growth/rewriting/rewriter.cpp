@@ -42,6 +42,20 @@ SystemInstance& SystemInstances::of(ModuleString& string, ModuleString::Position
     return *instances_.back();
 }
 
+std::vector<std::vector<double>> SystemInstances::variables() const {
+    std::vector<std::vector<double>> all;
+    for (const auto& instance : instances_) {
+        all.push_back(instance->variables);
+    }
+    return all;
+}
+
+void SystemInstances::set_variables(const std::vector<std::vector<double>>& variables) {
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        instances_[i]->variables = variables[i];
+    }
+}
+
 AppliedProduction first_match(
     Matcher& matcher,
     const ProductionSet& set,
@@ -69,6 +83,11 @@ void Rewriter::derive(ModuleString& old, ModuleString& out, std::size_t max_byte
     while (p < old.end()) {
         check_size(out);
         const char symbol = old.symbol(p);
+        if (outer.back()->system->copied[static_cast<unsigned char>(symbol)]) {
+            out.append_from(old, p);
+            p = old.next(p);
+            continue;
+        }
         if (symbol == '$' && outer.size() > 1) {
             outer.pop_back();
         }

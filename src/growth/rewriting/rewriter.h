@@ -20,6 +20,11 @@ class SystemInstances {
     /// @throws InputError  if there is no L-system of that id
     [[nodiscard]] SystemInstance& of(ModuleString& string, ModuleString::Position p);
 
+    /// The variables of all instances.
+    [[nodiscard]] std::vector<std::vector<double>> variables() const;
+    /// Sets the variables of the first instances.
+    void set_variables(const std::vector<std::vector<double>>& variables);
+
   private:
     const PlantProgram& program_;
     Machine& machine_;

@@ -141,9 +141,8 @@ void MeshDrawing::disc(const TurtleFrame& frame, double radius, int color) {
     const auto n = static_cast<FaceIndex>(angles_.size());
     Mesh disc;
     disc.vertices.push_back(frame.position);
+    add_corners({frame.position, radius, {frame.up, -frame.heading}}, disc.vertices);
     for (FaceIndex k = 0; k < n; ++k) {
-        const auto& [c, s] = angles_[k];
-        disc.vertices.push_back(frame.position + radius * (s * frame.heading - c * frame.left));
         disc.faces.push_back({0, 1 + k, 1 + (k + 1) % n});
     }
     add(std::move(disc), color);

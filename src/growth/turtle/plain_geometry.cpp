@@ -1,7 +1,8 @@
 #include "growth/turtle/plain_geometry.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
-#include <iterator>
 
 #include <fmt/format.h>
 
@@ -78,7 +79,12 @@ void PlainGeometry::set_color(int color) {
 
 void PlainGeometry::add(double value) {
     constexpr double kZero = 5e-6;
-    fmt::format_to(std::back_inserter(text_), " {:.5g}", std::abs(value) < kZero ? 0.0 : value);
+    constexpr int kDigits = 5;
+    std::array<char, 32> buffer{' '};
+    const auto end = std::to_chars(
+        buffer.begin() + 1, buffer.end(), std::abs(value) < kZero ? 0.0 : value,
+        std::chars_format::general, kDigits);
+    text_.append(buffer.data(), end.ptr);
 }
 
 void PlainGeometry::add(const Vec3& point) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -19,7 +18,8 @@ struct Turtle::CommandTable {
         void (*run)(Turtle& turtle, const TurtleParameters& parameters);
     };
 
-    static constexpr Command kAll[] = {
+    static constexpr Turn kBack{-1, 0};
+    static constexpr auto kAll = std::to_array<Command>({
         {"F", [](T t, P p) { t.move({.draws = true, .adds_corner = true}, p); }},
         {"G", [](T t, P p) { t.move({.draws = true, .adds_corner = false}, p); }},
         {"f", [](T t, P p) { t.move({.draws = false, .adds_corner = true}, p); }},
@@ -30,10 +30,7 @@ struct Turtle::CommandTable {
         {"^", [](T t, P p) { turn_towards(t.heading(), t.up(), opposite(t.angle(p))); }},
         {"/", [](T t, P p) { turn_towards(t.left(), t.up(), t.angle(p)); }},
         {"\\", [](T t, P p) { turn_towards(t.left(), t.up(), opposite(t.angle(p))); }},
-        {"|",
-         [](T t, P) {
-             turn_towards(t.heading(), t.left(), {-1, 0});
-         }},
+        {"|", [](T t, P) { turn_towards(t.heading(), t.left(), kBack); }},
         {"[", [](T t, P) { t.push(); }},
         {"]", [](T t, P) { t.pop(); }},
         {";", [](T t, P p) { t.change_color(p, 1); }},
@@ -75,18 +72,18 @@ struct Turtle::CommandTable {
         {"@Tx", [](T, P) {}},  // textures
         {"@L", [](T, P) {}},   // labels
         {"@S", [](T t, P) { t.warn("'@S': shell commands are not run"); }},
-    };
+    });
 
-    /// What runs a command; null: there is none.
+    /// The function of a command; null: there is none.
     static auto find(std::string_view name) {
-        const auto* const found = std::find_if(
-            std::begin(kAll), std::end(kAll),
-            [name](const Command& command) { return command.name == name; });
-        return found == std::end(kAll) ? nullptr : found->run;
+        const auto found = std::find_if(kAll.begin(), kAll.end(), [name](const Command& command) {
+            return command.name == name;
+        });
+        return found == kAll.end() ? nullptr : found->run;
     }
     /// Whether a longer command begins with a name.
     static bool begins(std::string_view name) {
-        return std::any_of(std::begin(kAll), std::end(kAll), [name](const Command& command) {
+        return std::any_of(kAll.begin(), kAll.end(), [name](const Command& command) {
             return command.name.starts_with(name);
         });
     }

@@ -84,9 +84,9 @@ class Turtle {
     void enter_subsystem(double scale);
     void leave_subsystem();
 
-    /// What few models change.
+    /// Settings that few models change.
     struct Settings {
-        std::vector<double> elasticities;  ///< of the tropisms and torques
+        std::vector<double> elasticities;  ///< one for each tropism and torque
         CylinderSettings cylinder;
         CylinderPoint from;  ///< start of the next segment of the generalized cylinder
         CylinderRing ring;   ///< its last ring; without sides, it is not begun

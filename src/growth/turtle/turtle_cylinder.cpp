@@ -19,20 +19,15 @@ struct AxisPoint {
 };
 
 using AxisCurve = FunctionRef<AxisPoint(double t)>;
-
-/// The contours of the ends of a segment, which have as many points.
-struct EndContours {
-    const std::vector<ContourPoint>& from;
-    const std::vector<ContourPoint>& to;
-};
+using Contours = std::array<std::span<const ContourPoint>, 2>;  // of both ends, as many points
 
 /// The points of a ring: x along its direction up, y opposite to its left.
 std::vector<Vec3> ring_points(
-    const EndContours& contours, const AxisPoint& at, const HeadingAndUp& axes) {
+    const Contours& contours, const AxisPoint& at, const HeadingAndUp& axes) {
     std::vector<Vec3> points;
     const Vec3 left = axes.left();
-    for (std::size_t i = 0; i < contours.from.size(); ++i) {
-        const ContourPoint &a = contours.from[i], &b = contours.to[i];
+    for (std::size_t i = 0; i < contours[0].size(); ++i) {
+        const ContourPoint &a = contours[0][i], &b = contours[1][i];
         const double x = a.x + at.mix * (b.x - a.x), y = a.y + at.mix * (b.y - a.y);
         points.push_back(at.position + at.radius * (x * axes.up - y * left));
     }
@@ -46,7 +41,7 @@ HeadingAndUp turned_along(const HeadingAndUp& axes, const Vec3& derivative) {
 
 /// Triangles of strips between rings along a curve, from t = 0 to 1.
 CylinderStrips swept_strips(
-    const AxisCurve& curve, const EndContours& contours, CylinderRing ring, int strips) {
+    const AxisCurve& curve, const Contours& contours, CylinderRing ring, int strips) {
     std::vector<Triangle> triangles;
     std::vector<Vec3> before = ring_points(contours, curve(0), ring.axes);
     for (int k = 1; k <= strips; ++k) {
@@ -111,15 +106,6 @@ AxisPoint b_spline_point(const std::array<const CylinderPoint*, 4>& points, doub
     return at;
 }
 
-std::vector<ContourPoint> circle_outline(int sides) {
-    std::vector<ContourPoint> points;
-    for (int k = 0; k <= sides; ++k) {
-        const double theta = kFullTurn * (k % sides) / sides;
-        points.push_back({std::cos(theta), std::sin(theta)});
-    }
-    return points;
-}
-
 }  // namespace
 
 CylinderStrips CylinderMaker::segment(
@@ -175,8 +161,9 @@ const CylinderMaker::Outline& CylinderMaker::outline(const CylinderPoint& point,
     } else if (contour != CylinderSettings::kCircle) {
         notices_.once(fmt::format("turtle: there is no contour {}; a circle is drawn", contour));
     }
-    if (outline.empty()) {
-        outline = circle_outline(sides);
+    for (int k = 0; outline.size() <= static_cast<std::size_t>(sides); ++k) {
+        const double theta = kFullTurn * (k % sides) / sides;
+        outline.push_back({std::cos(theta), std::sin(theta)});
     }
     return outline;
 }

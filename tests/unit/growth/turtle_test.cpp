@@ -183,6 +183,19 @@ TEST(Turtle, BendsByTropismsAndTorques) {
     expect_near(walked.frame().up, {0.335549, 0.308912, -0.889933});
 }
 
+TEST(Turtle, BendsByTropismsWithAngles) {
+    View view;
+    view.tropisms = {
+        {true, {0.6, 0, 0.8}, 70, 1.5, 0.2, 0},
+        {false, {0, 0.6, 0.8}, 35, 2, 0.1, 0},
+        {false, {1, 0, 0}, 90, 1, 0.2, 0}};
+    const Walked walked("&(50)F(1)+(30)/(20)@TfF(1)[/(40)@Tp]-(10)F(1)", view);
+    expect_near(walked.frame().position, {-0.56953308, 2.55887964, -1.28279614});
+    expect_near(walked.frame().heading, {-0.17545024, 0.94387144, -0.27986409});
+    expect_near(walked.frame().left, {-0.95377845, -0.09251609, 0.28591509});
+    expect_near(walked.frame().up, {-0.24397516, -0.31709221, -0.91647621});
+}
+
 TEST(Turtle, StepsElasticities) {
     const std::string off = "@Ts(2,0)@Ts(3,0)";
     const auto heading = [&off](const std::string& text) {
@@ -211,6 +224,8 @@ TEST(Turtle, IsOrientedByVectors) {
     expect_near(least.frame().up, {0, 0, -1});
     expect_near(least.frame().left, {0, 1, 0});
     expect_near(Walked("+(20)@R(0,0,0)").frame().heading, {0, 1, 0});
+    expect_near(Walked("@R(0,0,0,1,1,0)").frame().up, {0, 0, -1});  // up is not across
+    expect_near(Walked("@R(0,0,0,2,0,0)").frame().up, {1, 0, 0});
 }
 
 TEST(Turtle, MakesItsLeftSideHorizontal) {
@@ -397,6 +412,16 @@ TEST(TurtleDrawing, CurvesInBracesAreGeneralizedCylinders) {
         std::string::npos);
     EXPECT_NE(
         text.find("triangle -2.3411 2.2991 -0.1 -2.4074 2.2434 0.05 -2.4596 2.6348 -0.1\n"),
+        std::string::npos);
+    const std::string ring = geometry("#(0.5){(2)f(1)+(70)#(0.2)f(1)&(80)f(1)}", view);
+    EXPECT_NE(
+        ring.find("triangle 0.0098476 1.3549 0.10625 -0.34366 1.1189 0.0875 "
+                  "-0.19779 1.051 0.10625\n"),
+        std::string::npos);
+    const std::string spline = geometry("#(0.5){(4)f(1)+(70)#(0.2)f(1)&(80)f(1).(2)}", view);
+    EXPECT_NE(
+        spline.find("triangle -0.72094 1.1807 0.046757 -0.76444 1.2146 -0.24821 "
+                    "-0.63927 1.1577 -0.19378\n"),
         std::string::npos);
     const std::string closed = geometry("{(2).f(1)+(90)f(1)+(90)f(1)}{(4)ffff}", view);
     EXPECT_EQ(std::count(closed.begin(), closed.end(), '\n'), 3 + 6 * (4 * 4) + 6 * (4 * 4));
