@@ -39,8 +39,13 @@ GrowEnvironment::GrowEnvironment(
     int sides) {
     if (arguments.light.empty()) {
         const std::string& file = arguments.environment;
-        inner_ = std::make_unique<quasimc::EnvironmentProgram>(
+        auto program = std::make_unique<quasimc::EnvironmentProgram>(
             quasimc::read_comm_text(quasimc::read_file(file), file, notices), file, notices);
+        has_started_ = program->is_connected();
+        if (!has_started_) {
+            print_error(file + ": the plant grows without its environment");
+        }
+        inner_ = std::move(program);
     } else if (is_stand_file(arguments.light)) {
         auto light = read_stand(arguments.light, sides, notices, stop);
         stand_ = light.get();
@@ -105,7 +110,7 @@ quasimc::StepSnapshot GrowEnvironment::light() const {
 }
 
 bool GrowEnvironment::has_failed() const {
-    return light_ != nullptr && light_->worst() != quasimc::SessionOutcome::good;
+    return !has_started_ || (light_ != nullptr && light_->worst() != quasimc::SessionOutcome::good);
 }
 
 std::vector<std::uint32_t> GrowEnvironment::light_of(const quasimc::Scene& drawn) const {

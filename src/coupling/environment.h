@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
+#include "base/notices.h"
 #include "coupling/lighting.h"
 #include "coupling/protocol/byte_stream.h"
-#include "base/notices.h"
 #include "coupling/step_light.h"
 #include "coupling/vlab/arguments.h"
 #include "coupling/vlab/specification.h"

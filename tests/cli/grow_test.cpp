@@ -153,9 +153,9 @@ TEST_F(GrowCommand, ComputesTheLightOfQueries) {
         {"grow", "asking.l", "--light", "light.qmc", "-str", "-", "-o", "light.csv", "--series",
          "s"});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    expect_in(outcome.err, "\nlight of step 1, 660: organs absorb ");
+    expect_in(outcome.err, "\nlight of step 2, 660: organs absorb ");
     EXPECT_EQ(outcome.out.find("?E(0)P(0.2,0.5)]F"), std::string::npos) << outcome.out;
-    expect_in(folder_.read("light.csv"), "# step: 1\n");
+    expect_in(folder_.read("light.csv"), "# step: 2\n");
     expect_in(folder_.read("light.csv"), "\n1,P,0.0999");
     expect_in(folder_.read("light.csv"), ",absorbed_flux_660,absorbed_flux_660_se,");
     const std::string table = folder_.read("s/steps.csv");

@@ -19,7 +19,6 @@ class QueryGraphics : public Drawing {
     void sphere(const Vec3& center, double radius, int color) final;
     void disc(const TurtleFrame& frame, double radius, int color) final;
     void surface(const BezierSurface& surface, const Affine& transform, int color) final;
-    void label(const Vec3& /*position*/, const char* /*text*/, int /*color*/) final {}
 
   protected:
     /// A shape that is no polygon. @param numbers  its points, directions and radii

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
+#include "base/notices.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "base/notices.h"
 #include "text/line_scanner.h"
 #include "text/numbers.h"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/range.h"
 #include "base/notices.h"
+#include "base/range.h"
 #include "quasimc/error.h"
 
 namespace quasimc {

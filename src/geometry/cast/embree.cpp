@@ -153,11 +153,18 @@ class EmbreeIntersector final : public Intersector {
   public:
     EmbreeIntersector(const LocalMesh& mesh, const std::stop_token& stop)
         : mesh_(mesh), device_(make_device()), scene_(rtcNewScene(device_.get())) {
-        attach_instances(stop);
-        if (!mesh.faces.empty()) {
-            attach_triangles(scene_.get(), mesh.vertices, mesh.faces);
+        try {
+            attach_instances(stop);
+            if (!mesh.faces.empty()) {
+                attach_triangles(scene_.get(), mesh.vertices, mesh.faces);
+            }
+            commit(device_.get(), scene_.get(), stop);
+        } catch (const std::bad_alloc&) {
+            // Embree ends the program if a device is released that lacked memory for its threads.
+            static_cast<void>(scene_.release());
+            static_cast<void>(device_.release());
+            throw;
         }
-        commit(device_.get(), scene_.get(), stop);
     }
 
     [[nodiscard]] Hit closest(const Ray& ray) const override {

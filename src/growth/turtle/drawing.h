@@ -55,8 +55,6 @@ class Drawing {
     virtual void disc(const TurtleFrame& frame, double radius, int color) = 0;
     /// An instance of a predefined surface. @param transform  from the surface's frame
     virtual void surface(const BezierSurface& surface, const Affine& transform, int color) = 0;
-    /// Text at a position of the plant.
-    virtual void label(const Vec3& position, const char* text, int color) = 0;
 };
 
 }  // namespace quasimc

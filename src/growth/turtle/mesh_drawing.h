@@ -42,7 +42,6 @@ class MeshDrawing : public Drawing {
     void sphere(const Vec3& center, double radius, int color) override;
     void disc(const TurtleFrame& frame, double radius, int color) override;
     void surface(const BezierSurface& surface, const Affine& transform, int color) override;
-    void label(const Vec3& /*position*/, const char* /*text*/, int /*color*/) override {}
 
     /// All organs with shapes, in the order of the string.
     [[nodiscard]] const std::vector<DrawnOrgan>& organs() const { return organs_; }

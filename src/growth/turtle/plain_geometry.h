@@ -24,7 +24,6 @@ class PlainGeometry : public Drawing {
     void sphere(const Vec3& center, double radius, int color) override;
     void disc(const TurtleFrame& frame, double radius, int color) override;
     void surface(const BezierSurface& surface, const Affine& transform, int color) override;
-    void label(const Vec3& /*position*/, const char* /*text*/, int /*color*/) override {}
 
     /// All lines.
     [[nodiscard]] std::string text() const { return text_ + "end\n"; }
