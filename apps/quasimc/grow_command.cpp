@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <new>
 #include <stop_token>
 #include <string>
 #include <system_error>
@@ -110,6 +111,11 @@ quasimc::Faults grow_plant(const Growth& growth, const std::stop_token& stop) {
         if (!stop.stop_requested() || growth.arguments.environment.empty()) {
             faults.add(error);
         }
+    } catch (const std::bad_alloc&) {
+        faults.add(
+            {fmt::format("step {}", growth.plant.step() + 1), "there is not enough memory",
+             fmt::format("the string before it has {} modules", growth.plant.string().size()),
+             "make fewer steps"});
     } catch (const quasimc::Stopped&) {
         // The plant is that before the step, and the token says that it was stopped.
     }
@@ -162,12 +168,17 @@ void prepare_series(
 
 /// The files that were read.
 std::vector<quasimc::InputFile> inputs_of(
-    const GrowArguments& arguments, const quasimc::PlantModel& model) {
+    const GrowArguments& arguments,
+    const quasimc::PlantModel& model,
+    const GrowEnvironment* environment) {
     std::vector<quasimc::InputFile> inputs = model.inputs();
     for (const std::string& path : {arguments.light, arguments.environment}) {
         if (!path.empty()) {
             inputs.push_back({path, path, "", 0, false});
         }
+    }
+    if (environment != nullptr) {
+        inputs.insert(inputs.end(), environment->inputs().begin(), environment->inputs().end());
     }
     return inputs;
 }
@@ -225,14 +236,19 @@ Exit grow(const GrowArguments& arguments) {
     const auto model = quasimc::PlantModel::read(arguments.model, arguments.view_file, notices);
     StepTable table;
     prepare_series(arguments, table, outputs);
-    GrowWriters writers(std::move(outputs), inputs_of(arguments, *model));
+    check_numbered(outputs, arguments.steps >= 0 ? arguments.steps : model->steps());
     const auto environment = make_environment(arguments, *model, notices, interrupt.token());
+    GrowWriters writers(std::move(outputs), inputs_of(arguments, *model, environment.get()));
     const auto window = open_window(arguments);
     const auto print = [](std::string_view text) {
         std::fwrite(text.data(), 1, text.size(), stderr);
     };
-    quasimc::Plant plant(
-        model, environment.get(), notices, {.steps = arguments.steps, .print = print});
+    quasimc::GrowthOptions options{.steps = arguments.steps, .print = print};
+    options.limits.string_bytes = arguments.string_limit << 20U;
+    if (arguments.seed) {
+        options.seed = static_cast<std::uint16_t>(*arguments.seed);
+    }
+    quasimc::Plant plant(model, environment.get(), notices, std::move(options));
     const Growth growth{arguments, *model, plant, environment.get(), writers, table, window.get()};
     quasimc::Faults faults = grow_plant(growth, interrupt.token());
     is_grown = true;

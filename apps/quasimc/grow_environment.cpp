@@ -1,5 +1,6 @@
 #include "grow_environment.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <utility>
@@ -23,20 +24,14 @@ bool is_of_module(const quasimc::Organ& organ, const std::string& symbol) {
            organ.labels.begin()->second == symbol.substr(0, 1);
 }
 
-/// Reads a specification; the files that it names are relative to its folder.
-quasimc::Specification read_light(const std::string& path, quasimc::Notices& notices) {
-    quasimc::InputFiles files(std::filesystem::path(path).parent_path());
-    return quasimc::read_specification_text(
-        quasimc::read_file(path), path, quasimc::SpecificationKind::quasimc, files, notices);
-}
-
 }  // namespace
 
 GrowEnvironment::GrowEnvironment(
     const GrowArguments& arguments,
     quasimc::Notices& notices,
     const std::stop_token& stop,
-    int sides) {
+    int sides)
+    : notices_(notices) {
     if (arguments.light.empty()) {
         const std::string& file = arguments.environment;
         auto program = std::make_unique<quasimc::EnvironmentProgram>(
@@ -64,9 +59,13 @@ void GrowEnvironment::add_specification(
             throw quasimc::Stopped(quasimc::StopReason::interrupted, "The light was stopped.");
         }
     };
+    // The files that it names are relative to its folder.
+    quasimc::InputFiles files(std::filesystem::path(file).parent_path());
     auto light = std::make_unique<quasimc::LightInProcess>(
-        read_light(file, notices), notices, print_error,
-        quasimc::LightInProcess::Options{{}, check});
+        quasimc::read_specification_text(
+            quasimc::read_file(file), file, quasimc::SpecificationKind::quasimc, files, notices),
+        notices, print_error, quasimc::LightInProcess::Options{{}, check});
+    inputs_ = files.files();
     light_ = light.get();
     inner_ = std::move(light);
 }
@@ -83,6 +82,14 @@ std::vector<quasimc::PlantAnswer> GrowEnvironment::answers(std::int64_t step) {
     std::vector<quasimc::PlantAnswer> answers = inner_->answers(step);
     if (stand_ != nullptr) {
         note_stand(step);
+        const auto& queried = stand_->queried();
+        if (!queried.empty() && std::none_of(queried.begin(), queried.end(), [](const auto& organ) {
+                return organ.has_value();
+            })) {
+            notices_.once(
+                "no query of the plant is answered: in a stand, the module after a query must draw "
+                "an organ, in the model or by its homomorphism");
+        }
     } else if (!asked.empty()) {
         answered_ = std::move(asked);
         pass_step_ = step;

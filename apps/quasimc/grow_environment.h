@@ -49,6 +49,8 @@ class GrowEnvironment final : public quasimc::PlantEnvironment {
     [[nodiscard]] quasimc::StepSnapshot light() const;
     /// Derivation steps before the last pass with queries; negative before the first one.
     [[nodiscard]] std::int64_t pass_step() const { return pass_step_; }
+    /// Files that the specification names.
+    [[nodiscard]] const std::vector<quasimc::InputFile>& inputs() const { return inputs_; }
     /// Whether the program could not be started, or the light of a pass not be computed.
     [[nodiscard]] bool has_failed() const;
     /// For every organ of a drawn plant the index of its light in StepLight::scene: that of the
@@ -82,6 +84,8 @@ class GrowEnvironment final : public quasimc::PlantEnvironment {
     std::vector<Asked> asked_;                        // in the current pass
     std::vector<Asked> answered_;                     // in the last pass with queries
     std::int64_t pass_step_ = -1;
+    std::vector<quasimc::InputFile> inputs_;
+    quasimc::Notices& notices_;
     bool has_started_ = true;  // the program, if there is one
 };
 

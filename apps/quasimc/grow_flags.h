@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,11 @@
 
 /// The command line of `quasimc grow`.
 struct GrowArguments {
-    std::string model, view_file;    ///< "": without
-    std::string light, environment;  ///< a specification, or an environment file; "": without
-    int steps = -1;                  ///< negative: those of the model
+    std::string model, view_file;     ///< "": without
+    std::string light, environment;   ///< a specification, or an environment file; "": without
+    int steps = -1;                   ///< negative: those of the model
+    std::optional<double> seed;       ///< seed of stochastic productions
+    std::size_t string_limit = 1024;  ///< MiB
     bool view = false;
     std::size_t port = 0;
     std::string output, series;

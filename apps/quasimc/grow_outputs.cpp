@@ -216,6 +216,35 @@ std::vector<quasimc::OutputPath> paths_of(const std::vector<GrowOutput>& outputs
 
 }  // namespace
 
+void check_numbered(const std::vector<GrowOutput>& outputs, std::int64_t last_step) {
+    constexpr std::int64_t kMaxChecked = 10'000;
+    const auto path_of = [](const GrowOutput& output, std::int64_t step) {
+        const std::string& path = output.file.path;
+        return std::filesystem::path(numbered_path(path, step).value_or(path)).lexically_normal();
+    };
+    quasimc::Faults faults;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        for (std::size_t j = 0; j < outputs.size(); ++j) {
+            const bool is_pair = i < j || !numbered_path(outputs[j].file.path, 0);
+            if (i == j || !is_pair || !numbered_path(outputs[i].file.path, 0)) {
+                continue;
+            }
+            for (std::int64_t step = 0; step <= std::min(last_step, kMaxChecked); ++step) {
+                if (path_of(outputs[i], step) == path_of(outputs[j], step)) {
+                    faults.add(
+                        {outputs[i].file.where,
+                         fmt::format(
+                             "'{}' is the file of another output",
+                             path_of(outputs[i], step).string()),
+                         fmt::format("{} names it", outputs[j].file.where), "name another file"});
+                    break;
+                }
+            }
+        }
+    }
+    faults.throw_if_any();
+}
+
 GrowWriters::GrowWriters(std::vector<GrowOutput> outputs, std::vector<quasimc::InputFile> inputs)
     : of_steps_(take_numbered(outputs)),
       of_end_(std::move(outputs)),

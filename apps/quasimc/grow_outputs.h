@@ -26,6 +26,11 @@ struct GrowOutput {
 /// @throws InputError  for a geometry format that can't be written
 [[nodiscard]] std::vector<GrowOutput> grow_outputs(const GrowArguments& arguments);
 
+/// Checks that no file of a step is another output.
+/// @param last_step  of the growth
+/// @throws InputError  with all that are
+void check_numbered(const std::vector<GrowOutput>& outputs, std::int64_t last_step);
+
 /// Writes the files of a plant: those with a number in their name at every step, the others at the
 /// end.
 class GrowWriters {

@@ -40,7 +40,7 @@ class PlantEnvironment {
     /// Where the shapes of the whole plant go in a pass; null: nowhere.
     virtual Drawing* drawing() { return nullptr; }
     /// Called for every query of a pass, in the order of the string.
-    /// @returns where the shapes of the following module go before the next query; or null
+    /// @returns where the shapes of the following module go until the next query; or null
     virtual Drawing* query(const PlantQuery& query) = 0;
     /// Ends a pass. @param step  derivation steps before it
     /// @returns answers, in any order. @throws InputError  if there is no environment any more

@@ -13,7 +13,7 @@
 
 namespace quasimc {
 
-/// What interpretations of a plant share.
+/// The parts of a plant that its interpretations use.
 struct InterpreterParts {
     const PlantProgram& program;
     MachineState& state;
@@ -31,7 +31,7 @@ struct CutState {
 /// Where an interpretation goes. All may be null.
 struct InterpretationOutputs {
     Drawing* drawing = nullptr;
-    ModuleString* image = nullptr;            ///< of the homomorphism
+    ModuleString* image = nullptr;            ///< receives the string with its homomorphism
     PlantEnvironment* environment = nullptr;  ///< receives the queries
     bool is_pass = false;                     ///< cuts %(p) keep their turtle
 };

@@ -56,9 +56,9 @@ class ModuleString {
     void set_parameter(Position p, std::size_t i, float value) {
         words_[next(p) - count(p) + i] = std::bit_cast<std::uint32_t>(value);
     }
-    /// Of '[' the matching ']', and the reverse; kNone if it is unmatched.
+    /// The ']' that matches a '[', or the reverse; kNone if there is none.
     [[nodiscard]] Position partner(Position p) const { return words_[p + 1]; }
-    /// Of a module ?(id, scale) the number of its sub-L-system; kNone if it is new.
+    /// The number of the sub-L-system of a module ?(id, scale); kNone if it is new.
     [[nodiscard]] std::uint32_t subsystem(Position p) const { return words_[p + 1]; }
     void set_subsystem(Position p, std::uint32_t number) { words_[p + 1] = number; }
 

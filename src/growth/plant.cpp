@@ -60,7 +60,10 @@ class Plant::Impl {
           instances_(program_, machine_),
           rewriter_(program_, state_, machine_, instances_, notices) {
         state_.print = options_.print;
-        state_.files = ModelFiles({}, options_.limits.open_files);
+        if (options_.seed) {
+            state_.choice = StochasticRandom::seeded(*options_.seed);
+        }
+        state_.files = ModelFiles(options_.folder, options_.limits.open_files);
         state_.max_rounds = options_.limits.loop_rounds;
         state_.length = options_.steps >= 0 ? options_.steps : program_.steps;
         set_globals();
@@ -147,7 +150,7 @@ class Plant::Impl {
         state_.globals[kLengthVariable] = static_cast<double>(state_.length);
     }
 
-    /// Of a homomorphism; each takes at least a word.
+    /// The limit of a homomorphism, whose modules take at least a word each.
     [[nodiscard]] std::uint64_t max_modules() const {
         return options_.limits.string_bytes / sizeof(std::uint32_t);
     }

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/notices.h"
@@ -15,14 +17,19 @@ namespace quasimc {
 
 /// Limits of growth.
 struct GrowthLimits {
-    std::size_t string_bytes = std::size_t{4} << 30U;  ///< of one string
-    std::uint64_t loop_rounds = 100'000'000;           ///< of one "while" or "do"
-    std::size_t open_files = 64;                       ///< of the model at a time
+    std::size_t string_bytes = std::size_t{1} << 30U;  ///< for one string
+    std::uint64_t loop_rounds = 100'000'000;           ///< in all loops of a block
+    std::size_t open_files = 64;                       ///< at a time
 };
 
 struct GrowthOptions {
     std::int64_t steps = -1;  ///< negative: those of the model
+    /// Seed of the choice among stochastic productions; by default that of cpfg without a window.
+    std::optional<std::uint16_t> seed = {};
     GrowthLimits limits = {};
+    /// Base of the names of files that the model opens, below which it may write; by default the
+    /// current folder.
+    std::string folder = {};
     /// Takes what the model prints; it is dropped by default.
     std::function<void(std::string_view)> print = {};
 };
@@ -48,7 +55,8 @@ class Plant {
     [[nodiscard]] bool is_grown() const;
     /// Makes the next derivation step, with the environment pass before it.
     /// @returns false, and nothing is done, after the last step
-    /// @throws InputError  for endless loops and recursion, and strings over the limit; the string
+    /// @throws InputError  for loops and recursion without end, and strings over the limit; the
+    /// string
     ///         is that before the step
     bool grow();
     /// Ends the growth: the passes after the last step ("environment display: before"), and the

@@ -49,7 +49,7 @@ std::int64_t PlantModel::steps() const {
 }
 
 bool PlantModel::asks_environment() const {
-    return program_->asks_environment;
+    return program_->has_queries;
 }
 
 const std::vector<InputFile>& PlantModel::inputs() const {

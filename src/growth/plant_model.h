@@ -34,7 +34,7 @@ class PlantModel {
     [[nodiscard]] const View& view() const;
     /// The number after "derivation length:".
     [[nodiscard]] std::int64_t steps() const;
-    /// Whether the model has queries, so that environment passes are made.
+    /// Whether the model has queries, ?E.
     [[nodiscard]] bool asks_environment() const;
     [[nodiscard]] const std::vector<InputFile>& inputs() const;
 

@@ -83,6 +83,15 @@ TEST_F(GrowCommand, UnderstandsTheFlagsOfCpfg) {
     expect_in(run({"grow", "--help"}).out, "Flags of cpfg");
 }
 
+TEST_F(GrowCommand, RefusesOutputsInOneFile) {
+    expect_refused(
+        {"grow", "plant.l", "--series", "all", "-o", "all/step_001.glb"}, 2,
+        "'all/step_001.glb' is the file of another output");
+    expect_refused(
+        {"grow", "plant.l", "-o", "s_%d.ply", "--string", "s_2.ply"}, 2,
+        "'s_2.ply' is the file of another output");
+}
+
 TEST_F(GrowCommand, TakesTheViewFileOfTheModel) {
     const auto geometry = [this](const std::vector<std::string>& files) {
         std::vector<std::string> arguments{"grow", "-q", "-ray", "-"};

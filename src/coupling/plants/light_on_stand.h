@@ -44,7 +44,7 @@ class LightOnStand final : public PlantEnvironment {
         std::string default_material = {};  ///< "": the first one of the stand
         /// The answer to queries.
         Quantity quantity = Quantity::absorbed_flux_density;
-        int sides = 8;  ///< of cylinders, spheres and discs
+        int sides = 8;  ///< sides of cylinders, spheres and discs
         /// Makes the listeners and the means to stop for the run of a pass.
         std::function<RunControl()> control = [] { return RunControl{}; };
     };

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "growth/language/format_values.h"
 #include "growth/language/machine.h"
 
@@ -99,7 +100,7 @@ double Machine::call(
         case F::fscanf:
             return scan(arguments, variables);
         case F::fopen:
-            return state_.files.open(text(x), text(y));
+            return open_file(text(x), text(y), at);
         case F::fclose:
             return state_.files.close(x);
         case F::fflush:
@@ -121,6 +122,18 @@ double Machine::call(
         default:
             return call_number(function, x);
     }
+}
+
+double Machine::open_file(const std::string& name, const std::string& mode, const Instruction& at) {
+    const double file = state_.files.open(name, mode);
+    if (file < 0 && mode != "r") {
+        warn(
+            at, fmt::format(
+                    "the file {} can't be opened to be written; models write below the current "
+                    "folder",
+                    shown(name)));
+    }
+    return file;
 }
 
 double Machine::read_curve(PlantFunctionId function, std::span<const double> arguments) const {

@@ -13,22 +13,16 @@ namespace {
 /// Enough for any expression: nesting is limited to 100, and 24 values are pending at each level.
 constexpr std::size_t kStackSize = 4096;
 
-/// A number as an integer of C; 0 if it has none.
+/// A number without its fraction, at most 9e18; not a number is 0.
 std::int64_t truncated(double x) {
     constexpr double kLargest = 9e18;
-    return std::abs(x) <= kLargest ? static_cast<std::int64_t>(x) : 0;
+    return std::isnan(x) ? 0 : static_cast<std::int64_t>(std::clamp(x, -kLargest, kLargest));
 }
 
 }  // namespace
 
 Machine::Machine(const PlantProgram& program, MachineState& state, Notices& notices)
-    : program_(program), state_(state), notices_(notices), stack_(kStackSize) {
-    std::size_t loops = 0;
-    for (const LSystem& system : program.systems) {
-        loops = std::max(loops, system.loops);
-    }
-    rounds_.resize(loops);
-}
+    : program_(program), state_(state), notices_(notices), stack_(kStackSize) {}
 
 const std::string& Machine::where(CodeIndex code) const {
     return program_.where[program_.lines[static_cast<std::size_t>(code)]];
@@ -37,11 +31,12 @@ const std::string& Machine::where(CodeIndex code) const {
 void Machine::warn(const Instruction& at, std::string_view text) {
     const auto index = static_cast<std::size_t>(&at - program_.code.data());
     const std::uint32_t line = program_.lines[index];
-    const std::string place = line < program_.where.size() ? program_.where[line] : "the header";
-    notices_.once(fmt::format("{}: {}", place, text));
+    const std::string source = line < program_.where.size() ? program_.where[line] : "the header";
+    notices_.once(fmt::format("{}: {}", source, text));
 }
 
 double* Machine::execute(CodeIndex code, double* variables, ModuleString* out) {
+    rounds_ = 0;
     double* top = stack_.data();  // the last value
     const Instruction* at = &program_.code[static_cast<std::size_t>(code)];
     const auto binary = [&top](auto&& operation) {
@@ -132,9 +127,6 @@ double* Machine::execute(CodeIndex code, double* variables, ModuleString* out) {
             case Op::jump_if_true:
                 at = *top-- != 0 ? &program_.code[static_cast<std::size_t>(at->a)] - 1 : at;
                 break;
-            case Op::begin_loop:
-                rounds_[static_cast<std::size_t>(at->a)] = 0;
-                break;
             case Op::next_round:
                 count_round(*at);
                 break;
@@ -192,11 +184,11 @@ double Machine::remainder(double a, double b, const Instruction& at) {
 }
 
 void Machine::count_round(const Instruction& at) {
-    if (++rounds_[static_cast<std::size_t>(at.a)] > state_.max_rounds) {
+    if (++rounds_ > state_.max_rounds) {
         const auto index = static_cast<CodeIndex>(&at - program_.code.data());
         throw InputError(
             {{where(index), "a loop does not end",
-              fmt::format("it has gone round {} times", state_.max_rounds),
+              fmt::format("the loops of the block have gone round {} times", state_.max_rounds),
               "check its condition"}});
     }
 }

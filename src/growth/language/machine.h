@@ -16,7 +16,7 @@
 
 namespace quasimc {
 
-/// What the code of a model reads and changes besides its variables.
+/// The state that the code of a model reads and changes besides its variables.
 struct MachineState {
     PlantRandom random;
     StochasticRandom choice;  ///< among productions
@@ -37,7 +37,7 @@ class Machine {
 
     /// Runs code that has no value; modules go to `out`. kNoCode does nothing.
     /// @param variables  of the L-system
-    /// @throws InputError  for an endless loop
+    /// @throws InputError  for a loop without end
     void run(CodeIndex code, std::vector<double>& variables, ModuleString* out = nullptr) {
         if (code != kNoCode) {
             execute(code, variables.data(), out);
@@ -65,6 +65,8 @@ class Machine {
         const Instruction& at);
     [[nodiscard]] double print(
         std::span<const double> arguments, const Instruction& at, bool to_file);
+    [[nodiscard]] double open_file(
+        const std::string& name, const std::string& mode, const Instruction& at);
     [[nodiscard]] double scan(std::span<const double> arguments, double* variables);
     [[nodiscard]] double read_curve(
         PlantFunctionId function, std::span<const double> arguments) const;
@@ -77,7 +79,7 @@ class Machine {
     MachineState& state_;
     Notices& notices_;
     std::vector<double> stack_;
-    std::vector<std::uint64_t> rounds_;
+    std::uint64_t rounds_ = 0;  // of the loops of the code that runs
 };
 
 /// The value of code at the time of reading: other variables are 0.

@@ -24,6 +24,12 @@ bool may_be_opened(const fs::path& path) {
     return status.type() == fs::file_type::not_found || fs::is_regular_file(status);
 }
 
+/// Whether a model may write to a path: only below the current folder.
+bool may_be_written(const fs::path& path) {
+    const fs::path normal = path.lexically_normal();
+    return normal.is_relative() && normal.begin() != normal.end() && *normal.begin() != "..";
+}
+
 /// Reads what a part of a format describes. The format of fscanf is made from checked parts only.
 /// @returns whether it matches
 bool scan_part(std::FILE* file, const FormatPart& part, std::optional<double>& value) {
@@ -70,9 +76,12 @@ double ModelFiles::open(const std::string& name, const std::string& mode) {
     const auto is_free = [](const OpenFile& file) { return !file.stream; };
     const auto end = files_.begin() + static_cast<std::ptrdiff_t>(max_open_);
     const auto slot = std::find_if(files_.begin(), end, is_free);
+    if (slot == end || name.empty() || name.find('\0') != name.npos || !is_file_mode(mode)) {
+        return -1;
+    }
     const fs::path path = folder_ / name;
-    if (slot == end || name.empty() || name.find('\0') != name.npos || !is_file_mode(mode) ||
-        !may_be_opened(path)) {
+    const bool is_written = mode.find_first_of("wa+") != mode.npos;
+    if (!may_be_opened(path) || (is_written && !may_be_written(name))) {
         return -1;
     }
     slot->stream.reset(std::fopen(path.c_str(), (mode + "e").c_str()));

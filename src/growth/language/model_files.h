@@ -32,7 +32,8 @@ class ModelFiles {
     explicit ModelFiles(std::filesystem::path folder = {}, std::size_t max_open = kMaxFiles)
         : folder_(std::move(folder)), max_open_(std::min(max_open, kMaxFiles)) {}
 
-    /// Opens a file. Devices, pipes and folders are refused.
+    /// Opens a file. Devices, pipes and folders are refused, and writing outside the current
+    /// folder.
     /// @param mode  as C's fopen: "r", "w", "a", with "+" and "b"
     /// @returns its number, or -1 if it can't be opened or too many are open
     double open(const std::string& name, const std::string& mode);

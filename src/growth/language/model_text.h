@@ -57,7 +57,7 @@ class ModelText {
     /// "file:line:column" of a position.
     [[nodiscard]] std::string where(std::size_t position) const;
     [[nodiscard]] std::string_view text() const { return text_; }
-    /// What comes next, for messages.
+    /// The next characters, for messages.
     [[nodiscard]] std::string shown_next() const;
 
     /// @throws SyntaxError  at the current position

@@ -60,6 +60,11 @@ void ExpressionParser::parse_expression(LSystem& system, Newlines newlines) {
     ternary();
 }
 
+void ExpressionParser::parse_text(LSystem& system) {
+    system_ = &system;
+    text_literal();
+}
+
 void ExpressionParser::ternary() {
     if (++depth_ > kMaxNesting) {
         text_.fail(
@@ -309,12 +314,12 @@ void ExpressionParser::argument(bool is_text, bool is_address) {
         text_.fail("an argument without '&'", "values that are read need a variable");
     }
     skip();
-    const std::size_t position = text_.position();
     const std::string_view name = text_.take_name();
     if (name.empty()) {
         text_.fail(text_.shown_next() + " where the name of a variable is expected");
     }
-    const VariableName found = variable(name, position);
+    const VariableName* known = names_.find(name);
+    const VariableName found = known != nullptr ? *known : names_.add(name, *system_);
     if (found.is_global) {
         text_.fail(shown(name) + " can't be read", "it is set by the program");
     }

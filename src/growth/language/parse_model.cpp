@@ -227,11 +227,26 @@ class ModelParser {
             set->seed = constant_expression();
         } else if (text_.starts_with("axiom:") || text_.starts_with("Axiom:")) {
             text_.fail("a second axiom", "an L-system has one");
+        } else if (is_header()) {
+            text_.fail("a header after the axiom", "headers are before it", "move the line up");
         } else {
             productions_.parse_production(*set, system());
             return;
         }
         need_line_end();
+    }
+
+    /// Whether a line begins with a word of the headers and a colon.
+    bool is_header() {
+        const std::size_t start = text_.position();
+        bool is_found = false;
+        for (const char* word :
+             {"ignore", "consider", "derivation length", "define", "start", "startEach", "endEach",
+              "end"}) {
+            is_found = is_found || (text_.take_keyword(word) && text_.peek() == ':');
+            text_.set_position(start);
+        }
+        return is_found;
     }
 
     void parse_section_line(ProductionSet& set) {

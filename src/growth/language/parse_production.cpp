@@ -163,10 +163,23 @@ void ProductionParser::parse_modules() {
                 fmt::format("'{}' is not a symbol", c), "it marks contexts of a predecessor");
         }
         if (c == '*') {
-            text_.fail("'*' among modules", "it stands alone for no modules");
+            text_.fail("'*' among modules", "alone it means no modules");
         }
         parse_module();
     }
+}
+
+/// Parses a parameter. A text, as that of a label @L, is a number in the string: its index.
+void ProductionParser::parse_parameter(char symbol) {
+    text_.skip_blanks();
+    if (text_.peek() != '"') {
+        expressions_.parse_expression(*system_, ExpressionParser::Newlines::end_lines);
+        return;
+    }
+    if (symbol == 'S') {
+        text_.fail("a command of the shell is refused", "models start no programs", "remove it");
+    }
+    expressions_.parse_text(*system_);
 }
 
 void ProductionParser::parse_module() {
@@ -181,7 +194,7 @@ void ProductionParser::parse_module() {
                 text_.fail(fmt::format(
                     "a module has at most {} parameters", ModuleString::kMaxParameters));
             }
-            expressions_.parse_expression(*system_, ExpressionParser::Newlines::end_lines);
+            parse_parameter(symbol);
             text_.skip_blanks();
         } while (text_.take(","));
         if (!text_.take(")")) {
@@ -194,6 +207,8 @@ void ProductionParser::parse_module() {
 
 /// Queries and cuts that are kept need environment passes.
 void ProductionParser::note_symbol(char symbol, std::size_t count) {
+    program_.has_queries = program_.has_queries || (symbol == 'E' && last_symbol_ == '?');
+    last_symbol_ = symbol;
     program_.asks_environment =
         program_.asks_environment || (symbol == '?' && count == 0) || (symbol == '%' && count > 0);
 }

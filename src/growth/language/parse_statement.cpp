@@ -112,10 +112,8 @@ void ExpressionParser::if_statement() {
 
 void ExpressionParser::while_statement() {
     expect("(", "a condition is in parentheses");
-    const auto loop = static_cast<std::int32_t>(system_->loops++);
-    code_.add(Op::begin_loop, loop);
     const CodeIndex begin = code_.here();
-    code_.add(Op::next_round, loop);
+    code_.add(Op::next_round);
     ternary();
     expect(")", "a parenthesis is open");
     const CodeIndex to_end = code_.add(Op::jump_if_zero);
@@ -125,10 +123,8 @@ void ExpressionParser::while_statement() {
 }
 
 void ExpressionParser::do_statement() {
-    const auto loop = static_cast<std::int32_t>(system_->loops++);
-    code_.add(Op::begin_loop, loop);
     const CodeIndex begin = code_.here();
-    code_.add(Op::next_round, loop);
+    code_.add(Op::next_round);
     statements();
     skip();
     if (text_.take_name() != "while") {

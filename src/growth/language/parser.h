@@ -27,6 +27,8 @@ class ExpressionParser {
 
     /// Parses an expression, whose value is pushed. @throws SyntaxError
     void parse_expression(LSystem& system, Newlines newlines);
+    /// Parses a text in quotes, whose index is pushed. @throws SyntaxError
+    void parse_text(LSystem& system);
     /// Parses "{ statements }". @throws SyntaxError
     void parse_block(LSystem& system);
     /// Parses "{ array a[n] = {...}; ... }". @throws SyntaxError

@@ -36,6 +36,7 @@ class ProductionParser {
     [[nodiscard]] PatternModule parse_pattern_module();
     void parse_condition(Production& production);
     void parse_modules();
+    void parse_parameter(char symbol);
     void parse_module();
     void note_symbol(char symbol, std::size_t count);
 
@@ -46,6 +47,7 @@ class ProductionParser {
     PlantProgram& program_;
     Notices& notices_;
     LSystem* system_ = nullptr;
+    char last_symbol_ = 0;
 };
 
 }  // namespace quasimc

@@ -42,8 +42,7 @@ enum class Op : std::uint8_t {
     jump,          ///< goes to instruction a
     jump_if_zero,  ///< pops a value
     jump_if_true,  ///< pops a value
-    begin_loop,    ///< sets the counter a of rounds to 0
-    next_round,    ///< counts a round of the loop a
+    next_round,    ///< counts a round of a loop
     call,          ///< calls function a with n arguments
     drop,          ///< pops a value
     emit,          ///< pops n values and appends a module with the symbol a
@@ -62,7 +61,7 @@ inline constexpr CodeIndex kNoCode = -1;
 /// A module of a production's predecessor or context.
 struct PatternModule {
     char symbol = 0;
-    std::vector<std::int32_t> variables;  ///< of its parameters
+    std::vector<std::int32_t> variables;  ///< that receive its parameters
 };
 
 struct Production {
@@ -79,8 +78,8 @@ struct ProductionSet {
     std::vector<Production> productions;
     std::array<std::vector<std::uint32_t>, 256> by_symbol;  ///< by the first predecessor
     int max_depth = 1;
-    bool warns = true;           ///< of the maximum depth
-    std::optional<double> seed;  ///< of a homomorphism
+    bool warns = true;           ///< warns of the maximum depth
+    std::optional<double> seed;  ///< for a homomorphism
 
     [[nodiscard]] const std::vector<std::uint32_t>& candidates(char symbol) const {
         return by_symbol[static_cast<unsigned char>(symbol)];
@@ -105,7 +104,6 @@ struct LSystem {
     CodeIndex axiom = kNoCode;
     ProductionSet productions, decomposition, homomorphism;
     std::vector<double> variables;  ///< initial values
-    std::size_t loops = 0;          ///< number of loops in its code
 };
 
 /// Global variables: the current step and the derivation length.
@@ -115,12 +113,13 @@ enum GlobalVariable : std::int32_t { kStepVariable, kLengthVariable, kGlobalVari
 struct PlantProgram {
     std::vector<LSystem> systems;  ///< the first is the main one
     std::vector<Instruction> code;
-    std::vector<std::uint32_t> lines;  ///< of the instructions, in `where`
+    std::vector<std::uint32_t> lines;  ///< lines of the instructions, as indices of `where`
     std::vector<double> constants;
     std::vector<std::string> strings;
     std::vector<PlantArray> arrays;
     std::int64_t steps = 0;
-    bool asks_environment = false;
+    bool asks_environment = false;   ///< whether passes are made
+    bool has_queries = false;        ///< whether ?E occurs
     bool has_cut_to_end = false;     ///< whether %(p) occurs
     std::vector<std::string> where;  ///< "file:line" of each line
     View view;

@@ -60,6 +60,11 @@ struct PlantRandom {
 struct StochasticRandom {
     Posix48 generator{0};
 
+    /// As cpfg seeds it in its window.
+    static StochasticRandom seeded(std::uint16_t seed) {
+        return {Posix48((std::uint64_t{155} << 32U) | seed)};
+    }
+
     /// The next number, from 0 to below 1.
     double next() { return generator.next(); }
 };

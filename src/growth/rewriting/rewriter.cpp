@@ -28,12 +28,12 @@ SystemInstance& SystemInstances::of(ModuleString& string, ModuleString::Position
             {{fmt::format("?({}, ...)", shortest(id)), "there is no L-system of this number",
               "its number is the label after 'Lsystem:'", ""}});
     }
-    constexpr std::size_t kMostVariables = 100'000'000;
+    constexpr std::size_t kMaxVariables = 100'000'000;
     variables_ += found->variables.size() + 1;
-    if (variables_ > kMostVariables) {
+    if (variables_ > kMaxVariables) {
         throw InputError(
             {{fmt::format("?({}, ...)", shortest(id)), "there are too many sub-L-systems",
-              fmt::format("their variables are at most {}", kMostVariables), ""}});
+              fmt::format("their variables are at most {}", kMaxVariables), ""}});
     }
     string.set_subsystem(p, static_cast<std::uint32_t>(instances_.size()));
     instances_.push_back(

@@ -150,7 +150,11 @@ ModuleString::Position Turtle::execute_named(const ModuleString& string, Positio
         }
     }
     if (const auto run = CommandTable::find(name)) {
-        run(*this, {string, p});
+        const Parameters parameters(string, p);
+        for (std::size_t i = 0; i < parameters.count(); ++i) {
+            check_finite(parameters[i]);
+        }
+        run(*this, parameters);
     } else {
         warn(shown(name) + " is no command; it is skipped");
     }
@@ -160,6 +164,7 @@ ModuleString::Position Turtle::execute_named(const ModuleString& string, Positio
 void Turtle::move(const Move& move, const Parameters& parameters) {
     TurtleFrame& frame = state_.frame;
     const double length = parameters.count() > 0 ? parameters[0] * state_.scale : state_.scale;
+    check_finite(length);
     end_segment();
     if (!view_.tropisms.empty()) {
         bend_before_move();

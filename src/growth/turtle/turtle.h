@@ -135,7 +135,18 @@ class Turtle {
     [[nodiscard]] Vec3& heading() { return state_.frame.heading; }
     [[nodiscard]] Vec3& left() { return state_.frame.left; }
     [[nodiscard]] Vec3& up() { return state_.frame.up; }
+    /// Warns if a parameter of a command is not a finite number: all shapes after it are lost.
+    void check_finite(double value) {
+        if (!std::isfinite(value)) {
+            warn(
+                "a parameter is not a finite number; nothing is drawn after it, up to the end of "
+                "the branch");
+        }
+    }
     [[nodiscard]] const Turn& angle(const Parameters& parameters) {
+        if (parameters.count() > 0) {
+            check_finite(parameters[0]);
+        }
         return parameters.count() > 0 ? turns_.turn(parameters[0]) : view_turn_;
     }
     void move(const Move& move, const Parameters& parameters);

@@ -144,13 +144,13 @@ bool has_mutual_neighbours(const SurfaceFile& file, const std::string& path, Not
 
 /// Moves the points of a file to the coordinates of the turtle, in units of the surface's size.
 /// @throws InputError  if the result is not finite
-void place_surface(SurfaceFile& file, double factor, const std::string& path) {
+void put_in_turtle_frame(SurfaceFile& file, double factor, const std::string& path) {
     const std::array<double, 6>& e = file.extents;
     const double size = file.size.value_or(std::max({e[1] - e[0], e[3] - e[2], e[5] - e[4]}));
     const double scale = factor / std::max(size, 0.0);
     const Vec3 heading = normalized(file.heading), left = normalized(cross(file.heading, file.up));
     const Vec3 up = cross(left, heading);
-    const auto place = [&](Vec3& p) {
+    const auto moved = [&](Vec3& p) {
         const Vec3 q = (p - file.contact) * scale;
         p = q.x * left + q.y * heading + q.z * up;
         if (!is_finite(p)) {
@@ -159,9 +159,9 @@ void place_surface(SurfaceFile& file, double factor, const std::string& path) {
                   "SIZE is greater than 0, and HEADING and UP are not parallel", ""}});
         }
     };
-    place(file.end);
+    moved(file.end);
     for (BezierPatch& patch : file.patches) {
-        std::for_each(patch.begin(), patch.end(), place);
+        std::for_each(patch.begin(), patch.end(), moved);
     }
 }
 
@@ -222,7 +222,7 @@ std::optional<BezierSurface> read_surface_file(
     ViewLines lines(named);
     SurfaceFile file = read_surface_lines(lines);
     const PatchDivisions used = surface_divisions(file, divisions, named.path);
-    place_surface(file, size, named.path);
+    put_in_turtle_frame(file, size, named.path);
     if (!has_mutual_neighbours(file, named.path, notices)) {
         return std::nullopt;
     }

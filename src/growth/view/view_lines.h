@@ -16,9 +16,9 @@ namespace quasimc {
 
 // Limits of view files and of the files that they name.
 inline constexpr double kMaxViewNumber = 1e30;    ///< largest magnitude of a number
-inline constexpr int kMaxControlPoints = 10'000;  ///< of a function, curve or contour
-inline constexpr int kMaxViewSamples = 10'000;    ///< of a function or curve
-inline constexpr int kMaxFunctionsOfSet = 1000;   ///< of a file "function set:"
+inline constexpr int kMaxControlPoints = 10'000;  ///< in a function, curve or contour
+inline constexpr int kMaxViewSamples = 10'000;    ///< in a function or curve
+inline constexpr int kMaxFunctionsOfSet = 1000;   ///< in a file "function set:"
 inline constexpr int kMaxPatchDivisions = 200;    ///< in one direction
 inline constexpr std::size_t kMaxSurfaceTriangles = 500'000;
 inline constexpr std::size_t kMaxViewFaults = 100;  ///< later faults are not reported

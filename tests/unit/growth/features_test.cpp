@@ -24,7 +24,7 @@ Grown plant(
     return grown;
 }
 
-/// What an axiom draws, without the lines around it and the colour.
+/// The shapes that an axiom draws, without the lines around them and the colour.
 std::string drawn(const char* axiom, const char* view = "") {
     const std::string text = plant(0, axiom, "\n", view).geometry;
     const auto begin = text.find('\n', text.find("color"));

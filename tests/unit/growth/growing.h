@@ -17,7 +17,7 @@
 
 namespace quasimc::test {
 
-/// What became of a model: its last string, and the texts that came with it. Paths in the texts
+/// The outcome of a model: its last string, and the texts that came with it. Paths in the texts
 /// are relative to the folder of the model.
 struct Grown {
     std::string text;      ///< the string, without line breaks
@@ -49,6 +49,7 @@ inline Grown grow_in(
     const std::string root = folder.path().string();
     Notices notices(
         [&](const std::string& text) { grown.notices.push_back(without_folder(text, root)); });
+    options.folder = root;
     options.print = [&](std::string_view text) { grown.printed += text; };
     try {
         const auto model = PlantModel::read(

@@ -136,19 +136,30 @@ TEST(PlantFunctions, DrawTheNumbersOfErand48) {
 TEST(PlantFunctions, OfFilesWriteAndRead) {
     const TemporaryFolder folder;
     folder.write("plant.v", "");
-    const std::string name = (folder.path() / "data").string();
     folder.write(
-        "model.l", lsystem(
-                       0, "A(a,b,c,d)", "\n",
-                       "Start: {f=fopen(\"" + name +
-                           "\",\"w\"); fprintf(f,\"%g %g\\n\",1.5,-2); c=fclose(f);"
-                           "f=fopen(\"" +
-                           name +
-                           "\",\"r\"); fscanf(f,\"%lf %lf\",&a,&b); fclose(f);"
-                           "d=fopen(\"" +
-                           name + "/none\",\"r\");}"));
+        "model.l",
+        lsystem(
+            0, "A(a,b,c,d)", "\n",
+            "Start: {f=fopen(\"data\",\"w\"); fprintf(f,\"%g %g\\n\",1.5,-2); c=fclose(f);"
+            "f=fopen(\"data\",\"r\"); fscanf(f,\"%lf %lf\",&a,&b); fclose(f);"
+            "d=fopen(\"none\",\"r\");}"));
     EXPECT_EQ(grow_in(folder).text, "A(1.5,-2,0,-1)");
     EXPECT_EQ(folder.read("data"), "1.5 -2\n");
+}
+
+TEST(PlantFunctions, FilesAreWrittenBelowTheFolderOnly) {
+    const TemporaryFolder folder;
+    folder.write("plant.v", "");
+    folder.write("sub/keep", "1");
+    folder.write(
+        "model.l", lsystem(
+                       0, "A(a,b,c)", "\n",
+                       "Start: {a=fopen(\"" + folder.path().string() +
+                           "/keep\",\"w\"); b=fopen(\"../keep\",\"a\");"
+                           "c=fopen(\"sub/../../keep\",\"r+\");}"));
+    const Grown grown = grow_in(folder);
+    EXPECT_EQ(grown.text, "A(-1,-1,-1)");
+    EXPECT_EQ(grown.notices.size(), 3U);
 }
 
 TEST(PlantFunctions, PrintfTakesNumbers) {

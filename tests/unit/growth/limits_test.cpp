@@ -39,7 +39,7 @@ TEST(PlantLimits, StopEndsTheGrowthAfterTheStep) {
     EXPECT_EQ(grown.printed, "end");
 }
 
-TEST(PlantLimits, EndlessLoopsAreFaults) {
+TEST(PlantLimits, LoopsWithoutEndAreErrors) {
     for (const char* loop : {"while (1) {n=n+1;}", "do {n=n+1;} while (n>0);"}) {
         const Texts faults = grow(
                                  lsystem(0, "A", "\n", std::string("Start: {") + loop + "}"), "",
@@ -47,21 +47,41 @@ TEST(PlantLimits, EndlessLoopsAreFaults) {
                                  .faults;
         ASSERT_EQ(faults.size(), 1U);
         EXPECT_EQ(
-            faults[0].find("model.l:3: a loop does not end (it has gone round 1000 times)"), 0U)
+            faults[0].find("model.l:3: a loop does not end (the loops of the block have gone round "
+                           "1000 times)"),
+            0U)
             << faults[0];
     }
 }
 
-TEST(PlantLimits, LoopsOfManyRoundsMayBeNested) {
-    const Grown grown = grow(
-        lsystem(
-            0, "A(n)", "\n",
-            "Start: {i=0; while (i<50) {j=0; while (j<50) {n=n+1; j=j+1;} i=i+1;}}"),
-        "", nullptr, with_limits(1 << 20, 60));
-    EXPECT_EQ(grown.text, "A(2500)");
+TEST(PlantLimits, NestedLoopsCountTogether) {
+    const std::string model = lsystem(
+        0, "A(n)", "\n", "Start: {i=0; while (i<50) {j=0; while (j<50) {n=n+1; j=j+1;} i=i+1;}}");
+    EXPECT_EQ(grow(model, "", nullptr, with_limits(1 << 20, 3000)).text, "A(2500)");
+    EXPECT_EQ(grow(model, "", nullptr, with_limits(1 << 20, 2000)).faults.size(), 1U);
 }
 
-TEST(PlantLimits, EndlessDecompositionIsAFault) {
+TEST(PlantLimits, ParametersThatAreNoNumbersAreReported) {
+    for (const char* axiom : {"F(sqrt(0-1))F(1)", "+(log(0))F(1)", "@M(0,sqrt(0-1),0)F(1)"}) {
+        const Grown grown = grow(lsystem(0, axiom, "\n"));
+        EXPECT_EQ(grown.notices.size(), 1U) << axiom;
+    }
+}
+
+TEST(PlantLimits, ModelsStartNoPrograms) {
+    const Grown grown = grow(lsystem(0, "@S(\"ls\")@L(\"a\")F", "\n"));
+    ASSERT_EQ(grown.faults.size(), 1U);
+    EXPECT_NE(grown.faults[0].find("a command of the shell is refused"), std::string::npos);
+    EXPECT_TRUE(grow(lsystem(0, "@L(\"a\")F", "\n")).faults.empty());
+}
+
+TEST(PlantLimits, HeadersAfterTheAxiomAreNamed) {
+    const Grown grown = grow(lsystem(0, "A\nignore: +", "\n"));
+    ASSERT_FALSE(grown.faults.empty());
+    EXPECT_NE(grown.faults[0].find("a header after the axiom"), std::string::npos);
+}
+
+TEST(PlantLimits, DecompositionWithoutEndIsAnError) {
     const Texts faults =
         grow(
             lsystem(1, "A", "A --> B\ndecomposition: no warnings\nmaximum depth: 1000\nB --> BB\n"),
@@ -71,7 +91,7 @@ TEST(PlantLimits, EndlessDecompositionIsAFault) {
     EXPECT_EQ(faults[0].find("step 1: the string takes more than 1 MiB"), 0U) << faults[0];
 }
 
-TEST(PlantLimits, EndlessHomomorphismIsAFault) {
+TEST(PlantLimits, HomomorphismWithoutEndIsAnError) {
     const Texts faults =
         grow(
             lsystem(0, "A", "homomorphism: no warnings\nmaximum depth: 1000\nA --> AA\n"), "",
@@ -230,7 +250,7 @@ TEST(PlantFaults, NamesThatAreUnknown) {
 TEST(PlantFaults, AStarStandsAlone) {
     EXPECT_EQ(
         faults_of(lsystem(1, "A", "A --> B C*D")),
-        Texts{"model.l:5:10: '*' among modules (it stands alone for no modules)"});
+        Texts{"model.l:5:10: '*' among modules (alone it means no modules)"});
 }
 
 TEST(PlantFaults, AForgottenColonIsAContext) {
