@@ -33,6 +33,8 @@ class GrowEnvironment final : public quasimc::PlantEnvironment {
         const std::stop_token& stop,
         int sides);
     ~GrowEnvironment() override;
+    GrowEnvironment(const GrowEnvironment&) = delete;
+    GrowEnvironment& operator=(const GrowEnvironment&) = delete;
 
     quasimc::Drawing* drawing() override { return inner_->drawing(); }
     quasimc::Drawing* query(const quasimc::PlantQuery& query) override;

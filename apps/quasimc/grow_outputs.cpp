@@ -216,29 +216,34 @@ std::vector<quasimc::OutputPath> paths_of(const std::vector<GrowOutput>& outputs
 
 }  // namespace
 
-void check_numbered(const std::vector<GrowOutput>& outputs, std::int64_t last_step) {
+/// A file that two outputs have in common in some step, if one is a file of each step.
+static std::optional<std::string> common_path(
+    const GrowOutput& a, const GrowOutput& b, std::int64_t last_step) {
     constexpr std::int64_t kMaxChecked = 10'000;
     const auto path_of = [](const GrowOutput& output, std::int64_t step) {
         const std::string& path = output.file.path;
         return std::filesystem::path(numbered_path(path, step).value_or(path)).lexically_normal();
     };
+    if (!numbered_path(a.file.path, 0) && !numbered_path(b.file.path, 0)) {
+        return std::nullopt;  // OutputFiles reports it
+    }
+    for (std::int64_t step = 0; step <= std::min(last_step, kMaxChecked); ++step) {
+        if (path_of(a, step) == path_of(b, step)) {
+            return path_of(a, step).string();
+        }
+    }
+    return std::nullopt;
+}
+
+void check_numbered(const std::vector<GrowOutput>& outputs, std::int64_t last_step) {
     quasimc::Faults faults;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
-        for (std::size_t j = 0; j < outputs.size(); ++j) {
-            const bool is_pair = i < j || !numbered_path(outputs[j].file.path, 0);
-            if (i == j || !is_pair || !numbered_path(outputs[i].file.path, 0)) {
-                continue;
-            }
-            for (std::int64_t step = 0; step <= std::min(last_step, kMaxChecked); ++step) {
-                if (path_of(outputs[i], step) == path_of(outputs[j], step)) {
-                    faults.add(
-                        {outputs[i].file.where,
-                         fmt::format(
-                             "'{}' is the file of another output",
-                             path_of(outputs[i], step).string()),
-                         fmt::format("{} names it", outputs[j].file.where), "name another file"});
-                    break;
-                }
+        for (std::size_t j = i + 1; j < outputs.size(); ++j) {
+            if (const auto path = common_path(outputs[i], outputs[j], last_step)) {
+                faults.add(
+                    {outputs[i].file.where,
+                     fmt::format("'{}' is the file of another output", *path),
+                     fmt::format("{} names it", outputs[j].file.where), "name another file"});
             }
         }
     }

@@ -98,7 +98,12 @@ class GrowingPlant {
     }
     GrowingPlant(const GrowingPlant&) = delete;
     GrowingPlant& operator=(const GrowingPlant&) = delete;
-    ~GrowingPlant() { close(); }
+    ~GrowingPlant() {
+        try {
+            close();
+        } catch (...) {  // NOLINT(bugprone-empty-catch): the step can not report it any more
+        }
+    }
 
     /// The next step, with its light; null after the last one.
     std::unique_ptr<StepHandle> next(const py::object& on_progress) {

@@ -16,7 +16,7 @@ namespace quasimc {
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
     template <typename U>
-    struct rebind {
+    struct rebind {  // NOLINT(readability-identifier-naming): of the standard library
         using other = UninitializedAllocator<U>;
     };
     template <typename U>

@@ -58,7 +58,7 @@ class Plant::Impl {
           options_(std::move(options)),
           machine_(program_, state_, notices),
           instances_(program_, machine_),
-          rewriter_(program_, state_, machine_, instances_, notices) {
+          rewriter_(state_, machine_, instances_, notices) {
         state_.print = options_.print;
         if (options_.seed) {
             state_.choice = StochasticRandom::seeded(*options_.seed);

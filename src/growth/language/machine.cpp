@@ -35,6 +35,7 @@ void Machine::warn(const Instruction& at, std::string_view text) {
     notices_.once(fmt::format("{}: {}", source, text));
 }
 
+// NOLINTNEXTLINE(readability-function-size): one switch over all operations
 double* Machine::execute(CodeIndex code, double* variables, ModuleString* out) {
     rounds_ = 0;
     double* top = stack_.data();  // the last value

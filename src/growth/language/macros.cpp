@@ -85,7 +85,7 @@ std::string_view MacroScanner::peek() {
 }
 
 std::string MacroScanner::take() {
-    const std::string token(peek());
+    std::string token(peek());
     if (!token.empty()) {
         sources_.back().at += token.size();
     }

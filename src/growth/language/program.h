@@ -107,7 +107,7 @@ struct LSystem {
 };
 
 /// Global variables: the current step and the derivation length.
-enum GlobalVariable : std::int32_t { kStepVariable, kLengthVariable, kGlobalVariables };
+inline constexpr std::int32_t kStepVariable = 0, kLengthVariable = 1, kGlobalVariables = 2;
 
 /// A compiled model.
 struct PlantProgram {

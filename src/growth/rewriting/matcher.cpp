@@ -39,6 +39,60 @@ inline void bind_parameters(
     }
 }
 
+/// A walk over the modules of a context.
+struct ContextWalk {
+    const ModuleString& string;
+    const LSystem& system;
+    Position p;
+    bool has_wrapped = false;
+
+    /// Goes to the other end of a ring. @returns false if there is none
+    bool wrap(Position to) {
+        const bool may_wrap = system.is_ring && !has_wrapped && !string.empty();
+        has_wrapped = true;
+        p = to;
+        return may_wrap;
+    }
+    /// Goes from `p` on to a module of a right context. @param wanted  symbol
+    bool find_right(char wanted) {
+        for (;;) {
+            if ((p >= string.end() && !wrap(ModuleString::begin())) || is_kept_cut(string, p)) {
+                return false;
+            }
+            const char symbol = string.symbol(p);
+            if (is_ignored(system, symbol)) {
+                p = string.next(p);
+            } else if (symbol == '[' && wanted != '[') {
+                p = after_branch(string, p);
+            } else {
+                return true;
+            }
+        }
+    }
+    /// Goes from before `p` back to a module of a left context.
+    bool find_left() {
+        for (;;) {
+            p = string.previous(p);
+            if (p == ModuleString::kNone) {
+                if (!wrap(string.end())) {
+                    return false;
+                }
+                continue;
+            }
+            const char symbol = string.symbol(p);
+            const bool is_end = symbol == ']' && string.partner(p) == ModuleString::kNone;
+            if (is_end || is_kept_cut(string, p)) {
+                return false;
+            }
+            if (symbol == ']') {
+                p = string.partner(p);
+            } else if (symbol != '[' && !is_ignored(system, symbol)) {
+                return true;
+            }
+        }
+    }
+};
+
 }  // namespace
 
 Position branch_end(const ModuleString& string, Position p) {
@@ -99,41 +153,19 @@ Position Matcher::match(
 /// Searches the right context: modules that follow, without ignored ones and side branches.
 bool Matcher::find_right(
     const Production& production, const ModuleRange& origin, const LSystem& system) {
-    const ModuleString& string = origin.string;
-    Position p = origin.end;
-    bool has_wrapped = false;
+    ContextWalk walk{origin.string, system, origin.end};
     right_.clear();
     for (const PatternModule& pattern : production.right) {
         if (pattern.symbol == '=') {
-            p = closing_bracket(string, p);
-            right_.push_back(p);
+            walk.p = closing_bracket(walk.string, walk.p);
+            right_.push_back(walk.p);
             continue;
         }
-        for (;;) {
-            if (p >= string.end()) {
-                if (!system.is_ring || has_wrapped || string.empty()) {
-                    return false;
-                }
-                has_wrapped = true;
-                p = ModuleString::begin();
-            }
-            if (is_kept_cut(string, p)) {
-                return false;
-            }
-            const char symbol = string.symbol(p);
-            if (is_ignored(system, symbol)) {
-                p = string.next(p);
-            } else if (symbol == '[' && pattern.symbol != '[') {
-                p = after_branch(string, p);
-            } else {
-                break;
-            }
-        }
-        if (!agrees_with(pattern, string, p)) {
+        if (!walk.find_right(pattern.symbol) || !agrees_with(pattern, walk.string, walk.p)) {
             return false;
         }
-        right_.push_back(p);
-        p = string.next(p);
+        right_.push_back(walk.p);
+        walk.p = walk.string.next(walk.p);
     }
     return true;
 }
@@ -141,38 +173,13 @@ bool Matcher::find_right(
 /// Searches the left context: modules on the path to the root, the nearest first.
 bool Matcher::find_left(
     const Production& production, const ModuleRange& origin, const LSystem& system) {
-    const ModuleString& string = origin.string;
-    Position p = origin.first;
-    bool has_wrapped = false;
+    ContextWalk walk{origin.string, system, origin.first};
     left_.resize(production.left.size());
     for (std::size_t i = production.left.size(); i-- > 0;) {
-        for (;;) {
-            p = string.previous(p);
-            if (p == ModuleString::kNone) {
-                if (!system.is_ring || has_wrapped) {
-                    return false;
-                }
-                has_wrapped = true;
-                p = string.end();
-                continue;
-            }
-            if (is_kept_cut(string, p)) {
-                return false;
-            }
-            const char symbol = string.symbol(p);
-            if (symbol == ']') {
-                p = string.partner(p);
-                if (p == ModuleString::kNone) {
-                    return false;
-                }
-            } else if (symbol != '[' && !is_ignored(system, symbol)) {
-                break;
-            }
-        }
-        if (!agrees_with(production.left[i], string, p)) {
+        if (!walk.find_left() || !agrees_with(production.left[i], walk.string, walk.p)) {
             return false;
         }
-        left_[i] = p;
+        left_[i] = walk.p;
     }
     return true;
 }

@@ -51,14 +51,8 @@ struct AppliedProduction {
 class Rewriter {
   public:
     /// All outlive the rewriter.
-    Rewriter(
-        const PlantProgram& program,
-        MachineState& state,
-        Machine& machine,
-        SystemInstances& instances,
-        Notices& notices)
-        : program_(program),
-          state_(state),
+    Rewriter(MachineState& state, Machine& machine, SystemInstances& instances, Notices& notices)
+        : state_(state),
           machine_(machine),
           instances_(instances),
           notices_(notices),
@@ -109,7 +103,6 @@ class Rewriter {
     void check_size(const ModuleString& out) const;
     ModuleString& scratch(std::size_t depth);
 
-    const PlantProgram& program_;
     MachineState& state_;
     Machine& machine_;
     SystemInstances& instances_;

@@ -231,6 +231,7 @@ std::vector<PlantFunction> read_function_set_file(const NamedFile& file) {
     } while (lines.take_label() != "items");
     const int count = lines.integer("the number of functions", {0, kMaxFunctionsOfSet});
     std::vector<PlantFunction> functions;
+    functions.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         functions.push_back(read_one_function(lines, 0));
     }
