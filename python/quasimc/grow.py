@@ -106,8 +106,7 @@ def grow(
     steps : int
         Derivation steps. Default: those of the model.
     image : bool
-        Whether steps have the homomorphic image. The homomorphism is then applied once more, with
-        all that it prints and draws at random.
+        Whether steps have the homomorphic image.
     progress : bool or callable
         For a stand: as in `Scene.run`, for each step.
     **options

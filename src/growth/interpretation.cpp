@@ -223,9 +223,9 @@ Position Interpretation::interpret_question(ModuleString& text, Position p, int 
 Position Interpretation::interpret_cut(ModuleString& text, Position p, int depth) {
     const Position next = text.next(p);
     if (text.count(p) >= 2) {
-        const auto number = static_cast<std::size_t>(text.parameter(p, 1));
-        if (text.parameter(p, 1) >= 0 && number < cuts_.size()) {
-            turtle_.set_state(*cuts_[number].turtle);
+        const auto number = static_cast<double>(text.parameter(p, 1));
+        if (number >= 0 && number < static_cast<double>(cuts_.size())) {
+            turtle_.set_state(*cuts_[static_cast<std::size_t>(number)].turtle);
         }
         return next;
     }

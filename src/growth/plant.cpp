@@ -134,13 +134,21 @@ class Plant::Impl {
         const PlantRandom random = state_.random, of_homomorphism = homomorphism_random_;
         const std::vector<CutState> cuts = cuts_;
         const auto variables = instances_.variables();
+        const auto restore = [&] {
+            state_.is_silent = false;
+            state_.random = random;
+            homomorphism_random_ = of_homomorphism;
+            cuts_ = cuts;
+            instances_.set_variables(variables);
+        };
         state_.is_silent = true;
-        work();
-        state_.is_silent = false;
-        state_.random = random;
-        homomorphism_random_ = of_homomorphism;
-        cuts_ = cuts;
-        instances_.set_variables(variables);
+        try {
+            work();
+        } catch (...) {
+            restore();
+            throw;
+        }
+        restore();
     }
 
     [[nodiscard]] const LSystem& main() const { return program_.systems.front(); }
