@@ -214,10 +214,8 @@ std::vector<quasimc::OutputPath> paths_of(const std::vector<GrowOutput>& outputs
     return paths;
 }
 
-}  // namespace
-
 /// A file that two outputs have in common in some step, if one is a file of each step.
-static std::optional<std::string> common_path(
+std::optional<std::string> common_path(
     const GrowOutput& a, const GrowOutput& b, std::int64_t last_step) {
     constexpr std::int64_t kMaxChecked = 10'000;
     const auto path_of = [](const GrowOutput& output, std::int64_t step) {
@@ -234,6 +232,8 @@ static std::optional<std::string> common_path(
     }
     return std::nullopt;
 }
+
+}  // namespace
 
 void check_numbered(const std::vector<GrowOutput>& outputs, std::int64_t last_step) {
     quasimc::Faults faults;

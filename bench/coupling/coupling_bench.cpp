@@ -22,7 +22,6 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <ctime>
 #include <string>
 #include <thread>
 #include <vector>
@@ -32,18 +31,13 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "base/process_time.h"
 #include "coupling/plant_light.h"
 #include "coupling/protocol/session.h"
 
 namespace {
 
 using namespace quasimc;
-
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 CommFile usual_format() {
     Notices silent([](const std::string&) {});
@@ -107,16 +101,16 @@ void bench_steps(benchmark::State& state) {
     double whole = 0, tracing = 0, text = 0;
     bool is_odd = false;
     for (auto _ : state) {
-        const double start = cpu_seconds();
+        const double start = process_cpu_seconds();
         Pass pass;
         static_cast<void>(parser.parse(is_odd ? odd : even, pass));
-        const double parsed = cpu_seconds();
+        const double parsed = process_cpu_seconds();
         Answers answers;
         light.answer(
             pass, [] {}, answers);
-        const double answered = cpu_seconds();
+        const double answered = process_cpu_seconds();
         benchmark::DoNotOptimize(reply_chunks(pass, answers, 100, 1 << 30));
-        const double end = cpu_seconds();
+        const double end = process_cpu_seconds();
         whole += end - start;
         text += parsed - start + end - answered;
         tracing += light.last().results.front().solve_cpu_seconds;
@@ -142,11 +136,11 @@ double median_of(std::vector<double> values) {
 
 /// CPU seconds per step.
 double seconds_of_answer(PlantLight& light, const Pass& pass) {
-    const double start = cpu_seconds();
+    const double start = process_cpu_seconds();
     Answers answers;
     light.answer(
         pass, [] {}, answers);
-    return cpu_seconds() - start;
+    return process_cpu_seconds() - start;
 }
 
 /// Alternates steps by auto and by light_tracing with as many rays.

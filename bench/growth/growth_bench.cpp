@@ -11,7 +11,6 @@
 //   turtle        a pass over 1.84 million modules F, turns and brackets
 // Counter bytes: of the string, per module.
 
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -22,17 +21,12 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include "base/process_time.h"
 #include "growth/plant.h"
 
 namespace {
 
 using namespace quasimc;
-
-double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A model in a temporary file.
 class BenchModel {
@@ -63,12 +57,12 @@ void count_memory(benchmark::State& state, const Plant& plant) {
 void doubling(benchmark::State& state) {
     BenchModel model("lsystem: 1\nderivation length: 20\naxiom: A\nA --> AA\nendlsystem\n");
     for ([[maybe_unused]] auto unused : state) {
-        const double begin = cpu_seconds();
+        const double begin = process_cpu_seconds();
         Plant plant = model.plant();
         while (plant.grow()) {
         }
         benchmark::DoNotOptimize(plant.string().lines());
-        state.SetIterationTime(cpu_seconds() - begin);
+        state.SetIterationTime(process_cpu_seconds() - begin);
         count_memory(state, plant);
     }
 }
@@ -81,9 +75,9 @@ void last_step(benchmark::State& state, std::string_view text, int steps) {
         while (plant.step() < steps - 1) {
             plant.grow();
         }
-        const double begin = cpu_seconds();
+        const double begin = process_cpu_seconds();
         plant.grow();
-        state.SetIterationTime(cpu_seconds() - begin);
+        state.SetIterationTime(process_cpu_seconds() - begin);
         count_memory(state, plant);
     }
 }
@@ -119,9 +113,9 @@ void turtle(benchmark::State& state) {
     while (plant.grow()) {
     }
     for ([[maybe_unused]] auto unused : state) {
-        const double begin = cpu_seconds();
+        const double begin = process_cpu_seconds();
         plant.finish();
-        state.SetIterationTime(cpu_seconds() - begin);
+        state.SetIterationTime(process_cpu_seconds() - begin);
         count_memory(state, plant);
     }
 }

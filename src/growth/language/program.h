@@ -4,7 +4,6 @@
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -120,7 +119,6 @@ struct PlantProgram {
     std::int64_t steps = 0;
     bool asks_environment = false;   ///< whether passes are made
     bool has_queries = false;        ///< whether ?E occurs
-    bool has_cut_to_end = false;     ///< whether %(p) occurs
     std::vector<std::string> where;  ///< "file:line" of each line
     View view;
     std::vector<InputFile> inputs;

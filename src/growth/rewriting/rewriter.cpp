@@ -116,11 +116,12 @@ void Rewriter::check_size(const ModuleString& out) const {
 
 Rewriter::Position Rewriter::rewrite(
     const ModuleString& old, Position p, SystemInstance& instance, ModuleString& out) {
-    const AppliedProduction applied = instance.system->is_stochastic
-                                          ? choose_at_random(old, p, instance)
-                                          : choose(old, p, instance);
+    const AppliedProduction applied =
+        instance.system->is_stochastic
+            ? choose_at_random(old, p, instance)
+            : first_match(matcher_, instance.system->productions, old, p, nullptr, instance);
     if (applied.production != nullptr) {
-        apply(*applied.production, {old, p, applied.end}, instance, out);
+        apply(*applied.production, {old, p, applied.end}, 0, instance, out);
         return applied.end;
     }
     const Position next = old.next(p);
@@ -140,10 +141,6 @@ Rewriter::Position Rewriter::rewrite(
         return branch_end(old, next);
     }
     return replace_module(decomposed, module, module, 1, instance, out);
-}
-
-AppliedProduction Rewriter::choose(const ModuleString& old, Position p, SystemInstance& instance) {
-    return first_match(matcher_, instance.system->productions, old, p, nullptr, instance);
 }
 
 /// Chooses among all productions that apply, in proportion to their weights. A random number is
@@ -178,6 +175,7 @@ AppliedProduction Rewriter::choose_at_random(
 void Rewriter::apply(
     const Production& production,
     const ModuleRange& origin,
+    int depth,
     SystemInstance& instance,
     ModuleString& out) {
     machine_.run(production.after, instance.variables);
@@ -185,9 +183,9 @@ void Rewriter::apply(
         machine_.run(production.successor, instance.variables, &out);
         return;
     }
-    ModuleString& successor = scratch(0);
+    ModuleString& successor = scratch(static_cast<std::size_t>(depth));
     machine_.run(production.successor, instance.variables, &successor);
-    decompose(successor, origin, 1, instance, out);
+    decompose(successor, origin, depth + 1, instance, out);
 }
 
 ModuleString& Rewriter::scratch(std::size_t depth) {
@@ -245,10 +243,7 @@ Rewriter::Position Rewriter::replace_module(
         out.append_from(module.string, module.first);
         return module.end;
     }
-    machine_.run(applied.production->after, instance.variables);
-    ModuleString& successor = scratch(static_cast<std::size_t>(depth));
-    machine_.run(applied.production->successor, instance.variables, &successor);
-    decompose(successor, origin, depth + 1, instance, out);
+    apply(*applied.production, origin, depth, instance, out);
     return applied.end;
 }
 

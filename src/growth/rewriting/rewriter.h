@@ -70,13 +70,14 @@ class Rewriter {
     /// Rewrites the modules at `p`. @returns the position after them
     Position rewrite(
         const ModuleString& old, Position p, SystemInstance& instance, ModuleString& out);
-    [[nodiscard]] AppliedProduction choose(
-        const ModuleString& old, Position p, SystemInstance& instance);
     [[nodiscard]] AppliedProduction choose_at_random(
         const ModuleString& old, Position p, SystemInstance& instance);
+    /// Appends the successor of a production with its decomposition.
+    /// @param depth  of the production: 0 for those of the derivation
     void apply(
         const Production& production,
         const ModuleRange& origin,
+        int depth,
         SystemInstance& instance,
         ModuleString& out);
     /// Appends a text with its decomposition.
