@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "parts.h"
-#include "results/bounds/patch_error.h"
 #include "scenes.h"
 
 namespace quasimc::bench {
@@ -53,38 +52,6 @@ Measured measure(
     return {
         variance / (absorptance * absorptance), median(seconds) / spec.replicates,
         std::sqrt(variance) / mean};
-}
-
-/// Like measure(), for ray bundles: the error of patches, common to all replicates, counts once in
-/// the variance of one.
-Measured measure_bundles(
-    const Scene& scene, const Sources& sources, const RunSpec& spec, double absorptance) {
-    Measured m = measure(scene, sources, spec, absorptance);
-    const Sums sums = Simulator().sums(scene, sources, spec, 0);
-    const Result fine = evaluate_run(sums, scene, spec, sources);
-    const Result coarse = evaluate_run(coarser_sums(sums), scene, spec, sources);
-    double variance = 0, mean = 0;
-    for (std::size_t i = 0; i < fine.organs(); ++i) {
-        const Estimate& e = fine.at(i, Quantity::absorbed_flux_density, 0);
-        const double patches = e.mean - coarse.at(i, Quantity::absorbed_flux_density, 0).mean;
-        const double square = patches * patches;
-        variance += (e.standard_error * e.standard_error - square) * spec.replicates + square;
-        mean += e.mean;
-    }
-    const auto organs = static_cast<double>(fine.organs());
-    m.variance = variance / organs / (absorptance * absorptance);
-    m.error = std::sqrt(variance / organs) / (mean / organs);
-    return m;
-}
-
-Measured measure_by(
-    Method method,
-    const Scene& scene,
-    const Sources& sources,
-    const RunSpec& spec,
-    double absorptance) {
-    return method == Method::ray_bundles ? measure_bundles(scene, sources, spec, absorptance)
-                                         : measure(scene, sources, spec, absorptance);
 }
 
 RunSpec make_spec(Method from, std::string sampler, std::uint64_t paths, const Effort& effort) {
@@ -145,8 +112,8 @@ void print_merit(
             make_canopy({.leaves = one.leaves, .albedos = {one.albedo}, .seed = seed});
         const Sources sources = make_light(one.light, 1);
         const double absorptance = 1 - one.albedo;
-        const Measured lit = measure_by(
-            method, scene, sources, make_spec(method, "sobol", paths, effort), absorptance);
+        const Measured lit =
+            measure(scene, sources, make_spec(method, "sobol", paths, effort), absorptance);
         const Measured plain = measure(
             scene, sources, make_spec(Method::light_tracing, sampler, paths, effort), absorptance);
         const double ratio = lit.merit() / plain.merit();
@@ -172,7 +139,7 @@ void print_time(
         std::uint64_t paths = 1024;
         const auto try_paths = [&] {
             const RunSpec spec = make_spec(method, "sobol", paths, effort);
-            return measure_by(method, scene, sources, spec, 1 - one.albedo);
+            return measure(scene, sources, spec, 1 - one.albedo);
         };
         Measured m = try_paths();
         while (m.error > kError) {

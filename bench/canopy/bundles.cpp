@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "parts.h"
-#include "results/bounds/patch_error.h"
 #include "scenes.h"
 
 namespace quasimc::bench {
@@ -21,28 +20,17 @@ constexpr int kTimings = 3;
 
 /// Relative to all light on leaves.
 struct Errors {
-    double all = 0, patches = 0;  ///< total error, and the part due to patches
-    double direct = 0, scattered = 0;
+    double all = 0, direct = 0, scattered = 0;
 };
 
-/// Sums over leaves of the squared error of a quantity in one replicate, where it is known, and of
-/// the squared error of patches, which is common to all replicates.
-struct Squares {
-    double noise = 0, patches = 0;
-};
-
-Squares squares_of(const Result& fine, const Result& coarse, Quantity quantity, double replicates) {
-    Squares sum;
-    for (std::size_t i = 0; i < fine.organs(); ++i) {
-        const Estimate& e = fine.at(i, quantity, 0);
-        const double difference = e.mean - coarse.at(i, quantity, 0).mean;
-        if (std::isfinite(e.standard_error)) {
-            sum.patches += difference * difference;
-            sum.noise +=
-                (e.standard_error * e.standard_error - difference * difference) * replicates;
-        }
+/// The mean over leaves of the squared error of a quantity in one replicate, where it is known.
+double square_of(const Result& result, Quantity quantity, double replicates) {
+    double sum = 0;
+    for (std::size_t i = 0; i < result.organs(); ++i) {
+        const double error = result.at(i, quantity, 0).standard_error;
+        sum += std::isfinite(error) ? error * error * replicates : 0;
     }
-    return sum;
+    return sum / static_cast<double>(result.organs());
 }
 
 double mean_of(const Result& result, Quantity quantity) {
@@ -54,23 +42,16 @@ double mean_of(const Result& result, Quantity quantity) {
 }
 
 Errors errors_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
-    const Sums sums = Simulator().sums(scene, sources, spec, 0);
-    const Result coarse = evaluate_run(coarser_sums(sums), scene, spec, sources);
-    const Result fine = evaluate_run(sums, scene, spec, sources);
+    const Result result = run(scene, sources, spec);
     const double incident =
-        mean_of(fine, Quantity::incident_direct) + mean_of(fine, Quantity::incident_scattered);
-    const auto share = [&](double squares, double mean) {
-        return std::sqrt(squares / static_cast<double>(fine.organs())) / mean;
+        mean_of(result, Quantity::incident_direct) + mean_of(result, Quantity::incident_scattered);
+    const auto error = [&](Quantity quantity, double mean) {
+        return std::sqrt(square_of(result, quantity, spec.replicates)) / mean;
     };
-    const auto of_part = [&](Quantity quantity) {
-        const Squares part = squares_of(fine, coarse, quantity, spec.replicates);
-        return share(part.noise + part.patches, incident);
-    };
-    const Squares all = squares_of(fine, coarse, Quantity::absorbed_flux_density, spec.replicates);
-    const double absorbed = mean_of(fine, Quantity::absorbed_flux_density);
+    const double absorbed = mean_of(result, Quantity::absorbed_flux_density);
     return {
-        share(all.noise + all.patches, absorbed), share(all.patches, absorbed),
-        of_part(Quantity::incident_direct), of_part(Quantity::incident_scattered)};
+        error(Quantity::absorbed_flux_density, absorbed),
+        error(Quantity::incident_direct, incident), error(Quantity::incident_scattered, incident)};
 }
 
 /// CPU seconds of a replicate.
@@ -107,10 +88,10 @@ void print_case(const Case& one, std::uint64_t paths, const Effort& effort) {
     const Errors errors = errors_of(scene, sources, spec);
     const double seconds = time_of(scene, sources, spec);
     std::printf(
-        "  %-42s error %6.3f %% (patches %5.3f, direct %6.3f, scattered %6.3f), %8.2f ms, "
+        "  %-42s error %6.3f %% (direct %6.3f, scattered %6.3f), %8.2f ms, "
         "1 / (error^2 s) %8.3g\n",
-        name.c_str(), 100 * errors.all, 100 * errors.patches, 100 * errors.direct,
-        100 * errors.scattered, 1e3 * seconds, 1 / (errors.all * errors.all * seconds));
+        name.c_str(), 100 * errors.all, 100 * errors.direct, 100 * errors.scattered, 1e3 * seconds,
+        1 / (errors.all * errors.all * seconds));
     std::fflush(stdout);
 }
 

@@ -6,6 +6,7 @@
 //     ./dev bench agreement --paths N  against N paths of plain tracing instead of 1e9
 //     ./dev bench bars --cases bundles targets of ray bundles
 //     ./dev bench bundles --cases NIR errors and times of ray bundles
+//     ./dev bench width --truths DIR   errors and intervals in hard scenes; truths in the folder
 //     ./dev bench corners              coverage of intervals in hard cases, an hour
 //     ./dev bench canopies --files A B with scenes of run files; status 1 if a target is missed
 
@@ -41,6 +42,7 @@ int main(int argc, char** argv) {
         {"engine", print_engine_speed},
         {"day", print_day},
         {"scaling", print_scaling},
+        {"width", print_width},
     };
     std::vector<std::string> names;
     for (const auto& part : parts) {
@@ -55,11 +57,40 @@ int main(int argc, char** argv) {
     app.add_option("--paths", plain_paths, "agreement: paths of plain tracing, 1e9 if not given");
     app.add_option("--files", files, "canopies: run files with further scenes");
     app.add_option(
-        "--cases", words, "bars, bundles, canopies: only cases whose name contains this text");
+        "--cases", words,
+        "bars, bundles, canopies, width: only cases whose name contains this text");
+    std::string truths, method;
+    std::uint64_t only_paths = 0;
+    std::uint32_t runs = 0;
+    app.add_option("--truths", truths, "width: folder where truths are stored");
+    app.add_option("--method", method, "width: method of the runs (default: automatic)")
+        ->check(CLI::IsMember({"light_tracing", "first_hits", "from_organs", "ray_bundles"}));
+    app.add_option("--only-paths", only_paths, "width: paths per replicate (default: 4096, 65536)");
+    app.add_option("--runs", runs, "width: number of seeds, 100 if not given");
     CLI11_PARSE(app, argc, argv);
 
-    Effort effort = quick ? Effort{8, 16384, 10000, 3, 50, 50, 10'000'000, 5000, ""} : Effort{};
+    Effort effort;
+    if (quick) {
+        effort = {
+            .replicates = 8,
+            .paths = 16384,
+            .most_leaves = 10000,
+            .repeats = 3,
+            .repetitions = 50,
+            .corner_runs = 50,
+            .plain_paths = 10'000'000,
+            .most_triangles = 5000,
+            .cases = {},
+            .truths = {},
+            .method = {},
+            .width_runs = 10,
+            .truth_divisor = 64};
+    }
     effort.cases = words;
+    effort.truths = truths;
+    effort.method = method;
+    effort.only_paths = only_paths;
+    effort.width_runs = runs > 0 ? runs : effort.width_runs;
     effort.plain_paths = plain_paths > 0 ? plain_paths : effort.plain_paths;
     std::printf(
         "QuasiMC %s, %u threads available. CPU times are of one thread unless noted.\n",

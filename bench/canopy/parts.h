@@ -16,7 +16,12 @@ struct Effort {
     std::uint32_t corner_runs = 500;            ///< runs for each corner
     std::uint64_t plain_paths = 1'000'000'000;  ///< plain light tracing, as the reference
     std::uint32_t most_triangles = 1'000'000;   ///< of the largest canopies
-    std::string cases;                          ///< bars: only names that contain this
+    std::string cases;                          ///< bars, width: only names that contain this
+    std::string truths;               ///< width: folder where truths are stored; empty: none
+    std::string method;               ///< width: of the runs; empty: automatic
+    std::uint64_t only_paths = 0;     ///< width: paths per replicate; 0: both numbers
+    std::uint32_t width_runs = 100;   ///< width: seeds
+    std::uint64_t truth_divisor = 1;  ///< width: divides the paths of truths
 };
 
 /// Prints variance, CPU time and figure of merit of every sampler and direction of tracing.
@@ -48,6 +53,8 @@ void print_engine_speed(const Effort& effort);
 void print_day(const Effort& effort);
 /// Prints a year with daylight coefficients against one hour at the same error.
 void print_season(const Effort& effort);
+/// Prints reported over true errors and coverage, by kind of quantity, in hard scenes.
+void print_width(const Effort& effort);
 /// Prints one thread against two.
 void print_scaling(const Effort& effort);
 

@@ -128,14 +128,8 @@ class TriangleCutter {
         join_in_parts(pieces, borders, unions);
         join_small(borders, pieces.size(), unions);
         const std::vector<std::uint32_t> patches = number(pieces, parts, unions);
-        for (const Border& border : borders) {
-            if (unions.may_join(border.a, border.b)) {
-                unions.join(border.a, border.b);
-            }
-        }
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             to_.links_[pieces[i].link] = CutTriangle::kPatch | patches[i];
-            to_.groups_[patches[i]] = patches[unions.of(i)];
         }
     }
 
@@ -251,7 +245,6 @@ class TriangleCutter {
             if (patch == kNone && free.empty()) {
                 patch = to_.patches();
                 to_.areas_.push_back(0);
-                to_.groups_.push_back(patch);
             } else if (patch == kNone) {
                 patch = free.back();
                 free.pop_back();
@@ -271,9 +264,7 @@ class TriangleCutter {
 CutTriangle::CutTriangle(int level, std::span<const SurfaceCrossing> crossings)
     : parts_(std::size_t{1} << (2U * static_cast<unsigned>(level))),
       links_(parts_),
-      areas_(parts_),
-      groups_(parts_) {
-    std::iota(groups_.begin(), groups_.end(), 0U);
+      areas_(parts_) {
     TriangleCutter(level, crossings, *this).cut();
 }
 

@@ -23,9 +23,6 @@ class CutTriangle {
     }
     /// The area fraction of a patch; 0 for empty ones.
     [[nodiscard]] double area(std::uint32_t patch) const { return areas_[patch]; }
-    /// Patches with equal numbers form one patch of the next coarser level, on one side of all
-    /// crossing surfaces.
-    [[nodiscard]] std::uint32_t group(std::uint32_t patch) const { return groups_[patch]; }
 
     /// The patch that contains a point of a part.
     [[nodiscard]] std::uint32_t patch(std::uint32_t part, double u, double v) const {
@@ -79,7 +76,6 @@ class CutTriangle {
     std::vector<Line> lines_;
     std::vector<std::uint32_t> links_;  // for each part, and below and above each line
     std::vector<double> areas_;
-    std::vector<std::uint32_t> groups_;
 };
 
 }  // namespace quasimc

@@ -9,12 +9,10 @@
 #include "base/checks.h"
 #include "results/bounds/organ_contributions.h"
 #include "results/bounds/organ_reader.h"
-#include "results/bounds/patch_error.h"
 #include "results/bounds/physical_bounds.h"
 #include "results/cut_intervals.h"
 #include "results/flows.h"
 #include "results/groups.h"
-#include "results/means.h"
 #include "results/organ_blocks.h"
 #include "results/totals.h"
 #include "sums/statistics.h"
@@ -184,11 +182,6 @@ Result evaluate_sums(
     result.escaped_by_difference = sums->escaped == EscapedLight::remainder;
     result.paths = sums.paths();
     result.replicates = static_cast<std::uint32_t>(sums->replicates.size());
-    if (has_two_levels(sums)) {
-        add_patch_errors(
-            evaluate_means(coarser_sums(sums), scene, spec, result.groups.groups), scene, spec,
-            result);
-    }
     cut_intervals(PhysicalBounds(scene, spec, sums->emitted_flux), scene, spec, result);
     return result;
 }
@@ -201,9 +194,6 @@ Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec
 
 Result evaluate(Sums&& sums, const Scene& scene, const EvaluationSpec& spec) {
     Sums own = std::move(sums);
-    if (has_two_levels(own)) {
-        return evaluate(std::as_const(own), scene, spec);
-    }
     return evaluate_sums(own, scene, spec, [&](std::size_t first, std::size_t last) {
         const std::vector<Organ>& organs = scene.organs();
         const std::size_t end =

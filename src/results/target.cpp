@@ -4,14 +4,11 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "results/bounds/organ_contributions.h"
 #include "results/bounds/organ_reader.h"
-#include "results/bounds/patch_error.h"
-#include "results/bounds/patch_error_pool.h"
 #include "results/evaluate.h"
 #include "results/organ_blocks.h"
 
@@ -66,90 +63,6 @@ Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
     return OrganContributions(reader, band).estimate(quantity_table().front(), 0, absorbed);
 }
 
-/// Scattered fraction of the light of an organ in a band: 0 to 1.
-double scattered_part(const OrganReader& reader, std::size_t band) {
-    double scattered = 0, all = 0;
-    for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
-        const Incident in = reader.incident(r, band);
-        scattered += in.scattered_upper + in.scattered_lower;
-        all += in.direct_upper + in.direct_lower + in.scattered_upper + in.scattered_lower;
-    }
-    return all > 0 ? std::clamp(scattered / all, 0.0, 1.0) : 0;
-}
-
-/// Absorbed light of organs on the two levels of patches, per band; independent of the number of
-/// threads.
-std::vector<PatchErrorPool> pool_of(
-    const SumReader& fine,
-    const SumReader& coarse,
-    const Scene& scene,
-    const EvaluationSpec& spec) {
-    const std::size_t bands = fine.data().bands();
-    std::vector<std::vector<PatchErrorPool>> of_block(blocks_of(scene));
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        std::vector<PatchErrorPool>& pools = of_block[first / kOrgansPerBlock];
-        pools.resize(bands);
-        for (std::size_t i = first; i < last; ++i) {
-            const Organ& organ = scene.organs()[i];
-            if (!is_pooled(organ)) {
-                continue;
-            }
-            std::vector<double> flux(bands), other(bands);
-            const OrganReader reader(fine, scene, spec, organ);
-            add_absorbed(reader, flux);
-            add_absorbed(OrganReader(coarse, scene, spec, organ), other);
-            for (std::size_t b = 0; b < bands; ++b) {
-                pools[b].add(
-                    flux[b] * scattered_part(reader, b) / organ.area,
-                    (flux[b] - other[b]) / organ.area);
-            }
-        }
-    });
-    std::vector<PatchErrorPool> all(bands);
-    for (const std::vector<PatchErrorPool>& pools : of_block) {
-        for (std::size_t b = 0; b < pools.size(); ++b) {
-            all[b] += pools[b];
-        }
-    }
-    return all;
-}
-
-/// Absorbed light of organs, with the error of patches where sums have two levels.
-class AbsorbedByOrgans {
-  public:
-    AbsorbedByOrgans(const Sums& sums, const Scene& scene, const EvaluationSpec& spec)
-        : fine_(sums), scene_(scene), spec_(spec) {
-        if (has_two_levels(sums)) {
-            coarse_sums_ = coarser_sums(sums);
-            coarse_.emplace(coarse_sums_);
-            pools_ = pool_of(fine_, *coarse_, scene_, spec_);
-        }
-    }
-
-    /// Absorbed flux of an organ, [band].
-    void find(const Organ& organ, std::vector<Estimate>& absorbed) const {
-        const OrganReader reader(fine_, scene_, spec_, organ);
-        for (std::size_t b = 0; b < absorbed.size(); ++b) {
-            absorbed[b] = absorbed_flux(reader, b);
-            if (coarse_) {
-                const OrganReader other(*coarse_, scene_, spec_, organ);
-                const double own = absorbed[b].mean - absorbed_flux(other, b).mean;
-                const double scattered = absorbed[b].mean * scattered_part(reader, b);
-                absorbed[b] = with_patch_error(
-                    absorbed[b], is_pooled(organ) ? pools_[b].shrunk(own, scattered) : own);
-            }
-        }
-    }
-
-  private:
-    SumReader fine_;
-    const Scene& scene_;
-    const EvaluationSpec& spec_;
-    Sums coarse_sums_;  // where there are two levels
-    std::optional<SumReader> coarse_;
-    std::vector<PatchErrorPool> pools_;
-};
-
 /// Whether the absorbed flux of an organ meets the target in every band, as it does for organs that
 /// can't absorb. An upper bound of unsampled light must be small compared with other organs.
 /// @param absorbed  [band]
@@ -192,7 +105,7 @@ ErrorSpread spread_of(std::vector<double> errors) {
 RoundErrors errors_so_far(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
     const std::size_t bands = sums->bands();
-    const AbsorbedByOrgans light(sums, scene, spec);
+    const SumReader sum_reader(sums);
     const std::vector<double> mean_flux =
         target > 0 ? mean_absorbed_flux(sums, scene, spec) : std::vector<double>();
     std::atomic<std::size_t> reached{0};
@@ -206,7 +119,10 @@ RoundErrors errors_so_far(
                 ++reached;
                 continue;
             }
-            light.find(organ, absorbed);
+            const OrganReader reader(sum_reader, scene, spec, organ);
+            for (std::size_t b = 0; b < bands; ++b) {
+                absorbed[b] = absorbed_flux(reader, b);
+            }
             if (!organ.is_ground) {
                 const auto at = errors.begin() + static_cast<std::ptrdiff_t>(i * bands);
                 std::transform(absorbed.begin(), absorbed.end(), at, relative_error);

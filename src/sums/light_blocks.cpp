@@ -27,36 +27,28 @@ void declare_sides(const std::string& name, const SumColumns& columns, SumBlocks
     }
 }
 
-ScatteredBlocks::ScatteredBlocks(const SumLayout& layout, const std::string& prefix)
-    : on_surfaces(layout, prefix + "scattered"),
-      escaped(layout.find(prefix + "escaped_scattered")),
-      scattered_out(layout.find(prefix + "scattered_out")),
-      cut_off(layout.find(prefix + "cut_off")) {}
-
-void declare_scattered_on_surfaces(
-    const std::string& prefix, std::size_t bands, SumBlocks& blocks) {
-    declare_sides(prefix + "scattered", columns_of(Of::band, bands), blocks);
-}
-
-void declare_scattered_of_run(const std::string& prefix, std::size_t bands, SumBlocks& blocks) {
-    for (const char* name : {"escaped_scattered", "scattered_out", "cut_off"}) {
-        blocks.push_back({prefix + name, Rows::run, columns_of(Of::band, bands)});
-    }
-}
+ScatteredBlocks::ScatteredBlocks(const SumLayout& layout)
+    : on_surfaces(layout, "scattered"),
+      escaped(layout.find("escaped_scattered")),
+      scattered_out(layout.find("scattered_out")),
+      cut_off(layout.find("cut_off")) {}
 
 SumBlocks light_blocks(std::size_t spectra, std::size_t bands, bool sums_absorbed) {
     const SumColumns by_spectrum = columns_of(Of::spectrum, spectra);
+    const SumColumns by_band = columns_of(Of::band, bands);
     SumBlocks blocks;
     declare_sides("direct", by_spectrum, blocks);
-    declare_scattered_on_surfaces("", bands, blocks);
+    declare_sides("scattered", by_band, blocks);
     blocks.push_back({"sunlit", Rows::regions, {{Of::area}}});
     if (sums_absorbed) {
-        blocks.push_back({"absorbed_direct", Rows::regions, columns_of(Of::band, bands)});
-        blocks.push_back({"absorbed_scattered", Rows::regions, columns_of(Of::band, bands)});
+        blocks.push_back({"absorbed_direct", Rows::regions, by_band});
+        blocks.push_back({"absorbed_scattered", Rows::regions, by_band});
     }
     blocks.push_back({"emitted", Rows::run, by_spectrum});
     blocks.push_back({"escaped_direct", Rows::run, by_spectrum});
-    declare_scattered_of_run("", bands, blocks);
+    for (const char* name : {"escaped_scattered", "scattered_out", "cut_off"}) {
+        blocks.push_back({name, Rows::run, by_band});
+    }
     blocks.push_back({"rays", Rows::run, {{Of::number}}});
     return blocks;
 }

@@ -32,22 +32,13 @@ class SideBlocks {
 /// Declares a pair of blocks.
 void declare_sides(const std::string& name, const SumColumns& columns, SumBlocks& blocks);
 
-/// Prefix of the names of blocks of scattered light on the coarser of two levels of patches. The
-/// difference of the two estimates the error of the finer (docs/theory/ray-bundles.md).
-inline constexpr const char* kCoarse = "coarse_";
-
 /// The blocks of scattered light: incident on surfaces, escaped, scattered and cut off.
 struct ScatteredBlocks {
-    /// @param prefix  of their names
-    explicit ScatteredBlocks(const SumLayout& layout, const std::string& prefix = {});
+    explicit ScatteredBlocks(const SumLayout& layout);
 
     SideBlocks on_surfaces;
     BlockBins escaped, scattered_out, cut_off;  ///< per band
 };
-
-/// Declares blocks of scattered light, on surfaces and of the run.
-void declare_scattered_on_surfaces(const std::string& prefix, std::size_t bands, SumBlocks& blocks);
-void declare_scattered_of_run(const std::string& prefix, std::size_t bands, SumBlocks& blocks);
 
 /// Declares the blocks that every method sums.
 ///

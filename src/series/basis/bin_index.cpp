@@ -1,15 +1,10 @@
 #include "series/basis/bin_index.h"
 
-#include <utility>
-
 namespace quasimc {
 namespace {
 
 SumLayout sum_layout(std::size_t regions, std::size_t bands) {
-    SumBlocks blocks = light_blocks(bands, bands);
-    declare_scattered_on_surfaces(kCoarse, bands, blocks);
-    declare_scattered_of_run(kCoarse, bands, blocks);
-    return {regions, std::move(blocks)};
+    return {regions, light_blocks(bands, bands)};
 }
 
 BinPart part_of(const SumColumn& column) {
@@ -31,7 +26,6 @@ BinPart part_of(const SumColumn& column) {
 BasisLayout::BasisLayout(std::size_t region_count, std::size_t band_count)
     : sums(sum_layout(region_count, band_count)),
       light(sums),
-      coarse(sums, kCoarse),
       regions(region_count),
       bands(band_count) {}
 

@@ -8,13 +8,12 @@
 namespace quasimc {
 
 /// The bins of light that is combined from several runs: one spectrum for each band, so that
-/// amounts of all of them can be added, and two levels of patches.
+/// amounts of all of them can be added.
 struct BasisLayout {
     BasisLayout(std::size_t regions, std::size_t bands);
 
     SumLayout sums;
     LightBlocks light;
-    ScatteredBlocks coarse;
     std::size_t regions, bands;
 
     [[nodiscard]] std::size_t bins() const { return sums.bins(); }

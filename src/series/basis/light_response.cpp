@@ -4,7 +4,6 @@
 #include <span>
 
 #include "base/checks.h"
-#include "results/bounds/patch_error.h"
 #include "scene/repeat_bands.h"
 #include "sums/sum_data.h"
 
@@ -15,12 +14,7 @@ namespace {
 class ResponseReader {
   public:
     ResponseReader(const SumData& sums, std::size_t copy, const BasisLayout& layout)
-        : sums_(sums),
-          from_(sums.layout),
-          from_coarse_(sums.layout, kCoarse),
-          to_(layout),
-          index_(layout),
-          copy_(copy) {
+        : sums_(sums), from_(sums.layout), to_(layout), index_(layout), copy_(copy) {
         const auto samples = static_cast<double>(sums.samples);
         for (std::size_t b = 0; b < to_.bands; ++b) {
             flux_.push_back(sums.units.flux[own(b)] / samples);
@@ -42,8 +36,7 @@ class ResponseReader {
         for (std::size_t b = 0; b < to_.bands; ++b) {
             put(flux, to_.light.emitted() + b, direct(bins, from_.emitted(), b));
             put(flux, to_.light.escaped_direct() + b, direct(bins, from_.escaped_direct(), b));
-            read_flows(bins, b, from_.scattered_blocks(), to_.light.scattered_blocks(), flux);
-            read_flows(bins, b, from_coarse_, to_.coarse, flux);
+            read_flows(bins, b, flux);
         }
         settle(flux);
         return flux;
@@ -75,12 +68,8 @@ class ResponseReader {
         }
     }
     /// Reads where the scattered light of a band went.
-    void read_flows(
-        const ExactBins& bins,
-        std::size_t b,
-        const ScatteredBlocks& from,
-        const ScatteredBlocks& to,
-        std::vector<float>& flux) const {
+    void read_flows(const ExactBins& bins, std::size_t b, std::vector<float>& flux) const {
+        const ScatteredBlocks &from = from_.scattered_blocks(), &to = to_.light.scattered_blocks();
         for (BlockBins ScatteredBlocks::*flow :
              {&ScatteredBlocks::escaped, &ScatteredBlocks::scattered_out,
               &ScatteredBlocks::cut_off}) {
@@ -94,8 +83,6 @@ class ResponseReader {
                     direct(bins, from_.direct(region, side, 0), b));
                 put(flux, to_.light.scattered(region, side) + b,
                     band(bins, from_.scattered(region, side), b));
-                put(flux, to_.coarse.on_surfaces.bin(region, side, b),
-                    band(bins, from_coarse_.on_surfaces.bin(region, side), b));
             }
         }
         put(flux, to_.light.sunlit(region), bins.value(from_.sunlit(region)) * sunlit_);
@@ -118,7 +105,6 @@ class ResponseReader {
 
     const SumData& sums_;
     LightBlocks from_;
-    ScatteredBlocks from_coarse_;
     const BasisLayout& to_;
     BinIndex index_;
     std::size_t copy_;
@@ -152,7 +138,7 @@ std::vector<float> bins_of_suns(const SunLight& light, const BasisLayout& layout
 }  // namespace
 
 LightResponse read_response(const Sums& sums, std::size_t copy, const BasisLayout& layout) {
-    EXPECT(has_two_levels(sums) && sums->units.region_scale.empty());
+    EXPECT(sums->units.region_scale.empty());
     const ResponseReader reader(*sums, copy, layout);
     LightResponse response;
     for (const ExactBins& bins : sums->replicates) {

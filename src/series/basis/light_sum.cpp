@@ -6,6 +6,7 @@
 
 #include "base/checks.h"
 #include "base/parallel.h"
+#include "samplers/hash.h"
 #include "series/basis/add_responses.h"
 #include "sums/statistics.h"
 #include "sums/sum_data.h"
@@ -19,6 +20,20 @@ constexpr double kUnits = 1 << 28;
 /// Rounds to nearest, inline: the library's function costs more than all other work on a bin.
 [[nodiscard]] std::int64_t rounded(double x) {
     return static_cast<std::int64_t>(x + std::copysign(0.5, x));
+}
+
+/// Numbers with a mean of 0, in random order, whose mean as an estimate has the standard error 1.
+std::vector<double> balanced(std::size_t count, std::uint64_t key) {
+    const std::size_t pairs = count / 2;
+    const auto n = static_cast<double>(count);
+    const double size = std::sqrt(n * (n - 1) / (2 * static_cast<double>(pairs)));
+    std::vector<double> numbers(count);
+    std::fill_n(numbers.begin(), pairs, size);
+    std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(pairs), pairs, -size);
+    for (std::size_t i = count; i > 1; --i) {
+        std::swap(numbers[i - 1], numbers[mix64(key + i) % i]);
+    }
+    return numbers;
 }
 
 /// Number of bins that stay in the caches while they are added to several sums.
@@ -172,15 +187,13 @@ void LightSum::add_suns(const LightResponse& response, double factor) {
 
 /// @param factors  for the bins of each region, then for those of the run
 void LightSum::add_parts(const LightResponse& response, std::span<const double> factors) {
-    EXPECT(response.bins.size() == bins_.size() || bins_.size() == 1);
+    EXPECT(response.bins.size() == bins_.size());
     const BinIndex index(layout_);
-    const double share =
-        static_cast<double>(bins_.size()) / static_cast<double>(response.bins.size());
     for (std::size_t r = 0; r < response.bins.size(); ++r) {
         for (std::size_t part = 0; part < factors.size(); ++part) {
             const float* from = &response.bins[r][index.first(part)];
-            double* to = &bins_[r % bins_.size()][index.first(part)];
-            const double factor = share * factors[part];
+            double* to = &bins_[r][index.first(part)];
+            const double factor = factors[part];
             for (std::size_t i = 0; factor != 0 && i < index.count(part); ++i) {
                 to[i] += factor * static_cast<double>(from[i]);
             }
@@ -188,51 +201,40 @@ void LightSum::add_parts(const LightResponse& response, std::span<const double> 
     }
 }
 
-LightSum& LightSum::operator+=(const LightSum& other) {
+void LightSum::add(const LightSum& other, double factor) {
     for (std::size_t r = 0; r < bins_.size(); ++r) {
         for (std::size_t i = 0; i < bins_[r].size(); ++i) {
-            bins_[r][i] += other.bins_[r][i];
+            bins_[r][i] += factor * other.bins_[r][i];
         }
     }
     for (std::size_t b = 0; b < emitted_.size(); ++b) {
-        emitted_[b] += other.emitted_[b];
+        emitted_[b] += factor * other.emitted_[b];
     }
-    return *this;
 }
 
-void LightSum::raise(std::span<const double> parts) {
+LightSum LightSum::deviations(std::span<const double> errors, std::uint64_t key) const {
+    LightSum found(layout_, bins_.size());
     const BinIndex index(layout_);
-    for (std::vector<double>& bins : bins_) {
-        for (std::size_t i = 0; i < bins.size(); ++i) {
-            bins[i] += parts[i] * bins[i];
-        }
-        const std::size_t tail = layout_.regions * layout_.sums.stride();
-        const auto copy = [&](std::size_t from, std::size_t to) {
-            const std::size_t count = from < tail ? layout_.regions : 1;
-            std::copy_n(&bins[index.of(from)], count, &bins[index.of(to)]);
-        };
-        const ScatteredBlocks &fine = layout_.light.scattered_blocks(), &coarse = layout_.coarse;
-        for (std::size_t b = 0; b < layout_.bands; ++b) {
-            for (const SurfaceSide side : kSurfaceSides) {  // bins of region 0 are parts
-                copy(fine.on_surfaces.bin(0, side, b), coarse.on_surfaces.bin(0, side, b));
+    const std::size_t parts = bin_parts(layout_).size();
+    std::vector<std::vector<double>> patterns;
+    for (std::size_t region = 0; region <= layout_.regions; ++region) {
+        patterns.push_back(balanced(bins_.size(), mix64(key ^ mix64(region))));
+    }
+    for (std::size_t part = 0; part < parts; ++part) {
+        const bool is_of_regions = part < layout_.sums.stride();
+        for (std::size_t i = 0; i < index.count(part); ++i) {
+            const std::size_t bin = index.first(part) + i;
+            const std::vector<double>& pattern = patterns[is_of_regions ? i : layout_.regions];
+            double mean = 0;
+            for (std::size_t r = 0; r < bins_.size() && errors[bin] > 0; ++r) {
+                mean += bins_[r][bin] / static_cast<double>(bins_.size());
             }
-            copy(fine.escaped.bin(0, b), coarse.escaped.bin(0, b));
-            copy(fine.scattered_out.bin(0, b), coarse.scattered_out.bin(0, b));
-            copy(fine.cut_off.bin(0, b), coarse.cut_off.bin(0, b));
+            for (std::size_t r = 0; r < bins_.size(); ++r) {
+                found.bins_[r][bin] = errors[bin] * mean * pattern[r];
+            }
         }
     }
-}
-
-LightSum LightSum::averaged() const {
-    LightSum average(layout_, 1);
-    average.emitted_ = emitted_;
-    const auto count = static_cast<double>(bins_.size());
-    for (const std::vector<double>& bins : bins_) {
-        for (std::size_t i = 0; i < bins.size(); ++i) {
-            average.bins_[0][i] += bins[i] / count;
-        }
-    }
-    return average;
+    return found;
 }
 
 SumWithVariance LightSum::spread(std::span<const double> errors) const {

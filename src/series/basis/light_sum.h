@@ -34,15 +34,13 @@ class LightSum {
     /// Sunlit areas are not added.
     void add(const LightResponse& response, std::span<const double> amounts);
     /// Adds `factor` times the direct light and the sunlit areas of suns, without scattered light.
-    /// A sum of one replicate gets the mean of all.
     void add_suns(const LightResponse& response, double factor);
-    LightSum& operator+=(const LightSum& other);
-    /// The mean of all replicates, as a single one.
-    [[nodiscard]] LightSum averaged() const;
-    /// Raises each bin by a fraction of itself, which becomes the difference between two levels of
-    /// patches.
-    /// @param parts  fractions by BinIndex
-    void raise(std::span<const double> parts);
+    /// Adds `factor` times another sum.
+    void add(const LightSum& other, double factor);
+    /// Errors as deviations of replicates: their mean is 0 in each bin, and their scatter as large
+    /// as if the mean had the error. They are independent between regions, and between keys.
+    /// @param errors  of the mean relative to it, by BinIndex
+    [[nodiscard]] LightSum deviations(std::span<const double> errors, std::uint64_t key) const;
 
     /// [replicate][BinIndex]
     [[nodiscard]] const std::vector<std::vector<double>>& bins() const { return bins_; }

@@ -12,8 +12,6 @@
 #include <fmt/format.h>
 
 #include "base/process_time.h"
-#include "results/bounds/patch_error.h"
-#include "results/means.h"
 #include "run/early_stop.h"
 #include "run/evaluation_of.h"
 #include "run/run_control.h"
@@ -67,7 +65,7 @@ class Season final : public SeriesSteps {
         Period(const DaylightCoefficients& basis, std::size_t replicates)
             : amounts(basis.no_light()), suns(basis.layout(), replicates) {}
         DaylightCoefficients::Amounts amounts;  ///< x s, per direction
-        LightSum suns;                          ///< x s
+        LightSum suns;                          ///< x s; and the deviations of all time steps
         double seconds = 0;
     };
 
@@ -164,7 +162,14 @@ class Season final : public SeriesSteps {
         const TimeStep& step = in_.time_steps[i];
         const std::size_t at = i - batch_.first;
         const std::optional<LightResponse>& suns = batch_.suns[at];
+        LightSum& light = batch_.light[at];
+        const LightSum deviations = light.deviations(basis_->errors(), i);
+        light.add(deviations, 1);
+        if (suns) {
+            light.add_suns(*suns, 1);
+        }
         for (Period* period : {&*day_, &*total_}) {
+            period->suns.add(deviations, step.seconds);
             for (std::size_t k = 0; k < batch_.amounts[at].size(); ++k) {
                 period->amounts[k] += step.seconds * batch_.amounts[at][k];
             }
@@ -178,10 +183,7 @@ class Season final : public SeriesSteps {
             ++summary_.methods[Method::ray_bundles];
         }
         if (is_requested(SeriesPart::time_steps, in_.control)) {
-            const Result result = result_of(
-                batch_.light[at], {.of_time = suns ? &*suns : nullptr, .of_period = nullptr},
-                step.sources);
-            report_time_step(in_.control, {i, result, i});
+            report_time_step(in_.control, {i, result_of(light, step.sources), i});
         }
         work_.report(
             kShareOfBasis + (1 - kShareOfBasis) * static_cast<double>(i + 1) /
@@ -196,47 +198,17 @@ class Season final : public SeriesSteps {
                                std::min(pixels, static_cast<double>(in_.spec.paths)));
     }
 
-    /// Direct light of suns, in either form.
-    struct LightOfSuns {
-        const LightResponse* of_time;  ///< none: no sun shines
-        const LightSum* of_period;
-
-        [[nodiscard]] bool is_dark() const {
-            return (of_time == nullptr || of_time->is_dark()) &&
-                   (of_period == nullptr || of_period->is_dark());
-        }
-        void add_to(LightSum& light, LightSum& average) const {
-            if (of_time != nullptr) {
-                light.add_suns(*of_time, 1);
-                average.add_suns(*of_time, 1);
-            }
-            if (of_period != nullptr) {
-                light += *of_period;
-                average += of_period->averaged();
-            }
-        }
-    };
-
-    /// @param light  all other light; direct light of suns is added
     /// @param sources  of the time; empty for sums over times
-    [[nodiscard]] Result result_of(
-        LightSum& light, const LightOfSuns& suns, const Sources& sources) const {
-        if (light.is_dark() && suns.is_dark()) {
+    [[nodiscard]] Result result_of(const LightSum& light, const Sources& sources) const {
+        if (light.is_dark()) {
             Result dark = zero_result(in_.scene, in_.spec);
             dark.stop = sources.empty() ? StopReason::finished : StopReason::no_light;
             return dark;
         }
-        LightSum raised = light.averaged();
-        raised.raise(basis_->errors());
-        suns.add_to(light, raised);
         const std::size_t sunny = shining(sources, Shining::suns).size();
         const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
         const EvaluationSpec asked = evaluation_of(in_.scene, sources, in_.spec);
         Result result = evaluate(light.sums(reading), in_.scene, asked);
-        add_errors(
-            evaluate_means(
-                coarser_sums(raised.sums(reading)), in_.scene, asked, result.groups.groups),
-            result);
         result.chosen = {
             Method::ray_bundles,
             fmt::format(
@@ -247,7 +219,8 @@ class Season final : public SeriesSteps {
 
     [[nodiscard]] SeriesSum sum_of(const Period& period) const {
         LightSum light = basis_->light_of(period.amounts);
-        Result result = result_of(light, {.of_time = nullptr, .of_period = &period.suns}, {});
+        light.add(period.suns, 1);
+        Result result = result_of(light, {});
         return {
             .bands = result.bands,
             .seconds = period.seconds,

@@ -16,13 +16,13 @@ constexpr double kMoreOfBright = 0.85;
 /// Line segments per patch in all steps together; fewer would suffice for fewer patches. Beyond
 /// kManySegments segments patches get more, and with them more directions, which dominate the
 /// error.
-constexpr double kSegmentsPerPatch = 100, kManySegments = 1 << 20;
+constexpr double kSegmentsPerPatch = 25, kManySegments = 1 << 20;
 /// Minimum number of patches, or as many as get this number of segments. They cost hardly any time,
 /// and resolve spots of light of lamps or narrow gaps, and their errors.
-constexpr double kFewPatches = 4096, kFewSegmentsPerPatch = 8;
+constexpr double kFewPatches = 16384, kFewSegmentsPerPatch = 2;
 /// Minimum segments per patch in each step. With fewer, single patches would pass on the light of
 /// many, and the variance might grow from step to step.
-constexpr double kMinPerPatch = 3;
+constexpr double kMinPerPatch = 1;
 /// Below this albedo, steps of weak light may have fewer: their variance dies out.
 constexpr double kNearlyWhite = 0.9;
 /// Maximum number of patches: more take memory without improvement.
@@ -38,8 +38,7 @@ constexpr double kMinInGroup = 8, kMinOfWeak = 4, kMaxInGroup = 4096;
 constexpr double kForOrders = 0.3;
 /// The final gather has at least this multiple of their segments. With few paths and bright
 /// surfaces there are many orders, each with its minimum, and the final gather dominates the error.
-/// At twice as many, the error of patches beside stems exceeds the reported noise.
-constexpr double kLastOverOrders = 1;
+constexpr double kLastOverOrders = 2;
 /// Fraction of scattered light that reaches a surface, not the sky.
 constexpr double kCaught = 0.75;
 

@@ -154,8 +154,8 @@ class BundleExchange {
 
     /// @param segments  among which the ends of lines are
     void clear(Leaving& leaving, std::size_t segments) const {
-        leaving.forwards.assign(light_.columns(), 0);
-        leaving.backwards.assign(light_.columns(), 0);
+        leaving.forwards.assign(light_.bands(), 0);
+        leaving.backwards.assign(light_.bands(), 0);
         leaving.ends.resize(std::max(leaving.ends.size(), segments));
         leaving.end_count = 0;
     }
@@ -167,12 +167,12 @@ class BundleExchange {
     template <typename Lines>
     void exchange_pack(const Lines& lines, const Beam& beam, const Pack& pack, Leaving& leaving) {
         const PatchSides<0> sides = light_.sides(pack.index);
-        const std::size_t bands = light_.packs()[pack.index].bands;
-        std::array<double, 2 * kMaxInPack> forwards{}, backwards{};
+        const BandPack& bands = light_.packs()[pack.index];
+        std::array<double, kMaxInPack> forwards{}, backwards{};
         std::uint32_t* const ends = pack.has_ends ? leaving.ends.data() : nullptr;
         const bool has_sensors = scene_.prepared.optics().has_transparent;
-        for_bands(bands, [&]<std::size_t kBands>() {
-            LineExchange<2 * kBands> along(sides, beam.weight, forwards, backwards, ends);
+        for_bands(bands.bands, [&]<std::size_t kBands>() {
+            LineExchange<kBands> along(sides, beam.weight, forwards, backwards, ends);
             lines.for_each_line([&](std::span<const LineHits::Hit> line) {
                 has_sensors ? along.exchange_through_sensors(line) : along.exchange(line);
             });
@@ -180,10 +180,8 @@ class BundleExchange {
                 leaving.end_count = static_cast<std::size_t>(along.ends() - ends);
             }
         });
-        for (std::size_t i = 0; i < 2 * bands; ++i) {
-            leaving.forwards[light_.column(pack.index, i)] = forwards[i];
-            leaving.backwards[light_.column(pack.index, i)] = backwards[i];
-        }
+        std::copy_n(forwards.begin(), bands.bands, &leaving.forwards[bands.first]);
+        std::copy_n(backwards.begin(), bands.bands, &leaving.backwards[bands.first]);
     }
 
     void report(const Beam& beam, const Leaving& leaving) {

@@ -31,7 +31,7 @@ struct ExchangeOptions {
     /// Skies for which LineStatistics::open is measured; null: none.
     const SkyDirections* skies = nullptr;
     /// Is called with light that leaves the scene, direction by direction in their order: flux in
-    /// each column of PatchLight.
+    /// each band.
     std::function<void(const Vec3& direction, std::span<const double> flux)> on_escape = {};
 };
 
@@ -46,7 +46,7 @@ class BundleScratch {
     };
     /// Light that leaves the scene along a direction.
     struct Leaving {
-        std::vector<double> forwards, backwards;  // by column
+        std::vector<double> forwards, backwards;  // by band
         /// Sides, [2 * patch + side], from which lines leave, line by line: the first end_count.
         std::vector<std::uint32_t> ends;
         std::size_t end_count = 0;

@@ -96,7 +96,6 @@ class DirectDeposit {
         if (std::find(traced.begin(), traced.end(), true) != traced.end()) {
             trace();
         }
-        copy_to_coarse();
         return std::move(open_);
     }
 
@@ -307,18 +306,6 @@ class DirectDeposit {
             tally_.add(blocks.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
         }
         return rays;
-    }
-
-    /// Direct light is the same on both levels.
-    void copy_to_coarse() {
-        for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
-            const PatchSides<0> all = light_.sides(pack);
-            const std::size_t bands = light_.packs()[pack].bands;
-            for (std::size_t side = 0; side < 2 * std::size_t{patches_.patches.count()}; ++side) {
-                double* came = all.incident(side);
-                std::copy_n(came, bands, came + bands);
-            }
-        }
     }
 
     const SolverInput& input_;

@@ -15,7 +15,6 @@ struct ReplicateInput {
     const Round& round;
     const std::vector<VisibilityTask>& tasks;  ///< tasks of the round
     const CountedStrategies& counted;
-    const ScatteredBlocks& coarse;  ///< blocks of the coarser level of patches
     std::uint32_t index = 0;
 };
 

@@ -15,9 +15,9 @@ constexpr double kNegligible = 1e-5;
 
 /// Whether the last order is negligible in a pack.
 bool is_negligible(const ScatteredFlux& flux, const PatchLight& light, std::size_t pack) {
-    for (std::size_t i = 0; i < 2 * light.packs()[pack].bands; ++i) {
-        const std::size_t c = light.column(pack, i);
-        if (!(flux.last[c] <= kNegligible * flux.first[c])) {
+    const BandPack& bands = light.packs()[pack];
+    for (std::size_t b = bands.first; b < bands.first + bands.bands; ++b) {
+        if (!(flux.last[b] <= kNegligible * flux.first[b])) {
             return false;
         }
     }
@@ -36,7 +36,7 @@ std::pair<std::uint32_t, std::uint32_t> patches_of(
     return {scene.patches.first(surface.triangle), scene.patches.first(surface.triangle + 1)};
 }
 
-/// Scatters light in the bands of a pack, on both levels.
+/// Scatters light in the bands of a pack.
 template <std::size_t kBands>
 class PackScatter {
   public:
@@ -45,10 +45,10 @@ class PackScatter {
     PackScatter(PatchLight& light, std::size_t pack, double* sum)
         : scene_(light.scene()),
           each_(light.sides(pack), light.packs()[pack].first, sum),
-          leaving_(2 * light.packs()[pack].bands) {}
+          leaving_(light.packs()[pack].bands) {}
 
     /// @param lines  along which the light came; null: direct light
-    /// @returns flux that leaves surfaces, by column of the pack
+    /// @returns flux that leaves surfaces, by band of the pack
     const std::vector<double>& scatter(const LineStatistics* lines) {
         for (const PatchScene::Surface& surface : scene_.surfaces) {
             if (surface.is_sensor) {
@@ -77,63 +77,23 @@ class PackScatter {
             const double area = cut == nullptr ? part : surface.area * cut->area(patch - first);
             each_.scatter(upper, lower, {patch, area, share}, leaving_.data());
         }
-        cut == nullptr ? even_out(surface) : even_out_cut(surface, *cut);
-    }
-
-    /// Sets each group of four patches to its mean, in the columns of the coarser level.
-    void even_out(const PatchScene::Surface& surface) {
-        const auto level = static_cast<std::size_t>(scene_.patches.level(surface.triangle));
-        const std::vector<std::uint32_t>& parents = scene_.parents[level];
-        const std::size_t row = each_.row();
-        means_.assign(parents.size() / 4 * row, 0);
-        const std::size_t first = scene_.patches.first(surface.triangle);
-        for (std::size_t part = 0; part < parents.size(); ++part) {
-            each_.add_coarse(first + part, .25, &means_[parents[part] * row]);
-        }
-        for (std::size_t part = 0; part < parents.size(); ++part) {
-            each_.set_coarse(first + part, &means_[parents[part] * row]);
-        }
-    }
-
-    /// Evens out cut patches, in groups of any size.
-    void even_out_cut(const PatchScene::Surface& surface, const CutTriangle& cut) {
-        const std::size_t row = each_.row();
-        const std::size_t first = scene_.patches.first(surface.triangle);
-        means_.assign(cut.patches() * row, 0);
-        areas_.assign(cut.patches(), 0);
-        for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
-            const std::size_t group = cut.group(patch);
-            areas_[group] += cut.area(patch);
-            each_.add_coarse(first + patch, cut.area(patch), &means_[group * row]);
-        }
-        for (std::uint32_t group = 0; group < cut.patches(); ++group) {
-            for (std::size_t i = 0; areas_[group] > 0 && i < row; ++i) {
-                means_[group * row + i] /= areas_[group];
-            }
-        }
-        for (std::uint32_t patch = 0; patch < cut.patches(); ++patch) {
-            if (cut.area(patch) > 0) {
-                each_.set_coarse(first + patch, &means_[cut.group(patch) * row]);
-            }
-        }
     }
 
     const PatchScene& scene_;
     PatchScatter<kBands> each_;
     std::vector<double> leaving_;
-    std::vector<double> means_, areas_;  // scratch
 };
 
-/// The part of a pack in a sum of exitances: [2 * patch + side][column of the pack].
+/// The part of a pack in a sum of exitances: [2 * patch + side][band of the pack].
 double* sum_of_pack(double* sum, const PatchScene& scene, const BandPack& pack) {
-    return sum + std::size_t{2} * scene.patches.count() * 2 * pack.first;
+    return sum + std::size_t{2} * scene.patches.count() * pack.first;
 }
 
 /// @param sum  receives the exitance of the previous order, or null
 ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, double* sum) {
     PatchLight& light = *irradiance.light;
     ScatteredFlux flux = std::move(before);
-    flux.last.resize(light.columns());
+    flux.last.resize(light.bands());
     for (const std::size_t pack : irradiance.packs) {
         for_bands(light.packs()[pack].bands, [&]<std::size_t kBands>() {
             double* own =
@@ -141,9 +101,7 @@ ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, d
             PackScatter<kBands> of_pack(light, pack, own);
             const std::vector<double>& leaving =
                 of_pack.scatter(irradiance.lines ? &*irradiance.lines : nullptr);
-            for (std::size_t i = 0; i < leaving.size(); ++i) {
-                flux.last[light.column(pack, i)] = leaving[i];
-            }
+            std::copy(leaving.begin(), leaving.end(), &flux.last[light.packs()[pack].first]);
         });
     }
     if (flux.first.empty()) {
@@ -161,12 +119,11 @@ PatchLight::PatchLight(const PatchScene& scene)
     : scene_(scene),
       patches_(scene.patches.count()),
       bands_(scene.prepared.bands()),
-      columns_(2 * bands_),
       packs_(band_packs(bands_)),
-      lines_(std::max<std::size_t>(1, patches_) * bands_) {}
+      numbers_(4 * std::max<std::size_t>(1, patches_) * bands_) {}
 
 void PatchLight::clear() {
-    std::fill(lines_.begin(), lines_.end(), CacheLine{});
+    std::fill(numbers_.begin(), numbers_.end(), 0);
 }
 
 PatchIrradiance no_irradiance(std::unique_ptr<PatchLight> memory) {
@@ -184,7 +141,7 @@ ExitanceSum::ExitanceSum(const PatchScene& scene, std::vector<double>& memory) :
 }
 
 std::size_t ExitanceSum::size(const PatchScene& scene) {
-    return std::size_t{2} * scene.patches.count() * 2 * scene.prepared.bands();
+    return std::size_t{2} * scene.patches.count() * scene.prepared.bands();
 }
 
 ScatteredOrder ExitanceSum::add_and_scatter(PatchIrradiance irradiance, ScatteredFlux before) {
@@ -204,18 +161,18 @@ PatchExitance ExitanceSum::exitance(std::unique_ptr<PatchLight> memory) const {
     return {{std::move(memory), std::move(packs)}};
 }
 
-RegionFlux::RegionFlux(std::size_t regions, std::size_t columns)
-    : columns_(columns), sums_(2 * regions * columns), missed_(columns) {}
+RegionFlux::RegionFlux(std::size_t regions, std::size_t bands)
+    : bands_(bands), sums_(2 * regions * bands), missed_(bands) {}
 
 RegionFlux::RegionFlux(const PatchIrradiance& irradiance, std::span<const double> corrections)
-    : RegionFlux(irradiance.light->scene().region_areas.size(), irradiance.light->columns()) {
+    : RegionFlux(irradiance.light->scene().region_areas.size(), irradiance.light->bands()) {
     for (std::size_t pack = 0; pack < irradiance.light->packs().size(); ++pack) {
         for (const PatchScene::Surface& surface : irradiance.light->scene().surfaces) {
             add(irradiance, surface, pack);
         }
     }
     for (std::size_t i = 0; i < sums_.size(); ++i) {
-        sums_[i] *= corrections[i / columns_];
+        sums_[i] *= corrections[i / bands_];
     }
 }
 
@@ -231,13 +188,10 @@ void RegionFlux::add(
     const std::size_t end = std::size_t{2} * end_patch;
     for (std::size_t side = std::size_t{2} * first_patch; side < end; ++side) {
         const double* came = from.incident(side);
-        double* sums = &sums_[(std::size_t{2} * surface.region + side % 2) * columns_];
-        for (std::size_t level = 0; level < 2; ++level) {
-            const std::size_t first = level * (columns_ / 2) + bands.first;
-            for (std::size_t b = 0; b < bands.bands; ++b, ++came) {
-                sums[first + b] += share * *came;
-                missed_[first + b] += missing * *came;
-            }
+        double* sums = &sums_[(std::size_t{2} * surface.region + side % 2) * bands_];
+        for (std::size_t b = bands.first; b < bands.first + bands.bands; ++b, ++came) {
+            sums[b] += share * *came;
+            missed_[b] += missing * *came;
         }
     }
 }

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "base/parallel.h"
 #include "solvers/ray_bundles/band_packs.h"
 #include "solvers/ray_bundles/line_statistics.h"
 #include "solvers/ray_bundles/patch_scene.h"
@@ -17,44 +15,31 @@ namespace quasimc {
 
 /// Approximate memory for the light on and from patches, and the sum of exitances.
 [[nodiscard]] constexpr double bytes_of_patch_light(double patches, std::size_t bands) {
-    constexpr double kBytesEach = 96;
+    constexpr double kBytesEach = 48;
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
-/// Memory for a field of light on all patches of a scene, in all bands, on two levels: with
-/// constant light on each patch, and on each group of four.
-///
-/// A column is [level * bands + band], level 0 the finer one. Numbers are sorted by pack of bands,
-/// in each [2 * patch + side][level * bands of the pack + band]. Those of a patch, on and from both
-/// of its sides, fill whole cache lines, as exchanges access patches all over the scene.
+/// Memory for a field of light on all patches of a scene, in all bands. Numbers are sorted by pack
+/// of bands, in each [2 * patch + side][band of the pack].
 class PatchLight {
   public:
     explicit PatchLight(const PatchScene& scene);
 
     [[nodiscard]] const PatchScene& scene() const { return scene_; }
-    [[nodiscard]] std::size_t columns() const { return columns_; }
+    [[nodiscard]] std::size_t bands() const { return bands_; }
     [[nodiscard]] const std::vector<BandPack>& packs() const { return packs_; }
-    /// The column of the pack's own column `own`.
-    [[nodiscard]] std::size_t column(std::size_t pack, std::size_t own) const {
-        const BandPack& bands = packs_[pack];
-        return own / bands.bands * bands_ + bands.first + own % bands.bands;
-    }
     /// Exitance B, and incident flux E A in units of sums, in the bands of a pack.
     [[nodiscard]] PatchSides<0> sides(std::size_t pack) {
-        return {2 * packs_[pack].bands, lines_[patches_ * packs_[pack].first].numbers.data()};
+        return {packs_[pack].bands, &numbers_[4 * patches_ * packs_[pack].first]};
     }
     /// Sets all light to zero.
     void clear();
 
   private:
-    struct alignas(kCacheLine) CacheLine {
-        std::array<double, kCacheLine / sizeof(double)> numbers{};
-    };
-
     const PatchScene& scene_;
-    std::size_t patches_, bands_, columns_;
+    std::size_t patches_, bands_;
     std::vector<BandPack> packs_;
-    std::vector<CacheLine> lines_;
+    std::vector<double> numbers_;
 };
 
 /// A field on all patches, which passes its memory on to the field that is computed from it.
@@ -72,10 +57,10 @@ struct PatchExitance : PatchField {};
 /// E = 0: no light on patches.
 [[nodiscard]] PatchIrradiance no_irradiance(std::unique_ptr<PatchLight> memory);
 
-/// Flux of scattered light that leaves surfaces, [column].
+/// Flux of scattered light that leaves surfaces, [band].
 struct ScatteredFlux {
     std::vector<double> first;  ///< flux of the first order
-    std::vector<double> last;   ///< flux of the last order in which the column's pack was scattered
+    std::vector<double> last;   ///< flux of the last order in which the band's pack was scattered
 };
 /// Light of one order that leaves patches.
 struct ScatteredOrder {
@@ -106,31 +91,31 @@ class ExitanceSum {
     [[nodiscard]] static std::size_t size(const PatchScene& scene);
 
   private:
-    std::vector<double>& numbers_;  // by pack, in each [2 * patch + side][column of the pack]
+    std::vector<double>& numbers_;  // by pack, in each [2 * patch + side][band of the pack]
 };
 
 /// Light on each side of each region.
 class RegionFlux {
   public:
     /// No light.
-    RegionFlux(std::size_t regions, std::size_t columns);
+    RegionFlux(std::size_t regions, std::size_t bands);
     /// The light on patches that came along lines, corrected for the areas that these met.
     /// @param corrections  further factors, by 2 * region + side
     RegionFlux(const PatchIrradiance& irradiance, std::span<const double> corrections);
 
-    /// The flux on a side of a region, [column].
+    /// The flux on a side of a region, [band].
     [[nodiscard]] std::span<const double> of(std::uint32_t region, SurfaceSide side) const {
-        return {&sums_[(std::size_t{2} * region + index_of(side)) * columns_], columns_};
+        return {&sums_[(std::size_t{2} * region + index_of(side)) * bands_], bands_};
     }
-    /// The flux that misses slivers, [column].
+    /// The flux that misses slivers, [band].
     [[nodiscard]] const std::vector<double>& missed() const { return missed_; }
 
   private:
     void add(
         const PatchIrradiance& irradiance, const PatchScene::Surface& surface, std::size_t pack);
 
-    std::size_t columns_;
-    std::vector<double> sums_;  // [2 * region + side][column]
+    std::size_t bands_;
+    std::vector<double> sums_;  // [2 * region + side][band]
     std::vector<double> missed_;
 };
 

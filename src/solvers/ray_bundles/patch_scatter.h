@@ -20,13 +20,13 @@ class PatchScatter {
 
     /// @param sides  in the bands of a pack
     /// @param first_band  of the pack
-    /// @param sum  receives the exitance of the previous order, [2 * patch + side][column]; or null
+    /// @param sum  receives the exitance of the previous order, [2 * patch + side][band]; or null
     PatchScatter(const PatchSides<0>& sides, std::size_t first_band, double* sum)
         : sides_(sides), first_band_(first_band), sum_(sum) {}
 
     /// Adds the exitance to the sum, sets it to the light that is scattered, and clears the
     /// incident light.
-    /// @param scattered  receives the flux that leaves, [column]
+    /// @param scattered  receives the flux that leaves, [band]
     void scatter(
         const PatchOptics& upper,
         const PatchOptics& lower,
@@ -39,26 +39,6 @@ class PatchScatter {
     void clear_incident(std::size_t patch) const {
         std::fill_n(sides_.incident(2 * patch), sides_.columns(), 0.0);
         std::fill_n(sides_.incident(2 * patch + 1), sides_.columns(), 0.0);
-    }
-
-    /// Numbers of the coarser level of a patch: both sides.
-    [[nodiscard]] std::size_t row() const { return sides_.columns(); }
-    /// Adds `part` of the coarser level's exitance to a row.
-    void add_coarse(std::size_t patch, double part, double* row) const {
-        for (std::size_t side = 0; side < 2; ++side) {
-            const double* from = sides_.exitance(2 * patch + side) + bands();
-            for (std::size_t b = 0; b < bands(); ++b) {
-                row[side * bands() + b] += part * from[b];
-            }
-        }
-    }
-    void set_coarse(std::size_t patch, const double* row) const {
-        for (std::size_t side = 0; side < 2; ++side) {
-            double* to = sides_.exitance(2 * patch + side) + bands();
-            for (std::size_t b = 0; b < bands(); ++b) {
-                to[b] = row[side * bands() + b];
-            }
-        }
     }
 
   private:
@@ -75,20 +55,16 @@ class PatchScatter {
         const double* across = sides_.incident(side ^ 1U);
         double* out = sides_.exitance(side);
         double* sum = sum_ == nullptr ? nullptr : sum_ + side * sides_.columns();
-        for (std::size_t level = 0; level < sides_.columns(); level += bands()) {
-            for (std::size_t b = 0; b < bands(); ++b) {
-                const std::size_t i = level + b;
-                if (sum != nullptr) {
-                    sum[i] += out[i];
-                }
-                out[i] = (reflected[b] * came[i] + transmitted[b] * across[i]) * per_area;
-                scattered[i] += out[i] * sent.area;
+        for (std::size_t b = 0; b < sides_.columns(); ++b) {
+            if (sum != nullptr) {
+                sum[b] += out[b];
             }
+            out[b] = (reflected[b] * came[b] + transmitted[b] * across[b]) * per_area;
+            scattered[b] += out[b] * sent.area;
         }
     }
-    [[nodiscard]] std::size_t bands() const { return sides_.columns() / 2; }
 
-    PatchSides<2 * kBands> sides_;
+    PatchSides<kBands> sides_;
     std::size_t first_band_;
     double* sum_;
 };

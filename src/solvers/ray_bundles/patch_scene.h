@@ -50,9 +50,8 @@ struct PatchScene {
     LineTriangles drawn;
     std::vector<double> region_areas;  ///< true ones, without sensors
     std::vector<std::uint32_t> region_of_patch;
-    std::vector<std::vector<std::uint32_t>> parents;  ///< TriangleParts::parent by level and part
-    double area = 0;                                  ///< total area of surfaces
-    double mean_albedo = 0;                           ///< by area, in the band where it is largest
+    double area = 0;         ///< total area of surfaces
+    double mean_albedo = 0;  ///< by area, in the band where it is largest
 
     [[nodiscard]] const PatchOptics& of(std::uint32_t material, SurfaceSide side) const {
         return optics[std::size_t{2} * material + index_of(side)];

@@ -8,9 +8,6 @@
 // of the radiosity equation, order by order, each without bias. The remainder is reported as cut
 // off. These steps have few lines. The sum of all exitances then goes along many lines once more
 // (final gather, Reichert 1992), and the irradiance of this last step is the result.
-//
-// Each step is done on two levels at once: with patches, and with groups of four of them. The
-// difference estimates the error of constant light on patches.
 
 #include "solvers/ray_bundles/ray_bundles.h"
 
@@ -38,7 +35,7 @@ namespace {
 /// Point sets of other purposes have smaller numbers.
 constexpr std::uint64_t kBundleSequence = std::uint64_t{1} << 62U;
 
-/// Scattered light of one replicate that reached no surface, [column of PatchLight]; fixed point.
+/// Scattered light of one replicate that reached no surface, [band]; fixed point.
 struct Flow {
     std::vector<std::int64_t> escaped, cut_off;
 };
@@ -62,14 +59,12 @@ class RayBundles final : public Solver {
         cut_for(round);
         const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
         const CountedStrategies counted(*sums);
-        const ScatteredBlocks coarse(sums->layout, kCoarse);
         TaskRound replicates = executor.begin(sums->replicates.size());
         ThreadShares threads{sums->replicates.size(), executor.workers()};
         runner_.run(
             1, replicates, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
-                solve_replicate(
-                    {round, tasks, counted, coarse, replicate}, threads, scratch, tally);
+                solve_replicate({round, tasks, counted, replicate}, threads, scratch, tally);
                 --threads.replicates;
             });
         sums->paths += round.count;
@@ -153,7 +148,7 @@ class RayBundles final : public Solver {
         Flow flow{std::vector<std::int64_t>(order.flux.last.size()), fixed(order.flux.last)};
         if (k == 1) {
             const std::size_t regions = input_.prepared.scene().regions().size();
-            add_sums(RegionFlux(regions, flow.escaped.size()), flow, replicate.coarse, tally);
+            add_sums(RegionFlux(regions, flow.escaped.size()), flow, tally);
             scratch.light = std::move(order.exitance.light);
             return;
         }
@@ -166,7 +161,7 @@ class RayBundles final : public Solver {
              }});
         const std::vector<double> corrections =
             sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
-        add_sums(RegionFlux(irradiance, corrections), flow, replicate.coarse, tally);
+        add_sums(RegionFlux(irradiance, corrections), flow, tally);
         scratch.light = std::move(irradiance.light);
     }
 
@@ -218,58 +213,39 @@ class RayBundles final : public Solver {
         }
         const auto& detectors = input_.prepared.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
-            detectors[i]->on_escape(
-                direction, std::span(amounts).first(input_.prepared.bands()),
-                tally.blocks().detector(i), tally);
+            detectors[i]->on_escape(direction, amounts, tally.blocks().detector(i), tally);
         }
     }
 
     /// Adds the flows of a replicate. Scattered light is exactly the sum of incident, escaped and
     /// cut-off light.
-    void add_sums(
-        const RegionFlux& flux, Flow flow, const ScatteredBlocks& coarse, Tally& tally) const {
-        for (std::size_t c = 0; c < flow.escaped.size(); ++c) {
-            // Negative for slivers that rounding made smaller.
-            const double missed = flux.missed()[c];
-            flow.escaped[c] += missed < 0 ? -to_fixed(-missed) : to_fixed(missed);
-        }
-        const ScatteredBlocks& fine = tally.blocks().scattered_blocks();
+    void add_sums(const RegionFlux& flux, Flow flow, Tally& tally) const {
         const std::size_t bands = input_.prepared.bands();
-        std::vector<std::int64_t> out(flow.escaped.size());
+        for (std::size_t b = 0; b < bands; ++b) {
+            // Negative for slivers that rounding made smaller.
+            const double missed = flux.missed()[b];
+            flow.escaped[b] += missed < 0 ? -to_fixed(-missed) : to_fixed(missed);
+        }
+        const ScatteredBlocks& blocks = tally.blocks().scattered_blocks();
+        std::vector<std::int64_t> arrived(bands);
         for (std::uint32_t region = 0; region < input_.prepared.scene().regions().size();
              ++region) {
             const bool is_opaque = !input_.prepared.material(region).is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
                 const std::span<const double> sum = flux.of(region, side);
                 for (std::size_t b = 0; b < bands; ++b) {
-                    const std::int64_t by_fine = to_fixed(sum[b]);
-                    const std::int64_t by_coarse = to_fixed(sum[bands + b]);
-                    tally.add(fine.on_surfaces.bin(region, side, b), by_fine);
-                    tally.add(coarse.on_surfaces.bin(region, side, b), by_coarse);
-                    out[b] += is_opaque ? by_fine : 0;
-                    out[bands + b] += is_opaque ? by_coarse : 0;
+                    const std::int64_t amount = to_fixed(sum[b]);
+                    tally.add(blocks.on_surfaces.bin(region, side, b), amount);
+                    arrived[b] += is_opaque ? amount : 0;
                 }
             }
         }
         for (std::size_t b = 0; b < bands; ++b) {
-            add_flow(fine, b, out, flow, b, tally);
-            add_flow(coarse, b, out, flow, bands + b, tally);
+            tally.add_signed(blocks.escaped.bin(0, b), flow.escaped[b]);
+            tally.add_signed(
+                blocks.scattered_out.bin(0, b), arrived[b] + flow.escaped[b] + flow.cut_off[b]);
+            tally.add(blocks.cut_off.bin(0, b), flow.cut_off[b]);
         }
-    }
-
-    /// Adds escaped, scattered and cut-off light of a band.
-    static void add_flow(
-        const ScatteredBlocks& blocks,
-        std::size_t band,
-        const std::vector<std::int64_t>& arrived,
-        const Flow& flow,
-        std::size_t column,
-        Tally& tally) {
-        tally.add_signed(blocks.escaped.bin(0, band), flow.escaped[column]);
-        tally.add_signed(
-            blocks.scattered_out.bin(0, band),
-            arrived[column] + flow.escaped[column] + flow.cut_off[column]);
-        tally.add(blocks.cut_off.bin(0, band), flow.cut_off[column]);
     }
 
     SolverInput input_;
@@ -297,8 +273,6 @@ void check_diffuse(const Scene& scene, Faults& faults) {
 
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
-    declare_scattered_on_surfaces(kCoarse, prepared.bands(), meaning.blocks);
-    declare_scattered_of_run(kCoarse, prepared.bands(), meaning.blocks);
     for (double& flux : meaning.bound("scattered").largest) {
         flux *= light_of_segment();
     }

@@ -71,22 +71,17 @@ TEST(CutTriangle, HasNoPatchOnBothSidesOfWhatCrossesIt) {
     const CutTriangle cut(kLevel, crossings);
     expect_areas(cut, kLevel);
     test::Random random(2);
-    std::map<std::uint32_t, std::set<bool>> sides, sides_of_groups;
+    std::map<std::uint32_t, std::set<bool>> sides;
     for (int i = 0; i < 20000; ++i) {
         const Point2 p = random_point(random);
         const double beside = turn(crossing.from, crossing.to, p);
         if (std::abs(beside) < 2e-3) {
             continue;  // less is not cut off
         }
-        const std::uint32_t patch = patch_at(cut, kLevel, p);
-        sides[patch].insert(beside > 0);
-        sides_of_groups[cut.group(patch)].insert(beside > 0);
+        sides[patch_at(cut, kLevel, p)].insert(beside > 0);
     }
     for (const auto& [patch, found] : sides) {
         EXPECT_EQ(found.size(), 1U) << patch;
-    }
-    for (const auto& [group, found] : sides_of_groups) {
-        EXPECT_EQ(found.size(), 1U) << group;
     }
 }
 
@@ -105,13 +100,13 @@ TEST(CutTriangle, KeepsTogetherWhatNoSurfaceParts) {
             // Not on the border itself, where rounding and what is not cut off lie.
             const double at = std::hypot(p.s - .3, p.t - .28) / .04;
             if (at < .9 || at > 1.03) {
-                sides[cut.group(patch_at(cut, level, p))].insert(is_inside(stem, p));
+                sides[patch_at(cut, level, p)].insert(is_inside(stem, p));
                 inside += is_inside(stem, p) ? 1 : 0;
             }
         }
         EXPECT_GT(inside, 100);
-        for (const auto& [group, found] : sides) {
-            EXPECT_EQ(found.size(), 1U) << level << " " << group;
+        for (const auto& [patch, found] : sides) {
+            EXPECT_EQ(found.size(), 1U) << level << " " << patch;
         }
     }
 }
