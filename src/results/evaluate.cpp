@@ -36,7 +36,8 @@ class OrganEvaluator {
           scene_(given.scene),
           spec_(given.spec),
           values_(given.sums->replicates.size()),
-          incident_(given.sums->bands(), {values_, {}}) {
+          incident_(given.sums->bands(), values_),
+          contributions_(given.sums->bands()) {
         samples_.fill(values_);
     }
 
@@ -57,8 +58,9 @@ class OrganEvaluator {
                                 : TotalContribution{contribution, {}});
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
-            result.ratio_values[index * ratios.size() + i] =
-                estimate_light_ratio(incident_[ratios[i].first], incident_[ratios[i].second]);
+            const auto [above, below] = ratios[i];
+            result.ratio_values[index * ratios.size() + i] = OrganContributions::estimate_ratio(
+                contributions_[above], contributions_[below], incident_[above], incident_[below]);
         }
         if (!result.sunlit_fraction.empty()) {
             result.sunlit_fraction[index] = sunlit_fraction(reader, organ);
@@ -87,20 +89,17 @@ class OrganEvaluator {
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             put_sample(r, reader.incident(r, band), per_area, samples_);
-            incident_[band].per_replicate[r] = sample_of(Quantity::incident_direct)[r] +
-                                               sample_of(Quantity::incident_scattered)[r];
+            incident_[band][r] = (sample_of(Quantity::incident_direct)[r] +
+                                  sample_of(Quantity::incident_scattered)[r]) *
+                                 organ.area;
         }
-        const OrganContributions contributions(reader, band);
-        const ContributionSize contribution = contributions.incident_contribution();
-        incident_[band].contribution = {contribution.more * per_area, contribution.less * per_area};
+        contributions_[band] = OrganContributions(reader, band);
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] =
-                contributions.estimate(entry, per_area, samples_[q]);
+                contributions_[band].estimate(entry, per_area, samples_[q]);
         }
-        return contributions.knows_contributions() && !contributions.has_enough_contributions()
-                   ? contributions.contribution(Quantity::absorbed_flux)
-                   : ContributionSize{};
+        return contributions_[band].size(parts_of(Quantity::absorbed_flux));
     }
 
     std::vector<double>& sample_of(Quantity q) { return samples_[static_cast<std::size_t>(q)]; }
@@ -110,15 +109,7 @@ class OrganEvaluator {
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
             values_[r] = reader.sunlit_area(r) * per_area;
         }
-        if (!reader.knows_unoccluded() && reader.strategies() > 0) {
-            const ContributionSize one = OrganContributions::sunlit_contribution(reader);
-            return estimate_contributions(values_, {one.more * per_area, one.less * per_area});
-        }
-        const double contribution =
-            reader.largest_sunlit() * per_area / static_cast<double>(values_.size());
-        return reader.knows_unoccluded()
-                   ? estimate_sunlit_points(values_, 1, contribution)
-                   : estimate_seen_or_bound(values_, reader.largest_sunlit() * per_area);
+        return OrganContributions::sunlit(reader).estimate_sunlit(organ.area, values_);
     }
 
     const Sums& sums_;
@@ -127,7 +118,8 @@ class OrganEvaluator {
     const EvaluationSpec& spec_;
     std::vector<double> values_;  // per replicate
     QuantitySamples samples_;
-    std::vector<IncidentLight> incident_;  // per band, per area
+    std::vector<std::vector<double>> incident_;  // [band][replicate], flux on both sides
+    std::vector<OrganContributions> contributions_;  // [band]
 };
 
 /// Fills in all organs.

@@ -19,18 +19,6 @@ struct GroupSums {
     std::vector<double> sunlit;   ///< [replicate], area
 };
 
-/// The size of one contribution to a group.
-struct GroupContribution {
-    double incident = 0, absorbed = 0;  ///< upper bound, to a single replicate
-    /// Where sizes are known: the largest of any organ, if samples belong to organs; with
-    /// strategies, where each organ may lack contributions of its own, the root of the sum of
-    /// squares.
-    std::array<ContributionSize, kQuantities> known{};
-    ContributionSize on_both_sides;  ///< likewise, to all light on both sides
-    /// Where no light was sampled: one direction may miss all organs, a path only one of them.
-    std::array<double, kQuantities> by_sky_sample{}, by_path{};
-};
-
 /// Turns the sums of groups into estimates.
 class GroupEvaluator {
   public:
@@ -57,128 +45,69 @@ class GroupEvaluator {
     }
 
     void evaluate(std::size_t group, const GroupSums& sums) const {
-        std::vector<IncidentLight> incident;  // per band
+        std::vector<OrganContributions> contributions(results_.bands);
+        std::vector<std::vector<double>> incident(results_.bands);
         for (std::size_t b = 0; b < results_.bands; ++b) {
-            incident.push_back(evaluate_band(group, b, sums));
+            contributions[b] = contributions_to(
+                group, [&](const OrganReader& organ) { return OrganContributions(organ, b); });
+            incident[b] = evaluate_band(group, b, sums, contributions[b]);
         }
         for (std::size_t i = 0; i < results_.ratios; ++i) {
-            results_.ratio_values[group * results_.ratios + i] = estimate_light_ratio(
-                incident[spec_.ratios[i].first], incident[spec_.ratios[i].second]);
+            const auto [above, below] = spec_.ratios[i];
+            results_.ratio_values[group * results_.ratios + i] = OrganContributions::estimate_ratio(
+                contributions[above], contributions[below], incident[above], incident[below]);
         }
         if (has_sun()) {
             const double area = results_.groups[group].area;
-            const Estimate sunlit = sunlit_area(group, sums.sunlit);
-            results_.sunlit_area[group] = sunlit;
-            results_.sunlit_fraction[group] = scaled(sunlit, area > 0 ? 1 / area : 0);
+            std::vector<double> lit = sums.sunlit;
+            for (double& each : lit) {
+                each *= area > 0 ? 1 / area : 0;
+            }
+            const Estimate sunlit =
+                contributions_to(group, OrganContributions::sunlit).estimate_sunlit(area, lit);
+            results_.sunlit_fraction[group] = sunlit;
+            results_.sunlit_area[group] = scaled(sunlit, area);
         }
     }
 
   private:
     [[nodiscard]] bool has_sun() const { return !results_.sunlit_fraction.empty(); }
 
-    /// Whether the unoccluded light is known.
-    [[nodiscard]] bool knows_unoccluded() const { return reader_.unoccluded().exists(); }
-
-    /// Whether the size of contributions is known.
-    [[nodiscard]] bool knows_contributions() const {
-        return knows_unoccluded() || !sums_->strategies.empty();
-    }
-
-    [[nodiscard]] Estimate sunlit_area(
-        std::size_t group, const std::vector<double>& per_replicate) const {
-        double most = 0;
-        ContributionSize known;
-        for (const std::uint32_t index : results_.groups[group].organs) {
-            const OrganReader reader = reader_of(index);
-            most = std::max(most, reader.largest_sunlit());
-            if (knows_contributions() && !knows_unoccluded()) {
-                known = together(known, OrganContributions::sunlit_contribution(reader));
-            }
-        }
-        if (!knows_unoccluded()) {
-            return knows_contributions() ? estimate_contributions(per_replicate, known)
-                                         : estimate_seen_or_bound(per_replicate, most);
-        }
-        return estimate_sunlit_points(
-            per_replicate, results_.groups[group].area,
-            most / static_cast<double>(per_replicate.size()));
-    }
-
     [[nodiscard]] OrganReader reader_of(std::uint32_t organ) const {
         return {reader_, scene_, spec_, scene_.organs()[organ]};
     }
 
-    /// Combines contributions of organs: the largest if samples belong to organs, else the root of
-    /// the sum of squares.
-    [[nodiscard]] ContributionSize together(
-        const ContributionSize& a, const ContributionSize& b) const {
-        if (b.more == 0 && b.less == 0) {
-            return a;
-        }
-        return knows_unoccluded()
-                   ? ContributionSize{std::max(a.more, b.more), std::max(a.less, b.less)}
-                   : ContributionSize{std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
-    }
-
-    [[nodiscard]] GroupContribution contribution_of(std::size_t group, std::size_t band) const {
-        GroupContribution most;
+    /// @param read  the contributions to an organ
+    template <typename Read>
+    [[nodiscard]] OrganContributions contributions_to(std::size_t group, const Read& read) const {
+        OrganContributions all;
         for (const std::uint32_t index : results_.groups[group].organs) {
-            const OrganReader reader = reader_of(index);
-            const double contribution = reader.largest_direct(band);
-            most.incident = std::max(most.incident, contribution);
-            most.absorbed =
-                std::max(most.absorbed, contribution * reader.largest_absorptance(band));
-            const OrganContributions contributions(reader, band);
-            if (contributions.has_enough_contributions()) {
-                continue;
-            }
-            most.on_both_sides =
-                together(most.on_both_sides, contributions.incident_contribution());
-            for (const QuantityEntry& entry : quantity_table()) {
-                if (contributions.knows_contributions()) {
-                    ContributionSize& known = most.known[static_cast<std::size_t>(entry.quantity)];
-                    known = together(known, contributions.contribution(entry.quantity));
-                    const OrganContributions::Parts parts = contributions.parts(entry.quantity);
-                    const auto q = static_cast<std::size_t>(entry.quantity);
-                    most.by_sky_sample[q] += parts.by_sky_sample.more;
-                    most.by_path[q] = std::max(most.by_path[q], parts.by_path.more);
-                }
-            }
+            all.include(read(reader_of(index)));
         }
-        return most;
+        return all;
     }
 
-    /// @returns the light that falls on both sides, as flux
-    IncidentLight evaluate_band(std::size_t group, std::size_t band, const GroupSums& sums) const {
+    /// @returns the light that falls on both sides, per replicate
+    std::vector<double> evaluate_band(
+        std::size_t group,
+        std::size_t band,
+        const GroupSums& sums,
+        const OrganContributions& contributions) const {
         const double area = results_.groups[group].area;
         const double per_area = area > 0 ? 1 / area : 0;
-        const GroupContribution contribution = contribution_of(group, band);
         const std::size_t replicates = sums_->replicates.size();
         QuantitySamples samples;
         samples.fill(std::vector<double>(replicates));
-        IncidentLight incident{{}, contribution.on_both_sides};
+        std::vector<double> incident;
         for (std::uint32_t r = 0; r < replicates; ++r) {
             const Incident& in = sums.light[band * replicates + r];
             put_sample(r, in, per_area, samples);
-            incident.per_replicate.push_back(
-                in.direct_upper + in.direct_lower + in.scattered_upper + in.scattered_lower);
+            incident.push_back(in.of(kIncidentLight));
         }
         for (const QuantityEntry& entry : quantity_table()) {
-            const double unit = entry.is_flux ? 1 : per_area;
-            const bool is_absorbed = parts_of(entry.quantity).is_absorbed;
-            const double most =
-                (is_absorbed ? contribution.absorbed : contribution.incident) * unit;
             const auto q = static_cast<std::size_t>(entry.quantity);
-            const bool is_dark = std::all_of(
-                samples[q].begin(), samples[q].end(), [](double light) { return light == 0; });
-            const ContributionSize known =
-                is_dark
-                    ? ContributionSize{std::hypot(contribution.by_sky_sample[q], contribution.by_path[q]) * unit, 0}
-                    : ContributionSize{
-                          contribution.known[q].more * unit, contribution.known[q].less * unit};
             results_.values[(group * kQuantities + q) * results_.bands + band] =
-                knows_contributions() ? estimate_contributions(samples[q], known)
-                                      : estimate_seen_or_bound(samples[q], most);
+                contributions.estimate(entry, per_area, samples[q]);
         }
         return incident;
     }
