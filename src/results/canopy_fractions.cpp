@@ -32,7 +32,7 @@ GroundContribution contribution_on_ground(
     std::size_t band) {
     const SumReader sum_reader(sums);
     const OrganReader reader(sum_reader, scene, spec, ground);
-    const double contribution = reader.largest_direct(band);
+    const double contribution = reader.largest(sum_reader.direct, band);
     return {contribution, contribution * reader.largest_absorptance(band)};
 }
 

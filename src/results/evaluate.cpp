@@ -118,7 +118,7 @@ class OrganEvaluator {
     const EvaluationSpec& spec_;
     std::vector<double> values_;  // per replicate
     QuantitySamples samples_;
-    std::vector<std::vector<double>> incident_;  // [band][replicate], flux on both sides
+    std::vector<std::vector<double>> incident_;      // [band][replicate], flux on both sides
     std::vector<OrganContributions> contributions_;  // [band]
 };
 

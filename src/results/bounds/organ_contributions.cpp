@@ -42,7 +42,8 @@ ContributionSize one_of(const Counted& light) {
 /// number.
 Counted counted_by(const SamplingStrategy& strategy, const CountedLight& light, double replicates) {
     return {
-        .number = light.number(), .many = strategy.many * replicates,
+        .number = light.number(),
+        .many = strategy.many * replicates,
         .is_alike = strategy.by == SampledBy::paths && light.is_alike};
 }
 
@@ -55,35 +56,38 @@ OrganContributions::OrganContributions(const OrganReader& reader, std::size_t ba
     } else if (!reader.sums().data().strategies.empty()) {
         read_strategies(reader, band);
     } else {
-        bound_ = reader.largest_direct(band) / reader.replicates();
+        bound_ = reader.largest(reader.sums().direct, band) / reader.replicates();
     }
 }
 
 void OrganContributions::read_points(const OrganReader& reader, std::size_t band) {
     const double count = reader.replicates();
-    const double by_path = reader.largest_by_light_path(band) / count;
+    const SumReader& sums = reader.sums();
+    const double by_path = reader.largest(sums.light_path, band) / count;
+    const Incident sum = reader.incident(band);
     // Light paths may deliver light of sources that the points can't see.
-    const bool is_hidden = reader.unoccluded(SurfaceSide::upper, band) == 0 &&
-                           reader.unoccluded(SurfaceSide::lower, band) == 0;
+    const bool is_hidden = sum.unoccluded_upper == 0 && sum.unoccluded_lower == 0;
     // The number of points on the triangle that the sun shines on most is equal in nearly all
     // replicates; few differ by one.
-    const double on_triangle = reader.is_flat() ? 0 : reader.largest_direct(band) / count;
+    const double on_triangle = reader.is_flat() ? 0 : reader.largest(sums.direct, band) / count;
     // Contributions of points must not hide that light paths sampled nothing.
     const double scattered =
-        std::hypot(reader.part_in_view() * reader.largest_scattered(band) / count, by_path);
+        std::hypot(reader.part_in_view() * reader.largest(sums.scattered, band) / count, by_path);
     for (const SurfaceSide side : kSurfaceSides) {
-        const double all = reader.unoccluded(side, band);
-        const double found = reader.direct(side, band);
-        const double direct = all > 0 ? all / (reader.sums().samples * count)
-                                      : (is_hidden ? by_path : 0);
-        const bool is_whole = all > 0 && found == all;
+        const bool is_upper = side == SurfaceSide::upper;
+        const double all = is_upper ? sum.unoccluded_upper : sum.unoccluded_lower;
+        const double found = is_upper ? sum.direct_upper : sum.direct_lower;
+        const double one =
+            all > 0 ? all / (count * count * sums.samples) : (is_hidden ? by_path : 0);
+        const double direct = std::max(one, on_triangle);
         kinds_.push_back(
-            {side, true, reader.sums().data().spectra.size() == 1, Sample::point,
-             {std::max(is_whole ? 0 : direct, on_triangle),
-              found > 0 ? std::max(direct, on_triangle) : 0}});
-        kinds_.push_back(
-            {side, false, false, Sample::path,
-             {scattered, reader.scattered(side, band) > 0 ? scattered : 0}});
+            {side,
+             true,
+             sums.data().spectra.size() == 1,
+             Sample::point,
+             {all > 0 && found == all ? on_triangle : direct, found > 0 ? direct : 0}});
+        const bool is_lit = (is_upper ? sum.scattered_upper : sum.scattered_lower) > 0;
+        kinds_.push_back({side, false, false, Sample::path, {scattered, is_lit ? scattered : 0}});
     }
 }
 
@@ -106,9 +110,12 @@ void OrganContributions::read_strategies(const OrganReader& reader, std::size_t 
                  is_unseen ? ContributionSize{} : size, is_unseen ? size.more : 0});
         }
     }
-    const double once = reader.may_scatter(band) ? reader.largest_scattered(band) / count : 0;
+    const Incident sum = reader.incident(band);
+    const double once =
+        reader.may_scatter(band) ? reader.largest(reader.sums().scattered, band) / count : 0;
     for (const SurfaceSide side : kSurfaceSides) {
-        const double mean = reader.scattered(side, band);
+        const double mean =
+            (side == SurfaceSide::upper ? sum.scattered_upper : sum.scattered_lower) / count;
         // A path inside a hollow organ hits it repeatedly, each time with the same probability:
         // this is the mean square of its contributions over their mean.
         const double again = mean > 2 * kManyContributions * count * once
@@ -146,14 +153,13 @@ OrganContributions OrganContributions::sunlit(const OrganReader& reader) {
             found.is_alike && lower.is_alike};
         const bool is_known = !strategies[i].spectra.empty();
         Counted light = counted_by(strategies[i], found, count);
-        light.largest = one * reader.sunlit_per_contribution(i, found.units > 0);
+        light.largest = one * reader.sunlit_per_contribution(i);
         // Light of other suns counts in the area too.
         light.mean_size =
             found.units > 0 ? std::min(area / light.number, light.largest) : light.largest;
         ContributionSize size = one_of(light);
         size.less = is_known ? size.less : size.more;
-        const Sample sample =
-            strategies[i].by == SampledBy::paths ? Sample::path : Sample::ray;
+        const Sample sample = strategies[i].by == SampledBy::paths ? Sample::path : Sample::ray;
         all.kinds_.push_back({.sample = sample, .size = size});
     }
     return all;
@@ -202,9 +208,8 @@ Estimate OrganContributions::estimate(
     const LightParts& parts = parts_of(entry.quantity);
     const double unit = entry.is_flux ? 1 : per_area;
     const double bound = bound_ * unit * (parts.is_absorbed ? absorptance_ : 1);
-    return bound_ > 0
-               ? estimate_seen_or_bound(values, bound * static_cast<double>(values.size()))
-               : estimate_contributions(values, size(parts) * unit);
+    return bound_ > 0 ? estimate_seen_or_bound(values, bound * static_cast<double>(values.size()))
+                      : estimate_contributions(values, size(parts) * unit);
 }
 
 Estimate OrganContributions::estimate_sunlit(double area, std::span<const double> values) const {
@@ -215,8 +220,8 @@ Estimate OrganContributions::estimate_sunlit(double area, std::span<const double
     }
     ContributionSize one = size() * per_area;
     const bool is_all = has_points_ && std::all_of(values.begin(), values.end(), [](double lit) {
-        return lit >= kFullyLit;
-    });
+                            return lit >= kFullyLit;
+                        });
     one.more = is_all ? 0 : one.more;
     Estimate lit = estimate_contributions(values, one);
     lit.ci95_high = is_all ? std::max(lit.ci95_high, 1.0) : lit.ci95_high;
@@ -238,14 +243,12 @@ Estimate OrganContributions::estimate_ratio(
         const ContributionSize one = both(kind.size, {kind.unseen, 0});
         const ContributionSize of_b = both(other.size, {other.unseen, 0}) * ratio.mean;
         if (!kind.has_one_spectrum) {  // a contribution may have light of one band alone
-            return ContributionSize{
-                       std::max(one.more, of_b.less), std::max(one.less, of_b.more)} *
+            return ContributionSize{std::max(one.more, of_b.less), std::max(one.less, of_b.more)} *
                    (1 / light);
         }
         const double more = one.more - of_b.more;
         const double less = of_b.less - one.less;
-        return ContributionSize{
-                   std::max({more, less, 0.0}), std::max({-more, -less, 0.0})} *
+        return ContributionSize{std::max({more, less, 0.0}), std::max({-more, -less, 0.0})} *
                (1 / light);
     }));
 }

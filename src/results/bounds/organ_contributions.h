@@ -9,7 +9,7 @@
 
 namespace quasimc {
 
-/// What one contribution more or less would change in the light of an organ, or of a group, in a
+/// The change of the light of an organ, or of a group, by one contribution more or less, in a
 /// band (docs/theory/statistics.md).
 class OrganContributions {
   public:
@@ -43,8 +43,8 @@ class OrganContributions {
         std::span<const double> b);
 
   private:
-    /// What makes a contribution: a path, which contributes once; a point of an organ; a direction
-    /// or a line, which may contribute to several organs.
+    /// The sample of a contribution: a path, which contributes once; a point of an organ; a
+    /// direction or a line, which may contribute to several organs.
     enum class Sample { path, point, ray };
     /// The light of one strategy on one side.
     struct Kind {

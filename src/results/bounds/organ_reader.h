@@ -24,6 +24,7 @@ namespace quasimc {
 struct Incident {
     double direct_upper = 0, direct_lower = 0, scattered_upper = 0, scattered_lower = 0;
     double absorbed = 0;
+    double unoccluded_upper = 0, unoccluded_lower = 0;  ///< 0 where it is not summed
 
     /// The flux of the given parts.
     [[nodiscard]] double of(const LightParts& parts) const {
@@ -40,6 +41,8 @@ struct Incident {
         scattered_upper += part.scattered_upper;
         scattered_lower += part.scattered_lower;
         absorbed += part.absorbed;
+        unoccluded_upper += part.unoccluded_upper;
+        unoccluded_lower += part.unoccluded_lower;
         return *this;
     }
 };
@@ -154,26 +157,13 @@ class OrganReader {
         return sum;
     }
 
-    /// Direct light on a side, mean of all replicates.
-    [[nodiscard]] double direct(SurfaceSide side, std::size_t band) const {
-        return mean_of_spectra(band, [&](std::uint32_t region, std::size_t spectrum) {
-            return reader_.blocks.direct(region, side, spectrum);
-        });
-    }
-    /// The same without obstruction; requires SumReader::has_points().
-    [[nodiscard]] double unoccluded(SurfaceSide side, std::size_t band) const {
-        return mean_of_spectra(band, [&](std::uint32_t region, std::size_t spectrum) {
-            return reader_.unoccluded.bin(region, side, spectrum);
-        });
-    }
-    /// Scattered light on a side, mean of all replicates.
-    [[nodiscard]] double scattered(SurfaceSide side, std::size_t band) const {
-        double sum = 0;
-        for_each_region([&](std::uint32_t region) {
-            const std::size_t bin = reader_.blocks.scattered(region, side) + band;
-            sum += sum_of(bin) * reader_.flux(region, band);
-        });
-        return sum / replicates();
+    /// Sum of all replicates.
+    [[nodiscard]] Incident incident(std::size_t band) const {
+        Incident sum;
+        for (std::uint32_t r = 0; r < replicates(); ++r) {
+            sum += incident(r, band);
+        }
+        return sum;
     }
     [[nodiscard]] CountedLight counted(std::size_t strategy, SurfaceSide side) const {
         CountedLight sum;
@@ -205,18 +195,10 @@ class OrganReader {
             });
         });
     }
-    /// The largest contribution of a sample to the organ's direct light, as flux; 0 for an organ of
-    /// no area.
-    [[nodiscard]] double largest_direct(std::size_t band) const {
-        return largest(reader_.direct, band);
-    }
-    /// The largest contribution of a sample to its scattered light.
-    [[nodiscard]] double largest_scattered(std::size_t band) const {
-        return largest(reader_.scattered, band);
-    }
-    /// The largest contribution of a light subpath that accompanies a sample; 0 without subpaths.
-    [[nodiscard]] double largest_by_light_path(std::size_t band) const {
-        return largest(reader_.light_path, band);
+    /// The largest contribution of a sample to the organ's light, as flux; 0 for an organ of no
+    /// area.
+    [[nodiscard]] double largest(const ContributionBound& bound, std::size_t band) const {
+        return organ_.area > 0 ? bound.of(organ_.first_region, band) / reader_.samples : 0;
     }
     /// The largest sunlit area of a sample.
     [[nodiscard]] double largest_sunlit() const {
@@ -229,24 +211,15 @@ class OrganReader {
         const double most = is_seen ? std::numeric_limits<double>::infinity()
                                     : sums_.strategies[strategy].unseen_reach;
         double sum = 0;
-        for_each_region([&](std::uint32_t region) {
-            sum += std::min(most, reach_of(region, strategy, side));
-        });
+        for_each_region(
+            [&](std::uint32_t region) { sum += std::min(most, reach_of(region, strategy, side)); });
         return organ_.area > 0 ? sum * sums_.per_contribution[strategy] : 0;
     }
     /// Upper bound of the sunlit area of one contribution, in units of largest_sunlit().
-    [[nodiscard]] double sunlit_per_contribution(std::size_t strategy, bool is_seen) const {
-        const SamplingStrategy& light = sums_.strategies[strategy];
-        double sum = light.sunlit_reach.empty() ? 1 : 0;
-        for_each_region([&](std::uint32_t region) {
-            const double longest = std::max(
-                reach_of(region, strategy, SurfaceSide::upper),
-                reach_of(region, strategy, SurfaceSide::lower));
-            const bool is_cut = !is_seen && longest > light.unseen_reach;
-            sum += light.sunlit_reach.empty()
-                       ? 0
-                       : light.sunlit_reach[region] * (is_cut ? light.unseen_reach / longest : 1);
-        });
+    [[nodiscard]] double sunlit_per_contribution(std::size_t strategy) const {
+        const std::vector<double>& reach = sums_.strategies[strategy].sunlit_reach;
+        double sum = reach.empty() ? 1 : 0;
+        for_each_region([&](std::uint32_t region) { sum += reach.empty() ? 0 : reach[region]; });
         return sum * sums_.per_contribution[strategy];
     }
     /// Flux in `band` of a unit of a strategy's light; 0 where direct light is excluded.
@@ -301,9 +274,7 @@ class OrganReader {
     [[nodiscard]] const Material& material_of(std::uint32_t region) const {
         return data_of(scene_).material(scene_.regions()[region]);
     }
-    [[nodiscard]] bool counts_direct() const {
-        return spec_.direct_light == DirectLight::included;
-    }
+    [[nodiscard]] bool counts_direct() const { return spec_.direct_light == DirectLight::included; }
 
     template <typename Visit>
     void for_each_region(const Visit& visit) const {
@@ -322,31 +293,9 @@ class OrganReader {
         });
         return most;
     }
-    [[nodiscard]] double largest(const ContributionBound& bound, std::size_t band) const {
-        return organ_.area > 0 ? bound.of(organ_.first_region, band) / reader_.samples : 0;
-    }
 
     [[nodiscard]] double value(std::uint32_t replicate, std::size_t bin) const {
         return sums_.replicates[replicate].value(bin);
-    }
-    [[nodiscard]] double sum_of(std::size_t bin) const {
-        double sum = 0;
-        for (std::uint32_t r = 0; r < replicates(); ++r) {
-            sum += value(r, bin);
-        }
-        return sum;
-    }
-    /// @param bin_of  the bin of a region and a spectrum
-    template <typename BinOf>
-    [[nodiscard]] double mean_of_spectra(std::size_t band, const BinOf& bin_of) const {
-        double sum = 0;
-        for_each_region([&](std::uint32_t region) {
-            for (std::size_t s = 0; counts_direct() && s < sums_.spectra.size(); ++s) {
-                const double unit = sums_.spectra[s][band] * reader_.flux(region, band);
-                sum += sum_of(bin_of(region, s)) * unit;
-            }
-        });
-        return sum / replicates();
     }
     [[nodiscard]] CountedLight counted(
         std::uint32_t replicate, std::size_t strategy, SurfaceSide side) const {
@@ -383,6 +332,14 @@ class OrganReader {
             const double weight = sums_.spectra[s][band] * unit;
             sum.direct_upper += light(blocks.direct(region, SurfaceSide::upper, s)) * weight;
             sum.direct_lower += light(blocks.direct(region, SurfaceSide::lower, s)) * weight;
+        }
+        for (std::size_t s = 0; counts_direct() && s < reader_.unoccluded.columns(); ++s) {
+            const double weight = sums_.spectra[s][band] * unit;
+            const auto bin = [&](SurfaceSide side) {
+                return reader_.unoccluded.bin(region, side, s);
+            };
+            sum.unoccluded_upper += light(bin(SurfaceSide::upper)) * weight;
+            sum.unoccluded_lower += light(bin(SurfaceSide::lower)) * weight;
         }
         sum.scattered_upper = light(blocks.scattered(region, SurfaceSide::upper) + band) * unit;
         sum.scattered_lower = light(blocks.scattered(region, SurfaceSide::lower) + band) * unit;

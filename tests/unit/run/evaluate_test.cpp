@@ -221,6 +221,24 @@ TEST_P(EvaluateBothWays, ARatioOfFewContributionsHoldsTheTruth) {
     EXPECT_GE(held / count, .95);
 }
 
+/// A leaf that scattered light may reach, but no path did: both bands have the same direct light.
+TEST_P(EvaluateBothWays, ARatioOfDirectLightAloneIsNotCertain) {
+    SceneBuilder builder = make_builder(2);
+    builder.add_material(
+        {"leaf",
+         {{.reflectance = .05}, {.reflectance = .9}},
+         {{.reflectance = .05}, {.reflectance = .9}}});
+    builder.add_organ(organ("leaf", "leaf", floor_of(0, 1, 0, 1, 0)));
+    builder.add_organ(organ("far", "leaf", floor_of(0, .01, 3, 4, 1)));
+    RunSpec spec = spec_of(GetParam(), 1 << 12);
+    spec.ratios = {"b0:b1"};
+    const Result result = run(std::move(builder).build(), {sun(0, {1, 1})}, spec);
+    const Estimate& ratio = result.ratio(0, 0);
+    EXPECT_NEAR(ratio.mean, 1, 1e-2);
+    EXPECT_GT(ratio.standard_error, 0);
+    EXPECT_LT(ratio.ci95_low, 1);
+}
+
 TEST_P(EvaluateBothWays, ASingleReplicateHasAMeanAndNoError) {
     RunSpec spec = spec_of(GetParam(), kPaths);
     spec.replicates = 1;
