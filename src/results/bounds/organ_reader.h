@@ -105,8 +105,9 @@ class SumReader {
     const LightBlocks blocks;
     const SideBlocks unoccluded;
     const SideBlocks squares;  ///< sums of squared contributions, per strategy that counts them
-    const ContributionBound &direct, &scattered, &light_path, &sunlit;  ///< of a single sample
-    const double samples;                                               ///< per replicate
+    const ContributionBound &direct, &scattered, &light_path,
+        &sunlit;           ///< contributions of one sample
+    const double samples;  ///< per replicate
 };
 
 /// Whether the light of an organ was summed.
@@ -116,7 +117,7 @@ inline bool is_measured(const Sums& sums, const Organ& organ) {
 
 /// The contributions of a strategy to a side, in all replicates.
 struct CountedLight {
-    double units = 0;    ///< of light
+    double units = 0;    ///< amount of light
     double squares = 0;  ///< sum of squared contributions
     /// Whether all replicates have the same light, to within half a contribution, as is usual for
     /// paths of point sets.
