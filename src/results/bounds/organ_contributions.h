@@ -64,7 +64,7 @@ class OrganContributions {
 
     std::vector<Kind> kinds_;  ///< in the same order for all organs and bands
     double absorptance_ = 0;
-    double bound_ = 0;  ///< of a contribution, where only this is known: only for dark organs
+    double bound_ = 0;  ///< largest contribution, where only this is known; for dark organs
     bool has_points_ = false;
 };
 
