@@ -36,7 +36,10 @@ class EscapedByZenith final : public Detector {
         std::span<const std::int64_t> amounts,
         std::size_t first,
         Tally& tally) const override {
-        tally.add(first + ring_of(direction) * amounts.size(), amounts);
+        const std::size_t ring = first + ring_of(direction) * amounts.size();
+        for (std::size_t i = 0; i < amounts.size(); ++i) {
+            tally.add_signed(ring + i, amounts[i]);
+        }
     }
 
   private:

@@ -24,6 +24,11 @@ class CutTriangle {
     /// The area fraction of a patch; 0 for empty ones.
     [[nodiscard]] double area(std::uint32_t patch) const { return areas_[patch]; }
 
+    /// Whether a part is a patch by itself, which nothing cuts.
+    [[nodiscard]] bool is_whole(std::uint32_t part) const {
+        return links_[part] == (kPatch | part) &&
+               areas_[part] * static_cast<double>(parts_) < 1 + 1e-9;
+    }
     /// The patch that contains a point of a part.
     [[nodiscard]] std::uint32_t patch(std::uint32_t part, double u, double v) const {
         std::uint32_t at = links_[part];

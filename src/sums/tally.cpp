@@ -28,10 +28,15 @@ Tally::Tally(const SumLayout& layout, std::size_t shared_regions, std::span<std:
 }
 
 void Tally::add_signed(std::size_t bin, std::int64_t amount) {
-    EXPECT(bin >= shared_bins_);
-    std::int64_t& sum = own_[bin - shared_bins_];
+    const bool is_own = bin >= shared_bins_;
+    std::int64_t sum =
+        is_own ? own_[bin - shared_bins_]
+               : std::atomic_ref(shared_[bin]).fetch_add(amount, std::memory_order_relaxed);
     if (__builtin_add_overflow(sum, amount, &sum)) {
         written_ = -1;
+    }
+    if (is_own) {
+        own_[bin - shared_bins_] = sum;
     }
     const bool is_large = sum >= ExactBins::kCarry || sum <= -ExactBins::kCarry;
     written_ |= is_large ? ExactBins::kCarry : 0;

@@ -71,7 +71,7 @@ class Tally {
         }
     }
 
-    /// Adds an amount of either sign to a bin of the worker's own.
+    /// Adds an amount of either sign.
     void add_signed(std::size_t bin, std::int64_t amount);
 
     /// Whether some bin is so full that it should be emptied.

@@ -20,9 +20,9 @@ constexpr double kSegmentsPerPatch = 25, kManySegments = 1 << 20;
 /// Minimum number of patches, or as many as get this number of segments. They cost hardly any time,
 /// and resolve spots of light of lamps or narrow gaps, and their errors.
 constexpr double kFewPatches = 16384, kFewSegmentsPerPatch = 2;
-/// Minimum segments per patch in each step. With fewer, single patches would pass on the light of
-/// many, and the variance might grow from step to step.
-constexpr double kMinPerPatch = 1;
+/// Minimum segments per patch in each step: three for each group of four. With fewer, single groups
+/// would pass on the light of many, and the variance might grow from step to step.
+constexpr double kMinPerPatch = 0.75;
 /// Below this albedo, steps of weak light may have fewer: their variance dies out.
 constexpr double kNearlyWhite = 0.9;
 /// Maximum number of patches: more take memory without improvement.
@@ -38,7 +38,7 @@ constexpr double kMinInGroup = 8, kMinOfWeak = 4, kMaxInGroup = 4096;
 constexpr double kForOrders = 0.3;
 /// The final gather has at least this multiple of their segments. With few paths and bright
 /// surfaces there are many orders, each with its minimum, and the final gather dominates the error.
-constexpr double kLastOverOrders = 2;
+constexpr double kLastOverOrders = 1.5;
 /// Fraction of scattered light that reaches a surface, not the sky.
 constexpr double kCaught = 0.75;
 

@@ -55,7 +55,8 @@ class BundleExchange {
           light_(*field_.light),
           scene_(light_.scene()),
           found_areas_(scene_.surfaces.size()),
-          open_(options.skies != nullptr ? 2 * scene_.region_areas.size() : 0) {
+          open_(options.skies != nullptr ? 2 * scene_.region_areas.size() : 0),
+          ended_(options.finds_ends ? 2 * scene_.region_areas.size() : 0) {
         while (scratch.threads_.size() < std::max(options.threads, 1U)) {
             scratch.threads_.push_back(std::make_unique<BundleScratch::Thread>());
         }
@@ -84,13 +85,14 @@ class BundleExchange {
         exchange_cached();
         const double lines_per_area = group_.directions / (2 * group_.line_area);
         return {
-            std::move(field_),
-            LineStatistics{
-                met_areas(scene_, found_areas_, lines_per_area), std::move(open_), segments_}};
+            std::move(field_), LineStatistics{
+                                   met_areas(scene_, found_areas_, lines_per_area),
+                                   std::move(open_), std::move(ended_), segments_}};
     }
 
   private:
     using Beam = BundleScratch::Beam;
+    [[nodiscard]] bool has_ends() const { return options_.skies != nullptr || options_.finds_ends; }
     using Leaving = BundleScratch::Leaving;
 
     [[nodiscard]] LineHits lines_along(std::uint32_t i, LineHitScratch& scratch) const {
@@ -115,9 +117,8 @@ class BundleExchange {
 
     /// Exchanges light along lines, in one pack of bands.
     void exchange_along(const LineHits& lines, const Beam& beam) {
-        const bool has_ends = options_.skies != nullptr;
-        clear(scratch_.leaving_, has_ends ? lines.size() : 0);
-        exchange_pack(lines, beam, {0, has_ends}, scratch_.leaving_);
+        clear(scratch_.leaving_, has_ends() ? lines.size() : 0);
+        exchange_pack(lines, beam, {0, has_ends()}, scratch_.leaving_);
         report(beam, scratch_.leaving_);
     }
 
@@ -134,14 +135,13 @@ class BundleExchange {
     void exchange_cached() {
         const std::vector<std::size_t>& packs = field_.packs;
         const std::vector<Beam>& beams = scratch_.cached_beams_;
-        const bool has_ends = options_.skies != nullptr;
         std::vector<Leaving> leaving(beams.size());
         for (std::size_t i = 0; i < beams.size(); ++i) {
-            clear(leaving[i], has_ends ? scratch_.cache_.beam(i).size() : 0);
+            clear(leaving[i], has_ends() ? scratch_.cache_.beam(i).size() : 0);
         }
         parallel_blocks(packs.size(), options_.threads, [&](std::uint64_t block, unsigned) {
             for (std::size_t i = 0; i < beams.size(); ++i) {
-                const Pack pack{packs[block], has_ends && block == 0};
+                const Pack pack{packs[block], has_ends() && block == 0};
                 exchange_pack(scratch_.cache_.beam(i), beams[i], pack, leaving[i]);
             }
         });
@@ -189,10 +189,14 @@ class BundleExchange {
             options_.on_escape(beam.direction, leaving.forwards);
             options_.on_escape(-1 * beam.direction, leaving.backwards);
         }
+        const auto ends = std::span(leaving.ends).first(leaving.end_count);
+        if (options_.finds_ends) {
+            add_open_ends(scene_, ends, beam.weight, ended_);
+        }
         if (options_.skies != nullptr) {
             add_open_ends(
-                scene_, std::span(leaving.ends).first(leaving.end_count),
-                beam.weight * sky_weight(*options_.skies, -1 * beam.direction), open_);
+                scene_, ends, beam.weight * sky_weight(*options_.skies, -1 * beam.direction),
+                open_);
         }
     }
 
@@ -203,7 +207,7 @@ class BundleExchange {
     PatchLight& light_;
     const PatchScene& scene_;
     std::vector<double> found_areas_;  // by surface
-    OpenAreas open_;
+    OpenAreas open_, ended_;
     std::uint64_t segments_ = 0;
 };
 

@@ -42,7 +42,7 @@ class DepositedSamples {
     }
 
   private:
-    static constexpr std::uint32_t kMany = 256, kFewest = 64, kRows = 2;
+    static constexpr std::uint32_t kMany = 256, kFewest = 64, kRows = 4;
     std::uint64_t key_;
     std::uint32_t of_;
 };
@@ -50,7 +50,7 @@ class DepositedSamples {
 constexpr std::uint32_t kDepositedLines = 4;
 /// Scattered light is a small part of the light of low-albedo leaves.
 constexpr double kDark = 0.5;
-constexpr std::uint32_t kDepositedDirections = 4, kDepositedOnDark = 8;
+constexpr std::uint32_t kDepositedDirections = 2, kDepositedOnDark = 4;
 
 /// Side `side` of a patch, as PatchSides counts them.
 std::size_t side_of(std::uint32_t patch, SurfaceSide side) {

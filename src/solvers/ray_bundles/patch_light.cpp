@@ -61,6 +61,9 @@ class PackScatter {
             const double share =
                 lines == nullptr ? 1
                                  : lines->areas.corrections[surface.region] * surface.exact_share;
+            if (lines != nullptr) {
+                even_out(surface);
+            }
             scatter_from(surface, share);
         }
         return leaving_;
@@ -79,9 +82,30 @@ class PackScatter {
         }
     }
 
+    /// Spreads the incident light of each group of patches evenly over it: single patches are
+    /// seldom met by lines, and would pass on light that was meant for others. Cut triangles keep
+    /// theirs.
+    void even_out(const PatchScene::Surface& surface) {
+        if (scene_.patches.cut_of(surface.triangle) != nullptr) {
+            return;
+        }
+        const std::vector<std::uint32_t>& parents =
+            scene_.parents[static_cast<std::size_t>(scene_.patches.level(surface.triangle))];
+        const std::size_t first = scene_.patches.first(surface.triangle);
+        const std::size_t row = each_.row();
+        light_.assign(parents.size() / 4 * row, 0);
+        for (std::size_t i = 0; i < parents.size(); ++i) {
+            each_.add_incident(first + i, .25, &light_[parents[i] * row]);
+        }
+        for (std::size_t i = 0; i < parents.size(); ++i) {
+            each_.set_incident(first + i, &light_[parents[i] * row]);
+        }
+    }
+
     const PatchScene& scene_;
     PatchScatter<kBands> each_;
     std::vector<double> leaving_;
+    std::vector<double> light_;  // of groups; scratch
 };
 
 /// The part of a pack in a sum of exitances: [2 * patch + side][band of the pack].

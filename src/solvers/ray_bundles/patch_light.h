@@ -107,6 +107,12 @@ class RegionFlux {
     [[nodiscard]] std::span<const double> of(std::uint32_t region, SurfaceSide side) const {
         return {&sums_[(std::size_t{2} * region + index_of(side)) * bands_], bands_};
     }
+    /// Adds light on all sides, [2 * region + side][band]; empty: none.
+    void add(std::span<const double> flux) {
+        for (std::size_t i = 0; i < flux.size(); ++i) {
+            sums_[i] += flux[i];
+        }
+    }
     /// The flux that misses slivers, [band].
     [[nodiscard]] const std::vector<double>& missed() const { return missed_; }
 

@@ -41,6 +41,22 @@ class PatchScatter {
         std::fill_n(sides_.incident(2 * patch + 1), sides_.columns(), 0.0);
     }
 
+    /// Incident light of a patch, on both sides: numbers.
+    [[nodiscard]] std::size_t row() const { return 2 * sides_.columns(); }
+    void add_incident(std::size_t patch, double part, double* row) const {
+        for (std::size_t side = 0; side < 2; ++side, row += sides_.columns()) {
+            const double* came = sides_.incident(2 * patch + side);
+            for (std::size_t b = 0; b < sides_.columns(); ++b) {
+                row[b] += part * came[b];
+            }
+        }
+    }
+    void set_incident(std::size_t patch, const double* row) const {
+        for (std::size_t side = 0; side < 2; ++side, row += sides_.columns()) {
+            std::copy_n(row, sides_.columns(), sides_.incident(2 * patch + side));
+        }
+    }
+
   private:
     void scatter_side(
         std::size_t side,

@@ -46,6 +46,23 @@ std::vector<std::uint32_t> find_representatives(const PreparedScene& prepared) {
     return found;
 }
 
+/// By level of triangles that have patches, and part: the part of the level above that holds it.
+std::vector<std::vector<std::uint32_t>> parents_of(const Patches& patches) {
+    std::vector<std::vector<std::uint32_t>> parents(Patches::kFinest + 1);
+    for (std::uint32_t triangle = 0; triangle < patches.triangles(); ++triangle) {
+        if (!patches.has(triangle)) {
+            continue;
+        }
+        const int level = patches.level(triangle);
+        std::vector<std::uint32_t>& of_level = parents[static_cast<std::size_t>(level)];
+        const std::uint32_t parts = 1U << (2U * static_cast<unsigned>(level));
+        for (auto i = static_cast<std::uint32_t>(of_level.size()); i < parts; ++i) {
+            of_level.push_back(level > 0 ? TriangleParts(level).parent(i) : 0);
+        }
+    }
+    return parents;
+}
+
 /// Intersections of surfaces, on the triangles that have patches.
 std::vector<SurfaceCrossing> crossings_of(
     const PreparedScene& prepared, const std::stop_token& stop) {
@@ -107,7 +124,8 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& project
     : prepared(scene),
       projected(projection),
       patches(std::move(cut)),
-      region_areas(scene.scene().regions().size()) {
+      region_areas(scene.scene().regions().size()),
+      parents(parents_of(patches)) {
     const std::size_t bands = prepared.bands();
     for (const Material& material : data_of(prepared.scene()).materials) {
         for (const SurfaceSide side : kSurfaceSides) {

@@ -50,6 +50,8 @@ struct PatchScene {
     LineTriangles drawn;
     std::vector<double> region_areas;  ///< true ones, without sensors
     std::vector<std::uint32_t> region_of_patch;
+    /// By level of a triangle, and part: the part of the level above that holds it.
+    std::vector<std::vector<std::uint32_t>> parents;
     double area = 0;         ///< total area of surfaces
     double mean_albedo = 0;  ///< by area, in the band where it is largest
 

@@ -6,8 +6,10 @@
 // both ways (solvers/ray_bundles/bundle_exchange.h). Step by step all light that has not yet been
 // sent on goes along lines in new directions, drawn independently of all before: the Neumann series
 // of the radiosity equation, order by order, each without bias. The remainder is reported as cut
-// off. These steps have few lines. The sum of all exitances then goes along many lines once more
-// (final gather, Reichert 1992), and the irradiance of this last step is the result.
+// off. Where direct light varies within a bright patch, rays correct the first order
+// (solvers/ray_bundles/bright_spots.h). These steps have few lines. The sum of all exitances then
+// goes along many lines once more (final gather, Reichert 1992), and the irradiance of this last
+// step is the result.
 
 #include "solvers/ray_bundles/ray_bundles.h"
 
@@ -24,6 +26,7 @@
 #include "samplers/hash.h"
 #include "scene/scene.h"
 #include "solvers/block_runner.h"
+#include "solvers/ray_bundles/bright_spots.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/bundle_exchange.h"
 #include "solvers/ray_bundles/direct_on_patches.h"
@@ -34,6 +37,8 @@ namespace {
 
 /// Point sets of other purposes have smaller numbers.
 constexpr std::uint64_t kBundleSequence = std::uint64_t{1} << 62U;
+/// The number of bright spots, among those of orders.
+constexpr std::uint64_t kSpots = std::uint64_t{1} << 61U;
 
 /// Scattered light of one replicate that reached no surface, [band]; fixed point.
 struct Flow {
@@ -131,15 +136,21 @@ class RayBundles final : public Solver {
         ExitanceSum sum(cut_->scene, scratch.sum);  // sum B = 0
         double segments = 0;
         std::vector<bool> is_surrounded;
+        SpotLight spots;
         std::uint64_t k = 1;
         for (; goes_on(k, order.exitance); ++k) {
             // E^(k) = T_k B^(k)
             const BundleGroup bundle = budget.of_order(order.flux.last, key_of(replicate, k));
             segments += bundle.segments;
             PatchIrradiance irradiance = exchange_along(
-                std::move(order.exitance), bundle, {.skies = k == 1 ? skies : nullptr});
+                std::move(order.exitance), bundle,
+                {.skies = k == 1 ? skies : nullptr, .finds_ends = k == 1});
             if (k == 1) {
                 is_surrounded = surrounded_sides(*irradiance.lines);
+                spots = trace_bright_spots(
+                    input_.prepared, static_cast<double>(replicate.round.count),
+                    key_of(replicate, kSpots), irradiance);
+                tally.add(tally.blocks().rays(), static_cast<std::int64_t>(spots.rays));
             }
             // sum B += B^(k), B^(k+1) = R E^(k)
             order = sum.add_and_scatter(std::move(irradiance), std::move(order.flux));
@@ -161,7 +172,12 @@ class RayBundles final : public Solver {
              }});
         const std::vector<double> corrections =
             sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
-        add_sums(RegionFlux(irradiance, corrections), flow, tally);
+        RegionFlux flux(irradiance, corrections);
+        flux.add(spots.on_regions);
+        for (const SpotLight::Escaped& light : spots.escaped) {
+            add_escaped(light.direction, light.flux, flow, tally);
+        }
+        add_sums(flux, flow, tally);
         scratch.light = std::move(irradiance.light);
     }
 
@@ -196,11 +212,14 @@ class RayBundles final : public Solver {
         return stream_key(stream, replicate.round.first, 0);
     }
 
+    /// Bright spots take light from their patches, so that amounts may be negative.
+    static std::int64_t signed_fixed(double amount) {
+        return amount < 0 ? -to_fixed(-amount) : to_fixed(amount);
+    }
     static std::vector<std::int64_t> fixed(std::span<const double> flux) {
         std::vector<std::int64_t> all;
         for (const double amount : flux) {
-            EXPECT(!(amount < 0));
-            all.push_back(to_fixed(amount));
+            all.push_back(signed_fixed(amount));
         }
         return all;
     }
@@ -223,8 +242,7 @@ class RayBundles final : public Solver {
         const std::size_t bands = input_.prepared.bands();
         for (std::size_t b = 0; b < bands; ++b) {
             // Negative for slivers that rounding made smaller.
-            const double missed = flux.missed()[b];
-            flow.escaped[b] += missed < 0 ? -to_fixed(-missed) : to_fixed(missed);
+            flow.escaped[b] += signed_fixed(flux.missed()[b]);
         }
         const ScatteredBlocks& blocks = tally.blocks().scattered_blocks();
         std::vector<std::int64_t> arrived(bands);
@@ -234,8 +252,8 @@ class RayBundles final : public Solver {
             for (const SurfaceSide side : kSurfaceSides) {
                 const std::span<const double> sum = flux.of(region, side);
                 for (std::size_t b = 0; b < bands; ++b) {
-                    const std::int64_t amount = to_fixed(sum[b]);
-                    tally.add(blocks.on_surfaces.bin(region, side, b), amount);
+                    const std::int64_t amount = signed_fixed(sum[b]);
+                    tally.add_signed(blocks.on_surfaces.bin(region, side, b), amount);
                     arrived[b] += is_opaque ? amount : 0;
                 }
             }
@@ -244,7 +262,7 @@ class RayBundles final : public Solver {
             tally.add_signed(blocks.escaped.bin(0, b), flow.escaped[b]);
             tally.add_signed(
                 blocks.scattered_out.bin(0, b), arrived[b] + flow.escaped[b] + flow.cut_off[b]);
-            tally.add(blocks.cut_off.bin(0, b), flow.cut_off[b]);
+            tally.add_signed(blocks.cut_off.bin(0, b), flow.cut_off[b]);
         }
     }
 
