@@ -87,7 +87,7 @@ struct RandomLeaves {
     int count = 60;
     Box bases;
     double length = .3, width = .18;
-    double start = 0;  ///< of the leaf, relative to the point: -.5 centres it
+    double start = 0;  ///< where the leaf starts along its length, from its point: -.5 centres it
 };
 
 void add_leaves(SceneBuilder& builder, const RandomLeaves& leaves, Draws& draws) {

@@ -19,7 +19,7 @@ struct WidthScene {
     GroupSpec groups = {};
     std::vector<std::string> ratios = {};  ///< RunSpec::ratios
     std::uint64_t truth_paths = 0;         ///< per replicate of the truth
-    std::vector<TimeStep> hours = {};      ///< of a day, instead of the sources
+    std::vector<TimeStep> hours = {};      ///< the hours of a day, instead of the sources
 };
 
 /// A scene that is made when it is needed.

@@ -38,8 +38,14 @@ namespace {
 struct Held {
     int held = 0, all = 0;
 
-    void add(const Estimate& reported, const Estimate& truth) {
-        held += reported.ci95_low <= truth.mean && truth.mean <= reported.ci95_high ? 1 : 0;
+    /// @param limit  of the discretization error, which intervals do not contain
+    void add(const Estimate& reported, const Estimate& truth, double limit = 0) {
+        // The truth has an error of its own, a small part of that of the interval.
+        constexpr double kNormal = 1.96;
+        const double off = truth.mean - reported.mean;
+        const double half =
+            off < 0 ? reported.mean - reported.ci95_low : reported.ci95_high - reported.mean;
+        held += std::abs(off) <= std::hypot(half, kNormal * truth.standard_error) + limit ? 1 : 0;
         ++all;
     }
     [[nodiscard]] double part() const { return static_cast<double>(held) / all; }
@@ -49,7 +55,7 @@ struct Held {
 
 void expect_intervals_hold(const Scene& scene, std::uint64_t paths) {
     const Sources sources{sun(35, {1, 1}), sky({1, 1})};
-    RunSpec truth_spec = spec_of(Method::first_hits, 1 << 18);
+    RunSpec truth_spec = spec_of(Method::first_hits, 1 << 19);
     truth_spec.seed = 12345;
     const bool has_plants =
         std::any_of(scene.organs().begin(), scene.organs().end(), [](const Organ& organ) {
@@ -64,6 +70,7 @@ void expect_intervals_hold(const Scene& scene, std::uint64_t paths) {
     pilot.replicates = 8;
     pilot.groups = truth_spec.groups;
     constexpr std::uint64_t kSeeds = 100;
+    constexpr double kLimitOfTotals = 5e-4;  // docs/theory/ray-bundles.md, Limits
     for (std::size_t band = 0; band < 2; ++band) {
         Held organs, groups, totals;
         for (pilot.seed = 1; pilot.seed <= kSeeds; ++pilot.seed) {
@@ -79,7 +86,8 @@ void expect_intervals_hold(const Scene& scene, std::uint64_t paths) {
                     truth.groups.at(g, Quantity::absorbed_flux, band));
             }
             totals.add(
-                result.budget[band].absorbed_by_organs, truth.budget[band].absorbed_by_organs);
+                result.budget[band].absorbed_by_organs, truth.budget[band].absorbed_by_organs,
+                kLimitOfTotals * truth.budget[band].absorbed_by_organs.mean);
         }
         EXPECT_GT(organs.part(), .93) << "band " << band;
         constexpr int kTellTale = 1000;  // of fewer, all may hold

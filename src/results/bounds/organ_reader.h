@@ -217,10 +217,18 @@ class OrganReader {
         return organ_.area > 0 ? sum * sums_.per_contribution[strategy] : 0;
     }
     /// Upper bound of the sunlit area of one contribution, in units of largest_sunlit().
-    [[nodiscard]] double sunlit_per_contribution(std::size_t strategy) const {
-        const std::vector<double>& reach = sums_.strategies[strategy].sunlit_reach;
-        double sum = reach.empty() ? 1 : 0;
-        for_each_region([&](std::uint32_t region) { sum += reach.empty() ? 0 : reach[region]; });
+    /// @param is_seen  whether the strategy sampled some light
+    [[nodiscard]] double sunlit_per_contribution(std::size_t strategy, bool is_seen) const {
+        const SamplingStrategy& light = sums_.strategies[strategy];
+        double sum = light.sunlit_reach.empty() ? 1 : 0;
+        for_each_region([&](std::uint32_t region) {
+            const double longest = std::max(
+                reach_of(region, strategy, SurfaceSide::upper),
+                reach_of(region, strategy, SurfaceSide::lower));
+            const double part =
+                is_seen || longest <= light.unseen_reach ? 1 : light.unseen_reach / longest;
+            sum += light.sunlit_reach.empty() ? 0 : part * light.sunlit_reach[region];
+        });
         return sum * sums_.per_contribution[strategy];
     }
     /// Flux in `band` of a unit of a strategy's light; 0 where direct light is excluded.

@@ -212,29 +212,52 @@ void LightSum::add(const LightSum& other, double factor) {
     }
 }
 
-LightSum LightSum::deviations(std::span<const double> errors, std::uint64_t key) const {
+LightSum LightSum::deviations(
+    std::span<const double> errors, const std::vector<bool>& is_opaque, std::uint64_t key) const {
     LightSum found(layout_, bins_.size());
     const BinIndex index(layout_);
-    const std::size_t parts = bin_parts(layout_).size();
-    std::vector<std::vector<double>> patterns;
-    for (std::size_t region = 0; region <= layout_.regions; ++region) {
-        patterns.push_back(balanced(bins_.size(), mix64(key ^ mix64(region))));
-    }
-    for (std::size_t part = 0; part < parts; ++part) {
-        const bool is_of_regions = part < layout_.sums.stride();
-        for (std::size_t i = 0; i < index.count(part); ++i) {
-            const std::size_t bin = index.first(part) + i;
-            const std::vector<double>& pattern = patterns[is_of_regions ? i : layout_.regions];
-            double mean = 0;
-            for (std::size_t r = 0; r < bins_.size() && errors[bin] > 0; ++r) {
-                mean += bins_[r][bin] / static_cast<double>(bins_.size());
-            }
-            for (std::size_t r = 0; r < bins_.size(); ++r) {
-                found.bins_[r][bin] = errors[bin] * mean * pattern[r];
+    const std::vector<BinPart> parts = bin_parts(layout_);
+    for (std::size_t i = 0; i < layout_.regions + 1; ++i) {  // all regions, and the run
+        const std::vector<double> pattern = balanced(bins_.size(), mix64(key ^ mix64(i)));
+        const bool is_region = i < layout_.regions;
+        const std::size_t first = is_region ? 0 : layout_.sums.stride();
+        const std::size_t end = is_region ? layout_.sums.stride() : parts.size();
+        for (std::size_t part = first; part < end; ++part) {
+            const std::size_t bin = index.first(part) + (is_region ? i : 0);
+            found.deviate(bin, errors[bin] * mean_of(bin), pattern);
+            if (parts[part].is_light() && (!is_region || is_opaque[i])) {
+                found.scatter_too(bin, parts[part].band);
             }
         }
     }
     return found;
+}
+
+/// The mean of a bin over the replicates.
+double LightSum::mean_of(std::size_t bin) const {
+    double sum = 0;
+    for (const std::vector<double>& bins : bins_) {
+        sum += bins[bin];
+    }
+    return sum / static_cast<double>(bins_.size());
+}
+
+void LightSum::deviate(std::size_t bin, double error, const std::vector<double>& pattern) {
+    const auto is_of = [&](std::size_t first) {
+        return bin >= first && bin < first + layout_.bands;
+    };
+    const bool is_fixed = is_of(layout_.light.emitted()) || is_of(layout_.light.scattered_out());
+    for (std::size_t r = 0; r < bins_.size() && !is_fixed; ++r) {
+        bins_[r][bin] = error * pattern[r];
+    }
+}
+
+/// Adds a bin to the light that surfaces scatter.
+void LightSum::scatter_too(std::size_t bin, std::size_t band) {
+    const std::size_t scattered = layout_.light.scattered_out() + band;
+    for (std::size_t r = 0; r < bins_.size() && bin != scattered; ++r) {
+        bins_[r][scattered] += bins_[r][bin];
+    }
 }
 
 SumWithVariance LightSum::spread(std::span<const double> errors) const {

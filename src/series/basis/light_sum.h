@@ -38,9 +38,14 @@ class LightSum {
     /// Adds `factor` times another sum.
     void add(const LightSum& other, double factor);
     /// Errors as deviations of replicates: their mean is 0 in each bin, and their scatter as large
-    /// as if the mean had the error. They are independent between regions, and between keys.
+    /// as if the mean had the error. They are independent between regions, and between keys. What
+    /// surfaces scatter deviates by as much as arrives, so that each replicate closes its budget.
     /// @param errors  of the mean relative to it, by BinIndex
-    [[nodiscard]] LightSum deviations(std::span<const double> errors, std::uint64_t key) const;
+    /// @param is_opaque  by region
+    [[nodiscard]] LightSum deviations(
+        std::span<const double> errors,
+        const std::vector<bool>& is_opaque,
+        std::uint64_t key) const;
 
     /// [replicate][BinIndex]
     [[nodiscard]] const std::vector<std::vector<double>>& bins() const { return bins_; }
@@ -57,6 +62,9 @@ class LightSum {
 
   private:
     void add_parts(const LightResponse& response, std::span<const double> factors);
+    [[nodiscard]] double mean_of(std::size_t bin) const;
+    void deviate(std::size_t bin, double error, const std::vector<double>& pattern);
+    void scatter_too(std::size_t bin, std::size_t band);
     void set_emitted(std::span<const LightResponse> responses, std::span<const double> amounts);
     [[nodiscard]] ExactBins exact_bins(std::size_t replicate, std::span<const double> units) const;
 

@@ -40,6 +40,7 @@ class Season final : public SeriesSteps {
     explicit Season(const SeriesInput& input) : in_(input), early_(input.control.stop) {
         for (const Region& region : in_.scene.regions()) {
             area_ += region.area;
+            is_opaque_.push_back(!data_of(in_.scene).material(region).is_transparent());
         }
         early_.stop_at(deadline_of(in_.control, in_.spec).at());
         number_traces();
@@ -163,7 +164,7 @@ class Season final : public SeriesSteps {
         const std::size_t at = i - batch_.first;
         const std::optional<LightResponse>& suns = batch_.suns[at];
         LightSum& light = batch_.light[at];
-        const LightSum deviations = light.deviations(basis_->errors(), i);
+        const LightSum deviations = light.deviations(basis_->errors(), is_opaque_, i);
         light.add(deviations, 1);
         if (suns) {
             light.add_suns(*suns, 1);
@@ -240,6 +241,7 @@ class Season final : public SeriesSteps {
     Stopwatch watch_;
     Work work_ = work_of(in_.control);
     double area_ = 0;
+    std::vector<bool> is_opaque_;        // by region
     std::vector<std::uint64_t> traces_;  // by time step; 0: no light
     std::optional<DaylightCoefficients> basis_;
     std::optional<SeasonSuns> suns_;

@@ -14,7 +14,7 @@ namespace {
 /// (docs/develop/notebook/ray-bundles.md).
 constexpr double kLongTriangle = 12;
 /// A patch is long if it exceeds this fraction of its organ's width.
-constexpr double kOfWidth = 0.75;
+constexpr double kOfWidth = 0.375;
 /// Tolerated fractions in long patches: of an organ's area; of all surfaces, in flat organs, and in
 /// closed ones such as stems, which exchange little light.
 constexpr double kMaxOfOrgan = 0.05, kMaxOfScene = 0.15, kMaxClosed = 0.25;

@@ -6,8 +6,8 @@
 #include "solvers/ray_bundles/patch_size.h"
 
 // Patches of long thin triangles are long and thin as well. Light that changes along them, as it
-// does within a stem or between needles, is averaged on both levels of patches, so that their
-// difference, the reported error, does not show this.
+// does within a stem or between needles, is averaged over them in all replicates, so that the
+// reported error does not show this.
 
 namespace quasimc {
 

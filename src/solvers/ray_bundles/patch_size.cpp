@@ -10,9 +10,7 @@
 namespace quasimc {
 namespace {
 
-/// Patches per typical organ that resolve its shadow. With patches four times as large both levels
-/// are too coarse, and their difference is a third of the error
-/// (docs/develop/notebook/ray-bundles.md).
+/// Patches per typical organ that resolve its shadow (docs/develop/notebook/ray-bundles.md).
 constexpr double kPatchesPerOrgan = 8;
 /// Minimum number for organs of one triangle, which suffices for the shadows of similar organs.
 constexpr double kMinPerOrgan = 4;

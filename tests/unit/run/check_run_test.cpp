@@ -94,7 +94,7 @@ TEST(CheckRun, RefusesRayBundlesThatTakeMoreMemoryThanThereIs) {
         ASSERT_EQ(faults.size(), is_refused ? 1U : 0U);
         if (is_refused) {
             EXPECT_TRUE(faults.all()[0].problem.starts_with(
-                "ray_bundles needs about 1572.9 GB of memory for 400000 patches"))
+                "ray_bundles needs about 786.5 GB of memory for 400000 patches"))
                 << faults.all()[0].text();
         }
     }

@@ -113,7 +113,7 @@ TEST(Planner, TakesBundlesOnlyWherePatchesHoldTheShadowsOfOrgans) {
             .method;
     };
     EXPECT_EQ(planned(.4), Method::ray_bundles);
-    EXPECT_EQ(planned(.75), Method::first_hits);
+    EXPECT_NE(planned(.9), Method::ray_bundles);
 }
 
 /// Light between small things, on patches that lines rarely hit.

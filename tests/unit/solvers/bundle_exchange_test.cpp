@@ -73,10 +73,9 @@ TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
     const PatchScene patches(prepared, seen, make_patches(prepared, {}, 64, {}));
 
     PatchIrradiance direct = no_irradiance(std::make_unique<PatchLight>(patches));
-    const double flux = patches.patches.count();  // one of each patch, on both levels
+    const double flux = patches.patches.count();  // one of each patch
     for (std::uint32_t patch = 0; patch < patches.patches.count(); ++patch) {
-        double* incident = direct.light->sides(0).incident(std::size_t{2} * patch);
-        incident[0] = incident[1] = 1;
+        direct.light->sides(0).incident(std::size_t{2} * patch)[0] = 1;
     }
     ScatteredOrder order = scatter(std::move(direct));
     const std::vector<double>& leaving = order.flux.last;
@@ -87,7 +86,6 @@ TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
         {.on_escape = [&](const Vec3&, auto flux_of) { escaped += flux_of[0]; }}, scratch);
 
     EXPECT_NEAR(leaving[0], .5 * flux, 1e-9 * flux);
-    EXPECT_NEAR(leaving[1], .5 * flux, 1e-9 * flux);
     const double found = irradiance.lines->areas.found[0] / patches.area;
     EXPECT_NEAR(found, 1, .1);
     EXPECT_NEAR(escaped, leaving[0] * found, 1e-9 * flux);
