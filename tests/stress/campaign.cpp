@@ -57,7 +57,8 @@ class Worker {
         const Node document = random_run(number);
         const bool with_identity =
             campaign_.identity_every != 0 && number % campaign_.identity_every == 0;
-        const Verdict verdict = judge(document, number, campaign_.rules, with_identity);
+        const Rules& rules = number < kFirstOfGaps ? campaign_.rules : campaign_.gap_rules;
+        const Verdict verdict = judge(document, number, rules, with_identity);
         tally_.comparisons += verdict.comparisons;
         tally_.retested += verdict.retested ? 1 : 0;
         tally_.closely_tested += verdict.closely_tested ? 1 : 0;

@@ -22,6 +22,7 @@ struct Campaign {
     Effort coverage{1024, 8, 1, 1};
     unsigned shrinking_tries = 80;
     Rules rules;
+    Rules gap_rules = stress::gap_rules();  ///< for scenes from kFirstOfGaps on
 };
 
 /// Counts of a campaign: plain numbers in memory that two processes share.

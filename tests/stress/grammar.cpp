@@ -89,6 +89,9 @@ Node random_run(std::uint64_t number) {
     Draft draft{.random = Random(number)};
     Random& random = draft.random;
     draft.bands = random.chance(.1) ? 1 + random.below(8) : 1 + random.below(3);
+    if (number >= kFirstOfGaps) {
+        draft.bands = 1;
+    }
     draft.scale = random.chance(.5) ? 1 : random.power_of_ten(-6, 6);
     if (random.chance(.15)) {
         draft.origin = draft.scale * random.power_of_ten(0, 5) * random.direction();
@@ -99,6 +102,9 @@ Node random_run(std::uint64_t number) {
         names.push_back(fmt::format("b{}", b));
     }
     set(draft.document, "bands", node_of(names));
+    if (number >= kFirstOfGaps) {
+        return random_gap_run(std::move(draft));
+    }
     add_options(draft);
     add_cell(draft);
     if (!draft.is_periodic && random.chance(.05)) {

@@ -31,12 +31,20 @@ struct Draft {
     [[nodiscard]] std::vector<double> spectrum(double low, double high);
 };
 
+/// Scenes from this number on have light through narrow gaps: slits, slats, chinks, leaf bases.
+inline constexpr std::uint64_t kFirstOfGaps = 1'000'000'000'000;
+
 /// The run file with a number.
 [[nodiscard]] Node random_run(std::uint64_t number);
+
+/// A scene of narrow gaps. @param draft  with bands, options and scale
+[[nodiscard]] Node random_gap_run(Draft draft);
 
 // Its parts.
 void add_materials(Draft& draft);
 void add_organs(Draft& draft);
 void add_sources(Draft& draft);
+/// A sun, a sky or both.
+void add_daylight(Draft& draft);
 
 }  // namespace quasimc::stress

@@ -123,6 +123,16 @@ Node random_lamp(Draft& draft) {
 
 }  // namespace
 
+void add_daylight(Draft& draft) {
+    const double kind = draft.random.unit();
+    if (kind < .6) {
+        add_table(draft.document, "source", random_sun(draft));
+    }
+    if (kind > .4) {
+        add_table(draft.document, "source", random_sky(draft));
+    }
+}
+
 void add_sources(Draft& draft) {
     constexpr double kMaxLight = 1e15;  // the largest value in run files
     const std::size_t count = draft.random.chance(.5) ? 1 : 1 + draft.random.below(3);

@@ -172,6 +172,15 @@ std::string name_of(Finding::Kind kind) {
     return names[static_cast<std::size_t>(kind)];
 }
 
+Rules gap_rules() {
+    constexpr std::uint64_t kPaths = 4 * kClosePaths;
+    return {
+        .screen = {kPaths, 16, 1, 1},
+        .screen_level = .2,
+        .second = {kPaths, 16, 1, 1},
+        .last = {kPaths, 16, 1, 1}};
+}
+
 std::vector<Finding> compare_closely(
     const Case& it,
     const std::vector<Disagreement>& suspects,

@@ -41,6 +41,10 @@ struct Rules {
     double misses = .15;
 };
 
+/// Rules for scenes of narrow gaps, whose light inside few paths carry: more paths, and more scenes
+/// with a second test.
+[[nodiscard]] Rules gap_rules();
+
 struct Verdict {
     std::vector<Finding> findings;
     std::size_t comparisons = 0;  ///< comparisons of the screening

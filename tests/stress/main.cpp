@@ -1,6 +1,8 @@
 // Searches for scenes of which a number is wrong: docs/develop/testing.md.
 //     quasimc_stress --seed 1 --scenes 1000 --seconds 600 --out FOLDER [--coverage-every 500]
+// Scenes from number 1000000000000 on have light through narrow gaps.
 //     quasimc_stress --judge FILE.toml       judges one run file
+//     quasimc_stress --judge-gaps FILE.toml  the same with the paths of scenes of narrow gaps
 //     quasimc_stress --coverage FILE.toml    prints the coverage of its intervals over 200 seeds
 //     quasimc_stress --print NUMBER          prints the run file of a scene
 
@@ -20,8 +22,8 @@
 namespace quasimc::stress {
 namespace {
 
-int judge_file(const std::string& path) {
-    const Verdict verdict = judge(read_toml(read_file(path), path), 1, Rules{}, true);
+int judge_file(const std::string& path, const Rules& rules) {
+    const Verdict verdict = judge(read_toml(read_file(path), path), 1, rules, true);
     for (const Finding& finding : verdict.findings) {
         fmt::print("{}: {}\n", name_of(finding.kind), finding.words);
     }
@@ -49,6 +51,7 @@ int usage() {
         "usage: quasimc_stress [--seed N] [--scenes K] [--seconds S] [--coverage-every E]\n"
         "                      [--coverage-seeds C] --out FOLDER\n"
         "       quasimc_stress --judge FILE\n"
+        "       quasimc_stress --judge-gaps FILE\n"
         "       quasimc_stress --coverage FILE\n"
         "       quasimc_stress --print NUMBER\n");
     return 2;
@@ -60,7 +63,10 @@ int stress(int argc, char** argv) {
         const std::string_view flag = argv[i];
         const std::string value = argv[i + 1];
         if (flag == "--judge") {
-            return judge_file(value);
+            return judge_file(value, Rules{});
+        }
+        if (flag == "--judge-gaps") {
+            return judge_file(value, gap_rules());
         }
         if (flag == "--coverage") {
             return count_coverage(value);

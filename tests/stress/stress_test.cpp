@@ -82,6 +82,20 @@ TEST(StressGrammar, WritesWhatTheReaderReads) {
     }
 }
 
+TEST(StressGrammar, JudgesBundlesInMostScenesOfNarrowGaps) {
+    constexpr unsigned kScenes = 60;
+    unsigned with_bundles = 0;
+    for (std::uint64_t i = 0; i < kScenes; ++i) {
+        const Node document = random_run(kFirstOfGaps + i);
+        const std::string text = to_toml(document);
+        EXPECT_EQ(to_toml(read_toml(text, "stress")), text) << i;
+        const Case it = make_case(document);
+        EXPECT_GE(it.run.scene.organs().size(), 5U) << i;
+        with_bundles += is_offered(it, Way::ray_bundles) ? 1 : 0;
+    }
+    EXPECT_GT(with_bundles, kScenes * 9 / 10);
+}
+
 TEST(StressComparison, TellsApartWhatDiffersAndWhatDoesNot) {
     const Number one{1, .01, .98, 1.02, true};
     const Number same{1.005, .01, .985, 1.025, true};
