@@ -245,6 +245,7 @@ class TriangleCutter {
             if (patch == kNone && free.empty()) {
                 patch = to_.patches();
                 to_.areas_.push_back(0);
+                to_.parents_.push_back(to_.parents_[parts.front()]);
             } else if (patch == kNone) {
                 patch = free.back();
                 free.pop_back();
@@ -265,6 +266,9 @@ CutTriangle::CutTriangle(int level, std::span<const SurfaceCrossing> crossings)
     : parts_(std::size_t{1} << (2U * static_cast<unsigned>(level))),
       links_(parts_),
       areas_(parts_) {
+    for (std::uint32_t part = 0; part < parts_; ++part) {
+        parents_.push_back(TriangleParts(level).parent(part));
+    }
     TriangleCutter(level, crossings, *this).cut();
 }
 

@@ -24,11 +24,8 @@ class CutTriangle {
     /// The area fraction of a patch; 0 for empty ones.
     [[nodiscard]] double area(std::uint32_t patch) const { return areas_[patch]; }
 
-    /// Whether a part is a patch by itself, which nothing cuts.
-    [[nodiscard]] bool is_whole(std::uint32_t part) const {
-        return links_[part] == (kPatch | part) &&
-               areas_[part] * static_cast<double>(parts_) < 1 + 1e-9;
-    }
+    /// The part of the level above in which a patch lies.
+    [[nodiscard]] std::uint32_t parent(std::uint32_t patch) const { return parents_[patch]; }
     /// The patch that contains a point of a part.
     [[nodiscard]] std::uint32_t patch(std::uint32_t part, double u, double v) const {
         std::uint32_t at = links_[part];
@@ -81,6 +78,7 @@ class CutTriangle {
     std::vector<Line> lines_;
     std::vector<std::uint32_t> links_;  // for each part, and below and above each line
     std::vector<double> areas_;
+    std::vector<std::uint32_t> parents_;  // by patch
 };
 
 }  // namespace quasimc

@@ -16,13 +16,16 @@ namespace quasimc {
 namespace {
 
 /// A spot is brighter than the mean of what its side sees by more than this factor.
-constexpr double kBrighter = 16;
+constexpr double kBrighter = 4;
 /// The minimum surrounded fraction of a side with spots.
 constexpr double kSurrounded = 0.25;
 /// Pairs of points: this part of the paths, and limits for each spot.
-constexpr double kPairsPerPath = 0.25, kMinPairs = 4, kMaxPairs = 256;
+constexpr double kPairsPerPath = 0.25, kMinPairs = 1, kMaxPairs = 256;
 /// Rays that leave each point of a pair of which one point is lit.
 constexpr int kRays = 4;
+
+/// Points drawn to find one on a cut patch, which is a part of four patches or more.
+constexpr int kMaxTries = 256;
 
 /// A sequence of random numbers.
 class Numbers {
@@ -34,10 +37,10 @@ class Numbers {
     std::uint64_t key_, count_ = 0;
 };
 
-/// A bright patch: a part of a triangle that nothing cuts.
+/// A bright patch of a triangle.
 struct Spot {
     const PatchScene::Surface* surface = nullptr;
-    std::uint32_t part = 0;
+    std::uint32_t patch = 0;  ///< in the triangle
 };
 
 /// Finds spots.
@@ -62,11 +65,11 @@ class SpotFinder {
     [[nodiscard]] std::vector<Spot> find() const {
         std::vector<Spot> spots;
         for (const PatchScene::Surface& surface : scene_.surfaces) {
-            const CutTriangle* cut = scene_.patches.cut_of(surface.triangle);
-            const auto level = static_cast<unsigned>(scene_.patches.level(surface.triangle));
-            for (std::uint32_t part = 0; part < 1U << (2U * level) && !surface.is_sensor; ++part) {
-                if ((cut == nullptr || cut->is_whole(part)) && is_bright(surface, part)) {
-                    spots.push_back({&surface, part});
+            const std::uint32_t first = scene_.patches.first(surface.triangle);
+            const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
+            for (std::uint32_t i = 0; i < end - first && !surface.is_sensor; ++i) {
+                if (is_bright(surface, i) && scene_.patches.share(surface.triangle, i) > 0) {
+                    spots.push_back({&surface, i});
                 }
             }
         }
@@ -97,8 +100,8 @@ class SpotFinder {
         }
     }
 
-    [[nodiscard]] bool is_bright(const PatchScene::Surface& surface, std::uint32_t part) const {
-        const std::size_t patch = scene_.patches.first(surface.triangle) + part;
+    [[nodiscard]] bool is_bright(const PatchScene::Surface& surface, std::uint32_t own) const {
+        const std::size_t patch = scene_.patches.first(surface.triangle) + own;
         for (std::size_t side = 0; side < 2; ++side) {
             const double sent =
                 sum([&](const PatchSides<0>& sides) { return sides.exitance(2 * patch + side); });
@@ -156,17 +159,34 @@ class SpotTracer {
         double paths;
     };
 
-    Vec3 point_on(std::uint32_t triangle, const ConvexPiece& part) {
+    /// A uniform point of a triangle, by its corners.
+    Point2 point_in(const ConvexPiece& corners) {
         double s = numbers_.next();
         double t = numbers_.next();
         if (s + t > 1) {
             s = 1 - s;
             t = 1 - t;
         }
-        const Point2 &a = part[0], &b = part[1], &c = part[2];
-        return mesh_.point(
-            triangle, a.s + s * (b.s - a.s) + t * (c.s - a.s),
-            a.t + s * (b.t - a.t) + t * (c.t - a.t));
+        const Point2 &a = corners[0], &b = corners[1], &c = corners[2];
+        return {a.s + s * (b.s - a.s) + t * (c.s - a.s), a.t + s * (b.t - a.t) + t * (c.t - a.t)};
+    }
+
+    /// A uniform point of a spot; none if its patch is too small a piece to be found.
+    std::optional<Vec3> point_on(const Spot& spot) {
+        const std::uint32_t triangle = spot.surface->triangle;
+        const int level = scene_.patches.level(triangle);
+        const CutTriangle* cut = scene_.patches.cut_of(triangle);
+        const ConvexPiece corners = cut == nullptr
+                                        ? TriangleParts(level).corners(spot.patch)
+                                        : TriangleParts(level - 1).corners(cut->parent(spot.patch));
+        const std::uint32_t patch = scene_.patches.first(triangle) + spot.patch;
+        for (int i = 0; i < kMaxTries; ++i) {
+            const Point2 at = point_in(corners);
+            if (cut == nullptr || scene_.patches.at(triangle, at.s, at.t) == patch) {
+                return mesh_.point(triangle, at.s, at.t);
+            }
+        }
+        return {};
     }
 
     /// Light of a sun or sky, drawn in proportion to the paths of the sources; none from lamps.
@@ -201,21 +221,18 @@ class SpotTracer {
     /// @param share  of the spot's light that the pair represents
     void trace_pair(const Spot& spot, double share) {
         const std::uint32_t triangle = spot.surface->triangle;
-        const ConvexPiece part = TriangleParts(scene_.patches.level(triangle)).corners(spot.part);
-        const Pair pair{
-            triangle,
-            {point_on(triangle, part), point_on(triangle, part)},
-            normalized(mesh_.across(triangle))};
+        const std::optional<Vec3> first = point_on(spot), second = point_on(spot);
         const std::optional<Incoming> in = incoming();
-        if (!in) {
+        if (!in || !first || !second) {
             return;
         }
+        const Pair pair{triangle, {*first, *second}, normalized(mesh_.across(triangle))};
         const bool is_first = is_lit(triangle, pair.points[0], in->direction);
         if (is_first == is_lit(triangle, pair.points[1], in->direction)) {
             return;
         }
         const double along = dot(pair.up, in->direction);
-        const double area = spot.surface->area * scene_.patches.share(triangle, spot.part);
+        const double area = spot.surface->area * scene_.patches.share(triangle, spot.patch);
         // Half, for each of the points may be the lit one.
         const double amount = (is_first ? .5 : -.5) * share * area * std::abs(along) * in->paths;
         const SurfaceSide lit = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;

@@ -127,7 +127,6 @@ class RayBundles final : public Solver {
             return irradiance;
         };
         const SkyDirections* skies = beams_.viewed_skies();
-
         // B^(1) = R E_direct
         DirectOnPatches direct = score_and_deposit_direct(
             input_, beams_, replicate, memory_of(scratch), scratch.direct, tally);
@@ -147,10 +146,7 @@ class RayBundles final : public Solver {
                 {.skies = k == 1 ? skies : nullptr, .finds_ends = k == 1});
             if (k == 1) {
                 is_surrounded = surrounded_sides(*irradiance.lines);
-                spots = trace_bright_spots(
-                    input_.prepared, static_cast<double>(replicate.round.count),
-                    key_of(replicate, kSpots), irradiance);
-                tally.add(tally.blocks().rays(), static_cast<std::int64_t>(spots.rays));
+                spots = correct_spots(replicate, irradiance, tally);
             }
             // sum B += B^(k), B^(k+1) = R E^(k)
             order = sum.add_and_scatter(std::move(irradiance), std::move(order.flux));
@@ -158,8 +154,7 @@ class RayBundles final : public Solver {
         // B^(k) is not sent on any more: cut off
         Flow flow{std::vector<std::int64_t>(order.flux.last.size()), fixed(order.flux.last)};
         if (k == 1) {
-            const std::size_t regions = input_.prepared.scene().regions().size();
-            add_sums(RegionFlux(regions, flow.escaped.size()), flow, tally);
+            add_sums(RegionFlux(cut_->scene.region_areas.size(), flow.escaped.size()), flow, tally);
             scratch.light = std::move(order.exitance.light);
             return;
         }
@@ -173,12 +168,19 @@ class RayBundles final : public Solver {
         const std::vector<double> corrections =
             sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
         RegionFlux flux(irradiance, corrections);
-        flux.add(spots.on_regions);
-        for (const SpotLight::Escaped& light : spots.escaped) {
-            add_escaped(light.direction, light.flux, flow, tally);
-        }
+        add_spots(spots, flux, flow, tally);
         add_sums(flux, flow, tally);
         scratch.light = std::move(irradiance.light);
+    }
+
+    /// Corrects the light of the first order where patches are bright.
+    [[nodiscard]] SpotLight correct_spots(
+        const ReplicateInput& replicate, PatchIrradiance& irradiance, Tally& tally) const {
+        SpotLight spots = trace_bright_spots(
+            input_.prepared, static_cast<double>(replicate.round.count), key_of(replicate, kSpots),
+            irradiance);
+        tally.add(tally.blocks().rays(), static_cast<std::int64_t>(spots.rays));
+        return spots;
     }
 
     /// Whether light of order k is exchanged.
@@ -233,6 +235,13 @@ class RayBundles final : public Solver {
         const auto& detectors = input_.prepared.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
             detectors[i]->on_escape(direction, amounts, tally.blocks().detector(i), tally);
+        }
+    }
+
+    void add_spots(const SpotLight& spots, RegionFlux& flux, Flow& flow, Tally& tally) const {
+        flux.add(spots.on_regions);
+        for (const SpotLight::Escaped& light : spots.escaped) {
+            add_escaped(light.direction, light.flux, flow, tally);
         }
     }
 
