@@ -164,18 +164,20 @@ void DirectBeams::score_strip(
     Tally& tally) const {
     const std::span<const LineStrip::Triangle> triangles = lit.strip.triangles();
     const double most = std::min(work.task.count, ScanLines::kStrip);
+    const auto score_all = [&](DirectLightScore& direct, ContributionCounter& counter) {
+        for (std::size_t i = 0; i < triangles.size(); ++i) {
+            const auto [triangle, cosine] = triangles[i];
+            if (visible[i].length > 0) {
+                const double amount = lit.per_length * visible[i].length;
+                direct.add(triangle, cosine, amount);
+                counter.add(triangle, cosine, amount, visible[i].segments);
+            }
+        }
+    };
     DirectLightScore::score(prepared_, lit.share, tally, [&](DirectLightScore& direct) {
         ContributionCounter::count(
-            prepared_, work.counted, work.strategy, most, tally, [&](ContributionCounter& counter) {
-                for (std::size_t i = 0; i < triangles.size(); ++i) {
-                    const auto [triangle, cosine] = triangles[i];
-                    if (visible[i].length > 0) {
-                        const double amount = lit.per_length * visible[i].length;
-                        direct.add(triangle, cosine, amount);
-                        counter.add(triangle, cosine, amount, visible[i].segments);
-                    }
-                }
-            });
+            prepared_, work.counted, work.strategy, most, tally,
+            [&](ContributionCounter& counter) { score_all(direct, counter); });
     });
 }
 
