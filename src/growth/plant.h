@@ -55,8 +55,7 @@ class Plant {
     [[nodiscard]] bool is_grown() const;
     /// Makes the next derivation step, with the environment pass before it.
     /// @returns false, and nothing is done, after the last step
-    /// @throws InputError  for loops and recursion without end, and strings over the limit; the
-    /// string
+    /// @throws InputError  for infinite loops and recursion, and strings over the limit; the string
     ///         is that before the step
     bool grow();
     /// Ends the growth: the passes after the last step ("environment display: before"), and the

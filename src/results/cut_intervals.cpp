@@ -19,7 +19,6 @@ void cut(const OrganLimits& most, double area, std::size_t bands, std::span<Esti
         for (std::size_t b = 0; b < bands; ++b) {
             Estimate& e = values[static_cast<std::size_t>(entry.quantity) * bands + b];
             e = not_above(e, most.of(entry.quantity, b) * (entry.is_flux ? 1 : per_area));
-            e.mean = std::max(e.mean, 0.0);  // replicates of ray bundles may be negative
         }
     }
 }

@@ -141,7 +141,7 @@ The plant simulators start it by the line "executable:" of their environment fil
                  always montecarlo if the program is called by the name MonteCarlo)
   --view         shows every step in a browser of this machine, as 'view: yes' in the specification
   -no_xserver    accepted; no display is needed
-  -debug         tells on stderr what happens at every step
+  -debug         reports every step on stderr
   --version      prints the version
   --help         prints this
 

@@ -37,7 +37,7 @@ class Machine {
 
     /// Runs code that has no value; modules go to `out`. kNoCode does nothing.
     /// @param variables  of the L-system
-    /// @throws InputError  for a loop without end
+    /// @throws InputError  for an infinite loop
     void run(CodeIndex code, std::vector<double>& variables, ModuleString* out = nullptr) {
         if (code != kNoCode) {
             execute(code, variables.data(), out);

@@ -164,13 +164,16 @@ class Season final : public SeriesSteps {
         const std::size_t at = i - batch_.first;
         const std::optional<LightResponse>& suns = batch_.suns[at];
         LightSum& light = batch_.light[at];
-        const LightSum deviations = light.deviations(basis_->errors(), is_opaque_, i);
-        light.add(deviations, 1);
+        if (!light.is_dark()) {
+            const LightSum deviations = light.deviations(basis_->errors(), is_opaque_, i);
+            light.add(deviations, 1);
+            day_->suns.add(deviations, step.seconds);
+            total_->suns.add(deviations, step.seconds);
+        }
         if (suns) {
             light.add_suns(*suns, 1);
         }
         for (Period* period : {&*day_, &*total_}) {
-            period->suns.add(deviations, step.seconds);
             for (std::size_t k = 0; k < batch_.amounts[at].size(); ++k) {
                 period->amounts[k] += step.seconds * batch_.amounts[at][k];
             }

@@ -17,13 +17,13 @@
 
 #include "base/stop.h"
 #include "solvers/block_runner.h"
+#include "solvers/direct/visibility.h"
 #include "solvers/from_organs/backward_path.h"
 #include "solvers/from_organs/from_organs_units.h"
 #include "solvers/from_organs/gather_directions.h"
 #include "solvers/from_organs/light_subpath.h"
 #include "solvers/from_organs/next_event.h"
 #include "solvers/from_organs/organ_points.h"
-#include "solvers/from_organs/visibility.h"
 #include "transport/organ_shares.h"
 #include "transport/score.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solvers/from_organs/visibility.h"
+#include "solvers/direct/visibility.h"
 
 namespace quasimc {
 

@@ -7,7 +7,7 @@
 #include "base/distribution.h"
 #include "light/models/hemisphere.h"
 #include "light/models/source.h"
-#include "solvers/from_organs/visibility.h"
+#include "solvers/direct/visibility.h"
 
 namespace quasimc {
 

@@ -4,12 +4,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
 
+#include "optics/directions.h"
 #include "samplers/hash.h"
+#include "solvers/direct/visibility.h"
 #include "transport/surface.h"
 
 namespace quasimc {
@@ -23,7 +24,6 @@ constexpr double kSurrounded = 0.25;
 constexpr double kPairsPerPath = 0.25, kMinPairs = 1, kMaxPairs = 256;
 /// Rays that leave each point of a pair of which one point is lit.
 constexpr int kRays = 4;
-
 /// Points drawn to find one on a cut patch, which is a part of four patches or more.
 constexpr int kMaxTries = 256;
 
@@ -138,8 +138,9 @@ class SpotTracer {
         const double most = kPairsPerPath * paths_ / static_cast<double>(spots.size());
         const double pairs = std::clamp(std::ceil(most), kMinPairs, kMaxPairs);
         for (const Spot& spot : spots) {
+            const ConvexPiece within = corners_about(spot);
             for (int i = 0; i < pairs; ++i) {
-                trace_pair(spot, 1 / pairs);
+                trace_pair(spot, within, 1 / pairs);
             }
         }
         return std::move(found_);
@@ -171,18 +172,23 @@ class SpotTracer {
         return {a.s + s * (b.s - a.s) + t * (c.s - a.s), a.t + s * (b.t - a.t) + t * (c.t - a.t)};
     }
 
+    /// The corners of a spot, or of the triangle in which a cut one lies.
+    [[nodiscard]] ConvexPiece corners_about(const Spot& spot) const {
+        const int level = scene_.patches.level(spot.surface->triangle);
+        const CutTriangle* cut = scene_.patches.cut_of(spot.surface->triangle);
+        return cut == nullptr ? TriangleParts(level).corners(spot.patch)
+                              : TriangleParts(level - 1).corners(cut->parent(spot.patch));
+    }
+
     /// A uniform point of a spot; none if its patch is too small a piece to be found.
-    std::optional<Vec3> point_on(const Spot& spot) {
+    /// @param within  corners_about() it
+    std::optional<Vec3> point_on(const Spot& spot, const ConvexPiece& within) {
         const std::uint32_t triangle = spot.surface->triangle;
-        const int level = scene_.patches.level(triangle);
-        const CutTriangle* cut = scene_.patches.cut_of(triangle);
-        const ConvexPiece corners = cut == nullptr
-                                        ? TriangleParts(level).corners(spot.patch)
-                                        : TriangleParts(level - 1).corners(cut->parent(spot.patch));
+        const bool is_cut = scene_.patches.cut_of(triangle) != nullptr;
         const std::uint32_t patch = scene_.patches.first(triangle) + spot.patch;
         for (int i = 0; i < kMaxTries; ++i) {
-            const Point2 at = point_in(corners);
-            if (cut == nullptr || scene_.patches.at(triangle, at.s, at.t) == patch) {
+            const Point2 at = point_in(within);
+            if (!is_cut || scene_.patches.at(triangle, at.s, at.t) == patch) {
                 return mesh_.point(triangle, at.s, at.t);
             }
         }
@@ -207,21 +213,14 @@ class SpotTracer {
 
     bool is_lit(std::uint32_t triangle, const Vec3& point, const Vec3& direction) {
         ++found_.rays;
-        if (!prepared_.optics().has_transparent) {
-            return !prepared_.caster().occluded(point, -direction, triangle);
-        }
-        CastHit at = prepared_.caster().cast(point, -direction, triangle);
-        while (at.end == RayEnd::hit &&
-               prepared_.material(prepared_.region(at.hit.triangle)).is_transparent()) {
-            at = prepared_.caster().cast(point_of(prepared_, at.hit), -direction, at.hit.triangle);
-        }
-        return at.end != RayEnd::hit;
+        constexpr double kFarAway = std::numeric_limits<double>::infinity();
+        return is_visible_source(prepared_, point, -direction, kFarAway, triangle);
     }
 
     /// @param share  of the spot's light that the pair represents
-    void trace_pair(const Spot& spot, double share) {
+    void trace_pair(const Spot& spot, const ConvexPiece& within, double share) {
         const std::uint32_t triangle = spot.surface->triangle;
-        const std::optional<Vec3> first = point_on(spot), second = point_on(spot);
+        const std::optional<Vec3> first = point_on(spot, within), second = point_on(spot, within);
         const std::optional<Incoming> in = incoming();
         if (!in || !first || !second) {
             return;
@@ -263,12 +262,8 @@ class SpotTracer {
 
     /// Sends the weights from the first point, and takes them from the second.
     void send(const Pair& pair, const Vec3& normal) {
-        const Frame frame = frame_about(normal);
-        const double angle = 2 * std::numbers::pi * numbers_.next();
-        const double square = numbers_.next();
-        const double flat = std::sqrt(square);
-        const Vec3 direction = flat * std::cos(angle) * frame.s + flat * std::sin(angle) * frame.t +
-                               std::sqrt(1 - square) * normal;
+        const double turn = numbers_.next();
+        const Vec3 direction = cosine_direction(normal, numbers_.next(), turn);
         trace_ray(pair.points[0], pair.triangle, direction, 1);
         trace_ray(pair.points[1], pair.triangle, direction, -1);
     }

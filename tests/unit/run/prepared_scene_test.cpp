@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "scene/scene.h"
-#include "solvers/from_organs/visibility.h"
+#include "solvers/direct/visibility.h"
 #include "statistical/scenes.h"
 
 namespace quasimc::test {

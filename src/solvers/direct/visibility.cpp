@@ -1,4 +1,4 @@
-#include "solvers/from_organs/visibility.h"
+#include "solvers/direct/visibility.h"
 
 #include <cmath>
 

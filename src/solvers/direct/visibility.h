@@ -1,6 +1,7 @@
 #pragma once
 
-// Shadow rays of next-event estimation and of connections. Sensors are transparent to them.
+// Shadow rays: of next-event estimation, of connections and of bright spots. Sensors are
+// transparent to them.
 
 #include "transport/prepared_scene.h"
 
