@@ -212,6 +212,9 @@ void print_width(const Effort& effort) {
         "the rms error\n%-14s %6s %-11s %-10s %6s %9s %8s %18s %9s %9s\n",
         effort.width_runs, "scene", "paths", "band", "kind", "number", "rep/true", "cover %",
         "bias % (s.e.)", "rms %", "truth");
+    const std::vector<std::uint64_t> all_paths = effort.only_paths > 0
+                                                     ? std::vector{effort.only_paths}
+                                                     : std::vector<std::uint64_t>{4096, 65536};
     for (const WidthCase& one : width_cases()) {
         if (std::string(one.name).find(effort.cases) == std::string::npos) {
             continue;
@@ -223,11 +226,9 @@ void print_width(const Effort& effort) {
         }
         const std::vector<WidthValue> truth =
             truth_of(scene, effort.truths, scene.truth_paths / effort.truth_divisor);
-        for (const std::uint64_t paths : {std::uint64_t{4096}, std::uint64_t{65536}}) {
-            if (effort.only_paths == 0 || effort.only_paths == paths) {
-                spec.paths = paths;
-                print_budget(scene, truth, spec, effort.width_runs);
-            }
+        for (const std::uint64_t paths : all_paths) {
+            spec.paths = paths;
+            print_budget(scene, truth, spec, effort.width_runs);
         }
     }
 }

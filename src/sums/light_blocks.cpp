@@ -72,7 +72,8 @@ LightBlocks::LightBlocks(const SumLayout& layout)
       absorbed_scattered_(layout.find("absorbed_scattered")),
       emitted_(layout.find("emitted")),
       escaped_direct_(layout.find("escaped_direct")),
-      rays_(layout.find("rays")) {
+      rays_(layout.find("rays")),
+      scattered_count_(layout.find(kScatteredCount)) {
     for (const SumBlock& block : layout.blocks()) {
         if (block.name.starts_with(kDetector)) {
             detectors_.push_back(layout.find(block.name).first);

@@ -40,6 +40,10 @@ struct ScatteredBlocks {
     BlockBins escaped, scattered_out, cut_off;  ///< per band
 };
 
+/// The block of the run that counts the contributions of scattered light, where these are not
+/// samples.
+inline constexpr std::string_view kScatteredCount = "scattered_count";
+
 /// Declares the blocks that every method sums.
 ///
 /// Direct light is summed per spectrum, not per band: all bands of it follow by multiplication. So
@@ -81,6 +85,7 @@ class LightBlocks {
     [[nodiscard]] std::size_t scattered_out() const { return scattered_.scattered_out.first; }
     [[nodiscard]] std::size_t cut_off() const { return scattered_.cut_off.first; }
     [[nodiscard]] std::size_t rays() const { return rays_.first; }
+    [[nodiscard]] std::size_t scattered_count() const { return scattered_count_.first; }
     /// The first bin of a detector, in the order of their declaration.
     [[nodiscard]] std::size_t detector(std::size_t index) const { return detectors_[index]; }
 
@@ -90,7 +95,8 @@ class LightBlocks {
     std::size_t stride_;
     SideBlocks direct_;
     ScatteredBlocks scattered_;
-    BlockBins sunlit_, absorbed_direct_, absorbed_scattered_, emitted_, escaped_direct_, rays_;
+    BlockBins sunlit_, absorbed_direct_, absorbed_scattered_, emitted_, escaped_direct_, rays_,
+        scattered_count_;
     std::vector<std::size_t> detectors_;
 };
 

@@ -63,6 +63,9 @@ struct SumData {
     friend bool operator==(const SumData&, const SumData&) = default;
 };
 
+/// Contributions of scattered light in a replicate (mean), to which its bound applies.
+[[nodiscard]] double samples_of_scattered(const SumData& sums);
+
 /// Copies the meaning of sums, without replicates, paths, samples or digest.
 [[nodiscard]] SumData meaning_of(const SumData& sums);
 

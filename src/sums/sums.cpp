@@ -4,11 +4,22 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sums/light_blocks.h"
 #include "sums/sum_data.h"
 
 namespace quasimc {
 
 namespace {
+
+/// The number in a block of the run, in all replicates; 0 if it was not declared.
+std::uint64_t counted(const SumData& sums, std::string_view name) {
+    const BlockBins block = sums.layout.find(name);
+    std::uint64_t count = 0;
+    for (const ExactBins& bins : sums.replicates) {
+        count += block.exists() ? static_cast<std::uint64_t>(bins.quanta(block.first).low) : 0;
+    }
+    return count;
+}
 
 /// Adds the bins of sums of one run.
 void add_replicates(SumData& sums, const SumData& other) {
@@ -71,12 +82,7 @@ std::uint64_t Sums::paths() const {
 }
 
 std::uint64_t Sums::rays() const {
-    const BlockBins block = data_->layout.find("rays");
-    std::uint64_t rays = 0;
-    for (const ExactBins& bins : data_->replicates) {
-        rays += block.exists() ? static_cast<std::uint64_t>(bins.quanta(block.first).low) : 0;
-    }
-    return rays;
+    return counted(*data_, "rays");
 }
 
 std::uint64_t Sums::digest() const {
@@ -91,6 +97,12 @@ const ContributionBound& SumData::bound(std::string_view quantity) const {
     static const ContributionBound kNone;
     const auto found = std::ranges::find(bounds, quantity, &ContributionBound::quantity);
     return found == bounds.end() ? kNone : *found;
+}
+
+double samples_of_scattered(const SumData& sums) {
+    const std::uint64_t count = counted(sums, kScatteredCount);
+    return count > 0 ? static_cast<double>(count) / static_cast<double>(sums.replicates.size())
+                     : static_cast<double>(sums.samples);
 }
 
 SumData meaning_of(const SumData& sums) {

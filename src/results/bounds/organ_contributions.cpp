@@ -72,7 +72,7 @@ void OrganContributions::read_points(const OrganReader& reader, std::size_t band
     const double on_triangle = reader.is_flat() ? 0 : reader.largest(sums.direct, band) / count;
     // Contributions of points must not hide that light paths sampled nothing.
     const double scattered =
-        std::hypot(reader.part_in_view() * reader.largest(sums.scattered, band) / count, by_path);
+        std::hypot(reader.part_in_view() * reader.largest_scattered(band) / count, by_path);
     for (const SurfaceSide side : kSurfaceSides) {
         const bool is_upper = side == SurfaceSide::upper;
         const double all = is_upper ? sum.unoccluded_upper : sum.unoccluded_lower;
@@ -112,7 +112,7 @@ void OrganContributions::read_strategies(const OrganReader& reader, std::size_t 
     }
     const Incident sum = reader.incident(band);
     const double once =
-        reader.may_scatter(band) ? reader.largest(reader.sums().scattered, band) / count : 0;
+        reader.may_scatter(band) ? reader.largest_scattered(band) / count : 0;
     for (const SurfaceSide side : kSurfaceSides) {
         const double mean =
             (side == SurfaceSide::upper ? sum.scattered_upper : sum.scattered_lower) / count;

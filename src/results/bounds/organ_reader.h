@@ -87,7 +87,8 @@ class SumReader {
           scattered(data_.bound("scattered")),
           light_path(data_.bound("light_path")),
           sunlit(data_.bound("sunlit")),
-          samples(static_cast<double>(data_.samples)) {}
+          samples(static_cast<double>(data_.samples)),
+          scattered_samples(samples_of_scattered(data_)) {}
 
     [[nodiscard]] const SumData& data() const { return data_; }
 
@@ -106,8 +107,9 @@ class SumReader {
     const SideBlocks unoccluded;
     const SideBlocks squares;  ///< sums of squared contributions, per strategy that counts them
     const ContributionBound &direct, &scattered, &light_path,
-        &sunlit;           ///< contributions of one sample
-    const double samples;  ///< per replicate
+        &sunlit;                     ///< contributions of one sample
+    const double samples;            ///< per replicate
+    const double scattered_samples;  ///< samples of `scattered`, per replicate
 };
 
 /// Whether the light of an organ was summed.
@@ -200,6 +202,10 @@ class OrganReader {
     /// area.
     [[nodiscard]] double largest(const ContributionBound& bound, std::size_t band) const {
         return organ_.area > 0 ? bound.of(organ_.first_region, band) / reader_.samples : 0;
+    }
+    /// The largest contribution of a sample to the organ's scattered light, as flux.
+    [[nodiscard]] double largest_scattered(std::size_t band) const {
+        return largest(reader_.scattered, band) * reader_.samples / reader_.scattered_samples;
     }
     /// The largest sunlit area of a sample.
     [[nodiscard]] double largest_sunlit() const {

@@ -58,10 +58,6 @@ double patches_for(std::uint64_t paths) {
     return std::clamp(std::sqrt(segments * few) / kSegmentsPerPatch, at_least, kMaxPatches);
 }
 
-double light_of_segment() {
-    return 2 / kSegmentsPerPath;
-}
-
 BundleBudget::BundleBudget(const PatchScene& scene, std::uint64_t paths, std::vector<double> first)
     : patches_(scene.patches.count()),
       area_(scene.area),

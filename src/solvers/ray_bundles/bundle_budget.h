@@ -11,9 +11,6 @@ namespace quasimc {
 /// Number of patches of a scene for the paths of all rounds together.
 [[nodiscard]] double patches_for(std::uint64_t paths);
 
-/// Approximate light along one line segment, as a number of paths; most carry less.
-[[nodiscard]] double light_of_segment();
-
 /// Allocates directions and lines to the steps of the exchange. A path is worth some line segments
 /// between patches. Most go to the last step, the final gather. Single orders share the others in
 /// proportion to their light, so that weak orders cost little. See

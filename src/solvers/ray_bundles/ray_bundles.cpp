@@ -167,6 +167,9 @@ class RayBundles final : public Solver {
              }});
         const std::vector<double> corrections =
             sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
+        tally.add(
+            tally.blocks().scattered_count(),
+            static_cast<std::int64_t>(irradiance.lines->segments));
         RegionFlux flux(irradiance, corrections);
         add_spots(spots, flux, flow, tally);
         add_sums(flux, flow, tally);
@@ -300,9 +303,15 @@ void check_diffuse(const Scene& scene, Faults& faults) {
 
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
-    for (double& flux : meaning.bound("scattered").largest) {
-        flux *= light_of_segment();
+    // Of a segment of the final gather: twice the mean if all light is scattered once.
+    constexpr double kOverMean = 2;
+    const std::vector<double> albedos = largest_albedos(prepared.scene());
+    std::vector<double>& largest = meaning.bound("scattered").largest;
+    for (std::size_t b = 0; b < largest.size(); ++b) {
+        largest[b] *= kOverMean * albedos[b];
     }
+    meaning.blocks.push_back(
+        {std::string(kScatteredCount), SumBlock::Rows::run, {{SumColumn::Of::number}}});
     return meaning;
 }
 
