@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
     const std::vector<std::pair<std::string, std::function<void(const Effort&)>>> parts{
         {"efficiency", print_efficiency},
         {"bars", print_bars},
-        {"planner", print_planner},
+        {"choice", print_choice},
         {"canopies", [&](const Effort& effort) { is_held = print_canopies(effort, files, words); }},
         {"bundles", print_bundles},
         {"corners", print_corners},

@@ -28,8 +28,8 @@ struct Effort {
 void print_efficiency(const Effort& effort);
 /// Prints the targets of first_hits.
 void print_bars(const Effort& effort);
-/// Prints the figure of merit of each method, and the choice of the planner.
-void print_planner(const Effort& effort);
+/// Prints cost and error of each method, and of the planner's choice at equal cost.
+void print_choice(const Effort& effort);
 /// Checks whether "auto" is within twice the best method's time, on generated canopies under all of
 /// their lights, and on those of run files under the same suns and sky.
 /// @param words  text that the name of a case, "maize, sun at 90", must contain

@@ -162,14 +162,12 @@ std::vector<SamplingStrategy> strategies_by_path(const PreparedScene& prepared) 
 /// A region receives the fraction of the light along a direction that its projected area is of the
 /// projected box of the scene. Both are sums over the axes, so this is at most the largest fraction
 /// along an axis.
-SamplingStrategy strategy_by_direction(
-    const PreparedScene& prepared, std::uint32_t directions, double step) {
+SamplingStrategy strategy_by_direction(const PreparedScene& prepared, double step) {
     SamplingStrategy strategy =
         strategy_of(prepared, [](const BoundSource& light) { return light.is_extended(); });
     strategy.by = SampledBy::directions;
-    // Many directions are not sheared, and more replicates have the same number of contributions.
-    constexpr double kManyAlike = 7;
-    strategy.many = directions > kMaxShearedDirections ? kManyAlike : strategy.many;
+    // Directions are even, and more replicates than of paths have the same number of contributions.
+    strategy.many = 7;
     strategy.step = step;
     std::vector<Vec3> up(prepared.scene().regions().size());
     std::vector<Vec3> down(up.size());

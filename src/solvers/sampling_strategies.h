@@ -19,10 +19,8 @@ namespace quasimc {
 [[nodiscard]] std::vector<SamplingStrategy> strategies_by_path(const PreparedScene& prepared);
 
 /// The strategy for skies, whose light is sampled along directions.
-/// @param directions  their number in each replicate of the first round
-/// @param step  light along each, in units
-[[nodiscard]] SamplingStrategy strategy_by_direction(
-    const PreparedScene& prepared, std::uint32_t directions, double step);
+/// @param step  light along each direction, in units
+[[nodiscard]] SamplingStrategy strategy_by_direction(const PreparedScene& prepared, double step);
 
 /// The strategy for suns, whose light is sampled along lines.
 /// @param has_lines  by light: whether it is sampled along lines

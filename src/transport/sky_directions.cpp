@@ -23,21 +23,10 @@ constexpr std::array<double, 4> kNumbers{
 std::array<double, 2> hemisphere_lattice(
     std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing) {
     const auto part = [](double x) { return x - std::floor(x); };
-    double first = static_cast<double>(i) / count;
     const double choice = 4 * placing[2];
-    const auto chosen = static_cast<std::size_t>(std::min(choice, 3.0));
-    const bool is_sheared = count <= kMaxShearedDirections;
-    double second = i * (is_sheared ? kNumbers[0] : kNumbers[chosen]);
-    const std::size_t way = is_sheared ? chosen : 0;
-    if (way == 1) {
-        std::swap(first, second);
-    } else if (way == 2) {
-        second += first;
-    } else if (way == 3) {
-        first += second;
-    }
-    first = part(first + placing[0]);
-    second = part(second + placing[1]);
+    const double number = kNumbers[static_cast<std::size_t>(std::min(choice, 3.0))];
+    const double first = part(static_cast<double>(i) / count + placing[0]);
+    const double second = part(i * number + placing[1]);
     const double along = 2 * first - 1;
     const double about = std::numbers::pi * second;
     const double radius = std::sqrt(std::max(0.0, (1 - along) * (1 + along)));

@@ -9,16 +9,12 @@
 
 namespace quasimc {
 
-/// Above this number lattices are not sheared, which leaves a fifth of the variance.
-inline constexpr std::uint32_t kMaxShearedDirections = 256;
-
-/// Point `i` of `count` on the unit square, well spread: a lattice of the golden ratio sheared in
-/// one of four ways, or of one of four numbers, and shifted. It is mapped to the hemisphere about a
-/// horizontal axis of some azimuth, and back to the square by height and azimuth. All maps keep
-/// areas, so over all values of `placing` the points are uniform, and their number in a cone, a
-/// band of heights or a sector varies.
+/// Point `i` of `count` on the unit square, well spread: a shifted lattice of one of four numbers.
+/// It is mapped to the hemisphere about a horizontal axis of some azimuth, and back to the square
+/// by height and azimuth. All maps keep areas, so over all values of `placing` the points are
+/// uniform, and their number in a cone, a band of heights or a sector varies.
 /// @param placing  uniform in the unit cube: shift along and about the axis, and its azimuth with
-///        the way of shearing
+///        the number
 [[nodiscard]] std::array<double, 2> hemisphere_lattice(
     std::uint32_t i, std::uint32_t count, const std::array<double, 3>& placing);
 

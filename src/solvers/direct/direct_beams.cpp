@@ -226,7 +226,7 @@ SumMeaning direct_beams_meaning(
     for (const VisibilityTask& task : budget.tasks(first)) {
         const double step = budget.light_per_sample(task, first);
         if (task.is_sky) {
-            counted.push_back(strategy_by_direction(prepared, task.count, step));
+            counted.push_back(strategy_by_direction(prepared, step));
         } else {
             of_line = std::max(of_line, step);
             spacing = std::max(spacing, budget.spacing(task));

@@ -93,16 +93,15 @@ constexpr double kMinPixels = 1024, kMaxPixels = 2048 * 2048;
 /// Factor for periodic scenes, where no pixel is empty.
 constexpr double kShareOfLayer = 1.0 / 3;
 /// Minimum number of directions of a sky, and maximum number of blocks.
-constexpr std::uint32_t kMinDirections = 16;
+constexpr std::uint32_t kMinDirections = 4;
 constexpr std::uint32_t kDirectionBlocks = 16;
 /// Cost of projecting a triangle, in pixels; twice that in periodic scenes.
 constexpr double kPixelsPerTriangle = 20;
-/// Skies that cost more than this multiple of the pixels of their paths are sampled by paths, which
-/// is then more efficient.
+/// The directions cost at most this multiple of the pixels of their paths.
 constexpr double kMaxOverPixels = 30;
-/// So are skies with fewer directions times organs: errors of directions are common to all organs,
-/// those of paths cancel in totals.
-constexpr double kMinViews = 400;
+/// Squared relative error of an organ's light from kMinDirections directions, and the power of
+/// their number with which it falls. That of paths is about 1 over their number for each organ.
+constexpr double kVarianceOfFew = 0.16, kPowerOfDirections = 1.4;
 
 /// Number of measured organs, without the ground.
 double measured_organs(const Scene& scene) {
@@ -133,7 +132,8 @@ SamplingBudget::SamplingBudget(
     }
     fewest_lines_ = fewest_lines(suns, beams);
     set_lines(LineCost(seen), static_cast<double>(paths));
-    sees_skies_ = !skies.skies().empty() && are_skies_cheap(static_cast<double>(paths));
+    sees_skies_ = !skies.skies().empty() &&
+                  are_directions_better(skies.probability() * static_cast<double>(paths));
 }
 
 void SamplingBudget::set_lines(const LineCost& cost, double paths) {
@@ -182,14 +182,10 @@ bool SamplingBudget::traces_suns() const {
     return false;
 }
 
-bool SamplingBudget::are_skies_cheap(double paths) const {
-    const double own = skies_.probability() * paths;
-    const VisibilityTask task = skies_of(own);
-    const double images = prepared_.scene().cell().periodic() ? 2 : 1;
-    const double triangles = prepared_.caster().mesh().triangle_count();
-    const double each = task.pixels + kPixelsPerTriangle * images * triangles;
-    return task.count * each <= kMaxOverPixels * density_.pixels_per_path * own &&
-           task.count * measured_organs(prepared_.scene()) >= kMinViews;
+bool SamplingBudget::are_directions_better(double paths) const {
+    const double of_few = skies_of(paths).count / double{kMinDirections};
+    const double variance = kVarianceOfFew * std::pow(of_few, -kPowerOfDirections);
+    return variance * paths <= std::max(1., measured_organs(prepared_.scene()));
 }
 
 std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
@@ -265,15 +261,20 @@ void SamplingBudget::add_beams(
 }
 
 VisibilityTask SamplingBudget::skies_of(double paths) const {
-    const double directions = std::round(density_.pixels_per_path * paths / pixels_for(paths, 1));
+    const double images = prepared_.scene().cell().periodic() ? 2 : 1;
+    const double triangles = prepared_.caster().mesh().triangle_count();
+    const double all = density_.pixels_per_path * paths;
+    const double pixels = pixels_for(paths, density_.most_over_root);
+    const double wanted = std::round(all / pixels_for(paths, 1));
+    const double cheap = kMaxOverPixels * all / (pixels + kPixelsPerTriangle * images * triangles);
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
-    const std::uint32_t count =
-        std::max({kMinDirections, skies, static_cast<std::uint32_t>(directions)});
+    const auto count = static_cast<std::uint32_t>(std::min(wanted, cheap));
+    const std::uint32_t directions = std::max({kMinDirections, skies, count});
     return {
         .is_sky = true,
-        .count = count,
-        .pixels = pixels_for(paths, density_.most_over_root),
-        .blocks = std::min(count, kDirectionBlocks)};
+        .count = directions,
+        .pixels = pixels,
+        .blocks = std::min(directions, kDirectionBlocks)};
 }
 
 double SamplingBudget::pixels_for(double paths, double most_over_root) const {
@@ -282,8 +283,8 @@ double SamplingBudget::pixels_for(double paths, double most_over_root) const {
     const double growth = std::pow(std::max(1.0, paths / kManyPaths), kGrowthOfPixels);
     const double root = density_.pixels_per_root * std::sqrt(triangles);
     const double wanted = std::clamp(kWantedPerTriangle * triangles, root, most_over_root * root);
-    const double pixels = std::max(wanted, kMinPerTriangle * triangles);
-    return std::clamp(share * growth * pixels, kMinPixels, kMaxPixels);
+    const double pixels = std::max(share * wanted, kMinPerTriangle * triangles);
+    return std::clamp(growth * pixels, kMinPixels, kMaxPixels);
 }
 
 bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths) {

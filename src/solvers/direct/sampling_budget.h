@@ -63,8 +63,7 @@ class SamplingBudget {
     [[nodiscard]] bool has_lines(std::size_t light) const { return has_lines_[light]; }
 
     /// Whether there are skies and their direct light is sampled by item buffers. Paths from the
-    /// skies are more efficient if there are few paths for many triangles, or few directions for
-    /// few organs.
+    /// skies are better if few directions would do for few organs with many paths each.
     [[nodiscard]] bool sees_skies() const { return sees_skies_; }
 
     /// The tasks of a round, their blocks one after the other: at most kDiskBeams for each sun, and
@@ -84,7 +83,8 @@ class SamplingBudget {
 
   private:
     void set_lines(const LineCost& cost, double paths);
-    [[nodiscard]] bool are_skies_cheap(double paths) const;
+    /// Whether directions have smaller errors than `paths` paths from the skies.
+    [[nodiscard]] bool are_directions_better(double paths) const;
     /// Lines of each beam of a sun, regardless of the cost of cuts.
     [[nodiscard]] std::uint32_t usual_lines(std::size_t light, double paths) const;
     /// Beams of a sun, and lines of each.

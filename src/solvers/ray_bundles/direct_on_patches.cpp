@@ -16,8 +16,17 @@ namespace {
 
 /// Every n-th row of pixels with n times the light, from a random first row.
 struct DepositedRows {
-    std::uint32_t first = 0, of = 1;
+    std::uint32_t first = 0, of = 4;
 };
+
+/// How many samples are deposited: one of every `most`, or as many as leave `fewest` of them.
+struct DepositDensity {
+    std::uint32_t fewest = 64, most = 4;
+};
+constexpr DepositDensity kLineDensity;
+/// Scattered light is a small part of the light of low-albedo leaves.
+constexpr double kDark = 0.5;
+constexpr DepositDensity kDirectionDensity{.most = 2}, kDensityOnDark{.fewest = 16};
 
 /// The subset of lines or directions that are deposited on patches: one of every n, with n times
 /// the light. Light on organs is scored with all. Scattered light comes from many patches, whose
@@ -26,10 +35,9 @@ class DepositedSamples {
   public:
     /// @param stream  of the samples
     /// @param count  for each light
-    /// @param most  largest n, for very many samples
-    DepositedSamples(const Stream& stream, std::uint32_t count, std::uint32_t most)
+    DepositedSamples(const Stream& stream, std::uint32_t count, const DepositDensity& density)
         : key_(stream_key(stream, 0, 0)),
-          of_(count >= kMany ? std::min(most, count / kFewest) : 1) {}
+          of_(std::clamp(count / density.fewest, 1U, density.most)) {}
 
     /// The factor for the light of sample `i`; 0: it is not deposited.
     [[nodiscard]] std::uint32_t factor(std::uint32_t i) const {
@@ -37,20 +45,15 @@ class DepositedSamples {
     }
     /// The rows of pixels of sample `i` that are deposited.
     [[nodiscard]] DepositedRows rows(std::uint32_t i) const {
-        const std::uint32_t of = of_ > 1 ? kRows : 1;
-        return {static_cast<std::uint32_t>(mix64(~key_ ^ mix64(i)) % of), of};
+        DepositedRows rows;
+        rows.first = static_cast<std::uint32_t>(mix64(~key_ ^ mix64(i)) % rows.of);
+        return rows;
     }
 
   private:
-    static constexpr std::uint32_t kMany = 256, kFewest = 64, kRows = 4;
     std::uint64_t key_;
     std::uint32_t of_;
 };
-
-constexpr std::uint32_t kDepositedLines = 4;
-/// Scattered light is a small part of the light of low-albedo leaves.
-constexpr double kDark = 0.5;
-constexpr std::uint32_t kDepositedDirections = 2, kDepositedOnDark = 4;
 
 /// Side `side` of a patch, as PatchSides counts them.
 std::size_t side_of(std::uint32_t patch, SurfaceSide side) {
@@ -105,8 +108,7 @@ class DirectDeposit {
 
     void deposit_strip(const Work& work) {
         const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch_.beams);
-        const DepositedSamples deposited(
-            beams_.stream_of(work, 0), work.task.count, kDepositedLines);
+        const DepositedSamples deposited(beams_.stream_of(work, 0), work.task.count, kLineDensity);
         const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
         const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
             throw_if_stopped(input_.stop);
@@ -146,7 +148,7 @@ class DirectDeposit {
         const auto of_each = work.task.count / std::max<std::size_t>(skies.skies().size(), 1);
         const DepositedSamples deposited(
             beams_.stream_of(work, 0), static_cast<std::uint32_t>(of_each),
-            patches_.mean_albedo < kDark ? kDepositedOnDark : kDepositedDirections);
+            patches_.mean_albedo < kDark ? kDensityOnDark : kDirectionDensity);
         for (auto i = static_cast<std::uint32_t>(work.block); i < work.task.count;
              i += static_cast<std::uint32_t>(work.task.blocks)) {
             throw_if_stopped(input_.stop);
