@@ -138,6 +138,7 @@ class LineHitFinder {
         found_.counts_ = scratch_.counts_;
         found_.first_ = scratch_.first_;
         found_.hits_ = scratch_.hits_.data();
+        found_.keys_ = scratch_.sorted_.data();
         return found_;
     }
 
@@ -333,6 +334,7 @@ class LineHitFinder {
             if (i == 0 || lines[order[i]] != lines[order[i - 1]]) {
                 scratch_.first_.push_back(static_cast<std::uint32_t>(i));
             }
+            scratch_.sorted_[i] = keys[order[i]];
             scratch_.hits_[i] = static_cast<Hit>(keys[order[i]]);
         }
         scratch_.first_.push_back(static_cast<std::uint32_t>(order.size()));

@@ -78,6 +78,10 @@ class LineHits {
         }
     }
 
+    /// The place of a hit along its line, local units: differences are distances.
+    /// @param hit  of for_each_line()
+    [[nodiscard]] float depth(const Hit& hit) const { return depth_of(keys_[&hit - hits_]); }
+
   private:
     friend class LineHitFinder;
 
@@ -85,6 +89,7 @@ class LineHits {
     std::size_t size_ = 0;
     std::span<const std::uint32_t> counts_, first_;
     const Hit* hits_ = nullptr;
+    const std::uint64_t* keys_ = nullptr;  // of the hits
 };
 
 /// Finds the hits of a beam.

@@ -95,6 +95,13 @@ struct LineHitArrays {
     return std::uint64_t{ordered} << 32U | hit;
 }
 
+/// The depth of a depth_key().
+[[nodiscard]] inline float depth_of(std::uint64_t key) {
+    constexpr std::uint32_t kSign = 0x80000000U;
+    const auto ordered = static_cast<std::uint32_t>(key >> 32U);
+    return std::bit_cast<float>((ordered & kSign) != 0 ? ordered ^ kSign : ~ordered);
+}
+
 /// The loops over a block, compiled for a vector unit.
 struct SpanLoops {
     /// Sets all members except the spans. False if no triangle touches a row.

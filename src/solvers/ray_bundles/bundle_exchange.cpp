@@ -55,8 +55,7 @@ class BundleExchange {
           light_(*field_.light),
           scene_(light_.scene()),
           found_areas_(scene_.surfaces.size()),
-          open_(options.skies != nullptr ? 2 * scene_.region_areas.size() : 0),
-          ended_(options.finds_ends ? 2 * scene_.region_areas.size() : 0) {
+          open_(options.skies != nullptr ? 2 * scene_.region_areas.size() : 0) {
         while (scratch.threads_.size() < std::max(options.threads, 1U)) {
             scratch.threads_.push_back(std::make_unique<BundleScratch::Thread>());
         }
@@ -87,12 +86,12 @@ class BundleExchange {
         return {
             std::move(field_), LineStatistics{
                                    met_areas(scene_, found_areas_, lines_per_area),
-                                   std::move(open_), std::move(ended_), segments_}};
+                                   std::move(open_), segments_}};
     }
 
   private:
     using Beam = BundleScratch::Beam;
-    [[nodiscard]] bool has_ends() const { return options_.skies != nullptr || options_.finds_ends; }
+    [[nodiscard]] bool has_ends() const { return options_.skies != nullptr; }
     using Leaving = BundleScratch::Leaving;
 
     [[nodiscard]] LineHits lines_along(std::uint32_t i, LineHitScratch& scratch) const {
@@ -190,9 +189,6 @@ class BundleExchange {
             options_.on_escape(-1 * beam.direction, leaving.backwards);
         }
         const auto ends = std::span(leaving.ends).first(leaving.end_count);
-        if (options_.finds_ends) {
-            add_open_ends(scene_, ends, beam.weight, ended_);
-        }
         if (options_.skies != nullptr) {
             add_open_ends(
                 scene_, ends, beam.weight * sky_weight(*options_.skies, -1 * beam.direction),
@@ -207,7 +203,7 @@ class BundleExchange {
     PatchLight& light_;
     const PatchScene& scene_;
     std::vector<double> found_areas_;  // by surface
-    OpenAreas open_, ended_;
+    OpenAreas open_;
     std::uint64_t segments_ = 0;
 };
 

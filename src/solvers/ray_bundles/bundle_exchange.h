@@ -30,7 +30,6 @@ struct ExchangeOptions {
     unsigned threads = 1;  ///< at most; the light does not depend on it
     /// Skies for which LineStatistics::open is measured; null: none.
     const SkyDirections* skies = nullptr;
-    bool finds_ends = false;  ///< whether LineStatistics::ended is measured
     /// Is called with light that leaves the scene, direction by direction in their order: flux in
     /// each band.
     std::function<void(const Vec3& direction, std::span<const double> flux)> on_escape = {};

@@ -28,8 +28,6 @@ struct LineStatistics {
     /// Area by 2 * region + side from which lines left towards the sky (solvers/ray_bundles/
     /// sky_view.h); empty unless requested.
     std::vector<double> open;
-    /// Area by 2 * region + side from which lines left the scene; empty unless requested.
-    std::vector<double> ended;
     std::uint64_t segments = 0;  ///< along which light went
 };
 

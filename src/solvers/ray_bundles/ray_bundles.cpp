@@ -7,7 +7,7 @@
 // sent on goes along lines in new directions, drawn independently of all before: the Neumann series
 // of the radiosity equation, order by order, each without bias. The remainder is reported as cut
 // off. Where direct light varies within a bright patch, rays correct the first order
-// (solvers/ray_bundles/bright_spots.h). These steps have few lines. The sum of all exitances then
+// (solvers/ray_bundles/near_light.h). These steps have few lines. The sum of all exitances then
 // goes along many lines once more (final gather, Reichert 1992), and the irradiance of this last
 // step is the result.
 
@@ -26,10 +26,10 @@
 #include "samplers/hash.h"
 #include "scene/scene.h"
 #include "solvers/block_runner.h"
-#include "solvers/ray_bundles/bright_spots.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/bundle_exchange.h"
 #include "solvers/ray_bundles/direct_on_patches.h"
+#include "solvers/ray_bundles/near_light.h"
 #include "solvers/ray_bundles/suits_bundles.h"
 
 namespace quasimc {
@@ -37,8 +37,8 @@ namespace {
 
 /// Point sets of other purposes have smaller numbers.
 constexpr std::uint64_t kBundleSequence = std::uint64_t{1} << 62U;
-/// The number of bright spots, among those of orders.
-constexpr std::uint64_t kSpots = std::uint64_t{1} << 61U;
+/// The number of near light, among those of orders.
+constexpr std::uint64_t kNear = std::uint64_t{1} << 61U;
 
 /// Scattered light of one replicate that reached no surface, [band]; fixed point.
 struct Flow {
@@ -84,9 +84,11 @@ class RayBundles final : public Solver {
               scene(
                   input.prepared,
                   beams.scene(),
-                  make_patches(input.prepared, beams.scene().roles, patches, input.stop)) {}
+                  make_patches(input.prepared, beams.scene().roles, patches, input.stop)),
+              near(scene) {}
         double most;
         PatchScene scene;
+        NearLines near;
     };
 
     /// Scratch memory of a worker.
@@ -135,18 +137,17 @@ class RayBundles final : public Solver {
         ExitanceSum sum(cut_->scene, scratch.sum);  // sum B = 0
         double segments = 0;
         std::vector<bool> is_surrounded;
-        SpotLight spots;
+        NearLight near;
         std::uint64_t k = 1;
         for (; goes_on(k, order.exitance); ++k) {
             // E^(k) = T_k B^(k)
             const BundleGroup bundle = budget.of_order(order.flux.last, key_of(replicate, k));
             segments += bundle.segments;
             PatchIrradiance irradiance = exchange_along(
-                std::move(order.exitance), bundle,
-                {.skies = k == 1 ? skies : nullptr, .finds_ends = k == 1});
+                std::move(order.exitance), bundle, {.skies = k == 1 ? skies : nullptr});
             if (k == 1) {
                 is_surrounded = surrounded_sides(*irradiance.lines);
-                spots = correct_spots(replicate, irradiance, tally);
+                near = correct_near(replicate, *irradiance.light, tally);
             }
             // sum B += B^(k), B^(k+1) = R E^(k)
             order = sum.add_and_scatter(std::move(irradiance), std::move(order.flux));
@@ -171,19 +172,19 @@ class RayBundles final : public Solver {
             tally.blocks().scattered_count(),
             static_cast<std::int64_t>(irradiance.lines->segments));
         RegionFlux flux(irradiance, corrections);
-        add_spots(spots, flux, flow, tally);
+        add_near(near, flux, flow, tally);
         add_sums(flux, flow, tally);
         scratch.light = std::move(irradiance.light);
     }
 
-    /// Corrects the light of the first order where patches are bright.
-    [[nodiscard]] SpotLight correct_spots(
-        const ReplicateInput& replicate, PatchIrradiance& irradiance, Tally& tally) const {
-        SpotLight spots = trace_bright_spots(
-            input_.prepared, static_cast<double>(replicate.round.count), key_of(replicate, kSpots),
-            irradiance);
-        tally.add(tally.blocks().rays(), static_cast<std::int64_t>(spots.rays));
-        return spots;
+    /// Corrects the light of the first order that goes less far than a patch is wide.
+    [[nodiscard]] NearLight correct_near(
+        const ReplicateInput& replicate, PatchLight& light, Tally& tally) const {
+        NearLight near = trace_near_light(
+            input_.prepared, cut_->near, static_cast<double>(replicate.round.count),
+            key_of(replicate, kNear), light);
+        tally.add(tally.blocks().rays(), static_cast<std::int64_t>(near.rays));
+        return near;
     }
 
     /// Whether light of order k is exchanged.
@@ -217,7 +218,7 @@ class RayBundles final : public Solver {
         return stream_key(stream, replicate.round.first, 0);
     }
 
-    /// Bright spots take light from their patches, so that amounts may be negative.
+    /// Near light is taken from patches, so that amounts may be negative.
     static std::int64_t signed_fixed(double amount) {
         return amount < 0 ? -to_fixed(-amount) : to_fixed(amount);
     }
@@ -241,9 +242,9 @@ class RayBundles final : public Solver {
         }
     }
 
-    void add_spots(const SpotLight& spots, RegionFlux& flux, Flow& flow, Tally& tally) const {
-        flux.add(spots.on_regions);
-        for (const SpotLight::Escaped& light : spots.escaped) {
+    void add_near(const NearLight& near, RegionFlux& flux, Flow& flow, Tally& tally) const {
+        flux.add(near.on_regions);
+        for (const NearLight::Escaped& light : near.escaped) {
             add_escaped(light.direction, light.flux, flow, tally);
         }
     }

@@ -1,9 +1,10 @@
-#include "solvers/ray_bundles/bright_spots.h"
+#include "solvers/ray_bundles/near_light.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <utility>
@@ -16,12 +17,10 @@
 namespace quasimc {
 namespace {
 
-/// A spot is brighter than the mean of what its side sees by more than this factor.
-constexpr double kBrighter = 4;
-/// The minimum surrounded fraction of a side with spots.
-constexpr double kSurrounded = 0.25;
-/// Pairs of points: this part of the paths, and limits for each spot.
-constexpr double kPairsPerPath = 0.25, kMinPairs = 1, kMaxPairs = 256;
+/// The minimum part of the light of a side that comes from near, for this to be corrected.
+constexpr double kMinNear = 0.5;
+/// Pairs of points: this number times the root of the paths, and at most for each side of a patch.
+constexpr double kPairsPerRoot = 64, kMaxPairs = 256;
 /// Rays that leave each point of a pair of which one point is lit.
 constexpr int kRays = 4;
 /// Points drawn to find one on a cut patch, which is a part of four patches or more.
@@ -37,111 +36,113 @@ class Numbers {
     std::uint64_t key_, count_ = 0;
 };
 
-/// A bright patch of a triangle.
-struct Spot {
+/// A side of a patch whose light is corrected.
+struct NearSide {
     const PatchScene::Surface* surface = nullptr;
-    std::uint32_t patch = 0;  ///< in the triangle
+    std::uint32_t side = 0;  ///< 2 * patch + side
+    double area = 0;
+    double until = 0;  ///< the light that leaves all of them up to this one, over all bands
 };
 
-/// Finds spots.
-class SpotFinder {
+/// Finds the sides that send others much of their light from near.
+class NearSides {
   public:
-    explicit SpotFinder(PatchIrradiance& irradiance)
-        : irradiance_(irradiance),
-          scene_(irradiance.light->scene()),
-          seen_(2 * scene_.region_areas.size()) {
-        for (const PatchScene::Surface& surface : scene_.surfaces) {
-            add_seen(surface);
-        }
-        for (std::size_t i = 0; i < seen_.size(); ++i) {
-            const double met = irradiance.lines->areas.found[i / 2];
-            const double surrounded = met - irradiance.lines->ended[i];
-            seen_[i] = seen_[i] > 0 && surrounded > kSurrounded * met
-                           ? seen_[i] / surrounded
-                           : std::numeric_limits<double>::infinity();
-        }
-    }
+    NearSides(const NearLines& near, PatchLight& light)
+        : near_(near), light_(light), scene_(light.scene()) {}
 
-    [[nodiscard]] std::vector<Spot> find() const {
-        std::vector<Spot> spots;
+    [[nodiscard]] std::vector<NearSide> find() const {
+        const std::vector<bool> is_near = near_groups();
+        std::vector<NearSide> found;
+        double until = 0;
         for (const PatchScene::Surface& surface : scene_.surfaces) {
-            const std::uint32_t first = scene_.patches.first(surface.triangle);
-            const std::uint32_t end = scene_.patches.first(surface.triangle + 1);
-            for (std::uint32_t i = 0; i < end - first && !surface.is_sensor; ++i) {
-                if (is_bright(surface, i) && scene_.patches.share(surface.triangle, i) > 0) {
-                    spots.push_back({&surface, i});
+            const std::uint32_t first = 2 * scene_.patches.first(surface.triangle);
+            const std::uint32_t end = 2 * scene_.patches.first(surface.triangle + 1);
+            for (std::uint32_t side = first; side < end && !surface.is_sensor; ++side) {
+                const double sent = is_near[group_of(side)] ? exitance(side) : 0;
+                if (sent > 0) {
+                    const double share = scene_.patches.share(surface.triangle, (side - first) / 2);
+                    const double area = surface.area * share;
+                    until += sent * area;
+                    found.push_back({&surface, side, area, until});
                 }
             }
         }
-        return spots;
+        return found;
     }
 
   private:
-    /// Sums light of a patch's side over all bands.
+    [[nodiscard]] std::size_t group_of(std::uint32_t side) const {
+        return std::size_t{2} * near_.groups[side / 2] + side % 2;
+    }
+
+    /// By group_of().
+    [[nodiscard]] std::vector<bool> near_groups() const {
+        std::vector<double> all(2 * scene_.region_areas.size()), near(all.size());
+        for (std::uint32_t side = 0; side < 2 * scene_.patches.count(); ++side) {
+            all[2 * scene_.region_of_patch[side / 2] + side % 2] += incident(side);
+        }
+        for (const NearLine& line : near_.lines) {
+            near[line.to] += line.weight * exitance(line.from);
+        }
+        std::vector<bool> is_near(2 * near_.groups.size());
+        for (const NearLine& line : near_.lines) {
+            if (near[line.to] > kMinNear * all[line.to]) {
+                is_near[group_of(line.from)] = true;
+            }
+        }
+        return is_near;
+    }
+
+    /// Sums over all bands.
+    [[nodiscard]] double exitance(std::uint32_t side) const {
+        return sum([&](const PatchSides<0>& sides) { return sides.exitance(side); });
+    }
+    [[nodiscard]] double incident(std::uint32_t side) const {
+        return sum([&](const PatchSides<0>& sides) { return sides.incident(side); });
+    }
     template <typename Of>
     [[nodiscard]] double sum(const Of& of) const {
         double all = 0;
-        for (std::size_t pack = 0; pack < irradiance_.light->packs().size(); ++pack) {
-            const PatchSides<0> sides = irradiance_.light->sides(pack);
+        for (std::size_t pack = 0; pack < light_.packs().size(); ++pack) {
+            const PatchSides<0> sides = light_.sides(pack);
             const double* numbers = of(sides);
-            for (std::size_t b = 0; b < sides.columns(); ++b) {
-                all += numbers[b];
-            }
+            all = std::accumulate(numbers, numbers + sides.columns(), all);
         }
         return all;
     }
 
-    void add_seen(const PatchScene::Surface& surface) {
-        const std::size_t end = std::size_t{2} * scene_.patches.first(surface.triangle + 1);
-        for (std::size_t s = std::size_t{2} * scene_.patches.first(surface.triangle); s < end;
-             ++s) {
-            seen_[2 * std::size_t{surface.region} + s % 2] +=
-                sum([&](const PatchSides<0>& sides) { return sides.incident(s); });
-        }
-    }
-
-    [[nodiscard]] bool is_bright(const PatchScene::Surface& surface, std::uint32_t own) const {
-        const std::size_t patch = scene_.patches.first(surface.triangle) + own;
-        for (std::size_t side = 0; side < 2; ++side) {
-            const double sent =
-                sum([&](const PatchSides<0>& sides) { return sides.exitance(2 * patch + side); });
-            if (sent > kBrighter * seen_[2 * std::size_t{surface.region} + side]) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    PatchIrradiance& irradiance_;
+    const NearLines& near_;
+    PatchLight& light_;
     const PatchScene& scene_;
-    /// By 2 * region + side: mean exitance of the surfaces that the side sees; infinite for sides
-    /// that see hardly any.
-    std::vector<double> seen_;
 };
 
-/// Traces the light of spots.
-class SpotTracer {
+/// Traces pairs of points on near sides.
+class PairTracer {
   public:
-    SpotTracer(
-        const PreparedScene& prepared, double paths, std::uint64_t key, PatchIrradiance& irradiance)
+    PairTracer(const PreparedScene& prepared, double paths, std::uint64_t key, PatchLight& light)
         : prepared_(prepared),
           mesh_(prepared.caster().mesh()),
           paths_(paths),
           numbers_(key),
-          light_(*irradiance.light),
-          scene_(light_.scene()),
+          light_(light),
+          scene_(light.scene()),
           weights_(prepared.bands()) {
         found_.on_regions.resize(2 * scene_.region_areas.size() * prepared.bands());
     }
 
-    SpotLight trace(const std::vector<Spot>& spots) {
-        const double most = kPairsPerPath * paths_ / static_cast<double>(spots.size());
-        const double pairs = std::clamp(std::ceil(most), kMinPairs, kMaxPairs);
-        for (const Spot& spot : spots) {
-            const ConvexPiece within = corners_about(spot);
-            for (int i = 0; i < pairs; ++i) {
-                trace_pair(spot, within, 1 / pairs);
+    /// Pairs are shared among the sides in proportion to the light that leaves them.
+    NearLight trace(std::span<const NearSide> near) {
+        const double all = near.back().until;
+        const double most = kMaxPairs * static_cast<double>(near.size());
+        const double pairs = std::ceil(std::min(kPairsPerRoot * std::sqrt(paths_), most));
+        const double shift = numbers_.next();
+        std::size_t i = 0;
+        for (double n = 0; n < pairs; ++n) {
+            while (i + 1 < near.size() && near[i].until <= (n + shift) / pairs * all) {
+                ++i;
             }
+            const double own = near[i].until - (i > 0 ? near[i - 1].until : 0);
+            trace_pair(near[i], all / (pairs * own));
         }
         return std::move(found_);
     }
@@ -172,20 +173,22 @@ class SpotTracer {
         return {a.s + s * (b.s - a.s) + t * (c.s - a.s), a.t + s * (b.t - a.t) + t * (c.t - a.t)};
     }
 
-    /// The corners of a spot, or of the triangle in which a cut one lies.
-    [[nodiscard]] ConvexPiece corners_about(const Spot& spot) const {
-        const int level = scene_.patches.level(spot.surface->triangle);
-        const CutTriangle* cut = scene_.patches.cut_of(spot.surface->triangle);
-        return cut == nullptr ? TriangleParts(level).corners(spot.patch)
-                              : TriangleParts(level - 1).corners(cut->parent(spot.patch));
+    /// The corners of a patch, or of the triangle in which a cut one lies.
+    [[nodiscard]] ConvexPiece corners_about(const NearSide& side) const {
+        const std::uint32_t triangle = side.surface->triangle;
+        const std::uint32_t patch = side.side / 2 - scene_.patches.first(triangle);
+        const int level = scene_.patches.level(triangle);
+        const CutTriangle* cut = scene_.patches.cut_of(triangle);
+        return cut == nullptr ? TriangleParts(level).corners(patch)
+                              : TriangleParts(level - 1).corners(cut->parent(patch));
     }
 
-    /// A uniform point of a spot; none if its patch is too small a piece to be found.
+    /// A uniform point of a patch; none if it is too small a piece to be found.
     /// @param within  corners_about() it
-    std::optional<Vec3> point_on(const Spot& spot, const ConvexPiece& within) {
-        const std::uint32_t triangle = spot.surface->triangle;
+    std::optional<Vec3> point_on(const NearSide& side, const ConvexPiece& within) {
+        const std::uint32_t triangle = side.surface->triangle;
         const bool is_cut = scene_.patches.cut_of(triangle) != nullptr;
-        const std::uint32_t patch = scene_.patches.first(triangle) + spot.patch;
+        const std::uint32_t patch = side.side / 2;
         for (int i = 0; i < kMaxTries; ++i) {
             const Point2 at = point_in(within);
             if (!is_cut || scene_.patches.at(triangle, at.s, at.t) == patch) {
@@ -217,10 +220,11 @@ class SpotTracer {
         return is_visible_source(prepared_, point, -direction, kFarAway, triangle);
     }
 
-    /// @param share  of the spot's light that the pair represents
-    void trace_pair(const Spot& spot, const ConvexPiece& within, double share) {
-        const std::uint32_t triangle = spot.surface->triangle;
-        const std::optional<Vec3> first = point_on(spot, within), second = point_on(spot, within);
+    /// @param share  of the light of the side that the pair represents
+    void trace_pair(const NearSide& side, double share) {
+        const ConvexPiece within = corners_about(side);
+        const std::uint32_t triangle = side.surface->triangle;
+        const std::optional<Vec3> first = point_on(side, within), second = point_on(side, within);
         const std::optional<Incoming> in = incoming();
         if (!in || !first || !second) {
             return;
@@ -231,33 +235,20 @@ class SpotTracer {
             return;
         }
         const double along = dot(pair.up, in->direction);
-        const double area = spot.surface->area * scene_.patches.share(triangle, spot.patch);
         // Half, for each of the points may be the lit one.
-        const double amount = (is_first ? .5 : -.5) * share * area * std::abs(along) * in->paths;
+        const double amount =
+            (is_first ? .5 : -.5) * share * side.area * std::abs(along) * in->paths;
         const SurfaceSide lit = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
-        const PatchOptics& optics = scene_.of(spot.surface->material, lit);
+        const PatchOptics& optics = scene_.of(side.surface->material, lit);
+        // Light that leaves the other side may not be near.
+        const bool is_reflected = index_of(lit) == side.side % 2;
+        const std::vector<double>& scattered = is_reflected ? optics.reflected : optics.transmitted;
+        for (std::size_t b = 0; b < weights_.size(); ++b) {
+            weights_[b] = amount / kRays * in->light->start_weights[b] * scattered[b];
+        }
         for (int i = 0; i < kRays; ++i) {
-            const bool is_reflected = choose_side(optics, *in->light, amount / kRays);
-            send(pair, (lit == SurfaceSide::upper) == is_reflected ? pair.up : -pair.up);
+            send(pair, side.side % 2 == 0 ? pair.up : -pair.up);
         }
-    }
-
-    /// Sets the weights of a ray that is reflected or transmitted. @returns whether it is reflected
-    bool choose_side(const PatchOptics& optics, const BoundSource& light, double amount) {
-        double reflected = 0;
-        double all = 0;
-        for (std::size_t b = 0; b < weights_.size(); ++b) {
-            reflected += light.start_weights[b] * optics.reflected[b];
-            all += light.start_weights[b] * (optics.reflected[b] + optics.transmitted[b]);
-        }
-        const double chance = all > 0 ? reflected / all : 1;
-        const bool is_reflected = numbers_.next() < chance;
-        for (std::size_t b = 0; b < weights_.size(); ++b) {
-            const double part =
-                is_reflected ? optics.reflected[b] / chance : optics.transmitted[b] / (1 - chance);
-            weights_[b] = amount * light.start_weights[b] * part;
-        }
-        return is_reflected;
     }
 
     /// Sends the weights from the first point, and takes them from the second.
@@ -314,15 +305,19 @@ class SpotTracer {
     PatchLight& light_;
     const PatchScene& scene_;
     std::vector<double> weights_;  // of a ray, per band
-    SpotLight found_;
+    NearLight found_;
 };
 
 }  // namespace
 
-SpotLight trace_bright_spots(
-    const PreparedScene& prepared, double paths, std::uint64_t key, PatchIrradiance& irradiance) {
-    const std::vector<Spot> spots = SpotFinder(irradiance).find();
-    return spots.empty() ? SpotLight{} : SpotTracer(prepared, paths, key, irradiance).trace(spots);
+NearLight trace_near_light(
+    const PreparedScene& prepared,
+    const NearLines& lines,
+    double paths,
+    std::uint64_t key,
+    PatchLight& light) {
+    const std::vector<NearSide> near = NearSides(lines, light).find();
+    return near.empty() ? NearLight{} : PairTracer(prepared, paths, key, light).trace(near);
 }
 
 }  // namespace quasimc
