@@ -6,16 +6,21 @@
 
 #include <benchmark/benchmark.h>
 
+#include "raster/stored_blocks.h"
 #include "scenes.h"
 
 namespace quasimc::bench {
 
 namespace {
 
-void draw_items(benchmark::State& state) {
+/// Draws random leaves in the unit cube, `range(0)` of them with about `range(1)` pixels.
+void draw_leaves(benchmark::State& state, const Cell& cell) {
     const LocalMesh mesh =
         make_local_mesh(random_leaves(static_cast<std::size_t>(state.range(0)), 2.5));
-    const ProjectedScene scene{&mesh, {}};
+    const std::vector<Vec3> outline = outline_points(mesh);
+    ProjectedScene scene{.mesh = &mesh, .cell = local_cell(mesh, cell), .outline = outline};
+    const std::vector<StoredBlock> blocks = stored_blocks(scene);
+    scene.blocks = blocks;
     ItemScratch scratch;
     double azimuth = 0;
     for (auto _ : state) {
@@ -27,12 +32,26 @@ void draw_items(benchmark::State& state) {
     }
 }
 
-BENCHMARK(draw_items)
-    ->Args({500, 2048})
-    ->Args({500, 32768})
-    ->Args({500, 1 << 20})
-    ->Args({10000, 32768})
-    ->Unit(benchmark::kMicrosecond);
+void draw_items(benchmark::State& state) {
+    draw_leaves(state, {});
+}
+
+void draw_items_of_cell(benchmark::State& state) {
+    draw_leaves(state, {.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
+}
+
+void scenes_and_pixels(benchmark::internal::Benchmark* bench) {
+    bench->Args({500, 2048})
+        ->Args({500, 32768})
+        ->Args({500, 1 << 20})
+        ->Args({1000, 2048})
+        ->Args({10000, 32768})
+        ->Args({160000, 1 << 18})
+        ->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(draw_items)->Apply(scenes_and_pixels);
+BENCHMARK(draw_items_of_cell)->Apply(scenes_and_pixels);
 
 }  // namespace
 

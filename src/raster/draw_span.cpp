@@ -49,14 +49,6 @@ struct Pencil {
     }
 };
 
-void draw_spans(
-    const DepthBuffer& to, std::span<const PixelSpan> spans, float step, std::int32_t id) {
-    const Pencil pencil(step, id);
-    for (const PixelSpan& span : spans) {
-        pencil.draw(to.depths + span.first, to.ids + span.first, span.count, span.z);
-    }
-}
-
 /// Begin, length and first depth of each row of a block.
 struct RowStarts {
     alignas(64) std::int32_t pixels[BlockSpans::kMost];
@@ -131,7 +123,7 @@ std::size_t run_ends(const std::int32_t* ids, std::uint32_t count, std::uint32_t
 }
 
 DrawLoops variant_of_draw_loops() {
-    return {&draw_spans, &draw_rows, &run_ends};
+    return {&draw_rows, &run_ends};
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "raster/triangle_block.h"
 
@@ -10,13 +9,6 @@ namespace quasimc {
 
 /// Number of pixels drawn at a time: depths and ids need room for this many beyond their end.
 inline constexpr std::int32_t kSpanLanes = 8;
-
-/// Consecutive pixels of a row.
-struct PixelSpan {
-    std::size_t first = 0;
-    std::int32_t count = 0;
-    float z = 0;  ///< depth at the first
-};
 
 /// A depth buffer, row by row.
 struct DepthBuffer {
@@ -27,10 +19,8 @@ struct DepthBuffer {
 
 /// Loops over pixels, compiled for a vector unit.
 struct DrawLoops {
-    /// Draws spans of object `id` with depth test; depth rises by `step` from pixel to pixel.
-    void (*spans)(
-        const DepthBuffer& to, std::span<const PixelSpan> spans, float step, std::int32_t id);
-    /// Draws the current rows of a block: its lanes are objects `first_id`, `first_id + 1`, ...
+    /// Draws the current rows of a block with depth test: its lanes are objects `first_id`,
+    /// `first_id + 1`, ...
     void (*rows)(const DepthBuffer& to, const BlockSpans& spans, std::int32_t first_id);
     /// Writes the end of each run of equal ids among the first `count`; ids[count] may differ too.
     /// `ends` must have room for `count`. @returns the number of runs

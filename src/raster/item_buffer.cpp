@@ -1,8 +1,10 @@
 #include "raster/item_buffer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "base/checks.h"
@@ -29,6 +31,9 @@ Rays rays_of(double size, bool repeats, double pitch) {
     const double count = std::max(1.0, repeats ? std::round(exact) : std::ceil(exact));
     return {repeats ? size / count : pitch, static_cast<std::uint32_t>(count)};
 }
+
+/// A triangle of the mesh for each lane.
+using LaneTriangles = std::array<std::uint32_t, kBlockLanes>;
 
 }  // namespace
 
@@ -95,7 +100,7 @@ class ItemDrawing {
             std::max(plane.size_s, plane.size_t) / view_.pixels);
         const Rays x = rays_of(plane.size_s, plane.repeats_s, pitch);
         const Rays y = rays_of(plane.size_t, plane.repeats_t, pitch);
-        image_.grid_ = {
+        grid_ = {
             .x = {plane.s / x.pitch, -plane.low_s / x.pitch - view_.shift_s},
             .y = {plane.t / y.pitch, -plane.low_t / y.pitch - view_.shift_t},
             .z = {plane.depth, 0},
@@ -104,6 +109,8 @@ class ItemDrawing {
             .repeats_x = plane.repeats_s,
             .repeats_y = plane.repeats_t,
             .has_barycentric = view_.with_points};
+        image_.grid_ = grid_;
+        image_.grid_.repeats_x = image_.grid_.repeats_y = false;
         image_.columns_ = x.count;
         image_.pixel_area_ = x.pitch * y.pitch * plane.area;
     }
@@ -114,21 +121,16 @@ class ItemDrawing {
     /// Calls `draw(image, corners)` for all images of a triangle that may touch the grid.
     template <typename Draw>
     void for_each_image(std::uint32_t triangle, const Draw& draw) const {
-        const RasterGrid& grid = image_.grid_;
-        const auto columns = static_cast<double>(grid.columns),
-                   rows = static_cast<double>(grid.rows);
+        const auto columns = static_cast<double>(grid_.columns),
+                   rows = static_cast<double>(grid_.rows);
         const ProjectedTriangle corners = image_.seen(triangle);
-        if (!grid.repeats_x && !grid.repeats_y) {
-            draw(Image{triangle, 0, 0}, corners);
-            return;
-        }
         const auto [low, high] = std::minmax({corners.y[0], corners.y[1], corners.y[2]});
-        const Periods y = periods_of(low, high, rows, grid.repeats_y);
+        const Periods y = periods_of(low, high, rows, grid_.repeats_y);
         const auto [left, right] = std::minmax({corners.x[0], corners.x[1], corners.x[2]});
-        const Periods all_along_x = periods_of(left, right, columns, grid.repeats_x);
+        const Periods all_along_x = periods_of(left, right, columns, grid_.repeats_x);
         for (std::int32_t py = y.first; py <= y.last; ++py) {
-            const Periods x = grid.repeats_y
-                                  ? periods_in_row(corners, py, rows, columns, grid.repeats_x)
+            const Periods x = grid_.repeats_y
+                                  ? periods_in_row(corners, py, rows, columns, grid_.repeats_x)
                                   : all_along_x;
             for (std::int32_t px = x.first; px <= x.last; ++px) {
                 const Image image{triangle, px, py};
@@ -180,56 +182,89 @@ class ItemDrawing {
 
     void draw_opaque_triangles() {
         const ProjectedScene& scene = image_.scene_;
-        const bool is_open = !image_.grid_.repeats_x && !image_.grid_.repeats_y;
-        const std::uint32_t step = is_open ? kBlockLanes : 1;
-        for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); i += step) {
+        for (std::uint32_t i = 0; i < scene.mesh->triangle_count(); i += kBlockLanes) {
             scene.check_stop();
-            if (is_open) {
-                draw_block(i);
-            } else if (scene.role(i) == VisibilityRole::opaque) {
-                draw_opaque(i);
+            const TriangleBlock corners = block_of(scene, i);
+            BlockPeriods first, last;
+            if (loops_.periods(corners, grid_, first, last)) {
+                LaneTriangles triangles;
+                std::iota(triangles.begin(), triangles.end(), i);
+                draw_images(corners, first, triangles);
+            } else {
+                draw_each_image(corners, first, last, i);
             }
         }
     }
 
-    void draw_opaque(std::uint32_t triangle) {
-        for_each_image(triangle, [&](const Image& image, const ProjectedTriangle& corners) {
-            const auto id = static_cast<std::int32_t>(scratch_.images_.size());
-            scratch_.spans_.clear();
-            float step = 0;
-            rasterize(corners, [&](std::size_t first, std::int32_t count, float z, float z_step) {
-                scratch_.spans_.push_back({first, count, z});
-                step = z_step;
-            });
-            if (!scratch_.spans_.empty()) {
-                draw_.spans(buffer(), scratch_.spans_, step, id);
-                scratch_.images_.push_back(image);
-                scratch_.cosines_.push_back(image_.scene_.cosine(triangle, view_.direction));
-                if (view_.with_points) {
-                    const TrianglePlane plane(corners);
-                    scratch_.points_.push_back({plane.gradient(0, 1, 0), plane.gradient(0, 0, 1)});
-                }
+    /// Draws the images of a block of triangles, in the order of triangles.
+    /// @param triangle  the first one
+    void draw_each_image(
+        const TriangleBlock& corners,
+        const BlockPeriods& first,
+        const BlockPeriods& last,
+        std::uint32_t triangle) {
+        TriangleBlock drawn{};
+        BlockPeriods periods{};
+        LaneTriangles triangles{};
+        std::size_t size = 0;
+        const auto add = [&](std::uint32_t lane, std::int32_t x, std::int32_t y) {
+            drawn.copy(size, corners, lane);
+            periods.x[size] = x;
+            periods.y[size] = y;
+            triangles[size] = triangle + lane;
+            if (++size == kBlockLanes) {
+                draw_images(drawn, periods, triangles);
+                drawn = {};
+                size = 0;
             }
-        });
+        };
+        const ProjectedScene& scene = image_.scene_;
+        for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
+            const std::uint32_t i = triangle + lane;
+            if (i < scene.mesh->triangle_count() && scene.role(i) == VisibilityRole::opaque) {
+                const Periods x{first.x[lane], last.x[lane]}, y{first.y[lane], last.y[lane]};
+                for_each_period(
+                    i, x, y, [&](std::int32_t px, std::int32_t py) { add(lane, px, py); });
+            }
+        }
+        draw_images(drawn, periods, triangles);
     }
 
-    /// Draws triangles from `first` on as a block, in scenes without periods: the same pixels as
-    /// draw_opaque().
-    void draw_block(std::uint32_t first) {
-        const TriangleBlock block = block_of(image_.scene_, first);
+    /// Calls `visit(period of x, period of y)` for all that a triangle may touch.
+    /// @param x, y  of its bounding box
+    template <typename Visit>
+    void for_each_period(
+        std::uint32_t triangle, const Periods& x, const Periods& y, const Visit& visit) const {
+        if (x.first < x.last && y.first < y.last) {
+            for_each_image(triangle, [&](const Image& image, const ProjectedTriangle&) {
+                visit(image.periods_x, image.periods_y);
+            });
+            return;
+        }
+        for (std::int32_t py = y.first; py <= y.last; ++py) {
+            for (std::int32_t px = x.first; px <= x.last; ++px) {
+                visit(px, py);
+            }
+        }
+    }
+
+    /// Draws images of triangles.
+    /// @param triangles  by lane
+    void draw_images(
+        const TriangleBlock& corners, const BlockPeriods& periods, const LaneTriangles& triangles) {
         BlockSpans& found = scratch_.spans_of_block_;
-        if (!loops_.set(block, image_.grid_, found)) {
+        if (!loops_.set(corners, periods, image_.grid_, found)) {
             return;
         }
         std::vector<Image>& images = scratch_.images_;
         const std::size_t size = images.size();
         const auto first_id = static_cast<std::int32_t>(size);
         images.resize(size + kBlockLanes);
-        for (std::uint32_t lane = 0; lane < kBlockLanes; ++lane) {
-            images[size + lane] = {first + lane, 0, 0};
+        for (std::size_t lane = 0; lane < kBlockLanes; ++lane) {
+            images[size + lane] = {triangles[lane], periods.x[lane], periods.y[lane]};
         }
         scratch_.cosines_.resize(size + kBlockLanes);
-        loops_.cosines(block, view_.direction, &scratch_.cosines_[size]);
+        loops_.cosines(corners, view_.direction, &scratch_.cosines_[size]);
         if (view_.with_points) {
             add_points(found);
         }
@@ -304,6 +339,7 @@ class ItemDrawing {
     ItemScratch& scratch_;
     SpanLoops loops_ = best_span_loops();
     DrawLoops draw_ = best_draw_loops();
+    RasterGrid grid_;  // of the scene, with its periods
     ItemBuffer image_;
 };
 

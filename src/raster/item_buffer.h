@@ -118,7 +118,7 @@ class ItemBuffer {
     [[nodiscard]] ProjectedTriangle moved(ProjectedTriangle seen, const Image& image) const;
 
     ProjectedScene scene_;
-    RasterGrid grid_;
+    RasterGrid grid_;            // one period, if it repeats
     std::uint32_t columns_ = 0;  // of the grid
     double pixel_area_ = 0;
     std::span<const std::int32_t> ids_;  // by pixel: in images_
@@ -133,8 +133,7 @@ class ItemScratch {
     friend class ItemDrawing;
 
     BlockSpans spans_of_block_{};
-    std::vector<PixelSpan> spans_;  // of one triangle
-    std::vector<float> depths_;     // by pixel
+    std::vector<float> depths_;  // by pixel
     std::vector<std::int32_t> ids_;
     std::vector<std::uint32_t> ends_;  // of runs, and spare room
     std::vector<ItemBuffer::Image> images_;

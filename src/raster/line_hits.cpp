@@ -11,6 +11,7 @@ namespace {
 constexpr double kMaxLines = 1U << 30U;
 /// Above this number of lines per hit, lines are not counted one by one.
 constexpr std::size_t kSparse = 16;
+constexpr BlockPeriods kUnmoved{};
 
 /// Whether a direction lies within the field of view of a sensor.
 bool is_in_view(
@@ -205,7 +206,7 @@ class LineHitFinder {
     void draw_block(std::size_t block) {
         const TriangleBlock& corners = triangles_.corners[block];
         BlockSpans& spans = scratch_.spans_;
-        if (!loops_.set(corners, grid_, spans)) {
+        if (!loops_.set(corners, kUnmoved, grid_, spans)) {
             return;
         }
         std::uint32_t* counts = &scratch_.counts_[block * kBlockLanes];

@@ -168,10 +168,9 @@ Periods periods_of(double low, double high, double period, bool repeats) {
     if (!repeats) {
         return {};
     }
-    constexpr double kMost = 100000;
     const auto at = [&](double coordinate) {
         return static_cast<std::int32_t>(
-            std::floor(std::clamp(coordinate / period, -kMost, kMost)));
+            std::floor(std::clamp(coordinate / period, -kMaxPeriods, kMaxPeriods)));
     };
     return {at(low), at(high)};
 }
@@ -182,13 +181,13 @@ Periods periods_in_row(
     double size_y,
     double size_x,
     bool repeats_x) {
-    constexpr double kRounding = 1e-9;
     const auto x = extent_within(
-        seen.x, seen.y, (period_y - kRounding) * size_y, (period_y + 1 + kRounding) * size_y);
+        seen.x, seen.y, (period_y - kPeriodMargin) * size_y,
+        (period_y + 1 + kPeriodMargin) * size_y);
     if (!x) {
         return {0, -1};
     }
-    const double margin = kRounding * size_x;
+    const double margin = kPeriodMargin * size_x;
     return periods_of(x->first - margin, x->second + margin, size_x, repeats_x);
 }
 

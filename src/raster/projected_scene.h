@@ -121,13 +121,18 @@ struct ProjectionPlane {
 [[nodiscard]] std::optional<std::pair<double, double>> extent_within(
     const double (&x)[3], const double (&y)[3], double low, double high);
 
+/// At most this number of periods to either side are counted, like the cells that a ray may cross
+/// (RayCaster::kMaxCells).
+inline constexpr double kMaxPeriods = 100000;
+/// Rounding error of positions, in periods.
+inline constexpr double kPeriodMargin = 1e-9;
+
 /// The periods that a segment overlaps, relative to the first.
 struct Periods {
     std::int32_t first = 0, last = 0;
 };
 /// @param low, high  range of the segment, from the beginning of the first period
-/// @param period  > 0. At most 100,000 to either side are counted, like the cells that a ray may
-/// cross (RayCaster::kMaxCells)
+/// @param period  > 0
 [[nodiscard]] Periods periods_of(double low, double high, double period, bool repeats);
 
 /// The periods of x that a triangle overlaps within one period of y; the last before the first if

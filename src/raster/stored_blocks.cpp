@@ -25,7 +25,7 @@ TriangleBlock from_mesh(const ProjectedScene& scene, std::uint32_t first) {
 std::vector<StoredBlock> stored_blocks(const ProjectedScene& scene) {
     const std::uint32_t triangles = scene.mesh->triangle_count();
     std::vector<StoredBlock> blocks;
-    if (triangles > kMaxTriangles || scene.mesh->instance_triangles > 0 || scene.cell.periodic()) {
+    if (triangles > kMaxTriangles || scene.mesh->instance_triangles > 0) {
         return blocks;
     }
     blocks.reserve(triangles / kBlockLanes + 1);

@@ -13,8 +13,8 @@ struct alignas(32) StoredBlock {
 };
 
 /// The opaque triangles of a scene in blocks, for beams of many directions: they are read
-/// sequentially, not corner by corner. Empty where they would take too much memory, are not in
-/// single precision (instances) or are drawn one by one (periodic scenes).
+/// sequentially, not corner by corner. Empty where they would take too much memory or are not in
+/// single precision (instances).
 [[nodiscard]] std::vector<StoredBlock> stored_blocks(const ProjectedScene& scene);
 
 /// The triangles from `first` on, from stored blocks if there are any. Lanes of other than opaque

@@ -15,6 +15,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 using Numbers = hn::CappedTag<double, kBlockLanes>;
 using Vector = hn::Vec<Numbers>;
+using Wholes = hn::Rebind<std::int32_t, Numbers>;
 constexpr Numbers kNumbers;
 
 /// One coordinate of a corner, for some lanes.
@@ -90,13 +91,28 @@ void set_barycentric(const Plane& plane, std::size_t lane, BlockSpans& spans) {
     plane.store(zero, zero, one, lane, spans.v);
 }
 
+/// A number of lines for each period. @param periods  of some lanes
+Vector lines_of(const std::int32_t* periods, std::int64_t lines) {
+    return hn::Mul(
+        hn::PromoteTo(kNumbers, hn::Load(Wholes(), periods)),
+        hn::Set(kNumbers, static_cast<double>(lines)));
+}
+
 /// set() for some lanes. @returns whether any of them touches a row
 bool set_lanes(
-    const TriangleBlock& corners, const RasterGrid& grid, std::size_t lane, BlockSpans& spans) {
+    const TriangleBlock& corners,
+    const BlockPeriods& periods,
+    const RasterGrid& grid,
+    std::size_t lane,
+    BlockSpans& spans) {
     Corner at[3];
     Vector depths[3];
+    const Corner moved{
+        lines_of(periods.x + lane, grid.columns), lines_of(periods.y + lane, grid.rows)};
     for (std::size_t i = 0; i < 3; ++i) {
-        at[i] = {coordinate(corners, i, grid.x, lane), coordinate(corners, i, grid.y, lane)};
+        at[i] = {
+            hn::Sub(coordinate(corners, i, grid.x, lane), moved.x),
+            hn::Sub(coordinate(corners, i, grid.y, lane), moved.y)};
         depths[i] = coordinate(corners, i, grid.z, lane);
     }
     auto row = hn::Ceil(hn::Min(at[0].y, hn::Min(at[1].y, at[2].y)));
@@ -132,12 +148,55 @@ bool set_lanes(
     return true;
 }
 
-bool set_block(const TriangleBlock& corners, const RasterGrid& grid, BlockSpans& spans) {
+bool set_block(
+    const TriangleBlock& corners,
+    const BlockPeriods& periods,
+    const RasterGrid& grid,
+    BlockSpans& spans) {
     bool touches = false;
     for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
-        touches = set_lanes(corners, grid, lane, spans) || touches;
+        touches = set_lanes(corners, periods, grid, lane, spans) || touches;
     }
     return touches;
+}
+
+/// Sets the periods of some lanes along one axis. @returns whether the first are the last
+bool set_periods(
+    const TriangleBlock& corners,
+    const BeamAxis& axis,
+    std::int64_t lines,
+    std::size_t lane,
+    std::int32_t* first,
+    std::int32_t* last) {
+    const auto a = coordinate(corners, 0, axis, lane);
+    const auto b = coordinate(corners, 1, axis, lane);
+    const auto c = coordinate(corners, 2, axis, lane);
+    const auto size = hn::Set(kNumbers, static_cast<double>(lines));
+    const auto margin = hn::Mul(hn::Set(kNumbers, kPeriodMargin), size);
+    const auto period_of = [&](Vector x) {
+        const auto most = hn::Set(kNumbers, kMaxPeriods);
+        return hn::Floor(hn::Min(hn::Max(hn::Div(x, size), hn::Neg(most)), most));
+    };
+    const auto low = period_of(hn::Sub(hn::Min(a, hn::Min(b, c)), margin));
+    const auto high = period_of(hn::Add(hn::Max(a, hn::Max(b, c)), margin));
+    hn::Store(hn::DemoteTo(Wholes(), low), Wholes(), first + lane);
+    hn::Store(hn::DemoteTo(Wholes(), high), Wholes(), last + lane);
+    return hn::AllTrue(kNumbers, hn::Eq(low, high));
+}
+
+bool block_periods(
+    const TriangleBlock& corners, const RasterGrid& grid, BlockPeriods& first, BlockPeriods& last) {
+    first = last = {};
+    bool same = true;
+    for (std::size_t lane = 0; lane < kBlockLanes; lane += hn::Lanes(kNumbers)) {
+        same = (!grid.repeats_x ||
+                set_periods(corners, grid.x, grid.columns, lane, first.x, last.x)) &&
+               same;
+        same =
+            (!grid.repeats_y || set_periods(corners, grid.y, grid.rows, lane, first.y, last.y)) &&
+            same;
+    }
+    return same;
 }
 
 /// Three numbers of some lanes, as Vec3.
@@ -271,7 +330,6 @@ Vector part_at(Vector u, Vector v, Vector n) {
 }
 
 using Depths = hn::Rebind<float, Numbers>;
-using Wholes = hn::Rebind<std::int32_t, Numbers>;
 using Uints = hn::Rebind<std::uint32_t, Numbers>;
 
 /// The upper half of depth_key().
@@ -375,7 +433,7 @@ std::size_t write_hits(
 }
 
 SpanLoops span_loops() {
-    return {&set_block, &block_cosines, &next_rows, &write_hits};
+    return {&set_block, &block_periods, &block_cosines, &next_rows, &write_hits};
 }
 
 }  // namespace

@@ -18,6 +18,14 @@ inline constexpr std::size_t kBlockRows = 8;
 struct alignas(64) TriangleBlock {
     double at[3][3][kBlockLanes];
 
+    /// Copies a lane of another block.
+    void copy(std::size_t lane, const TriangleBlock& from, std::size_t lane_there) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                at[corner][i][lane] = from.at[corner][i][lane_there];
+            }
+        }
+    }
     void set(std::size_t lane, const LocalMesh& mesh, std::uint32_t triangle) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const Vec3 p = mesh.vertex(triangle, static_cast<int>(corner));
@@ -35,6 +43,11 @@ struct RasterGrid {
     bool repeats_x = false, repeats_y = false;
     double row_shift = 0;         ///< offset of each row from the last, in columns
     bool has_barycentric = true;  ///< whether `u` and `v` of a block are needed
+};
+
+/// A period of a grid for each triangle of a block.
+struct alignas(32) BlockPeriods {
+    std::int32_t x[kBlockLanes], y[kBlockLanes];
 };
 
 /// A linear function on the grid, by triangle: at + by_x x + by_y y.
@@ -105,7 +118,19 @@ struct LineHitArrays {
 /// The loops over a block, compiled for a vector unit.
 struct SpanLoops {
     /// Sets all members except the spans. False if no triangle touches a row.
-    bool (*set)(const TriangleBlock& corners, const RasterGrid& grid, BlockSpans& spans);
+    /// @param periods  that are moved to the first one
+    bool (*set)(
+        const TriangleBlock& corners,
+        const BlockPeriods& periods,
+        const RasterGrid& grid,
+        BlockSpans& spans);
+    /// The first and the last periods that bounding boxes overlap, 0 where the grid does not
+    /// repeat: like periods_of(), with kPeriodMargin. @returns whether they are the same
+    bool (*periods)(
+        const TriangleBlock& corners,
+        const RasterGrid& grid,
+        BlockPeriods& first,
+        BlockPeriods& last);
     /// dot(unit normal of the upper side of each triangle, direction), 0 if it has no area: like
     /// ProjectedScene::cosine().
     void (*cosines)(const TriangleBlock& corners, const Vec3& direction, double* to);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -38,20 +39,27 @@ Row random_row(std::mt19937& random) {
     return row;
 }
 
-Row drawn_one_by_one(Row row, const Span& span) {
+Row drawn_one_by_one(Row row, const Span& span, std::size_t first = 0, std::int32_t id = 7) {
     for (std::int32_t i = 0; i < span.count; ++i) {
         const float depth = span.z + span.step * static_cast<float>(i);
-        if (depth < row.depths[i]) {
-            row.depths[i] = depth;
-            row.ids[i] = 7;
+        if (depth < row.depths[first + i]) {
+            row.depths[first + i] = depth;
+            row.ids[first + i] = id;
         }
     }
     return row;
 }
 
+/// Draws a span from the first pixel on, as lane 2 of a block.
 void draw(Row& row, const Span& span) {
-    const PixelSpan pixels{0, span.count, span.z};
-    best_draw_loops().spans({row.depths.data(), row.ids.data()}, {&pixels, 1}, span.step, 7);
+    constexpr std::size_t kLane = 2;
+    BlockSpans block{};
+    block.rows = 1;
+    block.covered[0] = 1U << kLane;
+    block.last[kLane] = span.count;
+    block.first_depth[kLane] = span.z;
+    block.depth.by_x[kLane] = span.step;
+    best_draw_loops().rows({row.depths.data(), row.ids.data()}, block, 5);
 }
 
 TEST(DrawSpan, DrawsTheSameBitsOnEveryVectorUnit) {
@@ -89,18 +97,6 @@ TEST(DrawSpan, ShowsTheLeastOfWhatIsEquallyNear) {
     });
 }
 
-TEST(DrawSpan, DrawsOneSpanAfterTheOther) {
-    for_each_vector_unit([] {
-        Row row{std::vector<float>(12 + kSpanLanes, 1), std::vector<std::int32_t>(12 + kSpanLanes)};
-        const std::vector<PixelSpan> spans{{1, 2, .5F}, {10, 1, .25F}};
-        best_draw_loops().spans({row.depths.data(), row.ids.data()}, spans, .125F, 7);
-        row.depths.resize(12);
-        row.ids.resize(12);
-        EXPECT_EQ(row.depths, (std::vector<float>{1, .5F, .625F, 1, 1, 1, 1, 1, 1, 1, .25F, 1}));
-        EXPECT_EQ(row.ids, (std::vector<std::int32_t>{0, 7, 7, 0, 0, 0, 0, 0, 0, 0, 7, 0}));
-    });
-}
-
 /// Rows of a block are those of its triangles, one triangle after the other.
 TEST(DrawSpan, DrawsTheRowsOfABlock) {
     constexpr std::uint32_t kColumns = 40, kRows = 30;
@@ -124,7 +120,7 @@ TEST(DrawSpan, DrawsTheRowsOfABlock) {
         Row together{std::vector<float>(pixels, 9), std::vector<std::int32_t>(pixels)};
         Row one_by_one = together;
         BlockSpans spans{};
-        ASSERT_TRUE(best_span_loops().set(block, grid, spans));
+        ASSERT_TRUE(best_span_loops().set(block, {}, grid, spans));
         while (best_span_loops().next(grid, spans)) {
             best_draw_loops().rows(
                 {together.depths.data(), together.ids.data(), kColumns}, spans, 5);
@@ -132,14 +128,12 @@ TEST(DrawSpan, DrawsTheRowsOfABlock) {
                 const double z = spans.first_depth[lane] +
                                  (spans.first[i] - spans.first_x[lane]) * spans.depth.by_x[lane] +
                                  (spans.y[i] - spans.first_y[lane]) * spans.depth.by_y[lane];
-                const PixelSpan span{
+                one_by_one = drawn_one_by_one(
+                    std::move(one_by_one),
+                    {static_cast<std::int32_t>(spans.last[i] - spans.first[i]),
+                     static_cast<float>(z), static_cast<float>(spans.depth.by_x[lane])},
                     kColumns * static_cast<std::size_t>(spans.y[i]) +
                         static_cast<std::size_t>(spans.first[i]),
-                    static_cast<std::int32_t>(spans.last[i] - spans.first[i]),
-                    static_cast<float>(z)};
-                best_draw_loops().spans(
-                    {one_by_one.depths.data(), one_by_one.ids.data(), kColumns}, {&span, 1},
-                    static_cast<float>(spans.depth.by_x[lane]),
                     5 + static_cast<std::int32_t>(lane));
             });
         }
