@@ -79,6 +79,15 @@ Vec3 direction_of(const BoundSource& sun) {
 /// Projected area of a region along the light of a sun, and its area.
 struct LitAreas {
     double projected = 0, area = 0;
+
+    /// Adds a triangle, unless it is edge-on to the light.
+    void add(const Vec3& triangle, const Vec3& direction) {
+        const double along = std::abs(dot(triangle, direction));
+        if (along > kEdgeOn * length(triangle)) {
+            projected += along;
+            area += length(triangle);
+        }
+    }
 };
 
 /// By region, the largest ratio of lit area to projected area for a sun.
@@ -98,8 +107,7 @@ std::vector<double> slants(const PreparedScene& prepared, const Wanted& wanted) 
         const Vec3 direction = direction_of(prepared.lights()[light]);
         std::vector<LitAreas> regions(most.size());
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
-            regions[region].projected += std::abs(dot(area, direction));
-            regions[region].area += length(area);
+            regions[region].add(area, direction);
         });
         for (std::size_t i = 0; i < most.size(); ++i) {
             most[i] = std::max(
@@ -221,8 +229,7 @@ SamplingStrategy strategy_by_line(
         std::vector<LitAreas> regions(longest.size());
         for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
             const double along = dot(area, direction);
-            regions[region].projected += std::abs(along);
-            regions[region].area += length(area);
+            regions[region].add(area, direction);
             // At smaller cosines a triangle counts as edge-on to the light.
             if (std::abs(along) > kEdgeOn * length(area)) {
                 strategy.reach[std::size_t{2} * region + (along > 0 ? 1 : 0)] = longest[region];

@@ -10,6 +10,9 @@ namespace {
 /// suffices.
 constexpr double kManyContributions = 5;
 
+/// The probability of another hit from which on light is trapped.
+constexpr double kTrapped = 1 - 1e-6;
+
 /// Size of a contribution where either of two may be missing.
 ContributionSize both(const ContributionSize& a, const ContributionSize& b) {
     // Usually one of the two is zero.
@@ -111,17 +114,17 @@ void OrganContributions::read_strategies(const OrganReader& reader, std::size_t 
         }
     }
     const Incident sum = reader.incident(band);
-    const double once =
-        reader.may_scatter(band) ? reader.largest_scattered(band) / count : 0;
+    const double once = reader.may_scatter(band) ? reader.largest_scattered(band) / count : 0;
     for (const SurfaceSide side : kSurfaceSides) {
         const double mean =
             (side == SurfaceSide::upper ? sum.scattered_upper : sum.scattered_lower) / count;
         // A path inside a hollow organ hits it repeatedly, each time with the same probability:
         // this is the mean square of its contributions over their mean.
-        const double again = mean > 2 * kManyContributions * count * once
-                                 ? 0
-                                 : reader.largest_albedo(band) * reader.self_view_factor(side);
-        const double size = again < 1 ? once * (1 + again) / (1 - again) : once;
+        const double again =
+            mean > 2 * kManyContributions * count * once
+                ? 0
+                : reader.largest_reflectance(band, side) * reader.self_view_factor(side, band);
+        const double size = again < kTrapped ? once * (1 + again) / (1 - again) : once;
         kinds_.push_back(
             {side, false, false, Sample::path,
              one_of({size > 0 ? mean / size : 0, size, size, kManyContributions * count})});
@@ -153,7 +156,8 @@ OrganContributions OrganContributions::sunlit(const OrganReader& reader) {
             found.is_alike && lower.is_alike};
         const bool is_known = !strategies[i].spectra.empty();
         Counted light = counted_by(strategies[i], found, count);
-        light.largest = one * reader.sunlit_per_contribution(i, found.units > 0);
+        light.largest = std::min(
+            one * reader.sunlit_per_contribution(i, found.units > 0), reader.area() / count);
         // Light of other suns counts in the area too.
         light.mean_size =
             found.units > 0 ? std::min(area / light.number, light.largest) : light.largest;

@@ -186,9 +186,14 @@ class OrganReader {
     [[nodiscard]] double largest_absorptance(std::size_t band) const {
         return largest([&](const Side& side) { return side.absorptance()[band]; });
     }
-    /// The largest fraction of light that a side of the organ scatters.
-    [[nodiscard]] double largest_albedo(std::size_t band) const {
-        return largest([&](const Side& side) { return side.albedo()[band]; });
+    /// The largest fraction of light that a side of the organ reflects.
+    [[nodiscard]] double largest_reflectance(std::size_t band, SurfaceSide of) const {
+        double most = 0;
+        for_each_region([&](std::uint32_t region) {
+            most = std::max(
+                most, scattered(material_of(region).side(of), Hemisphere::reflected, band));
+        });
+        return most;
     }
     /// Whether any surface of the scene scatters light of a band.
     [[nodiscard]] bool may_scatter(std::size_t band) const {
@@ -262,8 +267,9 @@ class OrganReader {
         return true;
     }
     /// Self view factor of a side: the part of diffuse light leaving a concave side that falls on
-    /// it again, 1 less the opening's area over that of the side; 0 for flat and convex sides.
-    [[nodiscard]] double self_view_factor(SurfaceSide side) const {
+    /// it again, 1 less the opening's area over that of the side; 0 for flat and convex sides, and
+    /// where no light of the band gets in.
+    [[nodiscard]] double self_view_factor(SurfaceSide side, std::size_t band) const {
         Vec3 middle, opening;
         double twice_area = 0, outwards = 0;  // outwards: a sum over the upper side
         for (std::size_t i = 0; i < organ_.triangle_count; ++i) {
@@ -278,11 +284,33 @@ class OrganReader {
             outwards += dot(t[0] + t[1] + t[2] - 1 / twice_area * middle, area_vector(t));
         }
         const SurfaceSide inner = outwards > 0 ? SurfaceSide::lower : SurfaceSide::upper;
-        return twice_area > 0 && side == inner ? std::max(0.0, 1 - length(opening) / twice_area)
-                                               : 0;
+        constexpr double kClosed = 1e-9;
+        const double open = twice_area > 0 ? length(opening) / twice_area : 1;
+        const bool is_reached = open > kClosed || transmits_inwards(inner, band);
+        return side == inner && is_reached ? std::max(0.0, 1 - open) : 0;
     }
 
+    [[nodiscard]] double area() const { return organ_.area; }
+
   private:
+    static double scattered(const Side& side, Hemisphere into, std::size_t band) {
+        double sum = 0;
+        for (const Lobe& lobe : side.lobes()) {
+            sum += lobe.shape->hemisphere() == into ? lobe.albedo[band] : 0;
+        }
+        return sum;
+    }
+    [[nodiscard]] bool transmits_inwards(SurfaceSide inner, std::size_t band) const {
+        const SurfaceSide outer =
+            inner == SurfaceSide::upper ? SurfaceSide::lower : SurfaceSide::upper;
+        bool transmits = false;
+        for_each_region([&](std::uint32_t region) {
+            transmits =
+                transmits ||
+                scattered(material_of(region).side(outer), Hemisphere::transmitted, band) > 0;
+        });
+        return transmits;
+    }
     [[nodiscard]] Triangle triangle(std::size_t i) const {
         return data_of(scene_).triangles()[organ_.first_triangle + i];
     }

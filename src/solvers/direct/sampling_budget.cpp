@@ -99,9 +99,9 @@ constexpr std::uint32_t kDirectionBlocks = 16;
 constexpr double kPixelsPerTriangle = 20;
 /// The directions cost at most this multiple of the pixels of their paths.
 constexpr double kMaxOverPixels = 30;
-/// Squared relative error of an organ's light from kMinDirections directions, and the power of
-/// their number with which it falls. That of paths is about 1 over their number for each organ.
-constexpr double kVarianceOfFew = 0.16, kPowerOfDirections = 1.4;
+/// The variance of an organ's light from kMinDirections directions, and the power of their number
+/// with which it falls. The unit is that of one path for each organ.
+constexpr double kVarianceOfFew = 0.04, kPowerOfDirections = 1.6;
 
 /// Number of measured organs, without the ground.
 double measured_organs(const Scene& scene) {
