@@ -267,6 +267,35 @@ TEST(RayBundles, FindTheLightBelowANarrowSlit) {
         std::abs(own.mean - truth.mean), 4 * std::hypot(own.standard_error, truth.standard_error));
 }
 
+/// A black leaf, a long strip of which is close above lit soil, in the view factor of the soil that
+/// it does not shade (crossed strings). From the mean of patches it had up to ten times the light.
+TEST(RayBundles, FindTheShadeBelowALeafOnLitSoil) {
+    constexpr double kHalf = .05, kReflectance = .5;
+    for (const double height : {.001, .004, .016}) {
+        SceneBuilder builder = make_builder();
+        builder.add_material(diffuse("black", 0, 0));
+        builder.add_material(diffuse("soil", kReflectance, 0));
+        builder.add_organ(organ("soil", "soil", floor_of(-1, 1, -.1, .1, 0)));
+        builder.add_organ(organ("leaf", "black", floor_of(-kHalf, kHalf, -.1, .1, height)));
+        builder.set_cell({.along_y = true, .low_y = -.1, .size_y = .2});
+        const Scene scene = std::move(builder).build();
+        const auto string = [&](double x, double z, double to) { return std::hypot(to - x, z); };
+        const double seen = string(-kHalf, height, 1) + string(kHalf, height, kHalf) -
+                            string(-kHalf, height, kHalf) - string(kHalf, height, 1);
+        const double truth = kReflectance * seen / (2 * kHalf);
+        std::vector<double> found;
+        double reported = 0;
+        RunSpec spec = bundles(1 << 12);
+        for (spec.seed = 1; spec.seed <= 12; ++spec.seed) {
+            const Estimate own = run(scene, {sun(0, {1})}, spec).at(1, Quantity::incident_lower, 0);
+            found.push_back(own.mean);
+            reported += own.standard_error / 12;
+        }
+        EXPECT_TRUE(agrees(measured(found), truth, .6 * truth)) << height;
+        EXPECT_LT(reported, .5 * truth) << height;
+    }
+}
+
 class BundleCoverage : public ::testing::TestWithParam<std::uint64_t> {};
 
 /// The truth is that of another method.

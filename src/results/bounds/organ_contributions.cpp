@@ -156,8 +156,7 @@ OrganContributions OrganContributions::sunlit(const OrganReader& reader) {
             found.is_alike && lower.is_alike};
         const bool is_known = !strategies[i].spectra.empty();
         Counted light = counted_by(strategies[i], found, count);
-        light.largest = std::min(
-            one * reader.sunlit_per_contribution(i, found.units > 0), reader.area() / count);
+        light.largest = one * reader.sunlit_per_contribution(i, found.units > 0);
         // Light of other suns counts in the area too.
         light.mean_size =
             found.units > 0 ? std::min(area / light.number, light.largest) : light.largest;

@@ -290,8 +290,6 @@ class OrganReader {
         return side == inner && is_reached ? std::max(0.0, 1 - open) : 0;
     }
 
-    [[nodiscard]] double area() const { return organ_.area; }
-
   private:
     static double scattered(const Side& side, Hemisphere into, std::size_t band) {
         double sum = 0;

@@ -345,5 +345,41 @@ TEST(SunlitBound, OfASteepLeafIsOfItsOwnContributions) {
     EXPECT_NEAR(of_none, 3 * of_one, .01 * of_none);
 }
 
+/// A wall under a sun in the zenith receives nothing, and one contribution of it can't light more
+/// than the wall.
+TEST(SunlitBound, OfAGroupWithAWallIsThatOfItsLeaves) {
+    SceneBuilder builder = make_builder(1);
+    builder.add_material(diffuse("leaf", .3, .3));
+    builder.add_organ(
+        organ("wall", "leaf", {make_triangle({.1, -.4, 0}, {.1, .4, 0}, {.1, 0, .5})}));
+    builder.add_organ(organ("leaf", "leaf", floor_of(.2, .7, -.1, .1, .3)));
+    const Scene scene = std::move(builder).build();
+    for (const Method method : {Method::light_tracing, Method::first_hits, Method::ray_bundles}) {
+        const Result result = run(scene, {sun(0, {1})}, spec_of(method, 4096));
+        EXPECT_LT(result.groups.sunlit_fraction[0].standard_error, .01);
+    }
+}
+
+/// No light gets into a closed organ that transmits none, and none into a sphere of a sensor stays
+/// there. A path inside would hit them again and again.
+TEST(ScatteredBound, OfClosedOrgansIsThatOfTheirOutsides) {
+    const Vec3 a{.5, .5, .5}, b{.6, .5, .5}, c{.5, .6, .5}, top{.52, .52, .6};
+    const std::vector<Triangle> body{{a, c, b}, {a, b, top}, {b, c, top}, {c, a, top}};
+    for (const bool is_sensor : {false, true}) {
+        SceneBuilder builder = make_builder(1);
+        builder.add_material(is_sensor ? sensor("white") : diffuse("white", 1, 0));
+        builder.add_material(diffuse("leaf", .4, .4));
+        builder.add_organ(organ("body", "white", body));
+        builder.add_organ(organ("leaf", "leaf", floor_of(.3, .8, .3, .8, .4)));
+        const Scene scene = std::move(builder).build();
+        for (const Method method : {Method::light_tracing, Method::first_hits}) {
+            const Estimate scattered = run(scene, {sun(0, {1})}, spec_of(method, 1024))
+                                           .at(0, Quantity::incident_scattered, 0);
+            EXPECT_GT(scattered.standard_error, 0);
+            EXPECT_LT(scattered.standard_error, .5 * scattered.mean) << is_sensor;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace quasimc::test
