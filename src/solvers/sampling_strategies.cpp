@@ -90,15 +90,19 @@ struct LitAreas {
     }
 };
 
+/// If there are very many suns, every n-th of them represents all: their directions are close.
+std::size_t stride_of_suns(const PreparedScene& prepared) {
+    constexpr double kMaxVisits = 1e8;
+    const double visits =
+        static_cast<double>(prepared.lights().size()) * prepared.caster().mesh().triangle_count();
+    return static_cast<std::size_t>(std::ceil(std::max(1.0, visits / kMaxVisits)));
+}
+
 /// By region, the largest ratio of lit area to projected area for a sun.
 /// @param wanted  which suns
 template <typename Wanted>
 std::vector<double> slants(const PreparedScene& prepared, const Wanted& wanted) {
-    // If there are very many suns, some represent all: their directions are close.
-    constexpr double kMaxVisits = 1e8;
-    const double visits =
-        static_cast<double>(prepared.lights().size()) * prepared.caster().mesh().triangle_count();
-    const auto stride = static_cast<std::size_t>(std::ceil(std::max(1.0, visits / kMaxVisits)));
+    const std::size_t stride = stride_of_suns(prepared);
     std::vector<double> most(prepared.scene().regions().size());
     for (std::size_t light = 0; light < prepared.lights().size(); light += stride) {
         if (!wanted(prepared.lights()[light])) {
@@ -156,6 +160,11 @@ void add_strategies(
     }
 }
 
+/// In a periodic scene light enters only through the top: without a lowest height of directions,
+/// the fraction of it that a region receives would have no bound. This is the least part of the
+/// largest face.
+constexpr double kMinBeam = 0.125;
+
 }  // namespace
 
 std::vector<SamplingStrategy> strategies_by_path(const PreparedScene& prepared) {
@@ -184,11 +193,8 @@ SamplingStrategy strategy_by_direction(const PreparedScene& prepared, double ste
         up[region] += sideways + Vec3{0, 0, std::max(0.0, area.z)};
         down[region] += sideways + Vec3{0, 0, std::max(0.0, -area.z)};
     });
-    // In a periodic scene light enters only through the top: without a lowest height of directions,
-    // the fraction would have no bound.
-    constexpr double kFlat = 0.125;
     Vec3 face = prepared.projection().entry_box().face_area;
-    const double least = kFlat * std::max({face.x, face.y, face.z});
+    const double least = kMinBeam * std::max({face.x, face.y, face.z});
     face = prepared.scene().cell().periodic()
                ? Vec3{std::max(face.x, least), std::max(face.y, least), std::max(face.z, least)}
                : face;
@@ -239,6 +245,40 @@ SamplingStrategy strategy_by_line(
             const double slant =
                 regions[i].projected > 0 ? regions[i].area / regions[i].projected : 0;
             strategy.sunlit_reach[i] = std::max(strategy.sunlit_reach[i], longest[i] * slant);
+        }
+    }
+    return strategy;
+}
+
+SamplingStrategy strategy_by_pick(
+    const PreparedScene& prepared, const std::vector<bool>& has_lines, double step) {
+    SamplingStrategy strategy = strategy_of(prepared, is_sun);
+    strategy.by = SampledBy::lines;
+    strategy.step = step;
+    const EntryBox& box = prepared.projection().entry_box();
+    const double least = prepared.scene().cell().periodic() ? kMinBeam * box.face_area.z : 0;
+    const std::size_t regions = prepared.scene().regions().size();
+    strategy.reach.assign(2 * regions, 0);
+    strategy.sunlit_reach.assign(regions, 0);
+    const std::size_t stride = stride_of_suns(prepared);
+    for (std::size_t light = 0; light < has_lines.size(); light += stride) {
+        if (!has_lines[light]) {
+            continue;
+        }
+        const Vec3 direction = direction_of(prepared.lights()[light]);
+        const double beam = std::max(least, box.projected_area(direction));
+        std::vector<double> sides(2 * regions);
+        std::vector<double> areas(regions);
+        for_each_triangle(prepared, [&](std::uint32_t, std::uint32_t region, const Vec3& area) {
+            const double along = dot(area, direction);
+            sides[std::size_t{2} * region + (along > 0 ? 1 : 0)] += std::abs(along) / beam;
+            areas[region] += length(area) / beam;
+        });
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            strategy.reach[i] = std::max(strategy.reach[i], std::min(1.0, sides[i]));
+        }
+        for (std::size_t i = 0; i < regions; ++i) {
+            strategy.sunlit_reach[i] = std::max(strategy.sunlit_reach[i], areas[i]);
         }
     }
     return strategy;

@@ -29,6 +29,12 @@ namespace quasimc {
 [[nodiscard]] SamplingStrategy strategy_by_line(
     const PreparedScene& prepared, const std::vector<bool>& has_lines, double step, double spacing);
 
+/// The strategy for suns of which each replicate picks some, whose lines are one contribution.
+/// @param has_lines  by light: whether it is sampled along lines
+/// @param step  light of a picked sun, in units
+[[nodiscard]] SamplingStrategy strategy_by_pick(
+    const PreparedScene& prepared, const std::vector<bool>& has_lines, double step);
+
 /// The strategy for suns that are sampled by paths if others are sampled along lines. The
 /// contributions of both are summed together and cannot be separated.
 /// @param has_lines  by light: whether it is sampled along lines

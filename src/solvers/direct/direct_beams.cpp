@@ -6,6 +6,7 @@
 #include <bit>
 
 #include "light/models/source.h"
+#include "samplers/hash.h"
 #include "solvers/light_tracing/light_tracing.h"
 
 namespace quasimc {
@@ -38,10 +39,8 @@ double share_of_block(double paths, const DirectBeams::Work& work) {
     return until(work.block + 1) - until(work.block);
 }
 
-/// The emission of a light, as a number of paths.
-double paths_of(const BoundSource& light, const Round& round) {
-    return light.probability * static_cast<double>(round.count);
-}
+/// Sequence number of the choice of suns: those of tasks are smaller.
+constexpr std::uint64_t kPickSequence = std::uint64_t{1} << 61U;
 
 }  // namespace
 
@@ -59,14 +58,17 @@ DirectBeams::DirectBeams(const SolverInput& input, ScatteredBy scattered)
     }
 }
 
-std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, Sums& sums) const {
-    std::vector<VisibilityTask> tasks = budget_.tasks(round);
-    for (const VisibilityTask& task : tasks) {
+std::vector<VisibilityTask> DirectBeams::tasks(const Round& round, std::uint32_t replicate) const {
+    const Stream stream{spec_.seed, kPickSequence, replicate, round.first, round.count};
+    return budget_.tasks(round, unit_number(stream_key(stream, round.first, 0)));
+}
+
+void DirectBeams::raise_bounds(const Round& round, Sums& sums) const {
+    for (const VisibilityTask& task : budget_.largest_tasks(round)) {
         const double contribution = budget_.light_per_sample(task, round);
         double& most = sums->per_contribution[strategy_of(task, sums->strategies)];
         most = std::max(most, contribution);
     }
-    return tasks;
 }
 
 DirectBeams::Work DirectBeams::work_of(
@@ -104,24 +106,24 @@ std::array<double, 3> DirectBeams::placing_of(const Stream& first, std::uint32_t
     return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-/// The beam of a light along one of `count` directions.
+/// The beam of a light along one of `count` directions. @param paths  light of all of them
 DirectBeams::Beam DirectBeams::beam_along(
     const DirectionSample& from,
     const BoundSource& light,
-    const Work& work,
+    double paths,
     std::uint32_t count) const {
     const double area = prepared_.projection().entry_box().projected_area(from.direction);
     const double entering =
         model_of(*light.source).radiance(-from.direction) * area / light.source_sampler->flux();
-    const double paths = paths_of(light, work.round) * entering / (from.density * count);
-    return {{&light, from.direction, paths}, area};
+    return {{&light, from.direction, paths * entering / (from.density * count)}, area};
 }
 
 /// The beam of a task that is cut into lines.
 DirectBeams::Beam DirectBeams::beam_of(const Work& work) const {
     const BoundSource& light = prepared_.lights()[work.task.light];
+    const double paths = work.task.probability * static_cast<double>(work.round.count);
     if (const auto direction = light.source_sampler->beam_direction()) {
-        return {{&light, *direction, paths_of(light, work.round)}, light.source_sampler->flux()};
+        return {{&light, *direction, paths}, light.source_sampler->flux()};
     }
     // All beams of a disk are placed by the same three numbers.
     const Work first{work.round, work.replicate, work.number - work.task.beam,
@@ -130,7 +132,7 @@ DirectBeams::Beam DirectBeams::beam_of(const Work& work) const {
     const Stream placing = stream_of(first, 0);
     return beam_along(
         lattice_direction(light, work.task.beam, work.task.beams, placing_of(placing, 3)), light,
-        work, work.task.beams);
+        paths, work.task.beams);
 }
 
 const ScanLines& DirectBeams::lines_of(const Work& work, const Beam& beam, Scratch& scratch) const {
@@ -163,7 +165,8 @@ void DirectBeams::score_strip(
     std::span<const LineStrip::Visible> visible,
     Tally& tally) const {
     const std::span<const LineStrip::Triangle> triangles = lit.strip.triangles();
-    const double most = std::min(work.task.count, ScanLines::kStrip);
+    // All lines of a picked sun are one contribution: the light of other suns may be missing.
+    const double most = work.task.is_picked ? 1 : std::min(work.task.count, ScanLines::kStrip);
     const auto score_all = [&](DirectLightScore& direct, ContributionCounter& counter) {
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             const auto [triangle, cosine] = triangles[i];
@@ -196,7 +199,8 @@ DirectBeams::SkyView DirectBeams::sky_view(
          .with_points = with_points},
         scratch.image);
     for (const BoundSource* sky : skies_.skies()) {
-        view.beams.push_back(beam_along(view.from, *sky, work, work.task.count));
+        const double paths = sky->probability * static_cast<double>(work.round.count);
+        view.beams.push_back(beam_along(view.from, *sky, paths, work.task.count));
         view.paths += std::max(0.0, view.beams.back().paths);
     }
     return view;
@@ -223,17 +227,20 @@ SumMeaning direct_beams_meaning(
     std::vector<SamplingStrategy> counted;
     double of_line = 0;
     double spacing = 0;
-    for (const VisibilityTask& task : budget.tasks(first)) {
+    const std::vector<bool>& has_lines = budget.lights_with_lines();
+    for (const VisibilityTask& task : budget.largest_tasks(first)) {
         const double step = budget.light_per_sample(task, first);
         if (task.is_sky) {
             counted.push_back(strategy_by_direction(prepared, step));
+        } else if (task.is_picked) {
+            counted.push_back(strategy_by_pick(prepared, has_lines, step));
         } else {
             of_line = std::max(of_line, step);
             spacing = std::max(spacing, budget.spacing(task));
         }
     }
     if (of_line > 0) {
-        counted.push_back(strategy_by_line(prepared, budget.lights_with_lines(), of_line, spacing));
+        counted.push_back(strategy_by_line(prepared, has_lines, of_line, spacing));
     }
     std::vector<SamplingStrategy>& strategies = meaning.strategies;
     std::erase_if(strategies, [&](const SamplingStrategy& strategy) {
@@ -242,8 +249,8 @@ SumMeaning direct_beams_meaning(
         });
     });
     CountedStrategies::declare(counted.size(), meaning.blocks);
-    if (of_line > 0 && budget.traces_suns()) {
-        strategies.push_back(strategy_of_traced_suns(prepared, budget.lights_with_lines()));
+    if ((of_line > 0 || budget.picks_suns()) && budget.traces_suns()) {
+        strategies.push_back(strategy_of_traced_suns(prepared, has_lines));
     }
     strategies.insert(strategies.begin(), counted.begin(), counted.end());
     return meaning;

@@ -73,8 +73,13 @@ class DirectBeams {
     }
     /// Lights sampled by paths: lamps, suns without scan lines and skies without item buffers.
     [[nodiscard]] const TracedLights& traced() const { return traced_; }
-    /// The tasks of a round; raises the bounds of contributions in the sums.
-    [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round, Sums& sums) const;
+    /// Whether tasks differ between replicates.
+    [[nodiscard]] bool picks_suns() const { return budget_.picks_suns(); }
+    /// The tasks of one replicate of a round.
+    [[nodiscard]] std::vector<VisibilityTask> tasks(
+        const Round& round, std::uint32_t replicate) const;
+    /// Raises the bounds of contributions in the sums to those of a round.
+    void raise_bounds(const Round& round, Sums& sums) const;
     /// Block `block` of all blocks of the tasks.
     [[nodiscard]] static Work work_of(
         const std::vector<VisibilityTask>& tasks,
@@ -107,7 +112,7 @@ class DirectBeams {
     [[nodiscard]] Beam beam_along(
         const DirectionSample& from,
         const BoundSource& light,
-        const Work& work,
+        double paths,
         std::uint32_t count) const;
     [[nodiscard]] const ScanLines& lines_of(
         const Work& work, const Beam& beam, Scratch& scratch) const;

@@ -57,26 +57,19 @@ const SamplingDensity& sampling_density(const PreparedScene& prepared, Scattered
     return is_bright(prepared) ? kBrightDensity : kDarkDensity;
 }
 
-/// Minimum number of lines: of a beam, of all beams together if they are hundreds, and of each of
-/// these.
-constexpr std::uint32_t kMinLines = 16, kMinLinesInAll = 4096, kMinOfMany = 4;
+/// Minimum number of lines of a sun; half of it for each beam of a disk.
+constexpr std::uint32_t kMinLines = 32;
 /// Minimum number of lines of few beams together: they take no more time than the preparation.
 constexpr std::uint32_t kMinOfFew = 128;
 
-/// The minimum number of lines of each beam.
-std::uint32_t fewest_lines(std::uint32_t suns, std::uint32_t beams) {
-    const std::uint32_t of_many =
-        std::clamp(kMinLinesInAll / std::max(suns, 1U), kMinOfMany, kMinLines);
-    return std::max(of_many, kMinOfFew / std::max(beams, 1U));
-}
-
-/// Maximum number of projected triangles for each path of a sun. If they would be more, or if cuts
-/// leave too few lines, paths from the sun are more efficient (docs/develop/notebook/choosing.md).
+/// Maximum number of projected triangles for each path of a sun. Suns with fewer paths share lines.
+/// If all together have too few, or if cuts leave too few lines, paths from the sun are more
+/// efficient (docs/develop/notebook/choosing.md).
 constexpr double kMaxTrianglesPerPath = 20;
 /// Maximum number for each organ as well: few organs have many paths each, and lines improve them
 /// less.
 constexpr double kMaxTrianglesPerPathOfOrgan = 2;
-/// Minimum number of lines of a sun with costly cuts, unless it is one of many. In an infinite
+/// Minimum number of lines of a sun with costly cuts. In an infinite
 /// stand, 37 lines at an elevation of 1 degree had 500 times the error of as many paths, 41 lines
 /// at 5 degrees 5 times.
 constexpr std::uint32_t kMinWhereCostly = 64;
@@ -123,46 +116,67 @@ SamplingBudget::SamplingBudget(
     std::uint64_t paths,
     ScatteredBy scattered)
     : prepared_(prepared), skies_(skies), density_(sampling_density(prepared, scattered)) {
-    std::uint32_t suns = 0, beams = 0;
+    std::uint32_t beams = 0;
     for (const BoundSource& light : prepared.lights()) {
-        if (light.source->is_sun()) {
-            ++suns;
-            beams += beams_of(light);
-        }
+        beams += light.source->is_sun() ? beams_of(light) : 0;
     }
-    fewest_lines_ = fewest_lines(suns, beams);
+    fewest_lines_ = std::max(kMinLines, kMinOfFew / std::max(beams, 1U));
     set_lines(LineCost(seen), static_cast<double>(paths));
     sees_skies_ = !skies.skies().empty() &&
                   are_directions_better(skies.probability() * static_cast<double>(paths));
 }
 
 void SamplingBudget::set_lines(const LineCost& cost, double paths) {
-    const double triangles = prepared_.caster().mesh().triangle_count();
-    const double most_triangles = std::min(
-        kMaxTrianglesPerPath,
-        kMaxTrianglesPerPathOfOrgan * std::max(1., measured_organs(prepared_.scene())));
-    for (std::size_t i = 0; i < prepared_.lights().size(); ++i) {
+    projection_ = prepared_.caster().mesh().triangle_count() /
+                  std::min(
+                      kMaxTrianglesPerPath, kMaxTrianglesPerPathOfOrgan *
+                                                std::max(1., measured_organs(prepared_.scene())));
+    std::vector<ManySuns::Sun> many;
+    for (std::uint32_t i = 0; i < prepared_.lights().size(); ++i) {
         const BoundSource& light = prepared_.lights()[i];
         cuts_per_line_.push_back(0);
         has_lines_.push_back(false);
-        if (light.source->is_sun()) {
-            const SourceSampler& sampler = *light.source_sampler;
-            cuts_per_line_[i] = cost.cuts_per_line(
-                sampler.beam_direction() ? *sampler.beam_direction()
-                                         : sampler.draw_direction(0.5, 0.5).direction);
-            const double own = light.probability * paths;
-            const VisibilityTask task = lines_of(i, own);
-            has_lines_[i] =
-                triangles <= most_triangles * own &&
-                task.beams * task.count * cuts_per_line_[i] <= density_.cuts_per_path * own &&
-                are_close(task, paths);
+        if (!light.source->is_sun()) {
+            continue;
         }
+        const SourceSampler& sampler = *light.source_sampler;
+        const Vec3 direction = sampler.beam_direction()
+                                   ? *sampler.beam_direction()
+                                   : sampler.draw_direction(0.5, 0.5).direction;
+        cuts_per_line_[i] = cost.cuts_per_line(direction);
+        const double own = light.probability * paths;
+        const double fewest = fewest_paths(i, own);
+        if (own < fewest) {
+            if (are_close(lines_of({.light = i, .probability = fewest / paths}, paths), paths)) {
+                many.push_back({i, light.probability, fewest, direction});
+            }
+        } else if (are_close(lines_of(whole(i), paths), paths)) {
+            alone_.push_back(i);
+            has_lines_[i] = true;
+        }
+    }
+    many_ = ManySuns(std::move(many));
+    if (many_.affordable(paths) == 0) {
+        many_ = {};
+    }
+    for (const ManySuns::Sun& sun : many_.suns()) {
+        has_lines_[sun.light] = true;
     }
 }
 
+VisibilityTask SamplingBudget::whole(std::uint32_t light) const {
+    const BoundSource& sun = prepared_.lights()[light];
+    return {.light = light, .probability = sun.probability, .beams = beams_of(sun)};
+}
+
+double SamplingBudget::fewest_paths(std::size_t light, double own) const {
+    const std::uint32_t beams = beams_of(prepared_.lights()[light]);
+    const double lines = beams * std::min(usual_lines(beams, own), kMinWhereCostly / beams);
+    return std::max(projection_, lines * cuts_per_line_[light] / density_.cuts_per_path);
+}
+
 bool SamplingBudget::are_close(const VisibilityTask& task, double paths) const {
-    const BoundSource& light = prepared_.lights()[task.light];
-    if (task.count >= usual_lines(task.light, light.probability * paths)) {
+    if (task.count >= usual_lines(task.beams, task.probability * paths)) {
         return true;
     }
     const Round round{.count = static_cast<std::uint64_t>(paths)};
@@ -188,16 +202,13 @@ bool SamplingBudget::are_directions_better(double paths) const {
     return variance * paths <= std::max(1., measured_organs(prepared_.scene()));
 }
 
-std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
+std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round, double pick) const {
+    const auto paths = static_cast<double>(round.count);
     std::vector<VisibilityTask> tasks;
-    for (std::uint32_t i = 0; i < prepared_.lights().size(); ++i) {
-        const BoundSource& light = prepared_.lights()[i];
-        if (has_lines_[i]) {
-            add_beams(i, light.probability * static_cast<double>(round.count), tasks);
-        }
-    }
+    add_suns(paths, tasks);
+    add_picks(paths, pick, tasks);
     if (sees_skies_) {
-        tasks.push_back(skies_of(skies_.probability() * static_cast<double>(round.count)));
+        tasks.push_back(skies_of(skies_.probability() * paths));
     }
     std::uint64_t first = 0;
     for (VisibilityTask& task : tasks) {
@@ -207,18 +218,34 @@ std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round) const {
     return tasks;
 }
 
+std::vector<VisibilityTask> SamplingBudget::largest_tasks(const Round& round) const {
+    const auto paths = static_cast<double>(round.count);
+    std::vector<VisibilityTask> tasks;
+    if (picks_suns()) {
+        tasks.push_back({.is_picked = true, .probability = many_.light_of_each(picks(paths))});
+    } else {
+        add_suns(paths, tasks);
+    }
+    if (sees_skies_) {
+        tasks.push_back(skies_of(skies_.probability() * paths));
+    }
+    return tasks;
+}
+
 double SamplingBudget::light_per_sample(const VisibilityTask& task, const Round& round) const {
     const auto paths = static_cast<double>(round.count);
     if (task.is_sky) {
         return skies_.probability() * paths / task.count;
     }
-    const BoundSource& light = prepared_.lights()[task.light];
+    if (task.is_picked) {
+        return task.probability * paths;
+    }
     const EntryBox& box = prepared_.projection().entry_box();
-    const SourceSampler& sampler = *light.source_sampler;
+    const SourceSampler& sampler = *prepared_.lights()[task.light].source_sampler;
     const double area = sampler.beam_direction()
                             ? sampler.flux()
                             : box.projected_area(sampler.draw_direction(0.5, 0.5).direction);
-    return light.probability * paths / task.beams * spacing(task) / area;
+    return task.probability * paths / task.beams * spacing(task) / area;
 }
 
 double SamplingBudget::spacing(const VisibilityTask& task) const {
@@ -226,37 +253,48 @@ double SamplingBudget::spacing(const VisibilityTask& task) const {
     return length(prepared_.projection().entry_box().bounds.size()) / task.count;
 }
 
-std::uint32_t SamplingBudget::usual_lines(std::size_t light, double paths) const {
-    const std::uint32_t beams = beams_of(prepared_.lights()[light]);
+std::uint32_t SamplingBudget::usual_lines(std::uint32_t beams, double paths) const {
     const bool is_disk = beams > 1;
     // A disk's beams need more lines than their share: errors fall with the third power.
     const double usual = density_.paths_per_line > 0 ? paths / density_.paths_per_line
                                                      : density_.lines_per_root * std::sqrt(paths);
     const double lines = usual * (is_disk ? 2 : 1) / beams;
-    return std::max(fewest_lines_, static_cast<std::uint32_t>(lines));
+    return std::max(fewest_lines_ / (is_disk ? 2 : 1), static_cast<std::uint32_t>(lines));
 }
 
-VisibilityTask SamplingBudget::lines_of(std::size_t light, double paths) const {
-    const std::uint32_t beams = beams_of(prepared_.lights()[light]);
-    std::uint32_t count = usual_lines(light, paths);
-    const double cuts = beams * cuts_per_line_[light];
-    if (count * cuts > density_.cuts_per_path * paths) {
-        const auto cheap = static_cast<std::uint32_t>(density_.cuts_per_path * paths / cuts);
-        const std::uint32_t fewest = std::max(kMinOfMany, kMinWhereCostly / beams);
-        count = std::min(count, std::max(fewest, cheap));
+VisibilityTask SamplingBudget::lines_of(VisibilityTask beams, double paths) const {
+    const double own = beams.probability * paths;
+    beams.count = usual_lines(beams.beams, own);
+    const double cuts = beams.beams * cuts_per_line_[beams.light];
+    if (beams.count * cuts > density_.cuts_per_path * own) {
+        const auto cheap = static_cast<std::uint32_t>(density_.cuts_per_path * own / cuts);
+        beams.count = std::min(beams.count, std::max(kMinWhereCostly / beams.beams, cheap));
     }
-    return {
-        .light = static_cast<std::uint32_t>(light),
-        .beams = beams,
-        .count = count,
-        .blocks = ScanLines::strips(count)};
+    beams.blocks = ScanLines::strips(beams.count);
+    return beams;
 }
 
-void SamplingBudget::add_beams(
-    std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const {
-    VisibilityTask task = lines_of(light, paths);
-    for (; task.beam < task.beams; ++task.beam) {
-        tasks.push_back(task);
+void SamplingBudget::add_suns(double paths, std::vector<VisibilityTask>& tasks) const {
+    for (const std::uint32_t sun : alone_) {
+        VisibilityTask task = lines_of(whole(sun), paths);
+        for (; task.beam < task.beams; ++task.beam) {
+            tasks.push_back(task);
+        }
+    }
+}
+
+std::uint32_t SamplingBudget::picks(double paths) const {
+    return std::max(1U, many_.affordable(paths));
+}
+
+void SamplingBudget::add_picks(
+    double paths, double pick, std::vector<VisibilityTask>& tasks) const {
+    if (!picks_suns()) {
+        return;
+    }
+    for (const auto& [light, probability] : many_.pick(picks(paths), pick)) {
+        tasks.push_back(
+            lines_of({.is_picked = true, .light = light, .probability = probability}, paths));
     }
 }
 
@@ -302,6 +340,10 @@ bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths
         nullptr};
     return SamplingBudget(prepared, SkyDirections(prepared), seen, paths, ScatteredBy::bundles)
         .traces_suns();
+}
+
+std::uint64_t blocks_of(const std::vector<VisibilityTask>& tasks) {
+    return tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
 }
 
 std::uint32_t task_of_block(const std::vector<VisibilityTask>& tasks, std::uint64_t block) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "solvers/direct/line_cost.h"
+#include "solvers/direct/many_suns.h"
 #include "solvers/solver.h"
 #include "transport/sky_directions.h"
 
@@ -17,7 +18,9 @@ inline constexpr std::uint32_t kDiskBeams = 8;
 /// Part of the light from far away in one round: a beam that is cut into scan lines, or all skies.
 struct VisibilityTask {
     bool is_sky = false;
+    bool is_picked = false;   ///< a sun that represents others as well
     std::uint32_t light = 0;  ///< index of a light with beams
+    double probability = 0;  ///< probability of the light that its beams represent, over all lights
     std::uint32_t beam = 0,
                   beams = 1;  ///< index among the directions of a sun's disk, and their number
     std::uint32_t count = 0;  ///< number of lines, or of directions
@@ -57,10 +60,13 @@ class SamplingBudget {
         std::uint64_t paths,
         ScatteredBy scattered = ScatteredBy::paths);
 
-    /// Whether the direct light of a sun is sampled along lines. Paths from the sun are more
-    /// efficient at dawn in an infinite stand, where a line cuts thousands of periodic images, and
-    /// if there are few paths for many triangles. False for other lights.
+    /// Whether the direct light of a sun is sampled along lines, of its own or as one of many suns
+    /// of which some are picked. Paths from the sun are more efficient at dawn in an infinite
+    /// stand, where a line cuts thousands of periodic images, and if there are few paths for many
+    /// triangles. False for other lights.
     [[nodiscard]] bool has_lines(std::size_t light) const { return has_lines_[light]; }
+    /// Whether each replicate picks some suns of many.
+    [[nodiscard]] bool picks_suns() const { return !many_.empty(); }
 
     /// Whether there are skies and their direct light is sampled by item buffers. Paths from the
     /// skies are better if few directions would do for few organs with many paths each.
@@ -68,7 +74,11 @@ class SamplingBudget {
 
     /// The tasks of a round, their blocks one after the other: at most kDiskBeams for each sun, and
     /// one for all skies. Takes time in proportion to the suns.
-    [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round) const;
+    /// @param pick  random number in [0, 1) that picks suns of many
+    [[nodiscard]] std::vector<VisibilityTask> tasks(const Round& round, double pick = 0) const;
+    /// Tasks with the largest contributions that a round may have, without blocks. If suns are
+    /// picked, one of these represents all suns.
+    [[nodiscard]] std::vector<VisibilityTask> largest_tasks(const Round& round) const;
 
     /// has_lines() by light.
     [[nodiscard]] const std::vector<bool>& lights_with_lines() const { return has_lines_; }
@@ -76,7 +86,8 @@ class SamplingBudget {
     [[nodiscard]] bool traces_suns() const;
 
     /// The largest contribution of a sample of a task, as a number of paths: all light along a
-    /// direction of the skies, or the light per unit length of a scan line, local units.
+    /// direction of the skies or of a picked sun, or the light per unit length of a scan line,
+    /// local units.
     [[nodiscard]] double light_per_sample(const VisibilityTask& task, const Round& round) const;
     /// The largest distance of neighbouring scan lines of a task, local units.
     [[nodiscard]] double spacing(const VisibilityTask& task) const;
@@ -85,24 +96,37 @@ class SamplingBudget {
     void set_lines(const LineCost& cost, double paths);
     /// Whether directions have smaller errors than `paths` paths from the skies.
     [[nodiscard]] bool are_directions_better(double paths) const;
-    /// Lines of each beam of a sun, regardless of the cost of cuts.
-    [[nodiscard]] std::uint32_t usual_lines(std::size_t light, double paths) const;
-    /// Beams of a sun, and lines of each.
-    [[nodiscard]] VisibilityTask lines_of(std::size_t light, double paths) const;
+    /// The smallest number of paths that take as long as the lines of a sun may. @param own  of it
+    [[nodiscard]] double fewest_paths(std::size_t light, double own) const;
+    /// Lines of each of the beams of a sun, regardless of the cost of cuts.
+    [[nodiscard]] std::uint32_t usual_lines(std::uint32_t beams, double paths) const;
+    /// The light of a sun, with its beams.
+    [[nodiscard]] VisibilityTask whole(std::uint32_t light) const;
+    /// The beams that represent the light of a sun, or more, and lines of each.
+    /// @param paths  of all lights
+    [[nodiscard]] VisibilityTask lines_of(VisibilityTask beams, double paths) const;
+    /// The number of suns that are picked of many.
+    [[nodiscard]] std::uint32_t picks(double paths) const;
     /// Whether the lines of a sun are as many as usual, or so close together that the largest
     /// contribution of one to an organ is no more than that of a few paths.
     [[nodiscard]] bool are_close(const VisibilityTask& task, double paths) const;
     [[nodiscard]] VisibilityTask skies_of(double paths) const;
-    void add_beams(std::uint32_t light, double paths, std::vector<VisibilityTask>& tasks) const;
+    /// Adds the beams of suns with lines of their own.
+    void add_suns(double paths, std::vector<VisibilityTask>& tasks) const;
+    /// Adds the beams of suns that are picked of many.
+    void add_picks(double paths, double pick, std::vector<VisibilityTask>& tasks) const;
     /// Pixels of a direction. @param most_over_root  see SamplingDensity
     [[nodiscard]] double pixels_for(double paths, double most_over_root) const;
 
     const PreparedScene& prepared_;
     const SkyDirections& skies_;
     SamplingDensity density_;
-    std::uint32_t fewest_lines_;         // of a beam
+    std::uint32_t fewest_lines_;         // of a sun; half for each beam of a disk
+    double projection_ = 0;              // fewest paths of a sun for all triangles
     std::vector<double> cuts_per_line_;  // by light
     std::vector<bool> has_lines_;        // by light
+    std::vector<std::uint32_t> alone_;   // suns with lines of their own
+    ManySuns many_;                      // suns that share lines
     bool sees_skies_ = false;
 };
 
@@ -111,6 +135,8 @@ class SamplingBudget {
 /// @param paths  of the first round
 [[nodiscard]] bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths);
 
+/// The number of blocks of all tasks.
+[[nodiscard]] std::uint64_t blocks_of(const std::vector<VisibilityTask>& tasks);
 /// The index of the task that a block belongs to. @param block  less than the end of the
 /// last task's blocks
 [[nodiscard]] std::uint32_t task_of_block(

@@ -38,18 +38,21 @@ class FirstHits final : public Solver {
           trace_runner_(input) {}
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
-        const std::vector<VisibilityTask> tasks = direct_.tasks(round, sums);
+        direct_.raise_bounds(round, sums);
+        const RoundTasks tasks(direct_, round, sums->replicates.size());
         const CountedStrategies counted(*sums);
         const TracedLights& traced = direct_.traced();
-        const std::uint64_t blocks =
-            tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
         const bool is_traced = std::find(traced.begin(), traced.end(), true) != traced.end();
         const std::uint64_t traced_blocks = is_traced ? LightTracer::blocks(round) : 0;
-        TaskRound all = executor.begin((blocks + traced_blocks) * sums->replicates.size());
+        TaskRound all = executor.begin((tasks.blocks() + traced_blocks) * sums->replicates.size());
         runner_.run(
-            blocks, all, sums,
+            tasks.blocks(), all, sums,
             [&](std::uint32_t replicate, std::uint64_t block, Scratch& scratch, Tally& tally) {
-                const Work work = DirectBeams::work_of(tasks, round, counted, replicate, block);
+                if (block >= blocks_of(tasks.of(replicate))) {
+                    return;  // other replicates have more
+                }
+                const Work work =
+                    DirectBeams::work_of(tasks.of(replicate), round, counted, replicate, block);
                 work.task.is_sky ? trace_skies(work, scratch, tally)
                                  : trace_lines(work, scratch, tally);
             });
@@ -73,6 +76,28 @@ class FirstHits final : public Solver {
         std::vector<SurfaceBeam> beams;
         std::vector<PathVertex> vertices;
         VertexScratch tracing;
+    };
+
+    /// The tasks of each replicate of a round.
+    class RoundTasks {
+      public:
+        RoundTasks(const DirectBeams& direct, const Round& round, std::size_t replicates) {
+            // Without suns to be picked one list is that of all.
+            const std::size_t lists = direct.picks_suns() ? replicates : 1;
+            for (std::uint32_t replicate = 0; replicate < lists; ++replicate) {
+                lists_.push_back(direct.tasks(round, replicate));
+                blocks_ = std::max(blocks_, blocks_of(lists_.back()));
+            }
+        }
+        /// The largest number of blocks of a replicate.
+        [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+        [[nodiscard]] const std::vector<VisibilityTask>& of(std::uint32_t replicate) const {
+            return lists_[lists_.size() > 1 ? replicate : 0];
+        }
+
+      private:
+        std::vector<std::vector<VisibilityTask>> lists_;
+        std::uint64_t blocks_ = 0;
     };
 
     [[nodiscard]] PathRules rules_of(const Work& work) const {

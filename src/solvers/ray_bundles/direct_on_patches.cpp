@@ -83,14 +83,16 @@ class DirectDeposit {
           light_(light),
           scratch_(scratch),
           tally_(tally),
-          open_(beams.viewed_skies() != nullptr ? 2 * patches_.region_areas.size() : 0) {}
+          open_(beams.viewed_skies() != nullptr ? 2 * patches_.region_areas.size() : 0) {
+        for (const VisibilityTask& task : replicate.tasks) {
+            picked_lines_ += task.is_picked ? task.count : 0;
+        }
+    }
 
     /// @returns the areas of sides that see the sky
     OpenAreas run() {
         const std::vector<VisibilityTask>& tasks = replicate_.tasks;
-        const std::uint64_t blocks =
-            tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
-        for (std::uint64_t block = 0; block < blocks; ++block) {
+        for (std::uint64_t block = 0; block < blocks_of(tasks); ++block) {
             const Work work = DirectBeams::work_of(
                 tasks, replicate_.round, replicate_.counted, replicate_.index, block);
             work.task.is_sky ? deposit_skies(work) : deposit_strip(work);
@@ -108,7 +110,9 @@ class DirectDeposit {
 
     void deposit_strip(const Work& work) {
         const DirectBeams::LitStrip lit = beams_.lit_strip(work, scratch_.beams);
-        const DepositedSamples deposited(beams_.stream_of(work, 0), work.task.count, kLineDensity);
+        const DepositedSamples deposited(
+            beams_.stream_of(work, 0), work.task.is_picked ? picked_lines_ : work.task.count,
+            kLineDensity);
         const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
         const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
             throw_if_stopped(input_.stop);
@@ -319,6 +323,7 @@ class DirectDeposit {
     DirectScratch& scratch_;
     Tally& tally_;
     OpenAreas open_;
+    std::uint32_t picked_lines_ = 0;  // of all suns that are picked of many
 };
 
 }  // namespace

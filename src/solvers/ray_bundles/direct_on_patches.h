@@ -13,7 +13,7 @@ namespace quasimc {
 /// Inputs of the solution of one replicate of a round.
 struct ReplicateInput {
     const Round& round;
-    const std::vector<VisibilityTask>& tasks;  ///< tasks of the round
+    const std::vector<VisibilityTask>& tasks;  ///< its tasks
     const CountedStrategies& counted;
     std::uint32_t index = 0;
 };

@@ -62,13 +62,14 @@ class RayBundles final : public Solver {
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         cut_for(round);
-        const std::vector<VisibilityTask> tasks = beams_.tasks(round, sums);
+        beams_.raise_bounds(round, sums);
         const CountedStrategies counted(*sums);
         TaskRound replicates = executor.begin(sums->replicates.size());
         ThreadShares threads{sums->replicates.size(), executor.workers()};
         runner_.run(
             1, replicates, sums,
             [&](std::uint32_t replicate, std::uint64_t, Scratch& scratch, Tally& tally) {
+                const std::vector<VisibilityTask> tasks = beams_.tasks(round, replicate);
                 solve_replicate({round, tasks, counted, replicate}, threads, scratch, tally);
                 --threads.replicates;
             });

@@ -188,6 +188,29 @@ TEST(SamplingBudget, ProjectsTrianglesForEnoughPathsOnly) {
     EXPECT_EQ(few.tasks({0, 4}).front().count, 4);
 }
 
+/// A thousand suns of 4 paths each: lines of as many suns as 3 paths for each leaf pay for.
+TEST(SamplingBudget, PicksSunsOfMany) {
+    Sources suns;
+    for (int i = 0; i < 1000; ++i) {
+        suns.push_back(sun(.08 * i, {1}));
+    }
+    const TestStand open(false, suns);
+    const SkyDirections skies(open.prepared);
+    for (const std::uint64_t paths : {16U, 256U, 1024U}) {
+        const SamplingBudget budget(open.prepared, skies, open.seen, paths);
+        EXPECT_TRUE(budget.picks_suns());
+        EXPECT_FALSE(budget.traces_suns());
+        EXPECT_EQ(budget.tasks({0, paths}, .5).size(), paths / 3);
+        EXPECT_NE(budget.tasks({0, paths}, .5)[0].light, budget.tasks({0, paths}, .1)[0].light);
+    }
+    const SamplingBudget few(open.prepared, skies, open.seen, 2);
+    EXPECT_TRUE(few.traces_suns());
+    EXPECT_TRUE(few.tasks({0, 2}).empty());
+    const SamplingBudget many(open.prepared, skies, open.seen, 1 << 14);
+    EXPECT_FALSE(many.picks_suns());
+    EXPECT_EQ(many.tasks({0, 1 << 14}).size(), 1000);
+}
+
 /// One organ has all the paths: few directions would have the larger error.
 TEST(SamplingBudget, SeesNoSkiesInFewDirectionsForOneOrgan) {
     const TestStand one(false, {sky({1})}, 1);
