@@ -79,12 +79,12 @@ TEST_P(ManySunsOfStand, GiveTheLightOfAllSuns) {
     EXPECT_GT(picked.budget[1].emitted.standard_error, 0);
 }
 
-/// Two hundred suns with 256 paths, about one each.
+/// Four hundred suns with 512 paths, about one each.
 TEST_P(ManySunsOfStand, HaveSmallErrors) {
     const Scene scene = make_sunny_stand(GetParam().extent);
     const Sources suns = suns_of_day(400);
-    const Result picked = run(scene, suns, spec_of(GetParam().method, 256));
-    const Result traced = run(scene, suns, spec_of(Method::light_tracing, 256));
+    const Result picked = run(scene, suns, spec_of(GetParam().method, 512));
+    const Result traced = run(scene, suns, spec_of(Method::light_tracing, 512));
     double error = 0;
     double error_of_paths = 0;
     for (std::size_t i = 0; i < picked.organs(); ++i) {

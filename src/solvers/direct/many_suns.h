@@ -21,7 +21,7 @@ class ManySuns {
     /// A sun that represents light of others as well.
     struct Pick {
         std::uint32_t light = 0;
-        double probability = 0;  ///< of all light that it represents
+        double probability = 0;  ///< probability of all light that it represents
     };
 
     ManySuns() = default;

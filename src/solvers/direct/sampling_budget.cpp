@@ -57,8 +57,9 @@ const SamplingDensity& sampling_density(const PreparedScene& prepared, Scattered
     return is_bright(prepared) ? kBrightDensity : kDarkDensity;
 }
 
-/// Minimum number of lines of a sun; half of it for each beam of a disk.
-constexpr std::uint32_t kMinLines = 32;
+/// Minimum number of lines of a beam, and of a sun's single beam in an open scene, where they take
+/// less time than the preparation.
+constexpr std::uint32_t kMinLines = 16, kMinWhereCheap = 32;
 /// Minimum number of lines of few beams together: they take no more time than the preparation.
 constexpr std::uint32_t kMinOfFew = 128;
 
@@ -69,6 +70,9 @@ constexpr double kMaxTrianglesPerPath = 20;
 /// Maximum number for each organ as well: few organs have many paths each, and lines improve them
 /// less.
 constexpr double kMaxTrianglesPerPathOfOrgan = 2;
+/// Minimum number of suns that are picked of more. Of fewer, total light varies too much, and the
+/// replicates do not show all of the error (SamplingStrategy::many).
+constexpr std::uint32_t kMinPicks = 5;
 /// Minimum number of lines of a sun with costly cuts. In an infinite
 /// stand, 37 lines at an elevation of 1 degree had 500 times the error of as many paths, 41 lines
 /// at 5 degrees 5 times.
@@ -156,7 +160,7 @@ void SamplingBudget::set_lines(const LineCost& cost, double paths) {
         }
     }
     many_ = ManySuns(std::move(many));
-    if (many_.affordable(paths) == 0) {
+    if (many_.affordable(paths) < std::min<std::size_t>(kMinPicks, many_.suns().size())) {
         many_ = {};
     }
     for (const ManySuns::Sun& sun : many_.suns()) {
@@ -259,7 +263,10 @@ std::uint32_t SamplingBudget::usual_lines(std::uint32_t beams, double paths) con
     const double usual = density_.paths_per_line > 0 ? paths / density_.paths_per_line
                                                      : density_.lines_per_root * std::sqrt(paths);
     const double lines = usual * (is_disk ? 2 : 1) / beams;
-    return std::max(fewest_lines_ / (is_disk ? 2 : 1), static_cast<std::uint32_t>(lines));
+    const bool are_cheap = !is_disk && !prepared_.scene().cell().periodic();
+    return std::max(
+        are_cheap ? std::max(fewest_lines_, kMinWhereCheap) : fewest_lines_,
+        static_cast<std::uint32_t>(lines));
 }
 
 VisibilityTask SamplingBudget::lines_of(VisibilityTask beams, double paths) const {

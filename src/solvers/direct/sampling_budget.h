@@ -121,7 +121,7 @@ class SamplingBudget {
     const PreparedScene& prepared_;
     const SkyDirections& skies_;
     SamplingDensity density_;
-    std::uint32_t fewest_lines_;         // of a sun; half for each beam of a disk
+    std::uint32_t fewest_lines_;         // of a beam
     double projection_ = 0;              // fewest paths of a sun for all triangles
     std::vector<double> cuts_per_line_;  // by light
     std::vector<bool> has_lines_;        // by light

@@ -203,9 +203,9 @@ TEST(SamplingBudget, PicksSunsOfMany) {
         EXPECT_EQ(budget.tasks({0, paths}, .5).size(), paths / 3);
         EXPECT_NE(budget.tasks({0, paths}, .5)[0].light, budget.tasks({0, paths}, .1)[0].light);
     }
-    const SamplingBudget few(open.prepared, skies, open.seen, 2);
+    const SamplingBudget few(open.prepared, skies, open.seen, 8);
     EXPECT_TRUE(few.traces_suns());
-    EXPECT_TRUE(few.tasks({0, 2}).empty());
+    EXPECT_TRUE(few.tasks({0, 8}).empty());
     const SamplingBudget many(open.prepared, skies, open.seen, 1 << 14);
     EXPECT_FALSE(many.picks_suns());
     EXPECT_EQ(many.tasks({0, 1 << 14}).size(), 1000);
