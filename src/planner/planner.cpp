@@ -1,5 +1,5 @@
 // The most efficient method: rules of thumb, each from a measurement
-// (docs/develop/notebook/choosing.md; `./dev bench planner` repeats them).
+// (docs/develop/notebook/choosing.md; `./dev bench choice` repeats them).
 
 #include "planner/planner.h"
 

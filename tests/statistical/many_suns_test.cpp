@@ -116,9 +116,9 @@ INSTANTIATE_TEST_SUITE_P(
         ManySunsCase{Method::first_hits, Extent::periodic},
         ManySunsCase{Method::ray_bundles, Extent::open},
         ManySunsCase{Method::ray_bundles, Extent::periodic}),
-    [](const auto& info) {
-        return std::string(info.param.method == Method::first_hits ? "first_hits" : "ray_bundles") +
-               (info.param.extent == Extent::open ? "_open" : "_periodic");
+    [](const auto& one) {
+        return std::string(one.param.method == Method::first_hits ? "first_hits" : "ray_bundles") +
+               (one.param.extent == Extent::open ? "_open" : "_periodic");
     });
 
 }  // namespace

@@ -142,6 +142,17 @@ TEST(DrawSpan, DrawsTheRowsOfABlock) {
     });
 }
 
+/// The ends of runs of equal ids.
+std::vector<std::uint32_t> run_ends(const std::vector<std::int32_t>& ids, std::uint32_t count) {
+    std::vector<std::uint32_t> ends;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (ids[i] != ids[i + 1]) {
+            ends.push_back(i + 1);
+        }
+    }
+    return ends;
+}
+
 /// In whole blocks of pixels, and in what is left of the last.
 TEST(RunEnds, AreWhereTheNextIdIsAnother) {
     std::mt19937 random(2);
@@ -152,12 +163,7 @@ TEST(RunEnds, AreWhereTheNextIdIsAnother) {
                 ids[i] = ids[i - 1] + (random() % change == 0 ? 1 : 0);
             }
             ids[count] = -1;
-            std::vector<std::uint32_t> expected;
-            for (std::uint32_t i = 0; i < count; ++i) {
-                if (ids[i] != ids[i + 1]) {
-                    expected.push_back(i + 1);
-                }
-            }
+            const std::vector<std::uint32_t> expected = run_ends(ids, count);
             for_each_vector_unit([&] {
                 std::vector<std::uint32_t> ends(count + kSpanLanes);
                 ends.resize(best_draw_loops().run_ends(ids.data(), count, ends.data()));

@@ -126,10 +126,10 @@ TEST(SamplingBudget, HasNoLinesForSunsThatGrazeAnEndlessStand) {
 /// The lower the sun, the fewer lines, and none rather than a handful: beside bundles 12.8 times
 /// the root of the paths at most.
 TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
-    constexpr double kMaxCuts = 160 * kPaths, kLowest_deg = 89.95, kStep_deg = .25;
+    constexpr double kMaxCuts = 160 * kPaths, kLowestDeg = 89.95, kStepDeg = .25;
     std::uint32_t before = UINT32_MAX;
     double zenith_deg = 80;
-    for (; zenith_deg < kLowest_deg; zenith_deg += kStep_deg) {
+    for (; zenith_deg < kLowestDeg; zenith_deg += kStepDeg) {
         const TestStand infinite(true, {sun(zenith_deg, {1})});
         const SkyDirections skies(infinite.prepared);
         const SamplingBudget budget(
@@ -143,7 +143,7 @@ TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
         EXPECT_LE(lines, before) << zenith_deg;
         before = lines;
     }
-    EXPECT_LT(zenith_deg, kLowest_deg);
+    EXPECT_LT(zenith_deg, kLowestDeg);
     EXPECT_GE(before, 64);
     EXPECT_LT(before, 800);
 }
