@@ -78,7 +78,7 @@ class LineHits {
         }
     }
 
-    /// The place of a hit along its line, local units: differences are distances.
+    /// The position of a hit along its line, local units: differences are distances.
     /// @param hit  of for_each_line()
     [[nodiscard]] float depth(const Hit& hit) const { return depth_of(keys_[&hit - hits_]); }
 

@@ -84,9 +84,9 @@ class BundleExchange {
         exchange_cached();
         const double lines_per_area = group_.directions / (2 * group_.line_area);
         return {
-            std::move(field_), LineStatistics{
-                                   met_areas(scene_, found_areas_, lines_per_area),
-                                   std::move(open_), segments_}};
+            std::move(field_),
+            LineStatistics{
+                met_areas(scene_, found_areas_, lines_per_area), std::move(open_), segments_}};
     }
 
   private:

@@ -9,8 +9,8 @@
 
 namespace quasimc {
 
-/// Light that goes less far than a patch is wide, minus what its patch sends in its place: of
-/// either sign, 0 in all.
+/// Light that goes less far than a patch is wide, minus what its patch sends instead: of either
+/// sign, 0 in all.
 struct NearLight {
     /// Light that leaves the scene along a direction.
     struct Escaped {

@@ -305,7 +305,7 @@ void check_diffuse(const Scene& scene, Faults& faults) {
 
 SumMeaning ray_bundles_meaning(const PreparedScene& prepared, const RunSpec& spec) {
     SumMeaning meaning = direct_beams_meaning(prepared, spec, ScatteredBy::bundles);
-    // Of a segment of the final gather: twice the mean if all light is scattered once.
+    // A segment of the final gather carries twice the mean at most, if all light is scattered once.
     constexpr double kOverMean = 2;
     const std::vector<double> albedos = largest_albedos(prepared.scene());
     std::vector<double>& largest = meaning.bound("scattered").largest;
