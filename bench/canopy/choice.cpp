@@ -11,9 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "base/process_time.h"
 #include "choice_cases.h"
 #include "methods.h"
 #include "parts.h"
+#include "quasimc/run_file.h"
 #include "scenes.h"
 
 namespace quasimc::bench {
@@ -21,14 +23,21 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Costs up to which methods are tried, and of a choice, s.
-constexpr double kMaxSeconds = 1.5;
+constexpr double kMaxSeconds = 0.6;
 /// Ratio of paths between the runs of a method, and least number of paths.
 constexpr std::uint64_t kStep = 4, kFewest = 64;
 /// Paths of the reference over those of the longest run of its method.
 constexpr std::uint64_t kLonger = 8;
 
-double cost_of(const Result& result) {
-    return result.solve_cpu_seconds;
+/// A run and its processor time, with that of its trials.
+struct TimedRun {
+    Result result;
+    double cost = 0;
+};
+TimedRun timed_run(const ChoiceScene& one, const RunSpec& spec, Simulator& simulator) {
+    const Stopwatch watch;
+    Result result = simulator.run(one.scene, one.sources, spec);
+    return {std::move(result), watch.cpu_seconds()};
 }
 
 /// The light of an organ: what it absorbs or, of sensors, receives.
@@ -88,7 +97,7 @@ struct Point {
 struct Ladder {
     std::string method;
     std::vector<std::uint64_t> paths;
-    std::vector<Result> results;
+    std::vector<TimedRun> runs;
     std::vector<Point> points;  ///< against the reference
 
     /// The error at a cost; infinite below the least.
@@ -126,33 +135,32 @@ std::vector<Ladder> climb(const ChoiceScene& one, Simulator& simulator) {
         Ladder& ladder = ladders.emplace_back(Ladder{kMethodNames[i], {}, {}, {}});
         for (std::uint64_t paths = kFewest; paths <= 1U << 24U; paths *= kStep) {
             try {
-                ladder.results.push_back(
-                    simulator.run(one.scene, one.sources, spec_for(kMethods[i], paths)));
+                ladder.runs.push_back(timed_run(one, spec_for(kMethods[i], paths), simulator));
             } catch (const InputError&) {
                 break;  // the method can't be used
             }
             ladder.paths.push_back(paths);
-            if (kStep * cost_of(ladder.results.back()) > 2 * kMaxSeconds) {
+            if (kStep * ladder.runs.back().cost > 2 * kMaxSeconds) {
                 break;
             }
         }
     }
-    std::erase_if(ladders, [](const Ladder& ladder) { return ladder.results.empty(); });
+    std::erase_if(ladders, [](const Ladder& ladder) { return ladder.runs.empty(); });
     return ladders;
 }
 
 Result reference_of(
     const ChoiceScene& one, const std::vector<Ladder>& ladders, Simulator& simulator) {
     const auto merit = [&](const Ladder& ladder) {
-        const Result& last = ladder.results.back();
-        return std::pow(reported_error(one.scene, last), 2) * cost_of(last);
+        const TimedRun& last = ladder.runs.back();
+        return std::pow(reported_error(one.scene, last.result), 2) * last.cost;
     };
     const Ladder& best = *std::min_element(
         ladders.begin(), ladders.end(),
         [&](const Ladder& a, const Ladder& b) { return merit(a) < merit(b); });
-    const double affordable = 8 * kMaxSeconds / cost_of(best.results.back());
+    const double affordable = 8 * kMaxSeconds / best.runs.back().cost;
     RunSpec spec = spec_for(
-        best.results.back().chosen.method,
+        best.runs.back().result.chosen.method,
         best.paths.back() *
             std::clamp<std::uint64_t>(static_cast<std::uint64_t>(affordable), 1, kLonger));
     spec.seed = 97;
@@ -166,8 +174,8 @@ std::vector<double> print_case(const ChoiceCase& one) {
     std::vector<Ladder> ladders = climb(scene, simulator);
     const Result truth = reference_of(scene, ladders, simulator);
     for (Ladder& ladder : ladders) {
-        for (const Result& result : ladder.results) {
-            ladder.points.push_back({cost_of(result), true_error(scene.scene, result, truth)});
+        for (const TimedRun& run : ladder.runs) {
+            ladder.points.push_back({run.cost, true_error(scene.scene, run.result, truth)});
         }
     }
     std::printf("%s\n", one.name.c_str());
@@ -180,9 +188,8 @@ std::vector<double> print_case(const ChoiceCase& one) {
     }
     std::vector<double> all;
     for (const std::uint64_t paths : {1024U, 65536U, 1048576U}) {
-        const Result choice =
-            simulator.run(scene.scene, scene.sources, spec_for(Method::automatic, paths));
-        const double cost = cost_of(choice), error = true_error(scene.scene, choice, truth);
+        const auto [choice, cost] = timed_run(scene, spec_for(Method::automatic, paths), simulator);
+        const double error = true_error(scene.scene, choice, truth);
         const Ladder* best = &ladders.front();
         for (const Ladder& ladder : ladders) {
             best = ladder.error_at(cost) < best->error_at(cost) ? &ladder : best;
@@ -193,6 +200,7 @@ std::vector<double> print_case(const ChoiceCase& one) {
             "   %8llu paths: %-14s %.4f s %.3g %%; best %-14s %.3g %%; %.2f times\n",
             static_cast<unsigned long long>(paths), kMethodNames[static_cast<std::size_t>(chosen)],
             cost, 100 * error, best->method.c_str(), 100 * best->error_at(cost), times);
+        std::printf("            %s\n", choice.chosen.reason.c_str());
         all.push_back(std::isfinite(best->error_at(cost)) ? times : 1);
         if (16 * cost > 4 * kMaxSeconds) {
             break;
@@ -209,7 +217,14 @@ void print_choice(const Effort& effort) {
         "\n== Choice: cost and root mean square error of every method; that of \"auto\", and how "
         "many times the cost of the best method at its error\n");
     std::vector<double> all;
-    for (const ChoiceCase& one : choice_cases()) {
+    std::vector<ChoiceCase> cases = choice_cases();
+    for (const std::string& file : effort.files) {
+        cases.push_back({file, [file] {
+                             const RunFile run = read_run_file(file);
+                             return ChoiceScene{run.scene, run.sources};
+                         }});
+    }
+    for (const ChoiceCase& one : cases) {
         if (one.name.find(effort.cases) != std::string::npos) {
             const std::vector<double> own = print_case(one);
             all.insert(all.end(), own.begin(), own.end());

@@ -15,8 +15,8 @@ struct Effort {
     std::uint32_t repetitions = 200;            ///< runs for coverage
     std::uint32_t corner_runs = 500;            ///< runs for each corner
     std::uint64_t plain_paths = 1'000'000'000;  ///< plain light tracing, as the reference
-    std::uint32_t most_triangles = 1'000'000;   ///< of the largest canopies
-    std::string cases;                          ///< bars, width: only names that contain this
+    std::string cases;                          ///< only names that contain this
+    std::vector<std::string> files;             ///< choice: run files with further scenes
     std::string truths;               ///< width: folder where truths are stored; empty: none
     std::string method;               ///< width: of the runs; empty: automatic
     std::uint64_t only_paths = 0;     ///< width: paths per replicate; 0: both numbers
@@ -30,11 +30,8 @@ void print_efficiency(const Effort& effort);
 void print_bars(const Effort& effort);
 /// Prints cost and error of each method, and of the planner's choice at equal cost.
 void print_choice(const Effort& effort);
-/// Checks whether "auto" is within twice the best method's time, on generated canopies under all of
-/// their lights, and on those of run files under the same suns and sky.
-/// @param words  text that the name of a case, "maize, sun at 90", must contain
-[[nodiscard]] bool print_canopies(
-    const Effort& effort, const std::vector<std::string>& files, const std::string& words);
+/// Prints the processor time of each unit of work.
+void print_costs(const Effort& effort);
 /// Prints errors and times of ray bundles, by leaves, light and paths.
 void print_bundles(const Effort& effort);
 /// Prints the coverage of 95 % intervals in hard cases: closed forms, every method.

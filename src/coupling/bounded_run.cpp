@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/planner.h"
+#include "run/simulator.h"
 #include "run/trace_plan.h"
 
 namespace quasimc {
@@ -16,8 +16,8 @@ Result run_bounded(
     if (spec.method != Method::automatic || spec.target_error > 0) {
         return simulator.run(scene, sources, spec, control);
     }
-    const auto refuse_bundles = [] { return true; };
-    const ChosenMethod chosen = plan_method(scene, sources, spec, refuse_bundles);
+    const ChosenMethod chosen =
+        SimulatorAccess::state(simulator).plan_without_bundles(scene, sources, spec, control.stop);
     // A path from an organ casts two rays per vertex, one of them to a source; a path from the
     // light casts one.
     const std::uint64_t paths = chosen.method == Method::from_organs

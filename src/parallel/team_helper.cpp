@@ -60,11 +60,11 @@ TeamOrder TeamHelper::help_time_step(
     const RunSpec& spec,
     RunTeam& team,
     TeamOrder order) {
-    const RunSpec planned =
-        planned_spec(spec, {.method = plan_run(scene, sources, spec, caster_, {}).method});
+    const std::unique_ptr<Sampler> sampler = make_sampler(spec.sampler);
+    const ChosenMethod chosen = plan_run({scene, sources, spec, *sampler, caster_});
+    const RunSpec planned = planned_spec(spec, {.method = chosen.method});
     const PreparedScene prepared(
         scene, sources, planned.start_area, caster_.caster_for(scene, planned.accelerator, {}), {});
-    const std::unique_ptr<Sampler> sampler = make_sampler(planned.sampler);
     const TeamOrder first = order;
     StopByTeam stop(team);
     RoundSolver solver(prepared, *sampler, planned, stop.token(), {.team = &team});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "light/models/source.h"
 #include "quasimc/run_spec.h"
@@ -8,22 +9,22 @@
 
 namespace quasimc {
 
-/// plan_method() with a test whether ray bundles refuse the scene because too many surfaces
-/// intersect: it is called only if bundles would be chosen.
-[[nodiscard]] ChosenMethod plan_method(
+/// The methods that may be chosen for a run, most likely the most efficient one first: at least
+/// one. It is the choice if there is no time for trials.
+/// @param refuse_bundles  whether ray bundles refuse the scene because too many surfaces intersect:
+/// called only if they would be among the methods
+[[nodiscard]] std::vector<Method> candidate_methods(
     const Scene& scene,
     const Sources& sources,
     const RunSpec& spec,
     const std::function<bool()>& refuse_bundles);
 
+/// Whether light of suns or lamps may come by mirrors and narrow lobes.
+[[nodiscard]] bool hides_light(const Scene& scene, const Sources& sources);
+
 /// Efficiency of equal shares of paths for the measured organs, relative to the paths that hit each
 /// of them: area of all organs over (number of measured organs x their median area). 1 for equal
 /// organs that are all measured; infinite if none is.
 [[nodiscard]] double gain_of_equal_shares(const Scene& scene);
-
-/// The largest peak of the scene's lobes, for light along the normal, relative to a white
-/// Lambertian surface: albedo (mean over the bands) times peak_brightness(). Infinite for narrow
-/// lobes and mirrors, 0 if nothing scatters; without sensors.
-[[nodiscard]] double brightest_peak(const Scene& scene);
 
 }  // namespace quasimc

@@ -18,4 +18,9 @@ namespace quasimc {
 [[nodiscard]] RoundErrors errors_so_far(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target);
 
+/// The scatter of the light of organs between replicates, relative to their mean light: root mean
+/// square of standard errors, in the worst band. Without the light that was not sampled.
+[[nodiscard]] double pooled_error(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+
 }  // namespace quasimc

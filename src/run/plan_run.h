@@ -2,22 +2,28 @@
 
 #include <stop_token>
 
-#include "light/models/source.h"
-#include "planner/planner.h"
 #include "quasimc/run_spec.h"
 #include "run/cached_ray_caster.h"
-#include "scene/scene.h"
+#include "samplers/sampler.h"
 
 namespace quasimc {
 
-/// plan_method() with data from the caster: whether too many surfaces cross for bundles, and what
-/// lines across an infinite stand cost under its suns.
-/// @throws StopRequested, InputError  like CachedRayCaster
-[[nodiscard]] ChosenMethod plan_run(
-    const Scene& scene,
-    const Sources& sources,
-    const RunSpec& spec,
-    CachedRayCaster& caster,
-    const std::stop_token& stop);
+/// A run whose method is to be chosen.
+struct PlanInput {
+    const Scene& scene;
+    const Sources& sources;
+    const RunSpec& spec;
+    const Sampler& sampler;
+    CachedRayCaster& caster;
+    std::stop_token stop = {};
+    bool allows_bundles = true;
+};
+
+/// The method of the specification or, if that is `automatic`, the one with the least error for
+/// equal work in trials: two replicates of few paths by each method that can be used. Trials count
+/// their work, so that the choice is the same on every machine. Scenes with many triangles for
+/// their paths are not tried: the first of candidate_methods() is taken.
+/// @throws StopRequested  if a stop was requested
+[[nodiscard]] ChosenMethod plan_run(const PlanInput& input);
 
 }  // namespace quasimc

@@ -126,7 +126,8 @@ Result Simulator::State::run(
     try {
         const Clock::time_point start = Clock::now();
         order_to_prepare(control.origin, role.time_step, spec);
-        ChosenMethod chosen = plan_run(scene, sources, spec, caster_, early.token());
+        ChosenMethod chosen =
+            plan_run({scene, sources, spec, sampler_for(spec.sampler), caster_, early.token()});
         const RunSpec planned = planned_spec(spec, {.method = chosen.method});
         Result result =
             trace({scene, sources, planned, control, work, deadline, role, start}, early);

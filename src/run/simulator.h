@@ -11,6 +11,7 @@
 #include "quasimc/run.h"
 #include "run/cached_ray_caster.h"
 #include "run/early_stop.h"
+#include "run/plan_run.h"
 #include "samplers/sampler.h"
 #include "scene/scene.h"
 
@@ -42,6 +43,14 @@ class Simulator::State {
         std::uint64_t first,
         const Share& share,
         const RunControl& control);
+    /// The choice of a method other than ray bundles.
+    [[nodiscard]] ChosenMethod plan_without_bundles(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const std::stop_token& stop) {
+        return plan_run({scene, sources, spec, sampler_for(spec.sampler), caster_, stop, false});
+    }
     [[nodiscard]] std::size_t builds() const { return caster_.builds(); }
     /// Cached for the next run: see CachedRayCaster::caster_for().
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(

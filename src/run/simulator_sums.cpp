@@ -48,8 +48,9 @@ Sums Simulator::State::sums(
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
     const Work work = work_of(control);
-    const RunSpec planned = planned_spec(
-        spec, {.method = plan_run(scene, sources, spec, caster_, control.stop).method});
+    const ChosenMethod chosen =
+        plan_run({scene, sources, spec, sampler_for(spec.sampler), caster_, control.stop});
+    const RunSpec planned = planned_spec(spec, {.method = chosen.method});
     check_first_path(sampler_for(spec.sampler), spec, first);
     const PreparedScene prepared(
         scene, sources, planned.start_area,

@@ -49,7 +49,7 @@ SumBlocks light_blocks(std::size_t spectra, std::size_t bands, bool sums_absorbe
     for (const char* name : {"escaped_scattered", "scattered_out", "cut_off"}) {
         blocks.push_back({name, Rows::run, by_band});
     }
-    blocks.push_back({"rays", Rows::run, {{Of::number}}});
+    blocks.push_back({std::string(kWork), Rows::run, columns_of(Of::number, kWorkUnits)});
     return blocks;
 }
 
@@ -72,7 +72,7 @@ LightBlocks::LightBlocks(const SumLayout& layout)
       absorbed_scattered_(layout.find("absorbed_scattered")),
       emitted_(layout.find("emitted")),
       escaped_direct_(layout.find("escaped_direct")),
-      rays_(layout.find("rays")),
+      work_(layout.find(kWork)),
       scattered_count_(layout.find(kScatteredCount)) {
     for (const SumBlock& block : layout.blocks()) {
         if (block.name.starts_with(kDetector)) {

@@ -8,6 +8,7 @@
 
 #include "quasimc/mesh.h"
 #include "sums/sum_layout.h"
+#include "sums/work_unit.h"
 
 namespace quasimc {
 
@@ -43,6 +44,9 @@ struct ScatteredBlocks {
 /// The block of the run that counts the contributions of scattered light, where these are not
 /// samples.
 inline constexpr std::string_view kScatteredCount = "scattered_count";
+
+/// The block of the run that counts its work, with a column for each WorkUnit.
+inline constexpr std::string_view kWork = "work";
 
 /// Declares the blocks that every method sums.
 ///
@@ -84,7 +88,9 @@ class LightBlocks {
     [[nodiscard]] std::size_t escaped_scattered() const { return scattered_.escaped.first; }
     [[nodiscard]] std::size_t scattered_out() const { return scattered_.scattered_out.first; }
     [[nodiscard]] std::size_t cut_off() const { return scattered_.cut_off.first; }
-    [[nodiscard]] std::size_t rays() const { return rays_.first; }
+    [[nodiscard]] std::size_t work(WorkUnit unit) const {
+        return work_.bin(0, static_cast<std::size_t>(unit));
+    }
     [[nodiscard]] std::size_t scattered_count() const { return scattered_count_.first; }
     /// The first bin of a detector, in the order of their declaration.
     [[nodiscard]] std::size_t detector(std::size_t index) const { return detectors_[index]; }
@@ -95,7 +101,7 @@ class LightBlocks {
     std::size_t stride_;
     SideBlocks direct_;
     ScatteredBlocks scattered_;
-    BlockBins sunlit_, absorbed_direct_, absorbed_scattered_, emitted_, escaped_direct_, rays_,
+    BlockBins sunlit_, absorbed_direct_, absorbed_scattered_, emitted_, escaped_direct_, work_,
         scattered_count_;
     std::vector<std::size_t> detectors_;
 };

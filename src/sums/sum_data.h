@@ -8,6 +8,7 @@
 #include "sums/contributions.h"
 #include "sums/exact_bins.h"
 #include "sums/sum_layout.h"
+#include "sums/work_unit.h"
 
 namespace quasimc {
 
@@ -62,6 +63,9 @@ struct SumData {
 
     friend bool operator==(const SumData&, const SumData&) = default;
 };
+
+/// The work that all replicates did, counted in a unit.
+[[nodiscard]] std::uint64_t work_of(const SumData& sums, WorkUnit unit);
 
 /// Contributions of scattered light in a replicate (mean), to which its bound applies.
 [[nodiscard]] double samples_of_scattered(const SumData& sums);

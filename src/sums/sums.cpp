@@ -11,12 +11,13 @@ namespace quasimc {
 
 namespace {
 
-/// The number in a block of the run, in all replicates; 0 if it was not declared.
-std::uint64_t counted(const SumData& sums, std::string_view name) {
+/// The number in a column of a block of the run, in all replicates; 0 if it was not declared.
+std::uint64_t counted(const SumData& sums, std::string_view name, std::size_t column = 0) {
     const BlockBins block = sums.layout.find(name);
     std::uint64_t count = 0;
     for (const ExactBins& bins : sums.replicates) {
-        count += block.exists() ? static_cast<std::uint64_t>(bins.quanta(block.first).low) : 0;
+        count +=
+            block.exists() ? static_cast<std::uint64_t>(bins.quanta(block.bin(0, column)).low) : 0;
     }
     return count;
 }
@@ -82,7 +83,7 @@ std::uint64_t Sums::paths() const {
 }
 
 std::uint64_t Sums::rays() const {
-    return counted(*data_, "rays");
+    return work_of(*data_, WorkUnit::ray) + work_of(*data_, WorkUnit::segment);
 }
 
 std::uint64_t Sums::digest() const {
@@ -97,6 +98,10 @@ const ContributionBound& SumData::bound(std::string_view quantity) const {
     static const ContributionBound kNone;
     const auto found = std::ranges::find(bounds, quantity, &ContributionBound::quantity);
     return found == bounds.end() ? kNone : *found;
+}
+
+std::uint64_t work_of(const SumData& sums, WorkUnit unit) {
+    return counted(sums, kWork, static_cast<std::size_t>(unit));
 }
 
 double samples_of_scattered(const SumData& sums) {

@@ -71,6 +71,11 @@ class Tally {
         }
     }
 
+    /// Counts work that was done.
+    void count(WorkUnit unit, std::uint64_t amount) {
+        add(blocks_.work(unit), static_cast<std::int64_t>(amount));
+    }
+
     /// Adds an amount of either sign.
     void add_signed(std::size_t bin, std::int64_t amount);
 

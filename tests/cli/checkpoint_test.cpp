@@ -194,7 +194,7 @@ TEST_F(CheckpointTest, IsOfOneRunAtATime) {
         command +
         " & first=$!; until [ -e c ]; do sleep 0.01; done; "
         "\"$quasimc\" run run.toml --checkpoint c --resume; status=$?; "
-        "kill -9 $first; echo $first; exit $status");
+        "kill -9 $first; wait $first; echo $first; exit $status");
     EXPECT_EQ(second.status, 1);
     const std::string owner = second.out.substr(0, second.out.find('\n'));
     EXPECT_TRUE(

@@ -167,6 +167,12 @@ void DirectBeams::score_strip(
     const std::span<const LineStrip::Triangle> triangles = lit.strip.triangles();
     // All lines of a picked sun are one contribution: the light of other suns may be missing.
     const double most = work.task.is_picked ? 1 : std::min(work.task.count, ScanLines::kStrip);
+    std::uint64_t segments = 0;
+    for (const LineStrip::Visible& own : visible) {
+        segments += own.segments;
+    }
+    tally.count(WorkUnit::strip_triangle, triangles.size());
+    tally.count(WorkUnit::piece, segments);
     const auto score_all = [&](DirectLightScore& direct, ContributionCounter& counter) {
         for (std::size_t i = 0; i < triangles.size(); ++i) {
             const auto [triangle, cosine] = triangles[i];
@@ -207,6 +213,8 @@ DirectBeams::SkyView DirectBeams::sky_view(
 }
 
 void DirectBeams::count_contributions(const Work& work, const SkyView& view, Tally& tally) const {
+    tally.count(WorkUnit::viewed_triangle, prepared_.caster().mesh().triangle_count());
+    tally.count(WorkUnit::pixel, static_cast<std::uint64_t>(work.task.pixels));
     const double area = prepared_.projection().entry_box().projected_area(view.from.direction);
     const double amount = view.paths * view.image.pixel_area() / area;
     ContributionCounter::count(

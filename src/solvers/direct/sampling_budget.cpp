@@ -332,23 +332,6 @@ double SamplingBudget::pixels_for(double paths, double most_over_root) const {
     return std::clamp(growth * pixels, kMinPixels, kMaxPixels);
 }
 
-bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths) {
-    const BoundLights& lights = prepared.lights();
-    if (lights.empty() || !std::all_of(lights.begin(), lights.end(), [](const BoundSource& light) {
-            return light.source->is_sun();
-        })) {
-        return false;
-    }
-    const ProjectedScene seen{
-        &prepared.caster().mesh(),
-        prepared.projection().cell(),
-        {},
-        prepared.projection().outline(),
-        nullptr};
-    return SamplingBudget(prepared, SkyDirections(prepared), seen, paths, ScatteredBy::bundles)
-        .traces_suns();
-}
-
 std::uint64_t blocks_of(const std::vector<VisibilityTask>& tasks) {
     return tasks.empty() ? 0 : tasks.back().first_block + tasks.back().blocks;
 }

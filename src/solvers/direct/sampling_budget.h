@@ -130,11 +130,6 @@ class SamplingBudget {
     bool sees_skies_ = false;
 };
 
-/// Whether all lights are suns and ray bundles would sample one of them by paths. Its light is then
-/// deposited in spots of single paths, and tracing is better for scattered light too.
-/// @param paths  of the first round
-[[nodiscard]] bool bundles_trace_suns_alone(const PreparedScene& prepared, std::uint64_t paths);
-
 /// The number of blocks of all tasks.
 [[nodiscard]] std::uint64_t blocks_of(const std::vector<VisibilityTask>& tasks);
 /// The index of the task that a block belongs to. @param block  less than the end of the

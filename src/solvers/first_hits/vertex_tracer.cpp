@@ -146,7 +146,7 @@ void trace_from_vertices(
     VertexScratch& scratch,
     Tally& tally) {
     const std::uint64_t rays = VertexTracer(rules, beams, vertices, scratch, tally).trace();
-    tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
+    tally.count(WorkUnit::ray, rays);
 }
 
 }  // namespace quasimc

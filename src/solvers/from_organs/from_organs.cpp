@@ -129,7 +129,7 @@ class FromOrgans final : public Solver {
             const Stream stream{spec_.seed, organ + 1, replicate, first, each};
             rays += trace_point(stream, organ, index, scratch, tally);
         }
-        tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
+        tally.count(WorkUnit::ray, rays);
     }
 
     [[nodiscard]] std::uint64_t organs() const { return measured_.organs.size(); }

@@ -95,7 +95,7 @@ void LightTracer::trace(
         rays += beams_[group.source] ? trace_packet(points, group, scratch, tally)
                                      : trace_single(points, group, scratch, tally);
     }
-    tally.add(tally.blocks().rays(), static_cast<std::int64_t>(rays));
+    tally.count(WorkUnit::ray, rays);
 }
 
 /// By spectrum, the largest start weights of a path.

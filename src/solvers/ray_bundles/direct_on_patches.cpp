@@ -101,6 +101,7 @@ class DirectDeposit {
         if (std::find(traced.begin(), traced.end(), true) != traced.end()) {
             trace();
         }
+        tally_.count(WorkUnit::piece, pieces_);
         return std::move(open_);
     }
 
@@ -143,6 +144,7 @@ class DirectDeposit {
                 triangle, lit.strip.point(line, segment, 0), lit.strip.point(line, segment, 1),
                 scratch_.segments, [&](std::uint32_t patch, double share) {
                     add_to(bands, side_of(patch, side), amount * share);
+                    ++pieces_;
                 });
         }
     }
@@ -160,7 +162,10 @@ class DirectDeposit {
             const DirectBeams::SkyView view = beams_.sky_view(work, i, factor > 0, scratch_.beams);
             const std::vector<double> weights = score_skies(view, factor);
             if (view.paths > 0 && factor > 0) {
-                deposit_pixels(view, deposited.rows(i), lit_bands(light_, weights));
+                const DepositedRows rows = deposited.rows(i);
+                deposit_pixels(view, rows, lit_bands(light_, weights));
+                tally_.count(
+                    WorkUnit::patch_pixel, static_cast<std::uint64_t>(work.task.pixels) / rows.of);
             }
             beams_.count_contributions(work, view, tally_);
             // An exitance of 1 is a radiance of 1 / pi.
@@ -263,7 +268,7 @@ class DirectDeposit {
                 rays += trace_path(source, start, lit[pick.index]);
             }
         }
-        tally_.add(tally_.blocks().rays(), static_cast<std::int64_t>(rays));
+        tally_.count(WorkUnit::ray, rays);
     }
 
     /// @returns the rays cast
@@ -324,6 +329,7 @@ class DirectDeposit {
     Tally& tally_;
     OpenAreas open_;
     std::uint32_t picked_lines_ = 0;  // of all suns that are picked of many
+    std::uint64_t pieces_ = 0;        // of lines on patches
 };
 
 }  // namespace

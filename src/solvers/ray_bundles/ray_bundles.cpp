@@ -125,8 +125,10 @@ class RayBundles final : public Solver {
             throw_if_stopped(input_.stop);
             options.threads = threads.of_each();
             auto irradiance = exchange(std::move(exitance), bundle, options, scratch.bundles);
-            const std::uint64_t segments = irradiance.lines->segments;
-            tally.add(tally.blocks().rays(), static_cast<std::int64_t>(segments));
+            const PatchScene& scene = cut_->scene;
+            tally.count(WorkUnit::segment, irradiance.lines->segments);
+            tally.count(WorkUnit::lined_triangle, bundle.directions * scene.surfaces.size());
+            tally.count(WorkUnit::patch, scene.patches.count() * input_.prepared.bands());
             return irradiance;
         };
         const SkyDirections* skies = beams_.viewed_skies();
@@ -184,7 +186,7 @@ class RayBundles final : public Solver {
         NearLight near = trace_near_light(
             input_.prepared, cut_->near, static_cast<double>(replicate.round.count),
             key_of(replicate, kNear), light);
-        tally.add(tally.blocks().rays(), static_cast<std::int64_t>(near.rays));
+        tally.count(WorkUnit::ray, near.rays);
         return near;
     }
 

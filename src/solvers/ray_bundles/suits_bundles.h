@@ -10,11 +10,8 @@ namespace quasimc {
 /// Whether a material is Lambertian, or a sensor.
 [[nodiscard]] bool is_diffuse(const Material& material);
 
-/// Whether ray bundles are the most efficient method for light of suns and skies if all organs are
-/// measured: rules of thumb, each from a measurement (docs/develop/notebook/choosing.md).
-/// @param gain  of equal shares of paths for each organ
-/// @param has_sun  whether a sun shines
-[[nodiscard]] bool suits_bundles(
-    const Scene& scene, const RunSpec& spec, double gain, bool has_sun);
+/// Whether ray bundles may be chosen: materials are Lambertian, and patches are neither too many
+/// for the memory nor longer or larger than the shadows of organs, an error that replicates share.
+[[nodiscard]] bool suits_bundles(const Scene& scene, const RunSpec& spec);
 
 }  // namespace quasimc

@@ -160,16 +160,6 @@ TEST(SamplingBudget, HasNoLinesFartherApartThanPathsFindOrgans) {
     const SamplingBudget bundles(
         infinite.prepared, skies, infinite.seen, kPaths, ScatteredBy::bundles);
     EXPECT_TRUE(bundles.has_lines(0));
-    EXPECT_FALSE(bundles_trace_suns_alone(infinite.prepared, kPaths));
-}
-
-TEST(SamplingBudget, KnowsWhereBundlesHaveNothingButPathsOfSuns) {
-    const TestStand grazed(true, {sun(89.95, {1})});
-    EXPECT_TRUE(bundles_trace_suns_alone(grazed.prepared, kPaths));
-    const TestStand with_sky(true, {sun(89.95, {1}), sky({1})});
-    EXPECT_FALSE(bundles_trace_suns_alone(with_sky.prepared, kPaths));
-    const TestStand open(false, {sun(89.95, {1})});
-    EXPECT_FALSE(bundles_trace_suns_alone(open.prepared, kPaths));
 }
 
 /// Sixty leaves are too many triangles to be cut into lines for two paths; the sky has four

@@ -39,7 +39,7 @@ SumData counted(
             tally.add(
                 layout.scattered(e, SurfaceSide::lower), std::array<std::int64_t, 2>{amount, 2});
         }
-        tally.add(layout.rays(), 1);
+        tally.add(layout.work(WorkUnit::ray), 1);
     });
     collector.collect();
     return sums;
@@ -54,7 +54,7 @@ TEST(SumCollector, SumsEachReplicateForItself) {
             sum += block * 7 % 4 == r ? static_cast<std::int64_t>(block + 2) : 0;
         }
         const ExactBins& bins = sums.replicates[r];
-        EXPECT_EQ(bins.quanta(LightBlocks(sums.layout).rays()).low, 100);
+        EXPECT_EQ(bins.quanta(LightBlocks(sums.layout).work(WorkUnit::ray)).low, 100);
         EXPECT_EQ(bins.quanta(LightBlocks(sums.layout).sunlit(2)).low, sum);
         EXPECT_EQ(
             bins.quanta(LightBlocks(sums.layout).scattered(5, SurfaceSide::lower) + 1).low, 200);
@@ -110,7 +110,7 @@ TEST(SumCollector, SharesWhatManyRegionsAreMetIn) {
 
 TEST(SumCollector, KeepsNothingBackAfterCollecting) {
     SumData sums = sums_of(LightLayout(1, 1, 1), 2);
-    const std::size_t rays = LightBlocks(sums.layout).rays();
+    const std::size_t rays = LightBlocks(sums.layout).work(WorkUnit::ray);
     SumCollector collector(sums, 1, kPrivate, 0);
     collector.tally_for(0, 1).add(rays, 3);
     collector.collect();

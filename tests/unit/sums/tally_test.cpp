@@ -67,7 +67,7 @@ std::multimap<std::size_t, std::string> bins_of(
     add_row(layout.escaped_scattered(), bands, "escaped scattered");
     add_row(layout.scattered_out(), bands, "scattered out");
     add_row(layout.cut_off(), bands, "cut off");
-    add_row(layout.rays(), 1, "rays");
+    add_row(layout.work(WorkUnit::ray), kWorkUnits, "work");
     return bins;
 }
 
@@ -136,11 +136,11 @@ TEST(Tally, AddsRowsAndSingleBins) {
 TEST(Tally, IsEmptyAfterMerging) {
     const LightLayout layout(2, 1, 1);
     Tally tally(layout);
-    tally.add(layout.rays(), 3);
+    tally.count(WorkUnit::ray, 3);
     ExactBins total(layout.bins());
     tally.move_into(total);
     tally.move_into(total);
-    EXPECT_EQ(total.quanta(layout.rays()).low, 3);
+    EXPECT_EQ(total.quanta(layout.work(WorkUnit::ray)).low, 3);
 }
 
 TEST(Tally, LeavesSharedBinsToTheSharedArrayAndKeepsTheOthers) {
@@ -150,14 +150,14 @@ TEST(Tally, LeavesSharedBinsToTheSharedArrayAndKeepsTheOthers) {
     Tally tally(layout, 2, shared);
     tally.add(layout.sunlit(1), 5);
     tally.add(layout.sunlit(2), 6);
-    tally.add(layout.rays(), 7);
+    tally.add(layout.work(WorkUnit::ray), 7);
     EXPECT_EQ(shared[layout.sunlit(1)], 5);
     EXPECT_EQ(shared[layout.sunlit(2)], 0);
-    EXPECT_EQ(shared[layout.rays()], 0);
+    EXPECT_EQ(shared[layout.work(WorkUnit::ray)], 0);
     tally.move_into(sums);
     EXPECT_EQ(shared[layout.sunlit(1)], 5);
     EXPECT_EQ(shared[layout.sunlit(2)], 6);
-    EXPECT_EQ(shared[layout.rays()], 7);
+    EXPECT_EQ(shared[layout.work(WorkUnit::ray)], 7);
 }
 
 TEST(Tally, AddsTwoBinsOfARegionWhereverItIs) {
