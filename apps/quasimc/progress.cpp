@@ -23,8 +23,7 @@ std::string describe_progress(const quasimc::Progress& progress) {
         "{:3.0f} %, {:.0f} s of about {:.0f} s", 100 * progress.fraction, progress.seconds,
         progress.expected_seconds);
     if (progress.fraction_at_target > 0) {
-        text += fmt::format(
-            ", {:.1f} % of the organs at the target", 100 * progress.fraction_at_target);
+        text += fmt::format(", {:.1f} % at the target", 100 * progress.fraction_at_target);
     }
     return text;
 }

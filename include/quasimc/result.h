@@ -38,6 +38,13 @@ struct GroupSpec {
     std::vector<double> layer_heights = {};
 };
 
+/// The light whose statistical errors count.
+struct Question {
+    TargetScope scope = TargetScope::automatic;
+    std::string quantity = "auto";        ///< as RunSpec::target_quantity
+    std::vector<std::size_t> bands = {};  ///< empty: all
+};
+
 /// The groups that a run requests.
 [[nodiscard]] inline GroupSpec group_spec(const RunSpec& spec) {
     return {spec.groups, spec.layers, spec.layer_heights};
@@ -203,10 +210,13 @@ enum class StopReason {
 struct RoundErrors {
     std::uint64_t paths = 0;  ///< per replicate, of all rounds up to it
     double seconds = 0;       ///< since the run began
-    /// Relative standard errors of the flux that organs absorb, over organs (without the ground)
-    /// and bands in which light was sampled: median and largest. NaN: none.
+    /// Relative standard errors of the light of RunSpec::target, by default of the flux that organs
+    /// absorb, over organs (or groups, ...) and bands in which light was sampled: median and
+    /// largest. NaN: none.
     double median = 0, worst = 0;
-    double fraction_at_target = 0;  ///< fraction of the organs; 0 without a target
+    /// Fraction of the organs (or groups, ...) at the target: the smaller one of organs and sensors
+    /// if it is for both; 0 without a target.
+    double fraction_at_target = 0;
 };
 
 /// Means are original estimates: reported() gives those for files, tables and pictures.
@@ -238,7 +248,7 @@ struct Result {
     std::uint32_t replicates = 0;
     std::uint64_t rays = 0;  ///< all replicates
     StopReason stop = StopReason::finished;
-    double fraction_at_target = 0;  ///< fraction of the organs; 0 without a target
+    double fraction_at_target = 0;  ///< as RoundErrors::fraction_at_target, after the last round
     /// For a run with a target or a limit of paths: its rounds since it was resumed, without
     /// discarded pilot rounds. Empty: a single round.
     std::vector<RoundErrors> rounds;
@@ -328,6 +338,7 @@ struct EvaluationSpec {
     std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
     DirectLight direct_light = DirectLight::included;
     GroupSpec groups = {};
+    Question question = {};  ///< for errors_so_far() and pooled_error() only
     /// Horizontal irradiance of all sources, per band; empty if unknown (lamps).
     std::vector<double> horizontal_irradiance = {};
     /// Sources of the light: no interval exceeds their largest possible contribution. Empty:

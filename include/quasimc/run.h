@@ -29,11 +29,10 @@ struct RunSnapshot;    // src/run/run_state.h
 
 /// The progress of a run.
 struct Progress {
-    double fraction = 0;          ///< completed fraction of the current plan, 0..1
-    double seconds = 0;           ///< elapsed time
-    double expected_seconds = 0;  ///< expected total; grows when a target needs more rounds
-    double fraction_at_target =
-        0;  ///< fraction of the organs after the last round; 0 without a target
+    double fraction = 0;            ///< completed fraction of the current plan, 0..1
+    double seconds = 0;             ///< elapsed time
+    double expected_seconds = 0;    ///< expected total; grows when a target needs more rounds
+    double fraction_at_target = 0;  ///< RoundErrors::fraction_at_target of the last round
 };
 
 /// The result of one time of a series.

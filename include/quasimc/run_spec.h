@@ -53,6 +53,15 @@ enum class TimeMethod {
                             ///< directions (docs/theory/time-series.md): ray bundles only
 };
 
+/// The light whose errors count, for RunSpec::target_error and in the choice of a method.
+enum class TargetScope {
+    automatic,  ///< every organ and, if there are sensors, every sensor
+    organs,     ///< every organ; the ground only if there is nothing else
+    groups,     ///< every group that RunSpec::groups and layers request
+    total,      ///< all organs together, without ground and sensors
+    sensors,    ///< every sensor
+};
+
 /// A point set for the random numbers of paths.
 struct SamplerModel {
     std::string_view name;     ///< name in RunSpec::sampler
@@ -85,11 +94,16 @@ struct RunSpec {
     /// For a series: the method for its times. Single runs ignore it.
     TimeMethod time_method = TimeMethod::independent;
 
-    double target_error = 0;  ///< target of the relative standard error of absorbed flux; 0: none
-    double target_fraction = 0.95;  ///< fraction of the organs that must reach it, in every band
-    double max_seconds = 0;         ///< time limit of the run; 0: none
-    std::uint64_t max_paths = 0;    ///< per replicate, all rounds; 0: only `paths`, or 2^30 with a
-                                    ///< target
+    double target_error = 0;        ///< target of the relative standard error; 0: none
+    double target_fraction = 0.95;  ///< fraction of the organs (or groups, ...) that must reach it
+    TargetScope target = TargetScope::automatic;
+    /// A name of quantity_table(), or "sunlit_fraction"; "auto": absorbed flux, and for sensors,
+    /// which absorb nothing, the light on both sides.
+    std::string target_quantity = "auto";
+    std::vector<std::string> target_bands = {};  ///< bands in which it holds; empty: all
+    double max_seconds = 0;                      ///< time limit of the run; 0: none
+    std::uint64_t max_paths = 0;  ///< per replicate, all rounds; 0: only `paths`, or 2^30 with a
+                                  ///< target
 
     /// Size of an independent run of light tracing with plain Monte Carlo to compare with
     /// (Result::audit), as a fraction of the paths; 0: none. At most 1.

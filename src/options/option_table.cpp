@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "options/options.h"
+#include "results/question.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
 #include "solvers/run_limits.h"
@@ -117,13 +118,32 @@ std::vector<Option> rows_of_stopping() {
     return {
         real_option(
             {"target_error", "",
-             "continue until the absorbed flux has this relative standard error (0.01: 1 %; "
+             "continue until the light of `target` has this relative standard error (0.01: 1 %; "
              "0: no target)"},
             &RunSpec::target_error, {0, 1}),
         real_option(
             {"target_fraction", "",
-             "fraction of organs that must reach target_error in every band"},
+             "fraction of organs (or groups, sensors) that must reach target_error in every band"},
             &RunSpec::target_fraction, {0, 1}),
+        choice_option<TargetScope>(
+            {"target", "",
+             "whose light must reach target_error: each organ, group or sensor, or the total of "
+             "all "
+             "organs; auto: organs and, if there are any, sensors"},
+            &RunSpec::target,
+            {{"auto", TargetScope::automatic},
+             {"organs", TargetScope::organs},
+             {"groups", TargetScope::groups},
+             {"total", TargetScope::total},
+             {"sensors", TargetScope::sensors}}),
+        plain_option(
+            {"target_quantity", "",
+             "quantity that must reach target_error; auto: absorbed_flux, of sensors the light on "
+             "both sides"},
+            &RunSpec::target_quantity, ChoiceDomain{target_quantities()}),
+        plain_option(
+            {"target_bands", "", "bands in which target_error must be reached (none: all)"},
+            &RunSpec::target_bands, ListDomain{"BAND"}),
         real_option(
             {"max_seconds", "s", "time limit in seconds (0: none)"}, &RunSpec::max_seconds,
             {0, kLongestRun}),

@@ -191,17 +191,8 @@ std::string series_method(const RunSpec& spec, const SeriesSummary& summary) {
            (spec.method == Method::automatic ? " (automatic)" : " (requested)");
 }
 
-std::string target_line(const RunSpec& spec, const Result& result) {
-    if (spec.target_error <= 0) {
-        return "";
-    }
-    const bool is_reached =
-        result.stop == StopReason::target_reached || result.stop == StopReason::no_light;
-    return line(
-        "target", fmt::format(
-                      "{}: {:.3g} % of the organs are within {:.6g} % ({:.3g} % required)",
-                      is_reached ? "reached" : "not reached", 100 * result.fraction_at_target,
-                      100 * spec.target_error, 100 * spec.target_fraction));
+std::string target_line(const RunFile& run, const Result& result) {
+    return run.spec.target_error > 0 ? line("target", describe_target(run, result)) : "";
 }
 
 std::string written_line(const std::vector<std::string>& written) {
@@ -283,7 +274,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 std::string result_lines(const RunFile& run, const Result& result) {
     std::string text =
         sampling_line(run.spec, result) + stopped_line(describe_stop(run.spec, result)) +
-        method_line(run.spec, result) + time_line(result) + target_line(run.spec, result) +
+        method_line(run.spec, result) + time_line(result) + target_line(run, result) +
         energy_lines(
             run.scene, result.budget, result.escaped_by_difference,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +

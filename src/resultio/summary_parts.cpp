@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/number_text.h"
+#include "results/groups.h"
 
 namespace quasimc {
 namespace {
@@ -118,6 +119,49 @@ std::string describe_errors(const ErrorStatistics& errors) {
             "; none for {} (no absorbed light found)", counted(errors.unknown, "organ"));
     }
     return text;
+}
+
+namespace {
+
+/// The light of a target: "organs and sensors".
+std::string_view target_text(const Scene& scene, TargetScope target) {
+    const auto& organs = scene.organs();
+    switch (target) {
+        case TargetScope::groups:
+            return "groups";
+        case TargetScope::sensors:
+            return "sensors";
+        case TargetScope::organs:
+            return "organs";
+        default:
+            return std::any_of(
+                       organs.begin(), organs.end(),
+                       [&](const Organ& organ) {
+                           return organ.measured && is_sensor(scene, organ);
+                       })
+                       ? "organs and of the sensors"
+                       : "organs";
+    }
+}
+
+}  // namespace
+
+std::string describe_target(const RunFile& run, const Result& result) {
+    const RunSpec& spec = run.spec;
+    const bool is_reached =
+        result.stop == StopReason::target_reached || result.stop == StopReason::no_light;
+    std::string text = is_reached ? "reached: " : "not reached: ";
+    const std::string quantity =
+        spec.target_quantity == "auto" ? "" : fmt::format(" in {}", spec.target_quantity);
+    if (spec.target == TargetScope::total) {
+        return text + fmt::format(
+                          "the total is {}within {:.6g} %{}", is_reached ? "" : "not ",
+                          100 * spec.target_error, quantity);
+    }
+    return text + fmt::format(
+                      "{:.3g} % of the {} are within {:.6g} %{} ({:.3g} % required)",
+                      100 * result.fraction_at_target, target_text(run.scene, spec.target),
+                      100 * spec.target_error, quantity, 100 * spec.target_fraction);
 }
 
 std::string describe_energy(

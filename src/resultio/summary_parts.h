@@ -33,6 +33,9 @@ inline constexpr double kBadlyKnown = 0.5;
 /// How to get a median error down; empty if it is small, or a target was set.
 [[nodiscard]] std::string advice_on_error(const RunFile& run, double median);
 
+/// Whether the target of a run was reached, and by how much of its light.
+[[nodiscard]] std::string describe_target(const RunFile& run, const Result& result);
+
 /// Flux or energy as text. The printed parts add up to the emitted light.
 /// @param unit  of the numbers
 [[nodiscard]] std::string describe_energy(

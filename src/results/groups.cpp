@@ -18,16 +18,6 @@
 namespace quasimc {
 namespace {
 
-/// Whether light passes an organ undisturbed.
-bool is_sensor(const Scene& scene, const Organ& organ) {
-    for (std::uint32_t i = 0; i < organ.region_count; ++i) {
-        if (!data_of(scene).material(scene.regions()[organ.first_region + i]).is_transparent()) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /// Whether an organ's light is summed with that of others.
 bool is_counted(const Organ& organ) {
     return organ.measured && !organ.is_ground;
@@ -250,6 +240,15 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
 }
 
 }  // namespace
+
+bool is_sensor(const Scene& scene, const Organ& organ) {
+    for (std::uint32_t i = 0; i < organ.region_count; ++i) {
+        if (!data_of(scene).material(scene.regions()[organ.first_region + i]).is_transparent()) {
+            return false;
+        }
+    }
+    return true;
+}
 
 std::vector<std::string_view> label_keys(const Scene& scene) {
     std::vector<std::string_view> keys;

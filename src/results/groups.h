@@ -10,6 +10,9 @@
 
 namespace quasimc {
 
+/// Whether light passes an organ undisturbed.
+[[nodiscard]] bool is_sensor(const Scene& scene, const Organ& organ);
+
 /// Every key of a label, in the order in which they first appear; valid as long as the scene is.
 [[nodiscard]] std::vector<std::string_view> label_keys(const Scene& scene);
 

@@ -11,15 +11,15 @@ namespace quasimc {
 
 inline constexpr std::size_t kOrgansPerBlock = 256;
 
-inline std::size_t blocks_of(const Scene& scene) {
-    return (scene.organs().size() + kOrgansPerBlock - 1) / kOrgansPerBlock;
+/// The number of blocks of that many organs.
+inline std::size_t blocks_for(std::size_t organs) {
+    return (organs + kOrgansPerBlock - 1) / kOrgansPerBlock;
 }
 
 /// Runs work(first, last) for the organs from `begin` up to `end`, some at a time, on all threads.
 template <typename Work>
 void for_each_block(std::size_t begin, std::size_t end, unsigned threads, const Work& work) {
-    const std::size_t blocks = (end - begin + kOrgansPerBlock - 1) / kOrgansPerBlock;
-    parallel_blocks(blocks, threads, [&](std::uint64_t block, unsigned) {
+    parallel_blocks(blocks_for(end - begin), threads, [&](std::uint64_t block, unsigned) {
         const std::size_t first = begin + block * kOrgansPerBlock;
         work(first, std::min(end, first + kOrgansPerBlock));
     });

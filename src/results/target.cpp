@@ -1,92 +1,93 @@
-// How accurate the absorbed light of organs is, and how far it is from a target.
+// How accurate the light of a question is, and how far it is from a target.
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include "results/bounds/organ_contributions.h"
-#include "results/bounds/organ_reader.h"
 #include "results/evaluate.h"
 #include "results/organ_blocks.h"
+#include "results/question.h"
 
 namespace quasimc {
 namespace {
 
-/// Adds the mean flux that an organ absorbs, per band.
-void add_absorbed(const OrganReader& reader, std::vector<double>& flux) {
-    const std::uint32_t replicates = reader.replicates();
-    for (std::size_t b = 0; b < flux.size(); ++b) {
-        double sum = 0;
-        for (std::uint32_t r = 0; r < replicates; ++r) {
-            sum += reader.incident(r, b).absorbed;
-        }
-        flux[b] += sum / replicates;
-    }
-}
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Mean flux that a measured organ absorbs, per band; independent of the number of threads.
-std::vector<double> mean_absorbed_flux(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    const std::size_t bands = sums->bands();
-    const SumReader reader(sums);
-    std::vector<std::vector<double>> of_block(blocks_of(scene));
-    std::atomic<std::size_t> count{0};
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        std::vector<double>& flux = of_block[first / kOrgansPerBlock];
-        flux.resize(bands);
+/// Sums over sets, in a band.
+struct Pooled {
+    double light = 0;
+    double variance = 0;  ///< variances of the means
+};
+
+/// Sums over all sets of one quantity, per band of the question; independent of the number of
+/// threads.
+std::vector<Pooled> pool(const AskedLight& asked, const AskedReader& reader, unsigned threads) {
+    const std::vector<std::size_t> bands = reader.bands();
+    const std::size_t blocks = blocks_for(asked.sets());
+    std::vector<std::vector<Pooled>> of_block(blocks, std::vector<Pooled>(bands.size()));
+    for_each_block(0, asked.sets(), threads, [&](std::size_t first, std::size_t last) {
+        std::vector<Pooled>& own = of_block[first / kOrgansPerBlock];
         for (std::size_t i = first; i < last; ++i) {
-            const Organ& organ = scene.organs()[i];
-            if (is_measured(sums, organ)) {
-                add_absorbed(OrganReader(reader, scene, spec, organ), flux);
-                ++count;
+            for (std::size_t b = 0; b < bands.size(); ++b) {
+                const Estimate e = estimate_mean(reader.values(i, bands[b]));
+                own[b].light += e.mean;
+                own[b].variance += e.standard_error * e.standard_error;
             }
         }
     });
-    std::vector<double> mean(bands);
-    for (const std::vector<double>& flux : of_block) {
-        for (std::size_t b = 0; b < bands; ++b) {
-            mean[b] += flux[b] / std::max(static_cast<double>(count), 1.0);
+    std::vector<Pooled> sums(bands.size());
+    for (const std::vector<Pooled>& block : of_block) {
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            sums[b].light += block[b].light;
+            sums[b].variance += block[b].variance;
         }
     }
-    return mean;
-}
-
-/// Absorbed flux of an organ in a band.
-Estimate absorbed_flux(const OrganReader& reader, std::size_t band) {
-    std::vector<double> absorbed(reader.replicates());
-    for (std::uint32_t r = 0; r < absorbed.size(); ++r) {
-        absorbed[r] = reader.incident(r, band).absorbed;
-    }
-    return OrganContributions(reader, band).estimate(quantity_table().front(), 0, absorbed);
-}
-
-/// Whether the absorbed flux of an organ meets the target in every band, as it does for organs that
-/// can't absorb. An upper bound of unsampled light must be small compared with other organs.
-/// @param absorbed  [band]
-bool is_at_target(
-    const std::vector<Estimate>& absorbed, double target, const std::vector<double>& mean_flux) {
-    for (std::size_t b = 0; b < absorbed.size(); ++b) {
-        const Estimate& estimate = absorbed[b];
-        const bool is_unlit = std::isnan(estimate.standard_error);
-        const bool is_known = is_unlit ? estimate.ci95_high <= target * mean_flux[b]
-                                       : estimate.standard_error <= target * estimate.mean;
-        if (!is_known) {
-            return false;
-        }
-    }
-    return true;
+    return sums;
 }
 
 double relative_error(const Estimate& estimate) {
     return estimate.standard_error / estimate.mean;
 }
 
+/// The error that a target applies to: an upper bound of unsampled light must be small compared
+/// with other organs. 0 for organs that can't receive light. Infinite where it is unknown.
+double judged_error(const Estimate& estimate, double mean_light) {
+    const bool is_unlit = std::isnan(estimate.standard_error);
+    const double error = is_unlit ? estimate.ci95_high : estimate.standard_error;
+    const double relative = error == 0 ? 0 : error / (is_unlit ? mean_light : estimate.mean);
+    return relative >= 0 ? relative : kInfinity;
+}
+
+/// The errors of one quantity.
+struct AskedErrors {
+    std::vector<double> relative;  ///< [set * bands + band]
+    std::vector<double> judged;    ///< per set, the largest of all bands
+};
+
+AskedErrors errors_of(const AskedLight& asked, const AskedReader& reader, unsigned threads) {
+    const std::vector<Pooled> sums = pool(asked, reader, threads);
+    const std::vector<std::size_t> bands = reader.bands();
+    AskedErrors errors{
+        std::vector<double>(asked.sets() * bands.size(), kNan), std::vector<double>(asked.sets())};
+    for_each_block(0, asked.sets(), threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            for (std::size_t b = 0; b < bands.size(); ++b) {
+                const Estimate e = reader.estimate(i, bands[b], reader.values(i, bands[b]));
+                const double mean_light = sums[b].light / static_cast<double>(asked.sets());
+                errors.relative[i * bands.size() + b] = relative_error(e);
+                errors.judged[i] = std::max(errors.judged[i], judged_error(e, mean_light));
+            }
+        }
+    });
+    return errors;
+}
+
 struct ErrorSpread {
-    double median = std::numeric_limits<double>::quiet_NaN();
-    double worst = std::numeric_limits<double>::quiet_NaN();
+    double median = kNan;
+    double worst = kNan;
 };
 
 /// Statistics of the finite errors; NaN without any.
@@ -100,45 +101,60 @@ ErrorSpread spread_of(std::vector<double> errors) {
     return {*middle, *std::max_element(middle, errors.end())};
 }
 
+/// The smallest error that a fraction of them does not exceed.
+double quantile(std::vector<double> errors, double fraction) {
+    const auto count = static_cast<double>(errors.size());
+    const double rank = std::clamp(std::ceil(fraction * count), 1.0, count);
+    const auto at = errors.begin() + static_cast<std::ptrdiff_t>(rank) - 1;
+    std::nth_element(errors.begin(), at, errors.end());
+    return *at;
+}
+
 }  // namespace
 
-RoundErrors errors_so_far(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, double target) {
-    const std::size_t bands = sums->bands();
-    const SumReader sum_reader(sums);
-    const std::vector<double> mean_flux =
-        target > 0 ? mean_absorbed_flux(sums, scene, spec) : std::vector<double>();
-    std::atomic<std::size_t> reached{0};
-    std::vector<double> errors(
-        scene.organs().size() * bands, std::numeric_limits<double>::quiet_NaN());
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        std::vector<Estimate> absorbed(bands);
-        for (std::size_t i = first; i < last; ++i) {
-            const Organ& organ = scene.organs()[i];
-            if (!is_measured(sums, organ)) {
-                ++reached;
-                continue;
-            }
-            const OrganReader reader(sum_reader, scene, spec, organ);
-            for (std::size_t b = 0; b < bands; ++b) {
-                absorbed[b] = absorbed_flux(reader, b);
-            }
-            if (!organ.is_ground) {
-                const auto at = errors.begin() + static_cast<std::ptrdiff_t>(i * bands);
-                std::transform(absorbed.begin(), absorbed.end(), at, relative_error);
-            }
-            const bool is_covered = organ.covered_area >= kFullyLit * organ.area;
-            reached +=
-                is_covered || (target > 0 && is_at_target(absorbed, target, mean_flux)) ? 1 : 0;
-        }
-    });
-    const auto organs = static_cast<double>(scene.organs().size());
-    const ErrorSpread spread = spread_of(std::move(errors));
+ErrorsSoFar errors_so_far(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const TargetLevel& target) {
+    std::vector<double> relative;
+    double reached = 1, largest = 0;
+    for (const AskedLight& asked : asked_light(scene, spec)) {
+        const AskedReader reader(sums, scene, spec, asked);
+        const AskedErrors errors = errors_of(asked, reader, spec.threads);
+        relative.insert(relative.end(), errors.relative.begin(), errors.relative.end());
+        const auto at_target = std::count_if(
+            errors.judged.begin(), errors.judged.end(),
+            [&](double error) { return error <= target.error; });
+        reached =
+            std::min(reached, static_cast<double>(at_target) / static_cast<double>(asked.sets()));
+        largest = std::max(largest, quantile(errors.judged, target.fraction));
+    }
+    const ErrorSpread spread = spread_of(std::move(relative));
+    const bool has_target = target.error > 0;
     return {
-        .paths = sums.paths(),
-        .median = spread.median,
-        .worst = spread.worst,
-        .fraction_at_target = target > 0 ? static_cast<double>(reached) / organs : 0};
+        .round =
+            {.paths = sums.paths(),
+             .median = spread.median,
+             .worst = spread.worst,
+             .fraction_at_target = has_target ? reached : 0},
+        .ratio_to_target = has_target ? largest / target.error : kInfinity};
+}
+
+double pooled_error(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    double worst = 0;
+    bool has_light = false;
+    for (const AskedLight& asked : asked_light(scene, spec)) {
+        const AskedReader reader(sums, scene, spec, asked);
+        const std::vector<std::size_t> bands = reader.bands();
+        const std::vector<Pooled> pooled = pool(asked, reader, spec.threads);
+        const auto sets = static_cast<double>(asked.sets());
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            const double light = pooled[b].light / sets;
+            const bool is_dark = !sums->emitted_flux.empty() && sums->emitted_flux[bands[b]] == 0;
+            const double error = std::sqrt(pooled[b].variance / sets) / light;
+            has_light = has_light || light > 0;
+            worst = std::max(worst, light > 0 ? error : is_dark ? 0 : kInfinity);
+        }
+    }
+    return has_light ? worst : kInfinity;
 }
 
 }  // namespace quasimc

@@ -9,6 +9,7 @@
 #include "detectors/catalogue.h"
 #include "quasimc/run.h"
 #include "results/groups.h"
+#include "results/question.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
 #include "solvers/ray_bundles/bundle_memory.h"
@@ -200,6 +201,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_ratios(scene, spec, faults);
     check_groups(scene, group_spec(spec), faults);
     check_group_names(scene, spec, faults);
+    check_target(scene, spec, faults);
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {

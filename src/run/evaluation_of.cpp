@@ -8,6 +8,7 @@
 #include "base/memory_need.h"
 #include "base/parallel.h"
 #include "results/evaluate.h"
+#include "results/question.h"
 #include "run/rounds.h"
 
 namespace quasimc {
@@ -45,6 +46,7 @@ EvaluationSpec evaluation_of(const Scene& scene, const Sources& sources, const R
         .ratios = ratio_bands(scene, spec),
         .direct_light = spec.direct_light,
         .groups = group_spec(spec),
+        .question = question_of(scene, spec),
         .horizontal_irradiance = horizontal_irradiance_of(scene, sources),
         .sources = sources,
         .threads = thread_count(spec.threads)};

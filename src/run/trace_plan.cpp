@@ -16,6 +16,7 @@ RunSpec planned_spec(const RunSpec& spec, const TracePlan& plan) {
         planned.groups.clear();
         planned.layers = 0;
         planned.layer_heights.clear();
+        planned.target = TargetScope::automatic;
     }
     return planned;
 }

@@ -29,9 +29,11 @@ std::uint64_t min_paths(const Scene& scene, const RunSpec& spec) {
     return std::max(kMinPaths, std::bit_ceil(measured));
 }
 
-RoundErrors errors_of(const RoundsInput& input, const Sums& sums) {
+ErrorsSoFar errors_of(const RoundsInput& input, const Sums& sums) {
+    const RunSpec& spec = input.facts.spec;
     return errors_so_far(
-        sums, input.facts.prepared.scene(), input.facts.asked, input.facts.spec.target_error);
+        sums, input.facts.prepared.scene(), input.facts.asked,
+        {spec.target_error, spec.target_fraction});
 }
 
 /// The rounds from which a run resumes. The state retains the completed part of the next round.
@@ -56,7 +58,7 @@ Rounds make_rounds(const RoundsInput& input, const std::optional<DoneRounds>& do
     if (done) {
         const bool has_target = spec.target_error > 0;
         rounds.restore(
-            done->state, has_target ? errors_of(input, done->sums).fraction_at_target : 0);
+            done->state, has_target ? errors_of(input, done->sums).round.fraction_at_target : 0);
     }
     return rounds;
 }
@@ -138,7 +140,7 @@ std::optional<RoundErrors> finish_round(
     const RoundsInput& input, Rounds& rounds, const Sums& sums) {
     const bool is_reported = rounds.asks_for_more() && !rounds.state().is_pilot;
     const bool is_judged = is_reported || input.facts.spec.target_error > 0;
-    RoundErrors errors = is_judged ? errors_of(input, sums) : RoundErrors{};
+    RoundErrors errors = is_judged ? errors_of(input, sums).round : RoundErrors{};
     const Clock::time_point now = Clock::now();
     errors.seconds = std::chrono::duration<double>(now - input.start).count();
     rounds.finish(now, errors.fraction_at_target);

@@ -26,7 +26,7 @@ struct RoundsInput {
 struct TracedRounds {
     Sums sums;
     StopReason stop = StopReason::finished;
-    double at_target = 0;     ///< fraction of organs at the target
+    double at_target = 0;     ///< RoundErrors::fraction_at_target
     double paths_before = 0;  ///< traced before the run was resumed
     double cpu_seconds_of_others = 0;
     std::vector<RoundErrors> errors = {};  ///< after each round, where several are requested

@@ -284,6 +284,25 @@ TEST_F(ProgramTest, AReachedTargetIsStatusZero) {
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
 }
 
+TEST_F(ProgramTest, ATargetIsForTheLightThatIsNamed) {
+    const auto outcome = [&](const Arguments& options) {
+        Arguments all{"run", "run.toml", "--target-error", "0.5"};
+        all.insert(all.end(), options.begin(), options.end());
+        return run(all);
+    };
+    EXPECT_NE(
+        outcome({"--target", "total"}).out.find("reached: the total is within 50 %\n"),
+        std::string::npos);
+    EXPECT_NE(
+        outcome({"--target", "groups", "--layers", "2", "--target-quantity", "incident_upper"})
+            .out.find("% of the groups are within 50 % in incident_upper"),
+        std::string::npos);
+    const Outcome refused = outcome({"--target", "sensors", "--target-bands", "infrared"});
+    EXPECT_EQ(refused.status, 1);
+    EXPECT_NE(refused.err.find("target: \"sensors\", but there are none"), std::string::npos);
+    EXPECT_NE(refused.err.find("'infrared' is not a band"), std::string::npos);
+}
+
 TEST_F(ProgramTest, ATerminatedRunLeavesNothing) {
     folder_.write("out.csv", "old");
     const std::string command = "cd '" + folder_.path().string() +

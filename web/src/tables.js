@@ -109,7 +109,7 @@ function convergenceNodes(rounds) {
   const chart = make("div", undefined, { id: "convergence" });
   drawConvergence(chart, rounds);
   return [chart, table("Relative standard errors of the flux absorbed by organs",
-    ["paths", "seconds", "median", "largest", "organs at the target"], rows)];
+    ["paths", "seconds", "median", "largest", "at the target"], rows)];
 }
 
 function settingsTables(head) {

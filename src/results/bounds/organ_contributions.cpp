@@ -208,8 +208,11 @@ ContributionSize OrganContributions::size(const LightParts& parts) const {
 
 Estimate OrganContributions::estimate(
     const QuantityEntry& entry, double per_area, std::span<const double> values) const {
-    const LightParts& parts = parts_of(entry.quantity);
-    const double unit = entry.is_flux ? 1 : per_area;
+    return estimate(parts_of(entry.quantity), entry.is_flux ? 1 : per_area, values);
+}
+
+Estimate OrganContributions::estimate(
+    const LightParts& parts, double unit, std::span<const double> values) const {
     const double bound = bound_ * unit * (parts.is_absorbed ? absorptance_ : 1);
     return bound_ > 0 ? estimate_seen_or_bound(values, bound * static_cast<double>(values.size()))
                       : estimate_contributions(values, size(parts) * unit);

@@ -25,6 +25,9 @@ class OrganContributions {
     /// One contribution to the given parts of light, as flux (or sunlit area).
     [[nodiscard]] ContributionSize size(const LightParts& parts = kIncidentLight) const;
 
+    /// Estimates the given parts of light. @param unit  of the values, per flux
+    [[nodiscard]] Estimate estimate(
+        const LightParts& parts, double unit, std::span<const double> values) const;
     /// Estimates a quantity.
     /// @param per_area  1 / area
     /// @param values  the quantity, per replicate

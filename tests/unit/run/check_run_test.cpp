@@ -160,6 +160,11 @@ TEST(CheckRun, FindsEachFaultAndSaysWhere) {
         {"ratios", [](RunSpec& s) { s.ratios = {"b0"}; }},
         {"ratios", [](RunSpec& s) { s.ratios = {"b0:b0:b0"}; }},
         {"ratios", [](RunSpec& s) { s.ratios = {"b0:far-red"}; }},
+        {"target", [](RunSpec& s) { s.target = TargetScope::groups; }},
+        {"target", [](RunSpec& s) { s.target = TargetScope::sensors; }},
+        {"target_quantity", [](RunSpec& s) { s.target_quantity = "absorbed"; }},
+        {"target_quantity", [](RunSpec& s) { s.target_quantity = ""; }},
+        {"target_bands", [](RunSpec& s) { s.target_bands = {"far-red"}; }},
     };
     for (std::size_t i = 0; i < cases.size(); ++i) {
         RunSpec spec;
