@@ -208,7 +208,7 @@ enum class StopReason {
 
 /// The errors after a round of a run with several rounds.
 struct RoundErrors {
-    std::uint64_t paths = 0;  ///< per replicate, of all rounds up to it
+    std::uint64_t paths = 0;  ///< per replicate, of all rounds up to it that it adds to
     double seconds = 0;       ///< since the run began
     /// Relative standard errors of the light of RunSpec::target, by default of the flux that organs
     /// absorb, over organs (or groups, ...) and bands in which light was sampled: median and
@@ -249,8 +249,9 @@ struct Result {
     std::uint64_t rays = 0;  ///< all replicates
     StopReason stop = StopReason::finished;
     double fraction_at_target = 0;  ///< as RoundErrors::fraction_at_target, after the last round
-    /// For a run with a target or a limit of paths: its rounds since it was resumed, without
-    /// discarded pilot rounds. Empty: a single round.
+    /// For a run with a target or a limit of paths: its rounds since it was resumed. With a target
+    /// the first ones may be pilot rounds, whose paths later ones do not include. Empty: a single
+    /// round.
     std::vector<RoundErrors> rounds;
     double preparation_seconds = 0;  ///< acceleration structure, wall
     double solve_seconds = 0;        ///< wall

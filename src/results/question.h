@@ -37,8 +37,8 @@ struct AskedQuantity {
 /// Sets of organs with one quantity.
 struct AskedLight {
     AskedQuantity quantity;
-    std::vector<std::uint32_t> organs;  ///< of all sets, one set after the other
-    std::vector<std::size_t> ends;      ///< of the sets, in `organs`
+    std::vector<std::uint32_t> organs;  ///< all sets, one after the other
+    std::vector<std::size_t> ends;      ///< ends of the sets in `organs`
 
     [[nodiscard]] std::size_t sets() const { return ends.size(); }
     [[nodiscard]] std::span<const std::uint32_t> set(std::size_t index) const {

@@ -1,6 +1,8 @@
 #include "run/rounds.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 namespace quasimc {
 namespace {
@@ -17,11 +19,25 @@ constexpr double kSafeFraction = 0.85;
 constexpr std::uint64_t kMaxLeap = 16;
 constexpr double kSafeLeapFraction = 0.5;
 
+/// Pilot rounds of a target have the specification's paths divided by powers of this.
+constexpr std::uint64_t kTargetGrowth = 4;
+
 /// Number of paths from which a round is huge; before it, pilot rounds start with kFirstInsured
 /// paths and end with 1 / kInsuredPart of it.
 constexpr std::uint64_t kHugeRound = std::uint64_t{1} << 22U;
 constexpr std::uint64_t kFirstInsured = std::uint64_t{1} << 14U;
 constexpr std::uint64_t kInsuredPart = 64;
+
+/// The fewest paths of a first round that are at least `fewest`: `paths`, or the next power of two
+/// divided by a power of kTargetGrowth. So the rounds of all targets have the same sizes.
+std::uint64_t first_at_least(std::uint64_t fewest, std::uint64_t paths) {
+    std::uint64_t first = paths;
+    for (std::uint64_t next = std::bit_ceil(paths) / kTargetGrowth; next >= fewest && next > 0;
+         next /= kTargetGrowth) {
+        first = next;
+    }
+    return first;
+}
 
 }  // namespace
 
@@ -51,10 +67,9 @@ bool Rounds::fits(std::uint64_t paths) const {
     return state_.cost.seconds_for(paths) <= kSafeFraction * seconds_left();
 }
 
-/// Whether all paths may follow directly after a pilot round.
-bool Rounds::may_leap() const {
-    return spec_.paths <= kMaxLeap * state_.done &&
-           state_.cost.seconds_for(spec_.paths) <= kSafeLeapFraction * seconds_left();
+/// Whether so many paths may follow directly after a pilot round.
+bool Rounds::may_leap_to(std::uint64_t paths) const {
+    return !has_limit() || state_.cost.seconds_for(paths) <= kSafeLeapFraction * seconds_left();
 }
 
 Round Rounds::begin(std::uint64_t paths) {
@@ -72,6 +87,9 @@ std::optional<Round> Rounds::next() {
 }
 
 std::uint64_t Rounds::first_paths() const {
+    if (has_target()) {
+        return first_at_least(limits_.fewest, spec_.paths);
+    }
     if (has_limit()) {
         return std::min(limits_.fewest, spec_.paths);
     }
@@ -79,17 +97,52 @@ std::uint64_t Rounds::first_paths() const {
     return is_huge ? std::clamp(limits_.fewest, kFirstInsured, spec_.paths) : spec_.paths;
 }
 
-/// All paths if they fit; else a larger pilot round while that fits; else as many again. Each pilot
-/// round is the result if the next one is not complete in time.
+/// The fewest paths of a pilot round that restarts the run.
+std::uint64_t Rounds::next_pilot() const {
+    return has_target() ? first_at_least(state_.done + 1, spec_.paths)
+                        : std::min(kPilotGrowth * state_.done, spec_.paths);
+}
+
+/// Whether a pilot round is to get as many paths again instead of a restart: if a target probably
+/// needs no more, as its error falls with the root of the number of paths. Once only, so that no
+/// round of many paths has the density of lines of few.
+bool Rounds::may_double() const {
+    return has_target() && !is_doubled() && std::pow(distance_.ratio_to_target, 2) <= 2;
+}
+
+bool Rounds::is_doubled() const {
+    return first_at_least(state_.done, spec_.paths) != state_.done;
+}
+
+/// The paths of a restart for a target: at least half of those that it probably needs, for they can
+/// be doubled.
+std::uint64_t Rounds::paths_for_target() const {
+    const double missing = std::pow(distance_.ratio_to_target, 2);
+    const auto most = static_cast<double>(kMaxLeap * state_.done / (is_doubled() ? 2 : 1));
+    const double half = std::min(missing / 2 * static_cast<double>(state_.done), most);
+    return std::max(next_pilot(), first_at_least(static_cast<std::uint64_t>(half), spec_.paths));
+}
+
+/// The paths with which a run is to restart after a pilot round, whatever time they take.
+std::uint64_t Rounds::wanted_paths() const {
+    if (has_target()) {
+        return paths_for_target();
+    }
+    const std::uint64_t next = next_pilot();
+    const bool may_be_all =
+        has_limit() ? spec_.paths <= kMaxLeap * state_.done : next > spec_.paths / kInsuredPart;
+    return may_be_all ? spec_.paths : next;
+}
+
+/// As many paths as are wanted if they fit; else a larger pilot round while that fits; else as many
+/// again. Each pilot round is the result if the next one is not complete in time.
 std::optional<Round> Rounds::after_pilot() {
-    const std::uint64_t next = std::min(kPilotGrowth * state_.done, spec_.paths);
-    if (!has_limit()) {
-        return begin(next <= spec_.paths / kInsuredPart ? next : spec_.paths);
+    const std::uint64_t wanted = wanted_paths();
+    const bool is_no_restart = is_at_target() || may_double();
+    if (!is_no_restart && (may_leap_to(wanted) || fits(next_pilot()))) {
+        return begin(may_leap_to(wanted) ? wanted : next_pilot());
     }
-    if (may_leap() || fits(next)) {
-        return begin(may_leap() ? spec_.paths : next);
-    }
-    state_.is_pilot = false;
+    state_.is_pilot = is_no_restart;
     return as_many_again();
 }
 
@@ -97,10 +150,7 @@ std::optional<Round> Rounds::as_many_again() {
     if (state_.done >= spec_.paths && !asks_for_more()) {
         return std::nullopt;
     }
-    // A resumed run with a larger first round checks its target after that round, like a run that
-    // began with it.
-    const bool is_first_done = state_.done >= spec_.paths || has_limit();
-    if (is_first_done && spec_.target_error > 0 && at_target_ >= spec_.target_fraction) {
+    if (is_at_target()) {
         stop_ = StopReason::target_reached;
         return std::nullopt;
     }
@@ -118,11 +168,11 @@ std::optional<Round> Rounds::as_many_again() {
     return Round{state_.done, count_};
 }
 
-void Rounds::finish(Deadline::Clock::time_point now, double fraction_at_target) {
+void Rounds::finish(Deadline::Clock::time_point now, const TargetDistance& distance) {
     state_.cost.add(count_, std::chrono::duration<double>(now - now_).count());
     state_.done += count_;
     now_ = now;
-    at_target_ = fraction_at_target;
+    distance_ = distance;
 }
 
 std::vector<std::pair<std::size_t, std::size_t>> ratio_bands(

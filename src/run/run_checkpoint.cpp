@@ -18,6 +18,9 @@ namespace {
 /// can.
 std::string refusal_of_paths(const RunPosition& position, const Scene& scene, const RunSpec& spec) {
     const std::uint64_t first = position.first_paths;
+    if (spec.target_error > 0) {
+        return "a run with a target begins with fewer";
+    }
     if (spec.paths < position.rounds.done) {
         return fmt::format("{} paths are computed already", position.rounds.done);
     }
@@ -79,6 +82,17 @@ void check_ends(const RunPosition& position, const RunSpec& spec) {
     }
 }
 
+/// Whether the stored rounds are a pilot round, and a run with this target might have had others:
+/// it begins again.
+bool is_other_pilot(const RunState& stored, const RunSpec& spec) {
+    const RunPosition& position = stored.position;
+    const bool is_same = position.target_error == spec.target_error &&
+                         position.target_fraction == spec.target_fraction &&
+                         position.asked_paths == spec.paths;
+    const bool has_target = position.target_error > 0 || spec.target_error > 0;
+    return stored.done && position.rounds.is_pilot && has_target && !is_same;
+}
+
 }  // namespace
 
 std::optional<RunState> state_to_go_on_from(StoredStates* states, const RunFacts& facts) {
@@ -95,6 +109,9 @@ std::optional<RunState> state_to_go_on_from(StoredStates* states, const RunFacts
         throw InputError(
             {{"checkpoint", "it belongs to another run",
               "scene, sources, options or version differ", ""}});
+    }
+    if (is_other_pilot(*stored, facts.spec)) {
+        return std::nullopt;
     }
     const bool is_begun = stored->done && !stored->position.rounds.is_pilot;
     if (is_begun && stored->position.asked_paths != facts.spec.paths) {

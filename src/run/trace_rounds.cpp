@@ -36,6 +36,10 @@ ErrorsSoFar errors_of(const RoundsInput& input, const Sums& sums) {
         {spec.target_error, spec.target_fraction});
 }
 
+TargetDistance distance_of(const ErrorsSoFar& errors) {
+    return {errors.round.fraction_at_target, errors.ratio_to_target};
+}
+
 /// The rounds from which a run resumes. The state retains the completed part of the next round.
 std::optional<DoneRounds> take_done(std::optional<RunState>& stored) {
     if (!stored || !stored->done) {
@@ -56,9 +60,9 @@ Rounds make_rounds(const RoundsInput& input, const std::optional<DoneRounds>& do
                .start = input.first_round,
                .may_be_stopped = input.control.stop.stop_possible()});
     if (done) {
-        const bool has_target = spec.target_error > 0;
         rounds.restore(
-            done->state, has_target ? errors_of(input, done->sums).round.fraction_at_target : 0);
+            done->state,
+            rounds.has_target() ? distance_of(errors_of(input, done->sums)) : TargetDistance());
     }
     return rounds;
 }
@@ -138,13 +142,13 @@ std::optional<DoneRounds> trace_round(
 /// Records a traced round. @returns its errors, if some listener needs them
 std::optional<RoundErrors> finish_round(
     const RoundsInput& input, Rounds& rounds, const Sums& sums) {
-    const bool is_reported = rounds.asks_for_more() && !rounds.state().is_pilot;
-    const bool is_judged = is_reported || input.facts.spec.target_error > 0;
-    RoundErrors errors = is_judged ? errors_of(input, sums).round : RoundErrors{};
+    const bool is_reported =
+        rounds.has_target() || (rounds.asks_for_more() && !rounds.state().is_pilot);
+    ErrorsSoFar errors = is_reported ? errors_of(input, sums) : ErrorsSoFar{};
     const Clock::time_point now = Clock::now();
-    errors.seconds = std::chrono::duration<double>(now - input.start).count();
-    rounds.finish(now, errors.fraction_at_target);
-    return is_reported ? std::optional(errors) : std::nullopt;
+    errors.round.seconds = std::chrono::duration<double>(now - input.start).count();
+    rounds.finish(now, distance_of(errors));
+    return is_reported ? std::optional(errors.round) : std::nullopt;
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ TEST_F(Completion, KnowsCommandsFlagsAndValues) {
     EXPECT_EQ(offered("quasimc ru"), "run");
     EXPECT_EQ(
         offered("quasimc run --target-"),
-        "--target-bands --target-error --target-fraction --target-quantity");
+        "--target-error --target-fraction --target-quantity --target-bands");
     EXPECT_EQ(offered("quasimc run a.toml --method fi"), "first_hits");
     EXPECT_EQ(offered("quasimc show a.json --colormap m"), "magma");
     EXPECT_EQ(offered("quasimc list quan"), "quantities");

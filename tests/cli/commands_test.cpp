@@ -298,7 +298,7 @@ TEST_F(ProgramTest, ATargetIsForTheLightThatIsNamed) {
             .out.find("% of the groups are within 50 % in incident_upper"),
         std::string::npos);
     const Outcome refused = outcome({"--target", "sensors", "--target-bands", "infrared"});
-    EXPECT_EQ(refused.status, 1);
+    EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find("target: \"sensors\", but there are none"), std::string::npos);
     EXPECT_NE(refused.err.find("'infrared' is not a band"), std::string::npos);
 }

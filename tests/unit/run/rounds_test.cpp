@@ -1,6 +1,8 @@
 #include "run/rounds.h"
 
+#include <bit>
 #include <chrono>
+#include <cmath>
 #include <numeric>
 #include <vector>
 
@@ -43,36 +45,162 @@ TEST(Rounds, AreOneWithoutABudget) {
     ASSERT_TRUE(first);
     EXPECT_EQ(first->first, 0U);
     EXPECT_EQ(first->count, 1000U);
-    rounds.finish(after(limits, 1), 0);
+    rounds.finish(after(limits, 1), {});
     EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::finished);
 }
 
 TEST(Rounds, TraceAsManyAgainUntilTheTargetIsReached) {
     const RunSpec spec = spec_with_target();
-    const RoundLimits limits;
+    const RoundLimits limits{.fewest = spec.paths};
     Rounds rounds(spec, limits);
     for (const std::uint64_t done : {0U, 1024U, 2048U, 4096U}) {
         const auto round = rounds.next();
         ASSERT_TRUE(round);
         EXPECT_EQ(round->first, done);
         EXPECT_EQ(round->count, done == 0 ? 1024 : done);
-        rounds.finish(after(limits, 0), done < 4096 ? .89 : .9);
+        rounds.finish(after(limits, 0), {.fraction_at_target = done < 4096 ? .89 : .9});
     }
     EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::target_reached);
     EXPECT_EQ(rounds.at_target(), .9);
 }
 
+/// The rounds of a run whose error falls with the root of its paths: of `error` with one path.
+struct TargetCourse {
+    std::vector<Round> rounds;
+    StopReason stop = StopReason::finished;
+
+    /// Paths of the result.
+    [[nodiscard]] std::uint64_t paths() const { return rounds.back().first + rounds.back().count; }
+    /// Paths that all rounds have traced.
+    [[nodiscard]] std::uint64_t traced() const {
+        return std::accumulate(
+            rounds.begin(), rounds.end(), std::uint64_t{0},
+            [](std::uint64_t sum, const Round& round) { return sum + round.count; });
+    }
+};
+
+TargetCourse course_to_target(const RunSpec& spec, double error, RoundLimits limits = {}) {
+    limits.fewest = 256;
+    TargetCourse course;
+    Rounds rounds(spec, limits);
+    std::uint64_t done = 0;
+    while (const auto round = rounds.next()) {
+        EXPECT_TRUE(round->first == 0 || (round->first == done && round->count == done));
+        course.rounds.push_back(*round);
+        done = round->first + round->count;
+        const double ratio = error / std::sqrt(static_cast<double>(done)) / spec.target_error;
+        rounds.finish(
+            after(limits, 0),
+            {.fraction_at_target = ratio <= 1 ? 1. : 0., .ratio_to_target = ratio});
+    }
+    course.stop = rounds.stop();
+    return course;
+}
+
+RunSpec spec_to(double target) {
+    RunSpec spec = spec_with_target();
+    spec.paths = 1U << 16U;
+    spec.target_error = target;
+    return spec;
+}
+
+TEST(Rounds, OfATargetBeginWithPilotsAndGrowByWhatIsMissing) {
+    EXPECT_EQ(course_to_target(spec_to(.1), 1.5).rounds, (std::vector<Round>{{0, 256}}));
+    EXPECT_EQ(course_to_target(spec_to(.1), 2).rounds, (std::vector<Round>{{0, 256}, {256, 256}}));
+    EXPECT_EQ(course_to_target(spec_to(.1), 3).rounds, (std::vector<Round>{{0, 256}, {0, 1024}}));
+    EXPECT_EQ(course_to_target(spec_to(.1), 6).rounds, (std::vector<Round>{{0, 256}, {0, 4096}}))
+        << "at most 16 times as many";
+    EXPECT_EQ(
+        course_to_target(spec_to(.1), 30).rounds,
+        (std::vector<Round>{{0, 256}, {0, 4096}, {0, 65536}, {65536, 65536}}))
+        << "from the specification's paths on, as many again";
+}
+
+/// A smaller target never has fewer paths, the work of all rounds is at most 1.6 times that of the
+/// needed paths, rounded up to a power of two, and no more than the paths of the run and a third.
+TEST(Rounds, OfATargetCostLittleMoreThanTheNeededPaths) {
+    std::uint64_t before = 0;
+    for (double target = .5; target > .004; target /= 1.1) {
+        const TargetCourse course = course_to_target(spec_to(target), 3);
+        EXPECT_EQ(course.stop, StopReason::target_reached);
+        EXPECT_GE(course.paths(), before) << target;
+        before = course.paths();
+        const double needed = std::pow(3 / target, 2);
+        EXPECT_GE(static_cast<double>(course.paths()), needed);
+        EXPECT_LE(
+            course.paths(),
+            std::max<std::uint64_t>(256, 2 * std::bit_ceil(static_cast<std::uint64_t>(needed))))
+            << target;
+        EXPECT_LE(course.traced() - course.paths(), course.paths() / 3) << target;
+    }
+}
+
+/// Pilot rounds may show less light than there is: a run still ends where its target is reached.
+TEST(Rounds, OfATargetGrowWhereTheDistanceIsUnknown) {
+    const RunSpec spec = spec_to(.01);
+    const RoundLimits limits{.fewest = 256};
+    Rounds rounds(spec, limits);
+    for (const std::uint64_t paths : {256U, 4096U, 65536U}) {
+        EXPECT_EQ(rounds.next(), (Round{0, paths}));
+        rounds.finish(after(limits, 0), {});
+    }
+    EXPECT_EQ(rounds.next(), (Round{65536, 65536}));
+    rounds.finish(after(limits, 0), {.fraction_at_target = .95});
+    EXPECT_FALSE(rounds.next());
+}
+
+/// After a round that was doubled and had too large an error all the same, it restarts.
+TEST(Rounds, OfATargetRestartAfterADoubledPilot) {
+    const RunSpec spec = spec_to(.01);
+    const RoundLimits limits{.fewest = 1024};
+    Rounds rounds(spec, limits);
+    EXPECT_EQ(rounds.next(), (Round{0, 1024}));
+    rounds.finish(after(limits, 0), {.ratio_to_target = 1.4});
+    EXPECT_EQ(rounds.next(), (Round{1024, 1024}));
+    EXPECT_TRUE(rounds.state().is_pilot);
+    rounds.finish(after(limits, 0), {.ratio_to_target = 1.1});
+    EXPECT_EQ(rounds.next(), (Round{0, 4096}));
+}
+
+TEST(Rounds, OfATargetHaveTheSizesThatPointSetsNeed) {
+    for (const std::uint64_t paths : {300U, 1000U, 4096U, 100000U}) {
+        RunSpec spec = spec_to(.01);
+        spec.paths = paths;
+        const TargetCourse course = course_to_target(spec, 100);
+        for (const Round& round : course.rounds) {
+            EXPECT_TRUE(round.first + round.count >= paths || std::has_single_bit(round.count));
+        }
+        EXPECT_EQ(course.paths() % paths, 0U);
+    }
+}
+
+/// A resumed run decides as one that was not interrupted.
+TEST(Rounds, OfATargetGoOnFromAPilot) {
+    const RunSpec spec = spec_to(.01);
+    const RoundLimits limits{.fewest = 256};
+    const TargetDistance distance{.ratio_to_target = 2.5};
+    Rounds whole(spec, limits);
+    static_cast<void>(whole.next());
+    whole.finish(after(limits, 0), distance);
+    Rounds later(spec, limits);
+    later.restore(whole.state(), distance);
+    EXPECT_EQ(later.next(), whole.next());
+    later.restore({.done = 256, .is_pilot = true, .cost = {}}, {.fraction_at_target = 1});
+    EXPECT_FALSE(later.next());
+    EXPECT_EQ(later.stop(), StopReason::target_reached);
+}
+
 TEST(Rounds, StopBeforeThePathLimitIsPassed) {
     RunSpec spec = spec_with_target();
     spec.max_paths = 3000;
-    const RoundLimits limits;
+    const RoundLimits limits{.fewest = spec.paths};
     Rounds rounds(spec, limits);
     std::uint64_t traced = 0;
     while (const auto round = rounds.next()) {
         traced += round->count;
-        rounds.finish(after(limits, 0), 0);
+        rounds.finish(after(limits, 0), {});
     }
     EXPECT_EQ(traced, 2048U);
     EXPECT_EQ(rounds.stop(), StopReason::path_limit);
@@ -88,19 +216,19 @@ TEST(Rounds, ReachThePathLimitWithoutATarget) {
     std::uint64_t traced = 0;
     while (const auto round = rounds.next()) {
         traced += round->count;
-        rounds.finish(after(limits, 0), 0);
+        rounds.finish(after(limits, 0), {});
     }
     EXPECT_EQ(traced, 8192U);
 }
 
 TEST(Rounds, StopAtTwoToTheThirtyPointsWhateverTheTarget) {
     const RunSpec spec = spec_with_target();
-    const RoundLimits limits;
+    const RoundLimits limits{.fewest = spec.paths};
     Rounds rounds(spec, limits);
     std::uint64_t traced = 0;
     while (const auto round = rounds.next()) {
         traced += round->count;
-        rounds.finish(after(limits, 0), 0);
+        rounds.finish(after(limits, 0), {});
     }
     EXPECT_EQ(traced, std::uint64_t{1} << 30U);
 }
@@ -114,7 +242,7 @@ TEST(Rounds, StopBeforeTheTimeIsUp) {
     double seconds = 1;
     int count = 0;
     while (rounds.next()) {
-        rounds.finish(after(limits, seconds), 0);
+        rounds.finish(after(limits, seconds), {});
         seconds *= 2;
         ++count;
     }
@@ -146,7 +274,7 @@ Course course_of(const RunSpec& spec, const SecondsOf& seconds_of) {
         }
         course.seconds += takes;
         course.rounds.emplace_back(round->first, round->count);
-        rounds.finish(after(limits, course.seconds), 0);
+        rounds.finish(after(limits, course.seconds), {});
     }
     course.stop = rounds.stop();
     return course;
@@ -162,6 +290,19 @@ std::uint64_t paths_of(const Course& course) {
     return course.rounds.back().first + course.rounds.back().second;
 }
 
+/// A limit of time ends a run with a target at the last round that fits.
+TEST(Rounds, OfATargetKeepToATimeLimit) {
+    RunSpec spec = spec_to(.001);
+    spec.max_seconds = 10;
+    for (const double each : {1e-6, 1e-4, 1e-3}) {
+        const Course course = course_of(spec, .01, each);
+        EXPECT_EQ(course.stop, StopReason::time_limit);
+        EXPECT_EQ(course.wasted, 0) << each;
+        EXPECT_LE(course.seconds, 10);
+        EXPECT_GT(static_cast<double>(paths_of(course)), .2 * 10 / each) << each;
+    }
+}
+
 /// The result of a huge run that is stopped, at a small cost.
 TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithPilots) {
     RunSpec spec;
@@ -173,7 +314,7 @@ TEST(Rounds, OfAHugeRunThatMayBeStoppedBeginWithPilots) {
     while (const auto round = rounds.next()) {
         EXPECT_EQ(round->first, 0U) << "each is a run of its own";
         counts.push_back(round->count);
-        rounds.finish(after(limits, static_cast<double>(counts.size())), 0);
+        rounds.finish(after(limits, static_cast<double>(counts.size())), {});
     }
     EXPECT_EQ(counts.front(), 1U << 14U);
     EXPECT_EQ(counts.back(), spec.paths);
@@ -276,19 +417,19 @@ TEST(Rounds, BeginWithAPilotWhereTheCostIsUnknown) {
     const RoundLimits limits = limits_of(spec);
     Rounds rounds(spec, limits);
     EXPECT_EQ(rounds.next()->count, 256U);
-    rounds.finish(after(limits, 5), 0);  // the time limit is over already
+    rounds.finish(after(limits, 5), {});  // the time limit is over already
     EXPECT_FALSE(rounds.next());
     EXPECT_EQ(rounds.stop(), StopReason::time_limit);
 }
 
 TEST(Rounds, KnowTheirShareOfTheWork) {
     const RunSpec spec = spec_with_target();
-    const RoundLimits limits;
+    const RoundLimits limits{.fewest = spec.paths};
     Rounds rounds(spec, limits);
     ASSERT_TRUE(rounds.next());
     EXPECT_EQ(rounds.fraction_before(), 0);
     EXPECT_EQ(rounds.share(), 1);
-    rounds.finish(after(limits, 0), 0);
+    rounds.finish(after(limits, 0), {});
     ASSERT_TRUE(rounds.next());
     EXPECT_EQ(rounds.fraction_before(), .5);
     EXPECT_EQ(rounds.share(), .5);

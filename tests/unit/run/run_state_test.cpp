@@ -99,9 +99,44 @@ TEST_P(RunStates, GoOnToTheSameBitsFromEveryPause) {
     }
 }
 
+/// A run with a target begins with pilot rounds.
+TEST_P(RunStates, OfATargetGoOnToTheSameBitsFromEveryPause) {
+    RunSpec spec = RunStates::spec();
+    spec.paths = 1U << 12U;
+    spec.max_paths = 2 * spec.paths;
+    for (const double target : {.05, 1e-9}) {
+        spec.target_error = target;
+        const Result whole = run(test_scene(), test_lights(), spec);
+        RecordedStates first;
+        expect_equal_runs(run_recorded(spec, first), whole);
+        EXPECT_LT(whole.rounds.front().paths, spec.paths) << "a pilot round";
+        for (std::size_t i = 0; i < first.saved.size(); i += 2) {
+            RecordedStates later;
+            later.from = load_state(first.saved[i]);
+            expect_equal_runs(run_recorded(spec, later, static_cast<unsigned>(1 + i % 3)), whole);
+        }
+    }
+}
+
+/// Pilot rounds that a run with a smaller target might not have are traced again.
+TEST_P(RunStates, OfAPilotBeginAgainForASmallerTarget) {
+    RunSpec spec = RunStates::spec();
+    spec.paths = 1U << 12U;
+    spec.max_paths = spec.paths;
+    spec.target_error = 0.5;
+    RecordedStates first;
+    ASSERT_LT(run_recorded(spec, first).paths, spec.paths);
+    spec.target_error = 1e-9;
+    RecordedStates later;
+    later.from = load_state(first.finished);
+    const Result exact = run_recorded(spec, later);
+    EXPECT_EQ(exact.paths_before, 0);
+    expect_equal_runs(exact, run(test_scene(), test_lights(), spec));
+}
+
 TEST_P(RunStates, OfRunsThatAreDoneGiveTheResultAndGoOnToASmallerTarget) {
     RunSpec spec = RunStates::spec();
-    spec.paths = 1U << 10U;
+    spec.paths = 1U << 8U;  // no pilot rounds
     spec.target_error = 0.5;
     RecordedStates first;
     const Result whole = run_recorded(spec, first);
