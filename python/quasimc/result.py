@@ -157,15 +157,17 @@ class Result(_Light):
         Why the run ended: "finished", "target_reached", "time_limit", "path_limit", "interrupted"
         (Ctrl-C: the result contains the completed paths) or "no_light".
     fraction_at_target : float
-        Fraction of the organs that reached the target error; 0 without a target.
+        Fraction of the organs (or groups, sensors) that reached the target error; 0 without a
+        target.
     preparation_seconds, solve_seconds, solve_cpu_seconds : float
         Wall time of the preparation and of the solution, and CPU time of all threads.
     escaped_by_difference : bool
         Whether escaped light in `budget` is the remainder of the budget.
     rounds : list of dict
         State after each round of a run with a target error or `max_paths`: paths (per replicate,
-        of all rounds so far), seconds (since the run began), median_error and worst_error
-        (relative standard errors over organs and bands), fraction_at_target. Empty for one round.
+        of all rounds that it adds to; pilot rounds are replaced), seconds (since the run began),
+        median_error and worst_error (relative standard errors over organs and bands),
+        fraction_at_target. Empty for one round.
     warnings : list of str
     sources : list of str
         Descriptions of the sources.

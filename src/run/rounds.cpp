@@ -21,6 +21,8 @@ constexpr double kSafeLeapFraction = 0.5;
 
 /// Pilot rounds of a target have the specification's paths divided by powers of this.
 constexpr std::uint64_t kTargetGrowth = 4;
+/// Paths of the first pilot round as a fraction of the fixed cost.
+constexpr double kCheapFraction = 1. / 8;
 
 /// Number of paths from which a round is huge; before it, pilot rounds start with kFirstInsured
 /// paths and end with 1 / kInsuredPart of it.
@@ -88,13 +90,24 @@ std::optional<Round> Rounds::next() {
 
 std::uint64_t Rounds::first_paths() const {
     if (has_target()) {
-        return first_at_least(limits_.fewest, spec_.paths);
+        return first_for_target();
     }
     if (has_limit()) {
         return std::min(limits_.fewest, spec_.paths);
     }
     const bool is_huge = limits_.may_be_stopped && spec_.paths >= kHugeRound;
     return is_huge ? std::clamp(limits_.fewest, kFirstInsured, spec_.paths) : spec_.paths;
+}
+
+/// A first pilot round whose paths cost little beside the round itself; all paths if it would cost
+/// more than half of them.
+std::uint64_t Rounds::first_for_target() const {
+    const double fixed = limits_.fixed_cost;
+    const auto cheap = static_cast<std::uint64_t>(kCheapFraction * fixed);
+    const std::uint64_t first = first_at_least(std::max(limits_.fewest, cheap), spec_.paths);
+    const bool is_worth_it =
+        2 * (fixed + static_cast<double>(first)) <= fixed + static_cast<double>(spec_.paths);
+    return is_worth_it ? first : spec_.paths;
 }
 
 /// The fewest paths of a pilot round that restarts the run.
@@ -115,12 +128,16 @@ bool Rounds::is_doubled() const {
 }
 
 /// The paths of a restart for a target: at least half of those that it probably needs, for they can
-/// be doubled.
+/// be doubled, and so many that the round costs at least three times the discarded one.
 std::uint64_t Rounds::paths_for_target() const {
-    const double missing = std::pow(distance_.ratio_to_target, 2);
-    const auto most = static_cast<double>(kMaxLeap * state_.done / (is_doubled() ? 2 : 1));
-    const double half = std::min(missing / 2 * static_cast<double>(state_.done), most);
-    return std::max(next_pilot(), first_at_least(static_cast<std::uint64_t>(half), spec_.paths));
+    const auto done = static_cast<double>(state_.done);
+    const double before = is_doubled() ? done / 2 : done;
+    const double half = std::pow(distance_.ratio_to_target, 2) / 2 * done;
+    const double least = 3 * before + 2 * limits_.fixed_cost;
+    const double paths = std::max(least, std::min(half, kMaxLeap * before));
+    return paths < static_cast<double>(spec_.paths)
+               ? first_at_least(static_cast<std::uint64_t>(std::ceil(paths)), spec_.paths)
+               : spec_.paths;
 }
 
 /// The paths with which a run is to restart after a pilot round, whatever time they take.

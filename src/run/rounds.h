@@ -36,7 +36,8 @@ struct RoundsState {
 /// Limits of rounds, and their beginning.
 struct RoundLimits {
     Deadline deadline = {};
-    std::uint64_t fewest = 1;  ///< paths of the first round before a deadline: a power of two
+    std::uint64_t fewest = 1;  ///< paths of the first pilot round: a power of two
+    double fixed_cost = 0;     ///< cost of a round without paths, as a number of paths
     Deadline::Clock::time_point start = Deadline::Clock::now();  ///< of the first round
     bool may_be_stopped = false;  ///< by other means than the deadline
 };
@@ -106,6 +107,7 @@ class Rounds {
     }
     [[nodiscard]] bool fits(std::uint64_t paths) const;
     [[nodiscard]] bool may_leap_to(std::uint64_t paths) const;
+    [[nodiscard]] std::uint64_t first_for_target() const;
     [[nodiscard]] std::uint64_t next_pilot() const;
     [[nodiscard]] std::uint64_t wanted_paths() const;
     [[nodiscard]] bool may_double() const;

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "picture/image.h"
 #include "program.h"
@@ -282,6 +283,23 @@ TEST_F(ProgramTest, AMissedTargetIsStatusFourAndResultsAreWritten) {
 TEST_F(ProgramTest, AReachedTargetIsStatusZero) {
     const Outcome outcome = run({"run", "run.toml", "--target-error", "0.5"});
     EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+}
+
+/// The paths of the result are those of the last line of rounds, not the paths of the run file.
+TEST_F(ProgramTest, ALargeTargetNeedsFewerPathsThanASmallOne) {
+    std::uint64_t before = 0;
+    for (const char* target : {"0.5", "0.05", "0.005"}) {
+        const Outcome outcome =
+            run({"run", "run.toml", "--paths", "65536", "--target-error", target});
+        EXPECT_EQ(outcome.status, 0) << outcome.out << outcome.err;
+        const auto json = nlohmann::json::parse(folder_.read("out.json"));
+        const auto paths = json["completed"]["paths"].get<std::uint64_t>();
+        EXPECT_EQ(json["rounds"].back()["paths"], paths);
+        EXPECT_EQ(json["rounds"].front()["paths"], 256);
+        EXPECT_GE(paths, before) << target;
+        EXPECT_TRUE(before > 0 || paths < 65536) << paths;
+        before = paths;
+    }
 }
 
 TEST_F(ProgramTest, ATargetIsForTheLightThatIsNamed) {

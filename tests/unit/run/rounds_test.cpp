@@ -176,6 +176,18 @@ TEST(Rounds, OfATargetHaveTheSizesThatPointSetsNeed) {
     }
 }
 
+/// Where the preparation of a round costs as much as many paths, pilot rounds are few and large, or
+/// there are none.
+TEST(Rounds, OfATargetHaveFewPilotsWhereRoundsCostMuch) {
+    const auto rounds_of = [](double fixed_cost) {
+        return course_to_target(spec_to(.01), 3, {.fixed_cost = fixed_cost}).rounds;
+    };
+    EXPECT_EQ(
+        rounds_of(4000), (std::vector<Round>{{0, 1024}, {0, 16384}, {0, 65536}, {65536, 65536}}));
+    EXPECT_EQ(rounds_of(30000), (std::vector<Round>{{0, 4096}, {0, 65536}, {65536, 65536}}));
+    EXPECT_EQ(rounds_of(1e5), (std::vector<Round>{{0, 65536}, {65536, 65536}}));
+}
+
 /// A resumed run decides as one that was not interrupted.
 TEST(Rounds, OfATargetGoOnFromAPilot) {
     const RunSpec spec = spec_to(.01);
