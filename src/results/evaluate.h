@@ -37,9 +37,4 @@ struct ErrorsSoFar {
 /// are left out. Infinite where no light was sampled.
 [[nodiscard]] double pooled_error(const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 
-/// The scatter of the light of organs between replicates, relative to their mean light: root mean
-/// square of standard errors, in the worst band. Without the light that was not sampled.
-[[nodiscard]] double pooled_error(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
-
 }  // namespace quasimc
