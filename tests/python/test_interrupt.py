@@ -50,10 +50,10 @@ print(result.stop, result.paths >= 256, result["absorbed_flux"]["PAR"].mean.min(
 
 def test_ctrl_c_before_there_is_a_result_is_a_keyboard_interrupt():
     said = interrupted(
-        f"""
+        """
 print("ready", flush=True)
 try:
-    scene.run(paths=1 << 21, accelerator="brute_force", {LONG})
+    scene.run(paths=1 << 21, accelerator="brute_force", method="light_tracing")
 except KeyboardInterrupt:
     print("KeyboardInterrupt")
 print(scene.run(paths=256).stop)
