@@ -69,7 +69,7 @@ bool Rounds::fits(std::uint64_t paths) const {
     return state_.cost.seconds_for(paths) <= kSafeFraction * seconds_left();
 }
 
-/// Whether so many paths may follow directly after a pilot round.
+/// Whether this number of paths may follow directly after a pilot round.
 bool Rounds::may_leap_to(std::uint64_t paths) const {
     return !has_limit() || state_.cost.seconds_for(paths) <= kSafeLeapFraction * seconds_left();
 }
