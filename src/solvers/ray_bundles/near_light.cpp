@@ -19,8 +19,9 @@ namespace {
 
 /// The minimum part of the light of a side that comes from near, for this to be corrected.
 constexpr double kMinNear = 0.5;
-/// Pairs of points: this number times the root of the paths, and at most for each side of a patch.
-constexpr double kPairsPerRoot = 64, kMaxPairs = 256;
+/// Pairs of points: this number times the root of the paths, and at least and at most for each side
+/// of a patch.
+constexpr double kPairsPerRoot = 64, kMinPairs = 1. / 8, kMaxPairs = 256;
 /// Rays that leave each point of a pair of which one point is lit.
 constexpr int kRays = 4;
 /// Points drawn to find one on a cut patch, which is a part of four patches or more.
@@ -50,8 +51,30 @@ class NearSides {
     NearSides(const NearLines& near, PatchLight& light)
         : near_(near), light_(light), scene_(light.scene()) {}
 
-    [[nodiscard]] std::vector<NearSide> find() const {
-        const std::vector<bool> is_near = near_groups();
+    /// Sides of regions that receive much of their light from near, by 2 * region + side.
+    [[nodiscard]] std::vector<bool> lit_from_near() const {
+        std::vector<double> all(2 * scene_.region_areas.size()), near(all.size());
+        for (std::uint32_t side = 0; side < 2 * scene_.patches.count(); ++side) {
+            all[2 * scene_.region_of_patch[side / 2] + side % 2] += incident(side);
+        }
+        for (const NearLine& line : near_.lines) {
+            near[line.to] += line.weight * exitance(line.from);
+        }
+        std::vector<bool> is_lit;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            is_lit.push_back(near[i] > kMinNear * all[i]);
+        }
+        return is_lit;
+    }
+
+    /// The sides that send light to these.
+    [[nodiscard]] std::vector<NearSide> find(const std::vector<bool>& lit_from_near) const {
+        std::vector<bool> is_near(2 * near_.groups.size());
+        for (const NearLine& line : near_.lines) {
+            if (lit_from_near[line.to]) {
+                is_near[group_of(line.from)] = true;
+            }
+        }
         std::vector<NearSide> found;
         double until = 0;
         for (const PatchScene::Surface& surface : scene_.surfaces) {
@@ -73,24 +96,6 @@ class NearSides {
   private:
     [[nodiscard]] std::size_t group_of(std::uint32_t side) const {
         return std::size_t{2} * near_.groups[side / 2] + side % 2;
-    }
-
-    /// By group_of().
-    [[nodiscard]] std::vector<bool> near_groups() const {
-        std::vector<double> all(2 * scene_.region_areas.size()), near(all.size());
-        for (std::uint32_t side = 0; side < 2 * scene_.patches.count(); ++side) {
-            all[2 * scene_.region_of_patch[side / 2] + side % 2] += incident(side);
-        }
-        for (const NearLine& line : near_.lines) {
-            near[line.to] += line.weight * exitance(line.from);
-        }
-        std::vector<bool> is_near(2 * near_.groups.size());
-        for (const NearLine& line : near_.lines) {
-            if (near[line.to] > kMinNear * all[line.to]) {
-                is_near[group_of(line.from)] = true;
-            }
-        }
-        return is_near;
     }
 
     /// Sums over all bands.
@@ -119,8 +124,14 @@ class NearSides {
 /// Traces pairs of points on near sides.
 class PairTracer {
   public:
-    PairTracer(const PreparedScene& prepared, double paths, std::uint64_t key, PatchLight& light)
+    PairTracer(
+        const PreparedScene& prepared,
+        const std::vector<bool>& lit_from_near,
+        double paths,
+        std::uint64_t key,
+        PatchLight& light)
         : prepared_(prepared),
+          lit_from_near_(lit_from_near),
           mesh_(prepared.caster().mesh()),
           paths_(paths),
           numbers_(key),
@@ -133,8 +144,9 @@ class PairTracer {
     /// Pairs are shared among the sides in proportion to the light that leaves them.
     NearLight trace(std::span<const NearSide> near) {
         const double all = near.back().until;
-        const double most = kMaxPairs * static_cast<double>(near.size());
-        const double pairs = std::ceil(std::min(kPairsPerRoot * std::sqrt(paths_), most));
+        const auto sides = static_cast<double>(near.size());
+        const double pairs = std::ceil(
+            std::clamp(kPairsPerRoot * std::sqrt(paths_), kMinPairs * sides, kMaxPairs * sides));
         const double shift = numbers_.next();
         std::size_t i = 0;
         for (double n = 0; n < pairs; ++n) {
@@ -251,18 +263,38 @@ class PairTracer {
         }
     }
 
-    /// Sends the weights from the first point, and takes them from the second.
+    /// Sends the weights from the first point, and takes them from the second, unless neither goes
+    /// to a side that receives much light from near: the patch may send others its mean.
     void send(const Pair& pair, const Vec3& normal) {
         const double turn = numbers_.next();
         const Vec3 direction = cosine_direction(normal, numbers_.next(), turn);
-        trace_ray(pair.points[0], pair.triangle, direction, 1);
-        trace_ray(pair.points[1], pair.triangle, direction, -1);
+        const std::array<CastHit, 2> ends{
+            cast(pair.points[0], direction, pair.triangle),
+            cast(pair.points[1], direction, pair.triangle)};
+        const double near = near_distance(scene_, scene_.representative(pair.triangle));
+        if (is_near(ends[0], direction, near) || is_near(ends[1], direction, near)) {
+            follow(ends[0], direction, 1);
+            follow(ends[1], direction, -1);
+        }
     }
 
-    void trace_ray(Vec3 origin, std::uint32_t self, const Vec3& direction, double sign) {
+    /// Whether a ray ends within a distance on a side that receives much light from near.
+    [[nodiscard]] bool is_near(const CastHit& at, const Vec3& direction, double distance) const {
+        if (at.end != RayEnd::hit || !(at.hit.t < distance)) {
+            return false;
+        }
+        const Surface surface = surface_at(prepared_, at.hit, direction);
+        return lit_from_near_[std::size_t{2} * surface.region + index_of(surface.side)];
+    }
+
+    CastHit cast(const Vec3& origin, const Vec3& direction, std::uint32_t self) {
+        ++found_.rays;
+        return prepared_.caster().cast(origin, direction, self);
+    }
+
+    /// Follows a ray from its first end through sensors, and adds the weights where it arrives.
+    void follow(CastHit at, const Vec3& direction, double sign) {
         for (;;) {
-            ++found_.rays;
-            const CastHit at = prepared_.caster().cast(origin, direction, self);
             if (at.end != RayEnd::hit) {
                 found_.escaped.push_back({direction, std::vector<double>(weights_.size())});
                 add(sign, weights_, found_.escaped.back().flux.data());
@@ -277,8 +309,7 @@ class PairTracer {
                 deposit(at.hit, surface, sign);
                 return;
             }
-            origin = point_of(prepared_, at.hit);
-            self = surface.triangle;
+            at = cast(point_of(prepared_, at.hit), direction, surface.triangle);
         }
     }
 
@@ -299,6 +330,7 @@ class PairTracer {
     }
 
     const PreparedScene& prepared_;
+    const std::vector<bool>& lit_from_near_;  // by 2 * region + side
     const LocalMesh& mesh_;
     double paths_;
     Numbers numbers_;
@@ -316,8 +348,11 @@ NearLight trace_near_light(
     double paths,
     std::uint64_t key,
     PatchLight& light) {
-    const std::vector<NearSide> near = NearSides(lines, light).find();
-    return near.empty() ? NearLight{} : PairTracer(prepared, paths, key, light).trace(near);
+    const NearSides sides(lines, light);
+    const std::vector<bool> lit_from_near = sides.lit_from_near();
+    const std::vector<NearSide> near = sides.find(lit_from_near);
+    return near.empty() ? NearLight{}
+                        : PairTracer(prepared, lit_from_near, paths, key, light).trace(near);
 }
 
 }  // namespace quasimc

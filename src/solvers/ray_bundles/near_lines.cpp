@@ -9,7 +9,7 @@
 namespace quasimc {
 namespace {
 
-/// Surfaces within this multiple of a patch's length are near.
+/// Surfaces within this multiple of the longest edge of a patch are near.
 constexpr double kNearLengths = 8;
 constexpr std::uint32_t kNearDirections = 64;
 /// Mean number of lines of a patch.
@@ -26,24 +26,13 @@ std::uint32_t grandparent(const Patches& patches, std::uint32_t triangle, std::u
         cut != nullptr ? cut->parent(patch) : TriangleParts(level).parent(patch));
 }
 
-/// The longest edge of the patches of a triangle.
-double length_of_patch(const PatchScene& scene, std::uint32_t triangle) {
-    const LocalMesh& mesh = scene.prepared.caster().mesh();
-    double longest = 0;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3 edge = mesh.vertex(triangle, (i + 1) % 3) - mesh.vertex(triangle, i);
-        longest = std::max(longest, length(edge));
-    }
-    return std::ldexp(longest, -scene.patches.level(triangle));
-}
-
 class NearLineFinder {
   public:
     explicit NearLineFinder(const PatchScene& scene)
         : scene_(scene), reach_(scene.patches.count()) {
         for (const PatchScene::Surface& surface : scene.surfaces) {
             const std::uint32_t i = surface.triangle;
-            const double reach = surface.is_sensor ? 0 : kNearLengths * length_of_patch(scene, i);
+            const double reach = surface.is_sensor ? 0 : near_distance(scene, i);
             std::fill(
                 reach_.begin() + scene.patches.first(i),
                 reach_.begin() + scene.patches.first(i + 1), static_cast<float>(reach));
@@ -94,6 +83,16 @@ class NearLineFinder {
 };
 
 }  // namespace
+
+double near_distance(const PatchScene& scene, std::uint32_t triangle) {
+    const LocalMesh& mesh = scene.prepared.caster().mesh();
+    double longest = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 edge = mesh.vertex(triangle, (i + 1) % 3) - mesh.vertex(triangle, i);
+        longest = std::max(longest, length(edge));
+    }
+    return kNearLengths * std::ldexp(longest, -scene.patches.level(triangle));
+}
 
 NearLines::NearLines(const PatchScene& scene) : lines(NearLineFinder(scene).find()) {
     for (const PatchScene::Surface& surface : scene.surfaces) {

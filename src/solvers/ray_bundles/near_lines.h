@@ -14,6 +14,9 @@ struct NearLine {
     float weight = 0;        ///< flux along it from an exitance of 1
 };
 
+/// Surfaces within this distance of the patches of a triangle are near.
+[[nodiscard]] double near_distance(const PatchScene& scene, std::uint32_t triangle);
+
 /// Near surfaces of all patches, found once along lines in fixed directions.
 struct NearLines {
     explicit NearLines(const PatchScene& scene);
