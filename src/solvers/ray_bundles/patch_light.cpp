@@ -10,14 +10,15 @@
 namespace quasimc {
 namespace {
 
-/// Orders end at this fraction of the light of the first one, which is less than any error.
-constexpr double kNegligible = 1e-5;
+/// Orders end when a geometric series of all further ones is this fraction of the first one. Their
+/// distribution over surfaces, that of the last one, need not be precise.
+constexpr double kNegligible = 1e-3;
 
-/// Whether the last order is negligible in a pack.
+/// Whether the last order and all further ones are negligible in a pack.
 bool is_negligible(const ScatteredFlux& flux, const PatchLight& light, std::size_t pack) {
     const BandPack& bands = light.packs()[pack];
     for (std::size_t b = bands.first; b < bands.first + bands.bands; ++b) {
-        if (!(flux.last[b] <= kNegligible * flux.first[b])) {
+        if (flux.last[b] > 0 && !(flux.last[b] * flux.series(b) <= kNegligible * flux.first[b])) {
             return false;
         }
     }
@@ -117,6 +118,7 @@ double* sum_of_pack(double* sum, const PatchScene& scene, const BandPack& pack) 
 ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, double* sum) {
     PatchLight& light = *irradiance.light;
     ScatteredFlux flux = std::move(before);
+    flux.before.resize(light.bands());
     flux.last.resize(light.bands());
     for (const std::size_t pack : irradiance.packs) {
         for_bands(light.packs()[pack].bands, [&]<std::size_t kBands>() {
@@ -125,7 +127,9 @@ ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, d
             PackScatter<kBands> of_pack(light, pack, own);
             const std::vector<double>& leaving =
                 of_pack.scatter(irradiance.lines ? &*irradiance.lines : nullptr);
-            std::copy(leaving.begin(), leaving.end(), &flux.last[light.packs()[pack].first]);
+            const std::size_t first = light.packs()[pack].first;
+            std::copy_n(&flux.last[first], leaving.size(), &flux.before[first]);
+            std::copy(leaving.begin(), leaving.end(), &flux.last[first]);
         });
     }
     if (flux.first.empty()) {
@@ -170,6 +174,26 @@ std::size_t ExitanceSum::size(const PatchScene& scene) {
 
 ScatteredOrder ExitanceSum::add_and_scatter(PatchIrradiance irradiance, ScatteredFlux before) {
     return scatter_packs(std::move(irradiance), std::move(before), numbers_.data());
+}
+
+void ExitanceSum::add_series(const ScatteredOrder& last) {
+    PatchLight& light = *last.exitance.light;
+    const std::size_t sides = std::size_t{2} * light.scene().patches.count();
+    const std::vector<std::size_t>& sent = last.exitance.packs;
+    for (std::size_t pack = 0; pack < light.packs().size(); ++pack) {
+        if (std::find(sent.begin(), sent.end(), pack) != sent.end()) {
+            continue;
+        }
+        const PatchSides<0> from = light.sides(pack);
+        double* to = sum_of_pack(numbers_.data(), light.scene(), light.packs()[pack]);
+        for (std::size_t b = 0; b < from.columns(); ++b) {
+            const std::size_t band = light.packs()[pack].first + b;
+            const double factor = last.flux.last[band] > 0 ? last.flux.series(band) : 0;
+            for (std::size_t side = 0; side < sides; ++side) {
+                to[side * from.columns() + b] += factor * from.exitance(side)[b];
+            }
+        }
+    }
 }
 
 PatchExitance ExitanceSum::exitance(std::unique_ptr<PatchLight> memory) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -59,8 +60,16 @@ struct PatchExitance : PatchField {};
 
 /// Flux of scattered light that leaves surfaces, [band].
 struct ScatteredFlux {
-    std::vector<double> first;  ///< flux of the first order
-    std::vector<double> last;   ///< flux of the last order in which the band's pack was scattered
+    std::vector<double> first;   ///< flux of the first order
+    std::vector<double> before;  ///< flux of the order before the last
+    std::vector<double> last;    ///< flux of the last order in which the band's pack was scattered
+
+    /// The last order and all further ones over the last, as a geometric series; infinite if light
+    /// does not decrease.
+    [[nodiscard]] double series(std::size_t band) const {
+        const double decrease = before[band] - last[band];
+        return decrease > 0 ? before[band] / decrease : std::numeric_limits<double>::infinity();
+    }
 };
 /// Light of one order that leaves patches.
 struct ScatteredOrder {
@@ -83,6 +92,9 @@ class ExitanceSum {
     /// scatters the irradiance, in one pass over patches, up to 3 % faster than two.
     /// @param before  flux of the order that was sent
     [[nodiscard]] ScatteredOrder add_and_scatter(PatchIrradiance irradiance, ScatteredFlux before);
+    /// Adds the last order and a geometric series of all further ones, in packs that are not sent
+    /// on.
+    void add_series(const ScatteredOrder& last);
     /// The sum as an exitance, in all packs.
     /// @param memory  of the exitance
     [[nodiscard]] PatchExitance exitance(std::unique_ptr<PatchLight> memory) const;

@@ -5,8 +5,8 @@
 // ray: along lines in one direction through the whole scene each patch sends light to the next one,
 // both ways (solvers/ray_bundles/bundle_exchange.h). Step by step all light that has not yet been
 // sent on goes along lines in new directions, drawn independently of all before: the Neumann series
-// of the radiosity equation, order by order, each without bias. The remainder is reported as cut
-// off. Where direct light varies within a bright patch, rays correct the first order
+// of the radiosity equation, order by order, each without bias. The remainder is taken for a
+// geometric series. Where direct light varies within a bright patch, rays correct the first order
 // (solvers/ray_bundles/near_light.h). These steps have few lines. The sum of all exitances then
 // goes along many lines once more (final gather, Reichert 1992), and the irradiance of this last
 // step is the result.
@@ -155,13 +155,17 @@ class RayBundles final : public Solver {
             // sum B += B^(k), B^(k+1) = R E^(k)
             order = sum.add_and_scatter(std::move(irradiance), std::move(order.flux));
         }
-        // B^(k) is not sent on any more: cut off
-        Flow flow{std::vector<std::int64_t>(order.flux.last.size()), fixed(order.flux.last)};
+        // B^(k) is not sent on any more: cut off where it is not negligible
+        Flow flow{
+            std::vector<std::int64_t>(order.flux.last.size()),
+            fixed(flux_of(order.exitance, order.flux.last))};
         if (k == 1) {
             add_sums(RegionFlux(cut_->scene.region_areas.size(), flow.escaped.size()), flow, tally);
             scratch.light = std::move(order.exitance.light);
             return;
         }
+        // where it is, it stands for B^(k) + B^(k+1) + ...
+        sum.add_series(order);
         // scattered part of E: T sum B
         PatchIrradiance irradiance = exchange_along(
             sum.exitance(std::move(order.exitance.light)),
@@ -194,6 +198,17 @@ class RayBundles final : public Solver {
     [[nodiscard]] bool goes_on(std::uint64_t k, const PatchExitance& exitance) const {
         const bool is_deepest = input_.spec.max_depth > 0 && k >= input_.spec.max_depth;
         return !exitance.packs.empty() && !is_deepest;
+    }
+
+    /// The flux in the bands that an exitance has; 0 in others.
+    [[nodiscard]] static std::vector<double> flux_of(
+        const PatchExitance& exitance, const std::vector<double>& flux) {
+        std::vector<double> own(flux.size());
+        for (const std::size_t pack : exitance.packs) {
+            const BandPack& bands = exitance.light->packs()[pack];
+            std::copy_n(&flux[bands.first], bands.bands, &own[bands.first]);
+        }
+        return own;
     }
 
     /// Memory for the light on the current patches.
