@@ -32,7 +32,7 @@ constexpr double kMaxPatches = 1 << 21;
 constexpr double kPatchesPerDirection = 0.2, kMeetingsOfOrgan = 4, kMeetingsOfTriangle = 1;
 /// Minimum segments per direction: preparing a direction takes as long as some segments.
 constexpr double kMinOfDirection = 512;
-constexpr double kMinInGroup = 8, kMinOfWeak = 4, kMaxInGroup = 4096;
+constexpr double kMinInGroup = 4, kMaxInGroup = 4096;
 /// Fraction of all segments for single orders, times the albedo: their noise passes the final
 /// gather, where organs receive light of very many patches, and less of it the lower their albedo.
 constexpr double kForOrders = 0.3;
@@ -81,23 +81,18 @@ BundleGroup BundleBudget::of_order(const std::vector<double>& leaving, std::uint
         part = std::max(part, first_[c] > 0 ? leaving[c] / first_[c] : 0);
     }
     const double strength = std::min(1.0, std::max(part, passed_on_));
-    return group(
-        {part * of_first_, strength * kMinPerPatch * patches_,
-         std::max(kMinOfWeak, kMinInGroup * std::sqrt(strength)), key});
+    return group(std::max(part * of_first_, strength * kMinPerPatch * patches_), key);
 }
 
 BundleGroup BundleBudget::of_all(double of_orders, std::uint64_t key) const {
-    const double fewest = std::max(kMinPerPatch * patches_, kLastOverOrders * of_orders);
-    return group({of_all_, fewest, kMinInGroup, key});
+    return group(std::max({of_all_, kMinPerPatch * patches_, kLastOverOrders * of_orders}), key);
 }
 
-BundleGroup BundleBudget::group(const Wanted& wanted) const {
-    const double segments = std::max(wanted.segments, wanted.fewest);
-    const double directions =
-        std::clamp(segments / of_direction_, wanted.fewest_directions, kMaxInGroup);
+BundleGroup BundleBudget::group(double segments, std::uint64_t key) const {
+    const double directions = std::clamp(segments / of_direction_, kMinInGroup, kMaxInGroup);
     const double even = 2 * std::round(directions / 2);
     // The mean projected area of surfaces is half of their area.
-    return {static_cast<std::uint32_t>(even), area_ / 2 * even / segments, wanted.key, segments};
+    return {static_cast<std::uint32_t>(even), area_ / 2 * even / segments, key, segments};
 }
 
 }  // namespace quasimc

@@ -29,11 +29,7 @@ class BundleBudget {
     [[nodiscard]] BundleGroup of_all(double of_orders, std::uint64_t key) const;
 
   private:
-    struct Wanted {
-        double segments = 0, fewest = 0, fewest_directions = 0;
-        std::uint64_t key = 0;
-    };
-    [[nodiscard]] BundleGroup group(const Wanted& wanted) const;
+    [[nodiscard]] BundleGroup group(double segments, std::uint64_t key) const;
 
     double patches_, area_;
     double

@@ -12,7 +12,8 @@ namespace {
 
 /// Patches per typical organ that resolve its shadow (docs/develop/notebook/ray-bundles.md).
 constexpr double kPatchesPerOrgan = 8;
-/// Minimum number for organs of one triangle, which suffices for the shadows of similar organs.
+/// Minimum number, of few paths or for organs of one triangle, which suffices for the shadows of
+/// similar organs.
 constexpr double kMinPerOrgan = 4;
 /// Minimum number of patches per triangle.
 constexpr double kPatchesPerTriangle = 4;
@@ -71,8 +72,10 @@ PatchSize patch_size(const Scene& scene, double most) {
     if (!(area > 0 && typical > 0)) {
         return {area, 1 / std::max(1.0, most), std::max(1.0, most)};
     }
+    const double per_organ =
+        std::clamp(kPatchesPerOrgan * most * typical / area, kMinPerOrgan, kPatchesPerOrgan);
     const double for_shadows =
-        std::max(typical / kPatchesPerOrgan, area / (kMaxTimes * kPatchesPerTriangle * triangles));
+        std::max(typical / per_organ, area / (kMaxTimes * kPatchesPerTriangle * triangles));
     const double usual = std::min(area / std::max(1.0, most), for_shadows);
     const bool holds =
         std::all_of(scene.organs().begin(), scene.organs().end(), [&](const Organ& organ) {
