@@ -27,10 +27,13 @@ constexpr SamplingDensity kBrightDensity{
 /// of theirs, at every albedo. Bundles take several times as long per path, and so may lines.
 constexpr SamplingDensity kBrightBundleDensity{
     .lines_per_root = 12.8,
+    .lines_per_root_of_triangles = 8,
     .pixels_per_path = 160,
     .pixels_per_root = 320,
     .most_over_root = 2,
+    .min_directions = 16,
     .cuts_per_path = 160,
+    .over_triangles = 16,
     .paths_per_sample = 2};
 /// The density with `times` as many pixels in each direction.
 constexpr SamplingDensity with_pixels(SamplingDensity density, double times) {
@@ -89,16 +92,15 @@ constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
 constexpr double kMinPixels = 1024, kMaxPixels = 2048 * 2048;
 /// Factor for periodic scenes, where no pixel is empty.
 constexpr double kShareOfLayer = 1.0 / 3;
-/// Minimum number of directions of a sky, and maximum number of blocks.
-constexpr std::uint32_t kMinDirections = 4;
+/// Maximum number of blocks of directions.
 constexpr std::uint32_t kDirectionBlocks = 16;
 /// Cost of projecting a triangle, in pixels; twice that in periodic scenes.
 constexpr double kPixelsPerTriangle = 20;
 /// The directions cost at most this multiple of the pixels of their paths.
 constexpr double kMaxOverPixels = 30;
-/// The variance of an organ's light from kMinDirections directions, and the power of their number
+/// The variance of an organ's light from kFewDirections directions, and the power of their number
 /// with which it falls. The unit is that of one path for each organ.
-constexpr double kVarianceOfFew = 0.04, kPowerOfDirections = 1.6;
+constexpr double kFewDirections = 4, kVarianceOfFew = 0.04, kPowerOfDirections = 1.6;
 
 /// Number of measured organs, without the ground.
 double measured_organs(const Scene& scene) {
@@ -125,16 +127,23 @@ SamplingBudget::SamplingBudget(
         beams += light.source->is_sun() ? beams_of(light) : 0;
     }
     fewest_lines_ = std::max(kMinLines, kMinOfFew / std::max(beams, 1U));
+    const double per_root = density_.lines_per_root_of_triangles / std::max(beams, 1U);
+    fewest_lines_ = std::max(
+        fewest_lines_, static_cast<std::uint32_t>(
+                           per_root * std::sqrt(prepared.caster().mesh().triangle_count())));
     set_lines(LineCost(seen), static_cast<double>(paths));
     sees_skies_ = !skies.skies().empty() &&
                   are_directions_better(skies.probability() * static_cast<double>(paths));
 }
 
 void SamplingBudget::set_lines(const LineCost& cost, double paths) {
-    projection_ = prepared_.caster().mesh().triangle_count() /
-                  std::min(
-                      kMaxTrianglesPerPath, kMaxTrianglesPerPathOfOrgan *
-                                                std::max(1., measured_organs(prepared_.scene())));
+    const auto suns = std::ranges::count_if(
+        prepared_.lights(), [](const BoundSource& light) { return light.source->is_sun(); });
+    projection_ =
+        prepared_.caster().mesh().triangle_count() /
+        std::min(
+            (suns < kMinPicks ? density_.over_triangles : 1) * kMaxTrianglesPerPath,
+            kMaxTrianglesPerPathOfOrgan * std::max(1., measured_organs(prepared_.scene())));
     std::vector<ManySuns::Sun> many;
     for (std::uint32_t i = 0; i < prepared_.lights().size(); ++i) {
         const BoundSource& light = prepared_.lights()[i];
@@ -201,7 +210,7 @@ bool SamplingBudget::traces_suns() const {
 }
 
 bool SamplingBudget::are_directions_better(double paths) const {
-    const double of_few = skies_of(paths).count / double{kMinDirections};
+    const double of_few = skies_of(paths).count / kFewDirections;
     const double variance = kVarianceOfFew * std::pow(of_few, -kPowerOfDirections);
     return variance * paths <= std::max(1., measured_organs(prepared_.scene()));
 }
@@ -314,7 +323,7 @@ VisibilityTask SamplingBudget::skies_of(double paths) const {
     const double cheap = kMaxOverPixels * all / (pixels + kPixelsPerTriangle * images * triangles);
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const auto count = static_cast<std::uint32_t>(std::min(wanted, cheap));
-    const std::uint32_t directions = std::max({kMinDirections, skies, count});
+    const std::uint32_t directions = std::max({density_.min_directions, skies, count});
     return {
         .is_sky = true,
         .count = directions,

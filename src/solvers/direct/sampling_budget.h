@@ -36,12 +36,18 @@ enum class ScatteredBy { paths, bundles };
 struct SamplingDensity {
     double paths_per_line = 0;  ///< 0: lines_per_root decides
     double lines_per_root = 0;  ///< lines per square root of the number of paths
+    /// Minimum number of lines per square root of the number of triangles; so many take about the
+    /// time of the preparation.
+    double lines_per_root_of_triangles = 0;
     double pixels_per_path = 0;
     double pixels_per_root =
         0;  ///< pixels of a sky direction per square root of the number of triangles
     double most_over_root =
         1;  ///< largest factor on pixels_per_root if triangles would have few pixels
-    double cuts_per_path = 0;  ///< limit of triangle images that the lines of a sun cut
+    std::uint32_t min_directions = 4;  ///< minimum number of directions of all skies
+    double cuts_per_path = 0;          ///< limit of triangle images that the lines of a sun cut
+    /// Factor on the limit of projected triangles where suns are too few to pick some of them.
+    double over_triangles = 1;
     /// Largest contribution of a line to a typical organ if cuts leave fewer lines than usual, as a
     /// number of paths.
     double paths_per_sample = 0;
