@@ -236,8 +236,8 @@ TEST(SamplingBudget, SeesNoSkiesWhereThereAreNone) {
                      .sees_skies());
 }
 
-/// With fewer paths than leaves, most leaves would miss all of them: 64 paths had errors of 350 % for
-/// 10,000 leaves.
+/// With fewer paths than leaves, most leaves would miss all of them: 64 paths had errors of 350 %
+/// for 10,000 leaves.
 TEST(SamplingBudget, TracesNoSunOfBundlesWithFewPaths) {
     for (const int leaves : {20, 20'000}) {
         const TestStand open(false, {sun(20, {1})}, leaves);
