@@ -164,8 +164,7 @@ class RayBundles final : public Solver {
             scratch.light = std::move(order.exitance.light);
             return;
         }
-        // where it is, it stands for B^(k) + B^(k+1) + ...
-        sum.add_series(order);
+        sum.add_series(order);  // sum B += B^(k) + B^(k+1) + ... where it is
         // scattered part of E: T sum B
         PatchIrradiance irradiance = exchange_along(
             sum.exitance(std::move(order.exitance.light)),
