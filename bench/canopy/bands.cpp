@@ -1,6 +1,9 @@
 #include <cmath>
 #include <cstdio>
+#include <fstream>
+#include <string>
 
+#include "optics/prospect.h"
 #include "parts.h"
 #include "scenes.h"
 
@@ -54,6 +57,55 @@ double common_variance(const Result& both, std::uint32_t replicates) {
     return sum / static_cast<double>(both.organs());
 }
 
+/// Albedos of a green leaf in bands that are spread over 400 to 2400 nm; one is the brightest.
+std::vector<double> leaf_albedos(std::size_t bands) {
+    constexpr LeafConstituents kGreen{
+        .structure = 1.5, .chlorophyll = 40, .carotenoids = 10, .water = .015, .dry_matter = .009};
+    constexpr std::size_t kUsed = 400;  // 5 nm each
+    std::vector<double> albedos;
+    for (std::size_t b = 0; b < bands; ++b) {
+        constexpr std::size_t kBrightest = 80;  // 800 nm
+        const std::size_t row = bands == 1 ? kBrightest : b * kUsed / bands;
+        const LeafOptics leaf = prospect(leaf_constants()[row], kGreen);
+        albedos.push_back(leaf.reflectance + leaf.transmittance);
+    }
+    return albedos;
+}
+
+/// A number of /proc/self/status in bytes; 0 where there is none.
+double bytes_of_status(const std::string& name) {
+    std::ifstream status("/proc/self/status");
+    for (std::string word; status >> word;) {
+        if (word == name + ":") {
+            double kilobytes = 0;
+            status >> kilobytes;
+            return 1024 * kilobytes;
+        }
+    }
+    return 0;
+}
+
+struct Cost {
+    double seconds = 0, bytes = 0;
+};
+
+/// CPU time and largest additional memory of a run.
+Cost cost_of(std::uint32_t leaves, std::size_t bands, const Effort& effort) {
+    const Scene scene = make_canopy({leaves, leaf_albedos(bands), 1});
+    RunSpec spec = plain_spec(effort);
+    spec.method = Method::ray_bundles;
+    spec.replicates = 8;
+    std::vector<double> seconds;
+    double bytes = 0;
+    for (int repeat = 0; repeat < (leaves < 1000 ? effort.repeats : 1); ++repeat) {
+        std::ofstream("/proc/self/clear_refs") << 5;  // the peak begins anew
+        const double before = bytes_of_status("VmRSS");
+        seconds.push_back(run(scene, make_light(Light::sun, bands), spec).solve_cpu_seconds);
+        bytes = std::max(bytes, bytes_of_status("VmHWM") - before);
+    }
+    return {median(seconds), bytes};
+}
+
 }  // namespace
 
 void print_band_ratio(const Effort& effort) {
@@ -83,30 +135,25 @@ void print_band_ratio(const Effort& effort) {
 }
 
 void print_band_cost(const Effort& effort) {
-    std::printf("\n== Cost of bands: 500 leaves, PAR, sun, CPU of the run relative to one band\n");
-    std::printf("  %6s %10s %10s %16s\n", "bands", "CPU ms", "relative", "per further band");
-    std::vector<Scene> scenes;
-    const std::vector<std::size_t> counts{1, 2, 4, 20, 100, 200};
-    for (const std::size_t bands : counts) {
-        scenes.push_back(make_canopy({500, std::vector<double>(bands, 0.2), 1}));
-    }
-    std::vector<std::vector<double>> ratios(counts.size());
-    std::vector<double> seconds(counts.size());
-    for (int repeat = 0; repeat < effort.repeats; ++repeat) {
-        for (std::size_t i = 0; i < counts.size(); ++i) {
-            const Result result =
-                run(scenes[i], make_light(Light::sun, counts[i]), plain_spec(effort));
-            seconds[i] = result.solve_cpu_seconds;
-            ratios[i].push_back(seconds[i] / seconds[0]);
+    for (const std::uint32_t leaves : {500U, 10000U}) {
+        if (leaves > effort.most_leaves) {
+            continue;
         }
-    }
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const double relative = median(ratios[i]);
-        const double further =
-            counts[i] > 1 ? (relative - 1) / static_cast<double>(counts[i] - 1) : 0;
         std::printf(
-            "  %6zu %10.2f %10.3f %15.2f%%\n", counts[i], 1e3 * seconds[i], relative,
-            100 * further);
+            "\n== Cost of bands: %u leaves of PROSPECT-D, sun, ray bundles; CPU and memory of the "
+            "run\n",
+            leaves);
+        std::printf("  %6s %10s %10s %10s %24s\n", "bands", "CPU ms", "relative", "MB",
+                    "bytes per organ and band");
+        double one = 0;
+        for (const std::size_t bands : {1, 50, 200, 400}) {
+            const Cost cost = cost_of(leaves, bands, effort);
+            one = bands == 1 ? cost.seconds : one;
+            std::printf(
+                "  %6zu %10.1f %10.2f %10.1f %24.0f\n", bands, 1e3 * cost.seconds,
+                cost.seconds / one, 1e-6 * cost.bytes,
+                cost.bytes / static_cast<double>(leaves * bands));
+        }
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/checks.h"
 #include "base/parallel.h"
+#include "samplers/balanced_numbers.h"
 #include "samplers/hash.h"
 #include "series/basis/add_responses.h"
 #include "sums/statistics.h"
@@ -20,20 +21,6 @@ constexpr double kUnits = 1 << 28;
 /// Rounds to nearest, inline: the library's function costs more than all other work on a bin.
 [[nodiscard]] std::int64_t rounded(double x) {
     return static_cast<std::int64_t>(x + std::copysign(0.5, x));
-}
-
-/// Numbers with a mean of 0, in random order, whose mean as an estimate has the standard error 1.
-std::vector<double> balanced(std::size_t count, std::uint64_t key) {
-    const std::size_t pairs = count / 2;
-    const auto n = static_cast<double>(count);
-    const double size = std::sqrt(n * (n - 1) / (2 * static_cast<double>(pairs)));
-    std::vector<double> numbers(count);
-    std::fill_n(numbers.begin(), pairs, size);
-    std::fill_n(numbers.begin() + static_cast<std::ptrdiff_t>(pairs), pairs, -size);
-    for (std::size_t i = count; i > 1; --i) {
-        std::swap(numbers[i - 1], numbers[mix64(key + i) % i]);
-    }
-    return numbers;
 }
 
 /// Number of bins that stay in the caches while they are added to several sums.
@@ -218,7 +205,7 @@ LightSum LightSum::deviations(
     const BinIndex index(layout_);
     const std::vector<BinPart> parts = bin_parts(layout_);
     for (std::size_t i = 0; i < layout_.regions + 1; ++i) {  // all regions, and the run
-        const std::vector<double> pattern = balanced(bins_.size(), mix64(key ^ mix64(i)));
+        const std::vector<double> pattern = balanced_numbers(bins_.size(), mix64(key ^ mix64(i)));
         const bool is_region = i < layout_.regions;
         const std::size_t first = is_region ? 0 : layout_.sums.stride();
         const std::size_t end = is_region ? layout_.sums.stride() : parts.size();

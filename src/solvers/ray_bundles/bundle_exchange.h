@@ -31,7 +31,7 @@ struct ExchangeOptions {
     /// Skies for which LineStatistics::open is measured; null: none.
     const SkyDirections* skies = nullptr;
     /// Is called with light that leaves the scene, direction by direction in their order: flux in
-    /// each band.
+    /// each column.
     std::function<void(const Vec3& direction, std::span<const double> flux)> on_escape = {};
 };
 

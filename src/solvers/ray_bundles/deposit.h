@@ -27,7 +27,7 @@ struct LitBands {
 };
 
 /// All bands that a source lights, pack by pack; of those between them, some may get 0.
-/// @param weights  of all bands, which must outlive it
+/// @param weights  of all columns, which must outlive it
 [[nodiscard]] inline std::vector<LitBands> lit_bands(
     PatchLight& light, std::span<const double> weights) {
     const auto is_lit = [](double weight) { return weight != 0; };

@@ -114,7 +114,8 @@ class DirectDeposit {
         const DepositedSamples deposited(
             beams_.stream_of(work, 0), work.task.is_picked ? picked_lines_ : work.task.count,
             kLineDensity);
-        const std::vector<LitBands> bands = lit_bands(light_, lit.share.light->start_weights);
+        const std::vector<double> weights = patches_.bands.select(lit.share.light->start_weights);
+        const std::vector<LitBands> bands = lit_bands(light_, weights);
         const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
             throw_if_stopped(input_.stop);
             const std::uint32_t factor = deposited.factor(line.number);
@@ -176,17 +177,17 @@ class DirectDeposit {
         }
     }
 
-    /// Scores the light of all skies. @returns the weight of a pixel per band, times `factor`
+    /// Scores the light of all skies. @returns the weight of a pixel per column, times `factor`
     std::vector<double> score_skies(const DirectBeams::SkyView& view, double factor) {
-        std::vector<double> weights(prepared_.bands());
+        std::vector<double> weights(patches_.bands.count());
         for (const Beam& beam : view.beams) {
             if (!(beam.paths > 0)) {
                 continue;
             }
             score(view, beam);
             const double of_pixel = factor * beam.paths * view.image.pixel_area() / beam.area;
-            for (std::size_t b = 0; b < weights.size(); ++b) {
-                weights[b] += of_pixel * beam.light->start_weights[b];
+            for (std::size_t c = 0; c < weights.size(); ++c) {
+                weights[c] += of_pixel * beam.light->start_weights[patches_.bands[c]];
             }
         }
         return weights;
@@ -250,9 +251,11 @@ class DirectDeposit {
         const Round& round = replicate_.round;
         const Sampler& sampler = input_.sampler;
         const Stream stream{input_.spec.seed, 0, replicate_.index, round.first, round.count};
+        std::vector<std::vector<double>> weights;
         std::vector<std::vector<LitBands>> lit;
         for (const BoundSource& source : prepared_.lights()) {
-            lit.push_back(lit_bands(light_, source.start_weights));
+            weights.push_back(patches_.bands.select(source.start_weights));
+            lit.push_back(lit_bands(light_, weights.back()));
         }
         std::uint64_t rays = 0;
         for (std::uint64_t point = round.first; point < round.first + round.count; ++point) {

@@ -137,8 +137,8 @@ class PairTracer {
           numbers_(key),
           light_(light),
           scene_(light.scene()),
-          weights_(prepared.bands()) {
-        found_.on_regions.resize(2 * scene_.region_areas.size() * prepared.bands());
+          weights_(scene_.bands.count()) {
+        found_.on_regions.resize(2 * scene_.region_areas.size() * weights_.size());
     }
 
     /// Pairs are shared among the sides in proportion to the light that leaves them.
@@ -255,8 +255,9 @@ class PairTracer {
         // Light that leaves the other side may not be near.
         const bool is_reflected = index_of(lit) == side.side % 2;
         const std::vector<double>& scattered = is_reflected ? optics.reflected : optics.transmitted;
-        for (std::size_t b = 0; b < weights_.size(); ++b) {
-            weights_[b] = amount / kRays * in->light->start_weights[b] * scattered[b];
+        for (std::size_t c = 0; c < weights_.size(); ++c) {
+            const double own = in->light->start_weights[scene_.bands[c]];
+            weights_[c] = amount / kRays * own * scattered[c];
         }
         for (int i = 0; i < kRays; ++i) {
             send(pair, side.side % 2 == 0 ? pair.up : -pair.up);
@@ -336,7 +337,7 @@ class PairTracer {
     Numbers numbers_;
     PatchLight& light_;
     const PatchScene& scene_;
-    std::vector<double> weights_;  // of a ray, per band
+    std::vector<double> weights_;  // of a ray, per column
     NearLight found_;
 };
 

@@ -15,9 +15,9 @@ struct NearLight {
     /// Light that leaves the scene along a direction.
     struct Escaped {
         Vec3 direction;
-        std::vector<double> flux;  ///< [band]
+        std::vector<double> flux;  ///< [column]
     };
-    std::vector<double> on_regions;  ///< flux, [2 * region + side][band]
+    std::vector<double> on_regions;  ///< flux, [2 * region + side][column]
     std::vector<Escaped> escaped;
     std::uint64_t rays = 0;
 };

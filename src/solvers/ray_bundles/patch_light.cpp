@@ -146,7 +146,7 @@ ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, d
 PatchLight::PatchLight(const PatchScene& scene)
     : scene_(scene),
       patches_(scene.patches.count()),
-      bands_(scene.prepared.bands()),
+      bands_(scene.bands.count()),
       packs_(band_packs(bands_)),
       numbers_(4 * std::max<std::size_t>(1, patches_) * bands_) {}
 
@@ -169,7 +169,7 @@ ExitanceSum::ExitanceSum(const PatchScene& scene, std::vector<double>& memory) :
 }
 
 std::size_t ExitanceSum::size(const PatchScene& scene) {
-    return std::size_t{2} * scene.patches.count() * scene.prepared.bands();
+    return std::size_t{2} * scene.patches.count() * scene.bands.count();
 }
 
 ScatteredOrder ExitanceSum::add_and_scatter(PatchIrradiance irradiance, ScatteredFlux before) {

@@ -20,7 +20,7 @@ namespace quasimc {
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
-/// Memory for a field of light on all patches of a scene, in all bands. Numbers are sorted by pack
+/// Memory for a field of light on all patches of a scene, in its solved bands. Numbers are sorted by pack
 /// of bands, in each [2 * patch + side][band of the pack].
 class PatchLight {
   public:
@@ -58,7 +58,7 @@ struct PatchExitance : PatchField {};
 /// E = 0: no light on patches.
 [[nodiscard]] PatchIrradiance no_irradiance(std::unique_ptr<PatchLight> memory);
 
-/// Flux of scattered light that leaves surfaces, [band].
+/// Flux of scattered light that leaves surfaces, [column].
 struct ScatteredFlux {
     std::vector<double> first;   ///< flux of the first order
     std::vector<double> before;  ///< flux of the order before the last
@@ -115,17 +115,17 @@ class RegionFlux {
     /// @param corrections  further factors, by 2 * region + side
     RegionFlux(const PatchIrradiance& irradiance, std::span<const double> corrections);
 
-    /// The flux on a side of a region, [band].
+    /// The flux on a side of a region, [column].
     [[nodiscard]] std::span<const double> of(std::uint32_t region, SurfaceSide side) const {
         return {&sums_[(std::size_t{2} * region + index_of(side)) * bands_], bands_};
     }
-    /// Adds light on all sides, [2 * region + side][band]; empty: none.
+    /// Adds light on all sides, [2 * region + side][column]; empty: none.
     void add(std::span<const double> flux) {
         for (std::size_t i = 0; i < flux.size(); ++i) {
             sums_[i] += flux[i];
         }
     }
-    /// The flux that misses slivers, [band].
+    /// The flux that misses slivers, [column].
     [[nodiscard]] const std::vector<double>& missed() const { return missed_; }
 
   private:
@@ -133,7 +133,7 @@ class RegionFlux {
         const PatchIrradiance& irradiance, const PatchScene::Surface& surface, std::size_t pack);
 
     std::size_t bands_;
-    std::vector<double> sums_;  // [2 * region + side][band]
+    std::vector<double> sums_;  // [2 * region + side][column]
     std::vector<double> missed_;
 };
 

@@ -22,15 +22,10 @@ bool is_sensor(std::span<const VisibilityRole> roles, std::uint32_t triangle) {
     return !roles.empty() && roles[triangle] == VisibilityRole::sensor;
 }
 
-PatchOptics optics_of(const Side& side, std::size_t bands) {
-    PatchOptics optics{std::vector<double>(bands), std::vector<double>(bands)};
-    for (const Lobe& lobe : side.lobes()) {
-        const bool is_reflected = lobe.shape->hemisphere() == Hemisphere::reflected;
-        for (std::size_t b = 0; b < bands; ++b) {
-            (is_reflected ? optics.reflected : optics.transmitted)[b] += lobe.albedo[b];
-        }
-    }
-    return optics;
+/// @returns by column
+PatchOptics optics_of(const Side& side, const SolvedBands& bands) {
+    const PatchOptics all = optics_of(side, bands.all());
+    return {bands.select(all.reflected), bands.select(all.transmitted)};
 }
 
 /// By triangle, the one that represents all its periodic images; empty: each its own.
@@ -120,25 +115,30 @@ Patches make_patches(
     return Patches(std::move(levels), crossings_of(prepared, stop));
 }
 
-PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& projection, Patches cut)
+PatchScene::PatchScene(
+    const PreparedScene& scene,
+    const SolvedBands& solved,
+    const ProjectedScene& projection,
+    Patches cut)
     : prepared(scene),
+      bands(solved),
       projected(projection),
       patches(std::move(cut)),
       region_areas(scene.scene().regions().size()),
       parents(parents_of(patches)) {
-    const std::size_t bands = prepared.bands();
+    const std::size_t columns = bands.count();
     for (const Material& material : data_of(prepared.scene()).materials) {
         for (const SurfaceSide side : kSurfaceSides) {
             optics.push_back(
                 material.is_transparent()
-                    ? PatchOptics{std::vector<double>(bands), std::vector<double>(bands)}
+                    ? PatchOptics{std::vector<double>(columns), std::vector<double>(columns)}
                     : optics_of(material.side(side), bands));
         }
     }
     const LocalMesh& mesh = prepared.caster().mesh();
     const std::uint32_t triangles = patches.triangles();
     representatives = find_representatives(prepared);
-    std::vector<double> scattered(bands);
+    std::vector<double> scattered(columns);
     std::vector<float> least_cosines;
     for (std::uint32_t i = 0; i < triangles; ++i) {
         if (prepared.fields_of_view().any_narrow()) {
@@ -156,10 +156,10 @@ PatchScene::PatchScene(const PreparedScene& scene, const ProjectedScene& project
         area += own;
         region_areas[info.region] += surfaces.back().is_sensor ? 0 : own;
         region_of_patch.resize(patches.first(i + 1), info.region);
-        for (std::size_t b = 0; b < bands; ++b) {
+        for (std::size_t c = 0; c < columns; ++c) {
             for (const SurfaceSide side : kSurfaceSides) {
                 const PatchOptics& o = of(info.material, side);
-                scattered[b] += own / 2 * (o.reflected[b] + o.transmitted[b]);
+                scattered[c] += own / 2 * (o.reflected[c] + o.transmitted[c]);
             }
         }
     }

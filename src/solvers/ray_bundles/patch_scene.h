@@ -7,14 +7,11 @@
 
 #include "raster/line_hits.h"
 #include "raster/patches.h"
+#include "solvers/ray_bundles/patch_optics.h"
+#include "solvers/ray_bundles/solved_bands.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
-
-/// Reflectance and transmittance of a side of a material, per band.
-struct PatchOptics {
-    std::vector<double> reflected, transmitted;
-};
 
 /// Cuts the triangles of the caster's mesh into patches of about equal areas
 /// (solvers/ray_bundles/patch_size.h), at least four a triangle, and along intersections of
@@ -31,7 +28,12 @@ struct PatchOptics {
 /// The Lambertian surfaces of a scene and their patches. Const, shared by all threads.
 struct PatchScene {
     /// @param projection  input of projections
-    PatchScene(const PreparedScene& scene, const ProjectedScene& projection, Patches cut);
+    /// @param solved  which outlive it
+    PatchScene(
+        const PreparedScene& scene,
+        const SolvedBands& solved,
+        const ProjectedScene& projection,
+        Patches cut);
 
     /// A triangle that has patches.
     struct Surface {
@@ -43,17 +45,18 @@ struct PatchScene {
     };
 
     const PreparedScene& prepared;
+    const SolvedBands& bands;  ///< the columns of light on patches
     const ProjectedScene& projected;
     Patches patches;
     std::vector<Surface> surfaces;
-    std::vector<PatchOptics> optics;  ///< [2 * material + side]
+    std::vector<PatchOptics> optics;  ///< [2 * material + side], by column
     LineTriangles drawn;
     std::vector<double> region_areas;  ///< true ones, without sensors
     std::vector<std::uint32_t> region_of_patch;
     /// By level of a triangle, and part: the part of the level above that holds it.
     std::vector<std::vector<std::uint32_t>> parents;
     double area = 0;         ///< total area of surfaces
-    double mean_albedo = 0;  ///< by area, in the band where it is largest
+    double mean_albedo = 0;  ///< by area, in the column where it is largest
 
     [[nodiscard]] const PatchOptics& of(std::uint32_t material, SurfaceSide side) const {
         return optics[std::size_t{2} * material + index_of(side)];

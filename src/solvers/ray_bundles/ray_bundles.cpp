@@ -23,9 +23,11 @@
 #include "base/checks.h"
 #include "base/memory_need.h"
 #include "base/stop.h"
+#include "samplers/balanced_numbers.h"
 #include "samplers/hash.h"
 #include "scene/scene.h"
 #include "solvers/block_runner.h"
+#include "solvers/ray_bundles/all_bands.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/bundle_exchange.h"
 #include "solvers/ray_bundles/direct_on_patches.h"
@@ -40,7 +42,10 @@ constexpr std::uint64_t kBundleSequence = std::uint64_t{1} << 62U;
 /// The number of near light, among those of orders.
 constexpr std::uint64_t kNear = std::uint64_t{1} << 61U;
 
-/// Scattered light of one replicate that reached no surface, [band]; fixed point.
+/// The numbers of random deviations.
+constexpr std::uint64_t kDeviations = std::uint64_t{1} << 60U;
+
+/// Scattered light of one replicate that reached no surface, [column]; fixed point.
 struct Flow {
     std::vector<std::int64_t> escaped, cut_off;
 };
@@ -58,7 +63,11 @@ struct ThreadShares {
 class RayBundles final : public Solver {
   public:
     explicit RayBundles(const SolverInput& input)
-        : input_(input), beams_(input, ScatteredBy::bundles), runner_(input) {}
+        : input_(input),
+          beams_(input, ScatteredBy::bundles),
+          runner_(input),
+          bands_(SolvedBands::of(input.prepared)),
+          deviations_(make_deviations()) {}
 
     void solve(const Round& round, Executor& executor, Sums& sums) override {
         cut_for(round);
@@ -80,10 +89,14 @@ class RayBundles final : public Solver {
   private:
     /// All surfaces cut into patches.
     struct Cut {
-        Cut(const SolverInput& input, const DirectBeams& beams, double patches)
+        Cut(const SolverInput& input,
+            const SolvedBands& bands,
+            const DirectBeams& beams,
+            double patches)
             : most(patches),
               scene(
                   input.prepared,
+                  bands,
                   beams.scene(),
                   make_patches(input.prepared, beams.scene().roles, patches, input.stop)),
               near(scene) {}
@@ -108,7 +121,7 @@ class RayBundles final : public Solver {
         if (!cut_ || cut_->most != most) {
             cut_.reset();  // two at once would take twice the memory
             ++cuts_;
-            cut_ = std::make_unique<Cut>(input_, beams_, most);
+            cut_ = std::make_unique<Cut>(input_, bands_, beams_, most);
         }
     }
 
@@ -141,6 +154,7 @@ class RayBundles final : public Solver {
         double segments = 0;
         std::vector<bool> is_surrounded;
         NearLight near;
+        AllBands all(bands_, deviations_[replicate.index]);
         std::uint64_t k = 1;
         for (; goes_on(k, order.exitance); ++k) {
             // E^(k) = T_k B^(k)
@@ -160,7 +174,7 @@ class RayBundles final : public Solver {
             std::vector<std::int64_t>(order.flux.last.size()),
             fixed(flux_of(order.exitance, order.flux.last))};
         if (k == 1) {
-            add_sums(RegionFlux(cut_->scene.region_areas.size(), flow.escaped.size()), flow, tally);
+            add_sums(RegionFlux(cut_->scene.region_areas.size(), bands_.count()), flow, all, tally);
             scratch.light = std::move(order.exitance.light);
             return;
         }
@@ -170,7 +184,7 @@ class RayBundles final : public Solver {
             sum.exitance(std::move(order.exitance.light)),
             budget.of_all(segments, key_of(replicate, k)),
             {.skies = skies, .on_escape = [&](const Vec3& direction, auto flux) {
-                 add_escaped(direction, flux, flow, tally);
+                 add_escaped(direction, flux, flow, all, tally);
              }});
         const std::vector<double> corrections =
             sky_view_corrections(cut_->scene, direct.open, *irradiance.lines, is_surrounded);
@@ -178,8 +192,8 @@ class RayBundles final : public Solver {
             tally.blocks().scattered_count(),
             static_cast<std::int64_t>(irradiance.lines->segments));
         RegionFlux flux(irradiance, corrections);
-        add_near(near, flux, flow, tally);
-        add_sums(flux, flow, tally);
+        add_near(near, flux, flow, all, tally);
+        add_sums(flux, flow, all, tally);
         scratch.light = std::move(irradiance.light);
     }
 
@@ -219,7 +233,7 @@ class RayBundles final : public Solver {
         scratch.sum = std::vector<double>();
         scratch.cut = cuts_;
         const std::size_t patches = cut_->scene.patches.count();
-        const std::size_t bands = input_.prepared.bands();
+        const std::size_t bands = bands_.count();
         return make_big(
             fmt::format("the light of {} patches in {} bands", patches, bands),
             bytes_of_patch_light(static_cast<double>(patches), bands), [&] {
@@ -235,70 +249,88 @@ class RayBundles final : public Solver {
         return stream_key(stream, replicate.round.first, 0);
     }
 
-    /// Near light is taken from patches, so that amounts may be negative.
-    static std::int64_t signed_fixed(double amount) {
-        return amount < 0 ? -to_fixed(-amount) : to_fixed(amount);
+    /// Numbers whose mean over the replicates is 0 for each band, [replicate][band].
+    [[nodiscard]] std::vector<std::vector<double>> make_deviations() const {
+        const std::size_t replicates = input_.spec.replicates;
+        std::vector<std::vector<double>> deviations(replicates);
+        for (std::size_t b = 0; b < bands_.all(); ++b) {
+            const std::uint64_t key = mix64(input_.spec.seed ^ mix64(kDeviations + b));
+            const std::vector<double> of_band = balanced_numbers(replicates, key);
+            for (std::size_t r = 0; r < replicates; ++r) {
+                deviations[r].push_back(of_band[r]);
+            }
+        }
+        return deviations;
     }
+
     static std::vector<std::int64_t> fixed(std::span<const double> flux) {
         std::vector<std::int64_t> all;
         for (const double amount : flux) {
-            all.push_back(signed_fixed(amount));
+            all.push_back(AllBands::signed_fixed(amount));
         }
         return all;
     }
 
     void add_escaped(
-        const Vec3& direction, std::span<const double> flux, Flow& flow, Tally& tally) const {
+        const Vec3& direction,
+        std::span<const double> flux,
+        Flow& flow,
+        AllBands& all,
+        Tally& tally) const {
         const std::vector<std::int64_t> amounts = fixed(flux);
         for (std::size_t c = 0; c < flux.size(); ++c) {
             flow.escaped[c] += amounts[c];
         }
         const auto& detectors = input_.prepared.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
-            detectors[i]->on_escape(direction, amounts, tally.blocks().detector(i), tally);
+            detectors[i]->on_escape(direction, all.of(amounts), tally.blocks().detector(i), tally);
         }
     }
 
-    void add_near(const NearLight& near, RegionFlux& flux, Flow& flow, Tally& tally) const {
+    void add_near(
+        const NearLight& near, RegionFlux& flux, Flow& flow, AllBands& all, Tally& tally) const {
         flux.add(near.on_regions);
         for (const NearLight::Escaped& light : near.escaped) {
-            add_escaped(light.direction, light.flux, flow, tally);
+            add_escaped(light.direction, light.flux, flow, all, tally);
         }
     }
 
     /// Adds the flows of a replicate. Scattered light is exactly the sum of incident, escaped and
     /// cut-off light.
-    void add_sums(const RegionFlux& flux, Flow flow, Tally& tally) const {
-        const std::size_t bands = input_.prepared.bands();
-        for (std::size_t b = 0; b < bands; ++b) {
+    void add_sums(const RegionFlux& flux, Flow flow, AllBands& all, Tally& tally) const {
+        for (std::size_t c = 0; c < bands_.count(); ++c) {
             // Negative for slivers that rounding made smaller.
-            flow.escaped[b] += signed_fixed(flux.missed()[b]);
+            flow.escaped[c] += AllBands::signed_fixed(flux.missed()[c]);
         }
         const ScatteredBlocks& blocks = tally.blocks().scattered_blocks();
-        std::vector<std::int64_t> arrived(bands);
+        const auto add = [&](std::size_t first, const std::vector<std::int64_t>& amounts) {
+            for (std::size_t b = 0; b < amounts.size(); ++b) {
+                tally.add_signed(first + b, amounts[b]);
+            }
+        };
+        const auto add_scattered = [&](std::size_t first,
+                                       const std::vector<std::int64_t>& amounts) {
+            add(first, amounts);
+            add(blocks.scattered_out.bin(0), amounts);
+        };
         for (std::uint32_t region = 0; region < input_.prepared.scene().regions().size();
              ++region) {
             const bool is_opaque = !input_.prepared.material(region).is_transparent();
             for (const SurfaceSide side : kSurfaceSides) {
-                const std::span<const double> sum = flux.of(region, side);
-                for (std::size_t b = 0; b < bands; ++b) {
-                    const std::int64_t amount = signed_fixed(sum[b]);
-                    tally.add_signed(blocks.on_surfaces.bin(region, side, b), amount);
-                    arrived[b] += is_opaque ? amount : 0;
-                }
+                const std::size_t first = blocks.on_surfaces.bin(region, side);
+                const std::vector<std::int64_t>& amounts = all.of(flux.of(region, side));
+                is_opaque ? add_scattered(first, amounts) : add(first, amounts);
             }
         }
-        for (std::size_t b = 0; b < bands; ++b) {
-            tally.add_signed(blocks.escaped.bin(0, b), flow.escaped[b]);
-            tally.add_signed(
-                blocks.scattered_out.bin(0, b), arrived[b] + flow.escaped[b] + flow.cut_off[b]);
-            tally.add_signed(blocks.cut_off.bin(0, b), flow.cut_off[b]);
-        }
+        add_scattered(blocks.escaped.bin(0), all.of(flow.escaped));
+        add_scattered(blocks.cut_off.bin(0), all.of(flow.cut_off));
     }
 
     SolverInput input_;
     DirectBeams beams_;
     BlockRunner<Scratch> runner_;
+    SolvedBands bands_;
+    std::vector<std::vector<double>> deviations_;  // [replicate][band]
     std::unique_ptr<Cut> cut_;
     std::uint64_t cuts_ = 0;  // number made
 };
