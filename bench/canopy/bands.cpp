@@ -136,13 +136,14 @@ void print_band_ratio(const Effort& effort) {
 
 void print_band_cost(const Effort& effort) {
     for (const std::uint32_t leaves : {500U, 10000U}) {
-        if (leaves > effort.most_leaves) {
+        const std::string name = std::to_string(leaves) + " leaves";
+        if (leaves > effort.most_leaves || name.find(effort.cases) == std::string::npos) {
             continue;
         }
         std::printf(
-            "\n== Cost of bands: %u leaves of PROSPECT-D, sun, ray bundles; CPU and memory of the "
+            "\n== Cost of bands: %s of PROSPECT-D, sun, ray bundles; CPU and memory of the "
             "run\n",
-            leaves);
+            name.c_str());
         std::printf("  %6s %10s %10s %10s %24s\n", "bands", "CPU ms", "relative", "MB",
                     "bytes per organ and band");
         double one = 0;

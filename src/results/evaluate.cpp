@@ -51,6 +51,7 @@ class OrganEvaluator {
             leave_out(index, ratios.size(), result);
             return;
         }
+        read(reader, result.bands);
         for (std::size_t b = 0; b < result.bands; ++b) {
             const ContributionSize contribution = evaluate_band(reader, organ, index, b, result);
             contributions[b].include(
@@ -78,6 +79,16 @@ class OrganEvaluator {
         }
     }
 
+    /// Reads the light of an organ in the order of its bins.
+    void read(const OrganReader& reader, std::size_t bands) {
+        light_.resize(bands * values_.size());
+        for (std::uint32_t r = 0; r < values_.size(); ++r) {
+            for (std::size_t b = 0; b < bands; ++b) {
+                light_[b * values_.size() + r] = reader.incident(r, b);
+            }
+        }
+    }
+
     /// @returns one contribution to its absorbed light
     ContributionSize evaluate_band(
         const OrganReader& reader,
@@ -88,7 +99,7 @@ class OrganEvaluator {
         // An organ of no area receives nothing.
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
-            put_sample(r, reader.incident(r, band), per_area, samples_);
+            put_sample(r, light_[band * values_.size() + r], per_area, samples_);
             incident_[band][r] = (sample_of(Quantity::incident_direct)[r] +
                                   sample_of(Quantity::incident_scattered)[r]) *
                                  organ.area;
@@ -116,7 +127,8 @@ class OrganEvaluator {
     SumReader reader_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
-    std::vector<double> values_;  // per replicate
+    std::vector<double> values_;   // per replicate
+    std::vector<Incident> light_;  // of the organ, [band * replicates + replicate]
     QuantitySamples samples_;
     std::vector<std::vector<double>> incident_;      // [band][replicate], flux on both sides
     std::vector<OrganContributions> contributions_;  // [band]

@@ -45,11 +45,9 @@ class GroupEvaluator {
     }
 
     void evaluate(std::size_t group, const GroupSums& sums) const {
-        std::vector<OrganContributions> contributions(results_.bands);
+        const std::vector<OrganContributions> contributions = contributions_to(group);
         std::vector<std::vector<double>> incident(results_.bands);
         for (std::size_t b = 0; b < results_.bands; ++b) {
-            contributions[b] = contributions_to(
-                group, [&](const OrganReader& organ) { return OrganContributions(organ, b); });
             incident[b] = evaluate_band(group, b, sums, contributions[b]);
         }
         for (std::size_t i = 0; i < results_.ratios; ++i) {
@@ -63,8 +61,11 @@ class GroupEvaluator {
             for (double& each : lit) {
                 each *= area > 0 ? 1 / area : 0;
             }
-            const Estimate sunlit =
-                contributions_to(group, OrganContributions::sunlit).estimate_sunlit(area, lit);
+            OrganContributions all;
+            for (const std::uint32_t index : results_.groups[group].organs) {
+                all.include(OrganContributions::sunlit(reader_of(index)));
+            }
+            const Estimate sunlit = all.estimate_sunlit(area, lit);
             results_.sunlit_fraction[group] = sunlit;
             results_.sunlit_area[group] = scaled(sunlit, area);
         }
@@ -77,12 +78,14 @@ class GroupEvaluator {
         return {reader_, scene_, spec_, scene_.organs()[organ]};
     }
 
-    /// @param read  the contributions to an organ
-    template <typename Read>
-    [[nodiscard]] OrganContributions contributions_to(std::size_t group, const Read& read) const {
-        OrganContributions all;
+    /// @returns by band. Organ by organ, as their sums are stored
+    [[nodiscard]] std::vector<OrganContributions> contributions_to(std::size_t group) const {
+        std::vector<OrganContributions> all(results_.bands);
         for (const std::uint32_t index : results_.groups[group].organs) {
-            all.include(read(reader_of(index)));
+            const OrganReader reader = reader_of(index);
+            for (std::size_t b = 0; b < results_.bands; ++b) {
+                all[b].include(OrganContributions(reader, b));
+            }
         }
         return all;
     }

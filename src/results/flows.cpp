@@ -9,53 +9,56 @@
 namespace quasimc {
 namespace {
 
-/// Reads the flows of a band from sums.
+/// Reads the flows of all bands from sums, region by region, as these are stored.
 class FlowReader {
   public:
-    FlowReader(const Sums& sums, const Scene& scene, std::size_t band)
-        : sums_(*sums), blocks_(sums_.layout), scene_(scene), band_(band) {}
+    FlowReader(const Sums& sums, const Scene& scene)
+        : sums_(*sums), blocks_(sums_.layout), scene_(scene) {}
 
-    /// Flows per replicate.
-    [[nodiscard]] std::vector<Flows> flows() const {
-        std::vector<Flows> flows(sums_.replicates.size());
+    [[nodiscard]] BandFlows flows() const {
+        BandFlows all(sums_.bands(), std::vector<Flows>(sums_.replicates.size()));
         for (std::size_t region = 0; region < sums_.layout.regions(); ++region) {
-            add_region(region, flows);
+            for (std::size_t b = 0; b < all.size(); ++b) {
+                add_region(region, b, all[b]);
+            }
         }
-        for (std::size_t r = 0; r < flows.size(); ++r) {
-            flows[r] = sums_.escaped == EscapedLight::remainder
-                           ? with_remainder(flows[r])
-                           : with_escaped(sums_.replicates[r], flows[r]);
+        for (std::size_t b = 0; b < all.size(); ++b) {
+            for (std::size_t r = 0; r < all[b].size(); ++r) {
+                all[b][r] = sums_.escaped == EscapedLight::remainder
+                                ? with_remainder(b, all[b][r])
+                                : with_escaped(sums_.replicates[r], b, all[b][r]);
+            }
         }
-        return flows;
+        return all;
     }
 
   private:
-    [[nodiscard]] double unit(std::size_t region) const {
-        return sums_.units.flux[band_] * sums_.units.scale(region) /
+    [[nodiscard]] double unit(std::size_t region, std::size_t band) const {
+        return sums_.units.flux[band] * sums_.units.scale(region) /
                static_cast<double>(sums_.samples);
     }
 
     /// Adds the light that falls on a region and that it absorbs or may scatter.
-    void add_region(std::size_t index, std::vector<Flows>& flows) const {
+    void add_region(std::size_t index, std::size_t band, std::vector<Flows>& flows) const {
         const Region& region = scene_.regions()[index];
         const Material& material = data_of(scene_).material(region);
         const bool is_ground = scene_.organs()[region.organ.value].is_ground;
         double Flows::*absorbed = is_ground ? &Flows::ground : &Flows::organs;
         const bool is_summed = blocks_.has_absorbed();
-        const double unit = this->unit(index);
+        const double unit = this->unit(index, band);
         for (std::size_t r = 0; is_summed && r < flows.size(); ++r) {
             const ExactBins& bins = sums_.replicates[r];
-            const double own = (bins.value(blocks_.absorbed_direct(index) + band_) +
-                                bins.value(blocks_.absorbed_scattered(index) + band_)) *
+            const double own = (bins.value(blocks_.absorbed_direct(index) + band) +
+                                bins.value(blocks_.absorbed_scattered(index) + band)) *
                                unit;
             flows[r].*absorbed += own;
             flows[r].imbalance += !material.is_transparent() ? own : 0;
         }
         for (const SurfaceSide which : kSurfaceSides) {
-            const double absorptance = material.side(which).absorptance()[band_];
-            const double albedo = is_summed ? 1 : material.side(which).albedo()[band_];
+            const double absorptance = material.side(which).absorptance()[band];
+            const double albedo = is_summed ? 1 : material.side(which).albedo()[band];
             for (std::size_t r = 0; r < flows.size(); ++r) {
-                const double light = incident(sums_.replicates[r], index, which) * unit;
+                const double light = incident(sums_.replicates[r], index, which, band) * unit;
                 flows[r].on_ground += is_ground ? light : 0;
                 flows[r].*absorbed += is_summed ? 0 : light * absorptance;
                 flows[r].imbalance -= material.is_transparent() ? 0 : light * albedo;
@@ -65,18 +68,18 @@ class FlowReader {
 
     /// Units of light on a side.
     [[nodiscard]] double incident(
-        const ExactBins& bins, std::size_t region, SurfaceSide side) const {
-        double sum = bins.value(blocks_.scattered(region, side) + band_);
+        const ExactBins& bins, std::size_t region, SurfaceSide side, std::size_t band) const {
+        double sum = bins.value(blocks_.scattered(region, side) + band);
         const std::size_t direct = blocks_.direct(region, side, 0);
         for (std::size_t s = 0; s < sums_.spectra.size(); ++s) {
-            sum += bins.value(direct + s) * sums_.spectra[s][band_];
+            sum += bins.value(direct + s) * sums_.spectra[s][band];
         }
         return sum;
     }
 
     /// Sets escaped light to the remainder of the budget.
-    [[nodiscard]] Flows with_remainder(Flows flows) const {
-        flows.emitted = sums_.emitted_flux[band_];
+    [[nodiscard]] Flows with_remainder(std::size_t band, Flows flows) const {
+        flows.emitted = sums_.emitted_flux[band];
         flows.imbalance = 0;
         const std::vector<Organ>& all = scene_.organs();
         const bool is_all =
@@ -90,34 +93,30 @@ class FlowReader {
         return flows;
     }
 
-    [[nodiscard]] Flows with_escaped(const ExactBins& bins, Flows flows) const {
-        const double unit = this->unit(0);
+    [[nodiscard]] Flows with_escaped(
+        const ExactBins& bins, std::size_t band, Flows flows) const {
+        const double unit = this->unit(0, band);
         for (std::size_t s = 0; s < sums_.spectra.size(); ++s) {
-            const double weight = sums_.spectra[s][band_] * unit;
+            const double weight = sums_.spectra[s][band] * unit;
             flows.emitted += bins.value(blocks_.emitted() + s) * weight;
             flows.escaped += bins.value(blocks_.escaped_direct() + s) * weight;
         }
-        flows.escaped_scattered = bins.value(blocks_.escaped_scattered() + band_) * unit;
+        flows.escaped_scattered = bins.value(blocks_.escaped_scattered() + band) * unit;
         flows.escaped += flows.escaped_scattered;
-        flows.cut_off = bins.value(blocks_.cut_off() + band_) * unit;
-        flows.imbalance += bins.value(blocks_.scattered_out() + band_) * unit;
+        flows.cut_off = bins.value(blocks_.cut_off() + band) * unit;
+        flows.imbalance += bins.value(blocks_.scattered_out() + band) * unit;
         return flows;
     }
 
     const SumData& sums_;
     LightBlocks blocks_;
     const Scene& scene_;
-    std::size_t band_;
 };
 
 }  // namespace
 
 BandFlows read_flows(const Sums& sums, const Scene& scene) {
-    BandFlows flows;
-    for (std::size_t b = 0; b < sums->bands(); ++b) {
-        flows.push_back(FlowReader(sums, scene, b).flows());
-    }
-    return flows;
+    return FlowReader(sums, scene).flows();
 }
 
 }  // namespace quasimc
