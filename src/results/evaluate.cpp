@@ -140,15 +140,16 @@ class OrganEvaluator {
 template <typename IsDone>
 void evaluate_organs(
     const Given& given, const IsDone& is_done, TotalContributions& contributions, Result& result) {
-    constexpr std::size_t kOrgansPerStep = 1 << 15;
+    constexpr std::size_t kMaxPerStep = 1 << 15, kMinPerStep = 1 << 12;
+    const std::size_t step = std::max(kMaxPerStep / result.bands, kMinPerStep);
     const std::size_t organs = given.scene.organs().size();
     const std::size_t values = kQuantities * result.bands;
     const bool has_sun = given.sums->units.sunlit_area > 0;
     result.values.reserve(organs * values);
     result.ratio_values.reserve(organs * result.ratios);
     result.sunlit_fraction.reserve(has_sun ? organs : 0);
-    for (std::size_t begin = 0; begin < organs; begin += kOrgansPerStep) {
-        const std::size_t end = std::min(organs, begin + kOrgansPerStep);
+    for (std::size_t begin = 0; begin < organs; begin += step) {
+        const std::size_t end = std::min(organs, begin + step);
         result.values.resize(end * values);
         result.ratio_values.resize(end * result.ratios);
         result.sunlit_fraction.resize(has_sun ? end : 0);

@@ -26,7 +26,8 @@ class Stand {
               std::make_shared<RayCaster>(
                   data_of(leaves_).geometry, leaves_.cell(), Accelerator::embree)),
           seen_{&prepared_.caster().mesh(), {}},
-          patches_(prepared_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {}
+          bands_(SolvedBands::of(prepared_)),
+          patches_(prepared_, bands_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {}
 
     /// Segments for each patch.
     [[nodiscard]] double meetings(const BundleGroup& group) const {
@@ -51,6 +52,7 @@ class Stand {
     Sources suns_;
     PreparedScene prepared_;
     ProjectedScene seen_;
+    SolvedBands bands_;
     PatchScene patches_;
 };
 

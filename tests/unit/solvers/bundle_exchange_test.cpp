@@ -70,7 +70,8 @@ TEST(Exchange, LetsTheLightOfALoneLeafEscape) {
         scene, suns, StartArea::silhouette,
         std::make_shared<RayCaster>(data_of(scene).geometry, scene.cell(), Accelerator::embree));
     const ProjectedScene seen{&prepared.caster().mesh(), {}};
-    const PatchScene patches(prepared, seen, make_patches(prepared, {}, 64, {}));
+    const SolvedBands bands = SolvedBands::of(prepared);
+    const PatchScene patches(prepared, bands, seen, make_patches(prepared, {}, 64, {}));
 
     PatchIrradiance direct = no_irradiance(std::make_unique<PatchLight>(patches));
     const double flux = patches.patches.count();  // one of each patch
