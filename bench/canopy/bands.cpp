@@ -144,8 +144,9 @@ void print_band_cost(const Effort& effort) {
             "\n== Cost of bands: %s of PROSPECT-D, sun, ray bundles; CPU and memory of the "
             "run\n",
             name.c_str());
-        std::printf("  %6s %10s %10s %10s %24s\n", "bands", "CPU ms", "relative", "MB",
-                    "bytes per organ and band");
+        std::printf(
+            "  %6s %10s %10s %10s %24s\n", "bands", "CPU ms", "relative", "MB",
+            "bytes per organ and band");
         double one = 0;
         for (const std::size_t bands : {1, 50, 200, 400}) {
             const Cost cost = cost_of(leaves, bands, effort);

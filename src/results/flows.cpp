@@ -93,8 +93,7 @@ class FlowReader {
         return flows;
     }
 
-    [[nodiscard]] Flows with_escaped(
-        const ExactBins& bins, std::size_t band, Flows flows) const {
+    [[nodiscard]] Flows with_escaped(const ExactBins& bins, std::size_t band, Flows flows) const {
         const double unit = this->unit(0, band);
         for (std::size_t s = 0; s < sums_.spectra.size(); ++s) {
             const double weight = sums_.spectra[s][band] * unit;

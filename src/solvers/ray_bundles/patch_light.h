@@ -20,8 +20,8 @@ namespace quasimc {
     return kBytesEach * patches * static_cast<double>(bands);
 }
 
-/// Memory for a field of light on all patches of a scene, in its solved bands. Numbers are sorted by pack
-/// of bands, in each [2 * patch + side][band of the pack].
+/// Memory for a field of light on all patches of a scene, in its solved bands. Numbers are sorted
+/// by pack of bands, in each [2 * patch + side][band of the pack].
 class PatchLight {
   public:
     explicit PatchLight(const PatchScene& scene);

@@ -15,7 +15,7 @@ constexpr std::size_t kMinInterpolated = 16;
 /// The part of the bands that is solved, at most.
 constexpr double kMaxSolved = 0.5;
 /// The largest unexplained part of a band, relative to the brightest one.
-constexpr double kMaxUnexplained = 3e-4;
+constexpr double kMaxUnexplained = 2e-4;
 /// The kernel is 1 / (kReach - 1) for the brightest band with itself.
 constexpr double kReach = 2;
 

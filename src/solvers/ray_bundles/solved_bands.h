@@ -46,10 +46,10 @@ class SolvedBands {
 
   private:
     std::size_t all_ = 0;
-    std::vector<std::size_t> bands_;   // by column
+    std::vector<std::size_t> bands_;    // by column
     std::vector<std::size_t> columns_;  // in the order of choice
-    std::vector<double> factor_;       // Cholesky factor of the kernel, [in order of choice][band]
-    std::vector<double> unexplained_;  // by band, root
+    std::vector<double> factor_;        // Cholesky factor of the kernel, [in order of choice][band]
+    std::vector<double> unexplained_;   // by band, root
 };
 
 /// Number of solved bands before a scene is prepared: the amounts of its lights are then known

@@ -27,7 +27,8 @@ class Stand {
                   data_of(leaves_).geometry, leaves_.cell(), Accelerator::embree)),
           seen_{&prepared_.caster().mesh(), {}},
           bands_(SolvedBands::of(prepared_)),
-          patches_(prepared_, bands_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {}
+          patches_(prepared_, bands_, seen_, make_patches(prepared_, {}, patches_for(kPaths), {})) {
+    }
 
     /// Segments for each patch.
     [[nodiscard]] double meetings(const BundleGroup& group) const {
