@@ -58,7 +58,7 @@ std::vector<Method> candidates(const Scene& scene, const Sources& sources) {
     return candidate_methods(
         scene, sources, spec_of(Method::automatic, 4096), [] { return false; });
 }
-std::vector<Method> candidates(const StandSpec& stand, const Sources& sources) {
+std::vector<Method> candidates_in(const StandSpec& stand, const Sources& sources) {
     return candidates(make_stand(stand), sources);
 }
 bool has(const std::vector<Method>& methods, Method method) {
@@ -86,25 +86,25 @@ TEST(Planner, KnowsWhichMethodsCanBeUsed) {
     using enum Method;
     using Methods = std::vector<Method>;
     for (const auto& source : {sun(0, {1}), sky({1})}) {
-        EXPECT_EQ(candidates({}, {source}), (Methods{ray_bundles, first_hits, from_organs}));
+        EXPECT_EQ(candidates_in({}, {source}), (Methods{ray_bundles, first_hits, from_organs}));
         const StandSpec shiny{.leaf = glossy("phong", 10)};
-        EXPECT_EQ(candidates(shiny, {source}), (Methods{first_hits, from_organs}));
+        EXPECT_EQ(candidates_in(shiny, {source}), (Methods{first_hits, from_organs}));
     }
-    EXPECT_EQ(candidates({}, {lamp()}), (Methods{light_tracing, from_organs}));
+    EXPECT_EQ(candidates_in({}, {lamp()}), (Methods{light_tracing, from_organs}));
     // A dark source does not count.
-    EXPECT_EQ(candidates({}, {lamp(), sun(0, {0})}), (Methods{light_tracing, from_organs}));
+    EXPECT_EQ(candidates_in({}, {lamp(), sun(0, {0})}), (Methods{light_tracing, from_organs}));
     EXPECT_EQ(
-        candidates({}, {lamp(0), sun(0, {1})}), (Methods{ray_bundles, first_hits, from_organs}));
+        candidates_in({}, {lamp(0), sun(0, {1})}), (Methods{ray_bundles, first_hits, from_organs}));
     // Lamps repeat with the scene.
-    EXPECT_EQ(candidates({.cell = kField}, {lamp()}), Methods{light_tracing});
-    EXPECT_EQ(candidates({.measured = 0}, {lamp()}), Methods{light_tracing});
+    EXPECT_EQ(candidates_in({.cell = kField}, {lamp()}), Methods{light_tracing});
+    EXPECT_EQ(candidates_in({.measured = 0}, {lamp()}), Methods{light_tracing});
 }
 
 TEST(Planner, BeginsWithTheOrgansWhereFewAreMeasured) {
     const StandSpec few{.measured = 2};
     for (const auto& source : {sun(0, {1}), sky({1}), lamp()}) {
-        EXPECT_EQ(candidates(few, {source}).front(), Method::from_organs);
-        EXPECT_NE(candidates({.measured = 60}, {source}).front(), Method::from_organs);
+        EXPECT_EQ(candidates_in(few, {source}).front(), Method::from_organs);
+        EXPECT_NE(candidates_in({.measured = 60}, {source}).front(), Method::from_organs);
     }
 }
 
