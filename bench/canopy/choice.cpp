@@ -29,7 +29,7 @@ constexpr std::uint64_t kStep = 4, kFewest = 64;
 /// Paths of the reference over those of the longest run of its method.
 constexpr std::uint64_t kLonger = 8;
 
-/// A run and its processor time, with that of its trials.
+/// A run and its processor time, with that of its pilot runs.
 struct TimedRun {
     Result result;
     double cost = 0;

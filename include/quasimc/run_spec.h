@@ -120,10 +120,9 @@ struct RunSpec {
     std::vector<double> layer_heights = {};
 };
 
-/// The method of the specification or, if that is `automatic`, the most efficient one for the
-/// measured organs by the rules of docs/develop/notebook/choosing.md. Only possible methods are
-/// chosen, except ray_bundles for scenes with very many intersections: a run then detects these and
-/// chooses another method. A pure function of its arguments.
+/// The method of the specification or, if that is `automatic`, the one that run() would choose: by
+/// pilot runs of few paths, about 5 % of the work (docs/develop/decisions/plan-by-pilot-runs.md). A
+/// pure function of its arguments, the same on any number of threads.
 [[nodiscard]] ChosenMethod plan_method(
     const Scene& scene,
     const std::vector<std::shared_ptr<const Source>>& sources,

@@ -16,7 +16,9 @@ namespace {
 /// each.
 constexpr std::size_t kMaxForRasters = 100'000'000;
 /// The gain of equal shares from which on paths from organs are most likely the most efficient.
-constexpr double kLargeGain = 8;
+constexpr double kLargeGain = 14;
+/// Fewer organs are not first tried by ray bundles: each has many paths.
+constexpr std::size_t kFewOrgans = 16;
 
 /// The kinds of sources with light.
 struct Lighting {
@@ -92,7 +94,8 @@ std::vector<Method> candidate_methods(
         methods.push_back(Method::ray_bundles);
     }
     if (has_images) {
-        methods.push_back(Method::first_hits);
+        const bool is_first = scene.organs().size() < kFewOrgans;
+        methods.insert(is_first ? methods.begin() : methods.end(), Method::first_hits);
     }
     if (lighting.lamp || !has_images) {
         methods.push_back(Method::light_tracing);

@@ -10,7 +10,7 @@
 namespace quasimc {
 
 /// The methods that may be chosen for a run, most likely the most efficient one first: at least
-/// one. It is the choice if there is no time for trials.
+/// one. It is the choice if there is no time for pilot runs.
 /// @param refuse_bundles  whether ray bundles refuse the scene because too many surfaces intersect:
 /// called only if they would be among the methods
 [[nodiscard]] std::vector<Method> candidate_methods(

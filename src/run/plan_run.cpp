@@ -15,6 +15,7 @@
 #include "planner/planner.h"
 #include "planner/work_cost.h"
 #include "results/evaluate.h"
+#include "results/question.h"
 #include "run/evaluation_of.h"
 #include "run/trace_plan.h"
 #include "samplers/catalogue.h"
@@ -24,22 +25,25 @@
 namespace quasimc {
 namespace {
 
-/// The paths of a trial are this part of all paths of a run.
-constexpr std::uint64_t kPartOfRun = 64;
-constexpr std::uint32_t kReplicates = 2;
-/// Trials take too large a part of the time of runs with fewer paths in all replicates, for
+/// The paths of a pilot run, in all replicates: this part of those of the run, and no more than
+/// show what is best, so that a huge run can be stopped soon.
+constexpr std::uint64_t kPartOfRun = 64, kEnoughPaths = 1U << 14U;
+/// Replicates of a pilot run: two show the scatter of many organs together; of fewer, there are
+/// more, so that about kDegrees differences show it.
+constexpr std::size_t kDegrees = 16, kMaxReplicates = 8;
+/// They take too large a part of the time of runs with fewer paths in all replicates, for
 /// each triangle too.
-constexpr std::uint64_t kFewestPaths = 1U << 16U, kFewestForTriangle = 4;
-/// Methods are compared at this multiple of the work of the first one's trial. Errors fall with
+constexpr std::uint64_t kFewPaths = 1U << 16U, kMinPerTriangle = 4;
+/// Methods are compared at this multiple of the work of the first pilot run. Errors fall with
 /// about these powers of the work.
 constexpr double kMoreWork = 16, kPower = 0.65, kPowerOfBundles = 0.8;
-/// Paths from organs hardly ever find light of suns and lamps through narrow lobes. A trial that
-/// does not find it has too small an error.
+/// Paths from organs hardly ever find light of suns and lamps through narrow lobes. A pilot run
+/// that does not find it has too small an error.
 constexpr double kOverlooked = 3;
 /// Methods are alike below this ratio of errors for equal work.
 constexpr double kAlike = 1.15;
 
-struct Trial {
+struct PilotRun {
     Method method;
     double error = 0, seconds = 0;
     [[nodiscard]] double error_after(double more_seconds) const {
@@ -49,20 +53,26 @@ struct Trial {
 };
 
 /// Traces a few paths by each method.
-class Trials {
+class PilotRuns {
   public:
-    Trials(const PlanInput& input, const PreparedScene& prepared)
+    PilotRuns(const PlanInput& input, const PreparedScene& prepared)
         : input_(input),
           prepared_(prepared),
-          asked_(evaluation_of(input.scene, input.sources, input.spec)) {}
+          asked_(evaluation_of(input.scene, input.sources, input.spec)) {
+        std::size_t sets = 0;
+        for (const AskedLight& asked : asked_light(input.scene, asked_)) {
+            sets += asked.sets();
+        }
+        const std::size_t wanted = 2 + kDegrees / std::max<std::size_t>(sets, 1);
+        replicates_ = static_cast<std::uint32_t>(std::min(wanted, kMaxReplicates));
+    }
 
-    [[nodiscard]] Trial of(Method method) const {
+    [[nodiscard]] PilotRun of(Method method) const {
         const RunSpec& spec = input_.spec;
-        RunSpec few = planned_spec(
-            spec,
-            {.method = method,
-             .paths = std::bit_floor(spec.paths * spec.replicates / (kPartOfRun * kReplicates))});
-        few.replicates = kReplicates;
+        const std::uint64_t all = std::min(spec.paths * spec.replicates / kPartOfRun, kEnoughPaths);
+        RunSpec few =
+            planned_spec(spec, {.method = method, .paths = std::bit_floor(all / replicates_)});
+        few.replicates = replicates_;
         Sums sums = empty_sums(prepared_, few);
         Executor executor(thread_count(few.threads), {.stop = input_.stop});
         make_solver({prepared_, input_.sampler, few, input_.stop})
@@ -78,38 +88,52 @@ class Trials {
     const PlanInput& input_;
     const PreparedScene& prepared_;
     EvaluationSpec asked_;
+    std::uint32_t replicates_ = 2;
 };
 
 /// Sets the errors to those for equal work.
-void equalize(std::vector<Trial>& trials) {
-    const double seconds = kMoreWork * trials.front().seconds;
-    for (Trial& trial : trials) {
-        trial.error = trial.error_after(seconds);
+void equalize(std::vector<PilotRun>& pilots) {
+    const double seconds = kMoreWork * pilots.front().seconds;
+    for (PilotRun& pilot : pilots) {
+        pilot.error = pilot.error_after(seconds);
     }
 }
 
 /// The first method whose error is about the least.
-const Trial& best_of(const std::vector<Trial>& trials) {
-    const double least = std::ranges::min_element(trials, {}, &Trial::error)->error;
+const PilotRun& best_of(const std::vector<PilotRun>& pilots) {
+    const double least = std::ranges::min_element(pilots, {}, &PilotRun::error)->error;
     return *std::ranges::find_if(
-        trials, [&](const Trial& trial) { return trial.error <= kAlike * least; });
+        pilots, [&](const PilotRun& pilot) { return pilot.error <= kAlike * least; });
 }
 
-std::string reason_for(const Trial& best, const std::vector<Trial>& trials) {
+std::string reason_for(const PilotRun& best, const std::vector<PilotRun>& pilots) {
+    if (!(best.error > 0) || !std::isfinite(best.error)) {
+        return "pilot runs show no difference";
+    }
     std::string others;
-    for (const Trial& trial : trials) {
-        if (trial.method != best.method) {
+    for (const PilotRun& pilot : pilots) {
+        if (pilot.method != best.method) {
             others += fmt::format(
-                "{}{:.2g} times by {}", others.empty() ? "" : ", ", trial.error / best.error,
-                find_solver(trial.method)->name);
+                "{}{:.2g} times by {}", others.empty() ? "" : ", ", pilot.error / best.error,
+                find_solver(pilot.method)->name);
         }
     }
-    return "trials: the error for equal work would be " + others;
+    return "pilot runs: the error for equal work would be " + others;
 }
 
-bool has_time_for_trials(const PlanInput& input) {
-    const std::uint64_t paths = input.spec.paths * input.spec.replicates;
-    return paths >= kFewestPaths && paths / kFewestForTriangle >= input.scene.triangle_count();
+/// Why there are no pilot runs; empty if there are.
+std::string why_untried(const PlanInput& input, std::size_t methods) {
+    const RunSpec& spec = input.spec;
+    const std::uint64_t paths = spec.paths * spec.replicates;
+    if (methods == 1) {
+        return "no other method can be used";
+    }
+    if (spec.max_seconds > 0) {
+        return "no pilot runs within a time limit";
+    }
+    const bool are_few =
+        paths < kFewPaths || paths / kMinPerTriangle < input.scene.triangle_count();
+    return are_few ? "too few paths for pilot runs" : "";
 }
 
 }  // namespace
@@ -123,23 +147,20 @@ ChosenMethod plan_run(const PlanInput& input) {
     const std::vector<Method> methods = candidate_methods(input.scene, input.sources, spec, [&] {
         return !input.allows_bundles || caster->crossings(input.stop).gave_up;
     });
-    if (methods.size() == 1) {
-        return {methods.front(), "no other method can be used"};
-    }
-    if (!has_time_for_trials(input)) {
-        return {methods.front(), "too few paths for trials"};
+    if (const std::string why = why_untried(input, methods.size()); !why.empty()) {
+        return {methods.front(), why};
     }
     const PreparedScene prepared(input.scene, input.sources, spec.start_area, caster, input.stop);
     if (prepared.lights().empty()) {
         return {methods.front(), "no light"};
     }
-    const Trials trials(input, prepared);
-    std::vector<Trial> done;
+    const PilotRuns pilots(input, prepared);
+    std::vector<PilotRun> done;
     for (const Method method : methods) {
-        done.push_back(trials.of(method));
+        done.push_back(pilots.of(method));
     }
     equalize(done);
-    const Trial& best = best_of(done);
+    const PilotRun& best = best_of(done);
     return {best.method, reason_for(best, done)};
 }
 

@@ -20,9 +20,9 @@ struct PlanInput {
 };
 
 /// The method of the specification or, if that is `automatic`, the one with the least error for
-/// equal work in trials: two replicates of few paths by each method that can be used. Trials count
-/// their work, so that the choice is the same on every machine. Scenes with many triangles for
-/// their paths are not tried: the first of candidate_methods() is taken.
+/// equal work in pilot runs: few paths by each method that can be used. Pilot runs count their
+/// work, so that the choice is the same on every machine. Runs of few paths, for all or for each
+/// triangle, and those with a time limit take the first of candidate_methods() without pilot runs.
 /// @throws StopRequested  if a stop was requested
 [[nodiscard]] ChosenMethod plan_run(const PlanInput& input);
 

@@ -12,10 +12,10 @@ enum class WorkUnit : std::uint8_t {
     strip_triangle,   ///< triangle that a strip of scan lines may meet
     piece,            ///< visible segment of a scan line, or its part on a patch
     viewed_triangle,  ///< triangle drawn in an item buffer
-    pixel,            ///< of an item buffer
+    pixel,            ///< pixel of an item buffer
     patch_pixel,      ///< pixel whose light is deposited on a patch
     lined_triangle,   ///< triangle drawn for a direction of a ray bundle
-    segment,          ///< of a line of a bundle, between two surfaces
+    segment,          ///< line of a bundle between two surfaces
     patch,            ///< patch that scatters light of an order, for each band
 };
 inline constexpr std::size_t kWorkUnits = 9;

@@ -36,7 +36,7 @@ enum class ScatteredBy { paths, bundles };
 struct SamplingDensity {
     double paths_per_line = 0;  ///< 0: lines_per_root decides
     double lines_per_root = 0;  ///< lines per square root of the number of paths
-    /// Minimum number of lines per square root of the number of triangles; so many take about the
+    /// Minimum number of lines per square root of the number of triangles; these take about the
     /// time of the preparation.
     double lines_per_root_of_triangles = 0;
     double pixels_per_path = 0;
