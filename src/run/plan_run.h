@@ -3,8 +3,10 @@
 #include <stop_token>
 
 #include "quasimc/run_spec.h"
+#include "quasimc/source.h"
 #include "run/cached_ray_caster.h"
 #include "samplers/sampler.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 

@@ -32,6 +32,7 @@ class AllBands {
             return quanta;
         }
         std::vector<double> flux;
+        flux.reserve(quanta.size());
         for (const std::int64_t amount : quanta) {
             flux.push_back(from_fixed(amount));
         }

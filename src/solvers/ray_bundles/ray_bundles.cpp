@@ -138,10 +138,7 @@ class RayBundles final : public Solver {
             throw_if_stopped(input_.stop);
             options.threads = threads.of_each();
             auto irradiance = exchange(std::move(exitance), bundle, options, scratch.bundles);
-            const PatchScene& scene = cut_->scene;
-            tally.count(WorkUnit::segment, irradiance.lines->segments);
-            tally.count(WorkUnit::lined_triangle, bundle.directions * scene.surfaces.size());
-            tally.count(WorkUnit::patch, scene.patches.count() * input_.prepared.bands());
+            count_work(bundle, irradiance.lines->segments, tally);
             return irradiance;
         };
         const SkyDirections* skies = beams_.viewed_skies();
@@ -195,6 +192,12 @@ class RayBundles final : public Solver {
         add_near(near, flux, flow, all, tally);
         add_sums(flux, flow, all, tally);
         scratch.light = std::move(irradiance.light);
+    }
+
+    void count_work(const BundleGroup& bundle, std::uint64_t segments, Tally& tally) const {
+        tally.count(WorkUnit::segment, segments);
+        tally.count(WorkUnit::lined_triangle, bundle.directions * cut_->scene.surfaces.size());
+        tally.count(WorkUnit::patch, cut_->scene.patches.count() * bands_.count());
     }
 
     /// Corrects the light of the first order that goes less far than a patch is wide.

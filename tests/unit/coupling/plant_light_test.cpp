@@ -238,7 +238,7 @@ TEST_F(PlantLightTest, UsesTheMethodThatAutoFindsBest) {
         return light.last().results.front().chosen.method;
     };
     EXPECT_EQ(method_of("", pile(3, 0)), Method::first_hits);
-    EXPECT_EQ(method_of("sky: uniform\n", pile(3, 0)), Method::first_hits);
+    EXPECT_EQ(method_of("sky: uniform\n", pile(3, 0)), Method::from_organs);
     EXPECT_EQ(method_of("method: light_tracing\n", pile(3, 0)), Method::light_tracing);
     EXPECT_EQ(method_of("method: auto\n", pile(3, 0)), Method::first_hits);
     EXPECT_EQ(method_of("rays from objects: yes\n", pile(1, 2)), Method::from_organs);
