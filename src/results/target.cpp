@@ -9,6 +9,7 @@
 #include "results/evaluate.h"
 #include "results/organ_blocks.h"
 #include "results/question.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 namespace {

@@ -156,6 +156,7 @@ ChosenMethod plan_run(const PlanInput& input) {
     }
     const PilotRuns pilots(input, prepared);
     std::vector<PilotRun> done;
+    done.reserve(methods.size());
     for (const Method method : methods) {
         done.push_back(pilots.of(method));
     }
