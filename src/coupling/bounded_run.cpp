@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "run/simulator.h"
 #include "run/trace_plan.h"
 
 namespace quasimc {

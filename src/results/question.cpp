@@ -124,22 +124,20 @@ void check_quantity(const RunSpec& spec, Faults& faults) {
     }
 }
 
-void check_bands(const Scene& scene, const RunSpec& spec, Faults& faults) {
+}  // namespace
+
+void check_band(
+    const Scene& scene, const std::string& where, const std::string& name, Faults& faults) {
     std::vector<std::string_view> names;
     for (const Band& band : scene.bands()) {
         names.push_back(band.name);
     }
-    for (const std::string& name : spec.target_bands) {
-        if (std::find(names.begin(), names.end(), name) == names.end()) {
-            faults.add(
-                {"target_bands",
-                 fmt::format("'{}' is not a band (bands: {})", name, joined(names, ", ")), "",
-                 near_word_text(name, names)});
-        }
+    if (std::find(names.begin(), names.end(), name) == names.end()) {
+        faults.add(
+            {where, fmt::format("'{}' is not a band (bands: {})", name, joined(names, ", ")), "",
+             near_word_text(name, names)});
     }
 }
-
-}  // namespace
 
 std::vector<std::string_view> target_quantities() {
     std::vector<std::string_view> names{kAutomatic};
@@ -161,7 +159,9 @@ Question question_of(const Scene& scene, const RunSpec& spec) {
 void check_target(const Scene& scene, const RunSpec& spec, Faults& faults) {
     check_scope(scene, spec, faults);
     check_quantity(spec, faults);
-    check_bands(scene, spec, faults);
+    for (const std::string& name : spec.target_bands) {
+        check_band(scene, "target_bands", name, faults);
+    }
 }
 
 std::vector<AskedLight> asked_light(const Scene& scene, const EvaluationSpec& spec) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -16,6 +17,10 @@
 #include "scene/scene.h"
 
 namespace quasimc {
+
+/// Adds a fault for a name that no band of the scene has. @param where  the option
+void check_band(
+    const Scene& scene, const std::string& where, const std::string& name, Faults& faults);
 
 /// Names that RunSpec::target_quantity may have.
 [[nodiscard]] std::vector<std::string_view> target_quantities();

@@ -84,10 +84,6 @@ void check_numbers(const RunSpec& spec, Faults& faults) {
 }
 
 void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
-    std::vector<std::string_view> names;
-    for (const Band& band : scene.bands()) {
-        names.push_back(band.name);
-    }
     for (const std::string& ratio : spec.ratios) {
         const std::size_t colon = ratio.find(':');
         if (colon == std::string::npos || ratio.find(':', colon + 1) != std::string::npos) {
@@ -97,12 +93,7 @@ void check_ratios(const Scene& scene, const RunSpec& spec, Faults& faults) {
             continue;
         }
         for (const std::string& name : {ratio.substr(0, colon), ratio.substr(colon + 1)}) {
-            if (std::find(names.begin(), names.end(), name) == names.end()) {
-                faults.add(
-                    {"ratios",
-                     fmt::format("'{}' is not a band (bands: {})", name, joined(names, ", ")), "",
-                     near_word_text(name, names)});
-            }
+            check_band(scene, "ratios", name, faults);
         }
     }
 }

@@ -194,17 +194,12 @@ void Rounds::finish(Deadline::Clock::time_point now, const TargetDistance& dista
 
 std::vector<std::pair<std::size_t, std::size_t>> ratio_bands(
     const Scene& scene, const RunSpec& spec) {
-    const auto index = [&](std::string_view name) {
-        const auto& bands = scene.bands();
-        return static_cast<std::size_t>(
-            std::find_if(
-                bands.begin(), bands.end(), [&](const Band& b) { return b.name == name; }) -
-            bands.begin());
-    };
+    const auto& names = *scene.names();
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     for (const std::string& ratio : spec.ratios) {
         const std::size_t colon = ratio.find(':');
-        pairs.emplace_back(index(ratio.substr(0, colon)), index(ratio.substr(colon + 1)));
+        pairs.emplace_back(
+            names.band_index(ratio.substr(0, colon)), names.band_index(ratio.substr(colon + 1)));
     }
     return pairs;
 }

@@ -41,6 +41,11 @@ OrganSpec organ(std::string name, std::string material, std::vector<Triangle> tr
     return spec;
 }
 
+OrganSpec labelled(OrganSpec organ, Labels labels) {
+    organ.labels = std::move(labels);
+    return organ;
+}
+
 void add_leaves(SceneBuilder& builder, const std::vector<Triangle>& leaves) {
     for (std::size_t i = 0; i < leaves.size(); ++i) {
         OrganSpec leaf = organ("", "leaf", {leaves[i]});

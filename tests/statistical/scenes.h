@@ -30,6 +30,9 @@ inline constexpr std::uint32_t kReplicates = 32;
 [[nodiscard]] OrganSpec organ(
     std::string name, std::string material, std::vector<Triangle> triangles);
 
+/// An organ with labels.
+[[nodiscard]] OrganSpec labelled(OrganSpec organ, Labels labels);
+
 /// Makes each triangle an organ without a name, of the material "leaf".
 void add_leaves(SceneBuilder& builder, const std::vector<Triangle>& leaves);
 

@@ -16,11 +16,6 @@
 namespace quasimc::test {
 namespace {
 
-OrganSpec labelled(OrganSpec organ, Labels labels) {
-    organ.labels = std::move(labels);
-    return organ;
-}
-
 /// Two plants of three leaves and a stem each, over a soil; a sensor, and a leaf of the border that
 /// is not measured.
 Scene make_two_plants() {

@@ -20,11 +20,6 @@ namespace {
 
 constexpr std::uint32_t kLeaves = 9, kSensor = kLeaves;
 
-OrganSpec labelled(OrganSpec organ, Labels labels) {
-    organ.labels = std::move(labels);
-    return organ;
-}
-
 /// Three plants of three leaves, a sensor among them, a leaf that is not measured, and a soil.
 Scene make_plants() {
     SceneBuilder builder = make_builder(2);
