@@ -63,7 +63,8 @@ std::vector<Warning> lint_bundles(const Scene& scene, const Sources& sources, co
     const PatchSize size = patch_size(scene, patches_for(spec.paths));
     std::vector<Warning> all = lint_long(scene, size);
     for (const auto& more :
-         {lint_large(size), lint_lamps(scene, sources), lint_bundle_memory(scene, spec, size)}) {
+         {lint_large(size), lint_lamps(scene, sources),
+          lint_bundle_memory(scene, sources, spec, size)}) {
         all.insert(all.end(), more.begin(), more.end());
     }
     return all;

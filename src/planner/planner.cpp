@@ -90,7 +90,8 @@ std::vector<Method> candidate_methods(
     const Lighting lighting = lighting_of(scene, sources);
     const bool has_images = lighting.is_far() && scene.triangle_count() <= kMaxForRasters;
     std::vector<Method> methods;
-    if (has_images && !lighting.near_lamp && suits_bundles(scene, spec) && !refuse_bundles()) {
+    if (has_images && !lighting.near_lamp && suits_bundles(scene, sources, spec) &&
+        !refuse_bundles()) {
         methods.push_back(Method::ray_bundles);
     }
     if (has_images) {

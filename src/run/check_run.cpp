@@ -197,7 +197,7 @@ void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, 
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {
         check_diffuse(scene, faults);
-        check_bundle_memory(scene, spec, faults);
+        check_bundle_memory(scene, sources, spec, faults);
     }
 }
 

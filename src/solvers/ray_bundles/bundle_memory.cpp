@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "solvers/ray_bundles/bundle_budget.h"
 #include "solvers/ray_bundles/patch_light.h"
+#include "solvers/ray_bundles/solved_bands.h"
 
 namespace quasimc {
 namespace {
@@ -38,31 +39,34 @@ std::string gigabytes(double bytes) {
 
 }  // namespace
 
-double bytes_of_bundles(const Scene& scene, const RunSpec& spec, double patches) {
+double bytes_of_bundles(
+    const Scene& scene, std::size_t bands, const RunSpec& spec, double patches) {
     constexpr double kBytesOfTriangle = 270;
-    return bytes_of_patch_light(patches, scene.bands().size()) * replicates_at_work(spec) +
+    return bytes_of_patch_light(patches, bands) * replicates_at_work(spec) +
            kBytesOfTriangle * static_cast<double>(scene.triangle_count());
 }
 
 std::vector<Warning> lint_bundle_memory(
-    const Scene& scene, const RunSpec& spec, const PatchSize& size) {
-    if (bytes_of_patch_light(size.count, scene.bands().size()) <= kMaxBytesUnasked) {
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const PatchSize& size) {
+    const std::size_t bands = count_solved_bands(scene, sources);
+    if (bytes_of_patch_light(size.count, bands) <= kMaxBytesUnasked) {
         return {};
     }
     return {
         {"scene", fmt::format(
                       "ray_bundles needs about {} of memory for {:.0f} patches and {} simultaneous "
                       "replicates; fewer threads need less, and method = \"first_hits\" much less",
-                      gigabytes(bytes_of_bundles(scene, spec, size.count)), size.count,
+                      gigabytes(bytes_of_bundles(scene, bands, spec, size.count)), size.count,
                       replicates_at_work(spec))}};
 }
 
-void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults) {
+void check_bundle_memory(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
     constexpr double kMinPatchesOfTriangle = 4;
     const double patches = std::max(
         patches_for(spec.paths),
         kMinPatchesOfTriangle * static_cast<double>(scene.triangle_count()));
-    const double bytes = bytes_of_bundles(scene, spec, patches);
+    const double bytes = bytes_of_bundles(scene, count_solved_bands(scene, sources), spec, patches);
     const double all = bytes_of_machine();
     if (bytes > all) {
         faults.add(

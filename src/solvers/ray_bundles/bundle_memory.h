@@ -13,15 +13,18 @@ inline constexpr double kMaxBytesUnasked = 400e6;
 
 /// Approximate memory of ray bundles in a scene: the light of the patches for each replicate in
 /// progress, and data of the triangles.
+/// @param bands  number of solved bands
 /// @param patches  PatchSize::count
-[[nodiscard]] double bytes_of_bundles(const Scene& scene, const RunSpec& spec, double patches);
+[[nodiscard]] double bytes_of_bundles(
+    const Scene& scene, std::size_t bands, const RunSpec& spec, double patches);
 
 /// Warns about the memory of ray bundles that are requested by name, if "auto" would not choose
 /// them.
 [[nodiscard]] std::vector<Warning> lint_bundle_memory(
-    const Scene& scene, const RunSpec& spec, const PatchSize& size);
+    const Scene& scene, const Sources& sources, const RunSpec& spec, const PatchSize& size);
 
 /// Adds a fault if ray bundles take more memory than the machine has.
-void check_bundle_memory(const Scene& scene, const RunSpec& spec, Faults& faults);
+void check_bundle_memory(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults);
 
 }  // namespace quasimc

@@ -7,6 +7,7 @@
 #include "solvers/ray_bundles/long_patches.h"
 #include "solvers/ray_bundles/patch_light.h"
 #include "solvers/ray_bundles/patch_size.h"
+#include "solvers/ray_bundles/solved_bands.h"
 
 namespace quasimc {
 namespace {
@@ -34,13 +35,14 @@ bool is_diffuse(const Scene& scene) {
     return true;
 }
 
-bool suits_bundles(const Scene& scene, const RunSpec& spec) {
+bool suits_bundles(const Scene& scene, const Sources& sources, const RunSpec& spec) {
     if (!is_diffuse(scene)) {
         return false;
     }
     const PatchSize size = patch_size(scene, patches_for(spec.paths));
     return size.holds_shadows && size.are_alike &&
-           bytes_of_patch_light(size.count, scene.bands().size()) <= kMaxBytesUnasked &&
+           bytes_of_patch_light(size.count, count_solved_bands(scene, sources)) <=
+               kMaxBytesUnasked &&
            find_long_patches(scene, size).organs.empty();
 }
 

@@ -12,6 +12,6 @@ namespace quasimc {
 
 /// Whether ray bundles may be chosen: materials are Lambertian, and patches are neither too many
 /// for the memory nor longer or larger than the shadows of organs, an error that replicates share.
-[[nodiscard]] bool suits_bundles(const Scene& scene, const RunSpec& spec);
+[[nodiscard]] bool suits_bundles(const Scene& scene, const Sources& sources, const RunSpec& spec);
 
 }  // namespace quasimc
