@@ -39,9 +39,16 @@ if(TARGET quasimc_app)
             DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT program)
 endif()
 
-# The Python package, in the folder that Debian's Python searches under /usr.
+# The Python package, in the folder that Debian's Python searches under /usr, or in a wheel, with the
+# program.
 set(QUASIMC_PYTHON_DESTINATION "lib/python3/dist-packages"
     CACHE STRING "Folder of the Python package, below the prefix")
+if(SKBUILD)
+    set(QUASIMC_PYTHON_DESTINATION .)
+endif()
+if(SKBUILD AND TARGET quasimc_app)
+    install(TARGETS quasimc_app RUNTIME DESTINATION "${SKBUILD_SCRIPTS_DIR}" COMPONENT python)
+endif()
 if(TARGET quasimc_python)
     install(TARGETS quasimc_python
             LIBRARY DESTINATION "${QUASIMC_PYTHON_DESTINATION}/quasimc" COMPONENT python)

@@ -114,7 +114,8 @@ def test_a_picture_is_drawn_of_every_organ(result):
     axes = result.plot("incident_upper", "NIR", vmin=0)
     assert len(axes.collections) == 1
     faces = axes.collections[0]
-    assert len(faces._vec.T) == 20 * 2 * 3
+    axes.get_figure().canvas.draw()
+    assert len(faces.get_paths()) == 20 * 2
     assert axes.figure.axes[1].get_ylabel() == "incident_upper [W m-2]"
     pyplot.close("all")
 
