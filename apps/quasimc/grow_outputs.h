@@ -12,9 +12,6 @@
 #include "grow_plant.h"
 #include "quasimc/error.h"
 
-/// The path of a step, if the file's name has a pattern: "step_012.glb" for "step_%03d.glb".
-[[nodiscard]] std::optional<std::string> numbered_path(const std::string& path, std::int64_t step);
-
 /// A file to be written of a plant.
 struct GrowOutput {
     quasimc::OutputPath file;

@@ -108,7 +108,7 @@ void draw_picture(
     quasimc::ScenePicture picture;
     picture.title = title_of(run);
     color_by_value(run.scene, values, {}, picture);
-    picture.to_suns = suns_of(run, &values);
+    picture.to_suns = suns_of(sources_at(run, values.when), run.series.has_value());
     sink(draw_scene(run.scene, picture));
 }
 

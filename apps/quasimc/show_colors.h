@@ -9,7 +9,7 @@
 
 /// The mapping of values to colours.
 struct ScaleChoice {
-    bool error = false;                    ///< show the standard error, per cent of the value
+    bool error = false;                    ///< show classes of the relative standard error
     std::string colors = "viridis";        ///< name of a colour map
     std::pair<double, double> range = {};  ///< see quasimc::scale_of
 };
@@ -17,7 +17,7 @@ struct ScaleChoice {
 // Each gives every organ of a picture its colour, and the picture its second title and legend.
 
 void color_plainly(const quasimc::Scene& scene, quasimc::ScenePicture& picture);
-/// One colour for each value of a label.
+/// One colour for each value of a label; a scale for many numbers.
 /// @throws quasimc::InputError  if no organ has it
 void color_by_label(
     const quasimc::Scene& scene, const std::string& key, quasimc::ScenePicture& picture);
@@ -27,10 +27,15 @@ void color_by_value(
     const ScaleChoice& choice,
     quasimc::ScenePicture& picture);
 
-/// Directions towards the suns in a picture: all suns, or with [time] those of the shown time.
-/// @param values  shown values, or null
+/// The sources of a run, or with [time] those of a time step; null if there is no such step.
+/// @param when  ShownValues::when
+[[nodiscard]] const quasimc::Sources* sources_at(
+    const quasimc::RunFile& run, const std::string& when);
+/// Directions towards the suns in a picture: all; of a time step, whose suns are positions of one,
+/// the mean direction.
+/// @param sources  null: none
 [[nodiscard]] std::vector<quasimc::Vec3> suns_of(
-    const quasimc::RunFile& run, const ShownValues* values);
+    const quasimc::Sources* sources, bool is_time_step);
 
 /// Checks the ending of a picture's name, if it has one; pipes have none.
 /// @param where  for the message

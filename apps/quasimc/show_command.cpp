@@ -1,176 +1,167 @@
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <memory>
-#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
-#include "base/text.h"
 #include "commands.h"
 #include "files/output_files.h"
+#include "numbered_path.h"
 #include "option_flags.h"
 #include "picture/scene_picture.h"
 #include "quasimc/quasimc.h"
 #include "show_colors.h"
 #include "show_true_light.h"
 #include "show_values.h"
-#include "text/numbers.h"
+#include "show_view.h"
 
 namespace {
 
 using quasimc::Faults;
 
 struct ShowArguments {
-    std::string file, output;
+    std::string file, output, minus, label;
     ValueChoice choice;
-    std::string label, view = "200,20", size = "1200x900", colors = "viridis", range, cuts;
-    double opening = 0;
-    std::size_t threads = 0;
-    bool plain = false, bare = false, realistic = false;
+    ViewArguments view;
+    bool plain = false, realistic = false;
 };
 
-/// Two numbers with a mark between them: "200,20".
-std::optional<std::pair<double, double>> two_numbers(std::string_view text, char mark) {
-    const std::size_t at = text.find(mark);
-    if (at == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const auto first = quasimc::parse_real(quasimc::trimmed(text.substr(0, at)));
-    const auto second = quasimc::parse_real(quasimc::trimmed(text.substr(at + 1)));
-    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
-}
+/// A picture, and the time that it shows.
+struct Frame {
+    quasimc::ScenePicture picture;
+    std::string when;
+};
 
-quasimc::ViewSpec view_of(const ShowArguments& arguments, Faults& faults) {
-    quasimc::ViewSpec view;
-    view.fov_deg = arguments.opening;
-    if (const quasimc::NamedView* named = quasimc::find_view(arguments.view)) {
-        view.azimuth_deg = named->azimuth_deg;
-        view.elevation_deg = named->elevation_deg;
-        return view;
+/// The values of each picture: one, or with numbered pictures those of every time step.
+std::vector<ShownValues> values_of(
+    const ShowArguments& arguments, const ShownRun& shown, bool is_numbered) {
+    std::vector<ShownValues> all;
+    if (is_numbered) {
+        all = read_shown_times(shown, arguments.file, arguments.choice);
+    } else {
+        all.push_back(read_shown_values(shown, arguments.file, arguments.choice));
     }
-    const auto angles = two_numbers(arguments.view, ',');
-    if (!angles || !std::isfinite(angles->first) || !(std::abs(angles->second) <= 90)) {
-        std::string names;
-        for (const quasimc::NamedView& entry : quasimc::view_table()) {
-            names += fmt::format("{}, ", entry.name);
+    if (!arguments.minus.empty()) {
+        const ShownRun other = read_shown_run(arguments.minus, arguments.choice.point);
+        if (other.result_text.empty()) {
+            throw quasimc::InputError(
+                {{"--minus", arguments.minus + " is not a result", "",
+                  "give what `quasimc run --json` wrote"}});
         }
-        faults.add(
-            {"--camera", fmt::format("'{}' is not a view", arguments.view), "",
-             fmt::format("give {}or azimuth and elevation of the eye in degrees: 200,20", names)});
-        return view;
-    }
-    view.azimuth_deg = angles->first;
-    view.elevation_deg = angles->second;
-    return view;
-}
-
-/// "x<0.5": the shown half-space, in the axes of the file.
-std::optional<quasimc::CutPlane> cut_of(std::string_view text, const quasimc::Orientation& axes) {
-    const std::size_t at = text.find_first_of("<>");
-    if (at == std::string_view::npos) {
-        return std::nullopt;
-    }
-    const std::string_view axis = quasimc::trimmed(text.substr(0, at));
-    const auto offset = quasimc::parse_real(quasimc::trimmed(text.substr(at + 1)));
-    const bool is_axis = axis == "x" || axis == "y" || axis == "z";
-    if (!is_axis || !offset || !std::isfinite(*offset)) {
-        return std::nullopt;
-    }
-    const quasimc::Vec3 along{
-        axis == "x" ? 1.0 : 0.0, axis == "y" ? 1.0 : 0.0, axis == "z" ? 1.0 : 0.0};
-    const double sign = text[at] == '<' ? 1 : -1;
-    return quasimc::CutPlane{sign * axes.inward(along), sign * *offset};
-}
-
-void set_cuts(
-    const ShowArguments& arguments,
-    const quasimc::Scene& scene,
-    quasimc::ScenePicture& picture,
-    Faults& faults) {
-    std::string_view rest = arguments.cuts;
-    while (!rest.empty()) {
-        const std::size_t comma = rest.find(',');
-        const std::string_view text = rest.substr(0, comma);
-        rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
-        if (const auto cut = cut_of(text, scene.orientation())) {
-            picture.render.cuts.push_back(*cut);
-        } else {
-            faults.add(
-                {"--clip", fmt::format("'{}' is not a half of space", text), "",
-                 "write the part to show, in the axes of the file: --clip 'x<0.5'"});
+        for (ShownValues& values : all) {
+            ValueChoice choice = arguments.choice;
+            choice.time = is_numbered ? values.when : choice.time;
+            subtract(
+                shown.run.scene, other, std::filesystem::path(arguments.minus).filename().string(),
+                read_shown_values(other, arguments.minus, choice), values);
         }
     }
+    return all;
 }
 
-void set_size(const ShowArguments& arguments, quasimc::ScenePicture& picture, Faults& faults) {
-    const auto size = two_numbers(arguments.size, 'x');
-    const auto fits = [](double side) {
-        constexpr double kMin = 16, kMax = 16384;
-        return side >= kMin && side <= kMax && side == std::floor(side);
-    };
-    if (!size || !fits(size->first) || !fits(size->second)) {
-        faults.add(
-            {"--size", fmt::format("'{}' is not a size", arguments.size), "",
-             "give width and height in pixels, 16 to 16384: 1200x900"});
-        return;
+/// One scale for all pictures: that of the largest values.
+std::pair<double, double> common_range(
+    const quasimc::Scene& scene, const std::vector<ShownValues>& all) {
+    std::pair<double, double> range{};
+    for (const ShownValues& values : all) {
+        quasimc::ScenePicture picture;
+        color_by_value(scene, values, {}, picture);
+        range.first = std::min(range.first, picture.legend.low);
+        range.second = std::max(range.second, picture.legend.high);
     }
-    picture.width = static_cast<std::size_t>(size->first);
-    picture.height = static_cast<std::size_t>(size->second);
+    return range;
 }
 
-std::pair<double, double> range_of(const ShowArguments& arguments, Faults& faults) {
-    const auto range = two_numbers(arguments.range, ',');
-    if (!arguments.range.empty() && (!range || !(range->first < range->second))) {
-        faults.add(
-            {"--range", fmt::format("'{}' is not a range", arguments.range), "",
-             "give the values of the first and the last colour: 0,500"});
-    }
-    return range.value_or(std::pair(0.0, 0.0));
-}
-
-/// Sets the camera, the clipping planes and the annotations.
-void set_view(
+std::vector<Frame> frames_in_light(
     const ShowArguments& arguments,
-    const quasimc::Scene& scene,
-    quasimc::ScenePicture& picture,
-    Faults& faults) {
-    picture.view = view_of(arguments, faults);
-    picture.has_annotations = !arguments.bare;
-    picture.render.threads = static_cast<unsigned>(arguments.threads);
-    set_cuts(arguments, scene, picture, faults);
+    const ShownRun& shown,
+    const quasimc::ScenePicture& base,
+    bool is_numbered) {
+    std::vector<Frame> frames;
+    ValueChoice choice = arguments.choice;
+    std::vector<std::string> times{choice.time};
+    if (is_numbered) {
+        choice.quantity = "incident_scattered";
+        times.clear();
+        for (const ShownValues& values : read_shown_times(shown, arguments.file, choice)) {
+            times.push_back(values.when);
+        }
+    }
+    for (const std::string& time : times) {
+        choice.time = time;
+        Frame& frame = frames.emplace_back(Frame{base, time});
+        frame.picture.true_light = true_light_of(shown, arguments.file, choice);
+        frame.picture.subtitle = "in the light of its sources" + (time.empty() ? "" : ", " + time) +
+                                 (frame.picture.true_light->tints.empty()
+                                      ? ""
+                                      : "; one band: green and brown are not computed");
+    }
+    return frames;
 }
 
-/// Sets the organs' colours, the title and the suns of the picture.
-void set_colors(
+/// The pictures, with the organs' colours, titles and suns.
+/// @param base  with the view
+std::vector<Frame> frames_of(
     const ShowArguments& arguments,
     const ShownRun& shown,
     std::pair<double, double> range,
-    quasimc::ScenePicture& picture) {
-    const quasimc::RunFile& run = shown.run;
-    picture.title = title_of(run);
-    std::optional<ShownValues> values;
+    const quasimc::ScenePicture& base,
+    bool is_numbered) {
+    const quasimc::Scene& scene = shown.run.scene;
+    std::vector<Frame> frames;
     if (arguments.realistic) {
-        picture.true_light = true_light_of(shown, arguments.file, arguments.choice);
-        picture.subtitle = "in the light of its sources" +
-                           (arguments.choice.time.empty() ? "" : ", " + arguments.choice.time);
+        frames = frames_in_light(arguments, shown, base, is_numbered);
     } else if (!arguments.label.empty()) {
-        color_by_label(run.scene, arguments.label, picture);
+        color_by_label(scene, arguments.label, frames.emplace_back(Frame{base, ""}).picture);
     } else if (arguments.plain || shown.result_text.empty()) {
-        color_plainly(run.scene, picture);
+        color_plainly(scene, frames.emplace_back(Frame{base, ""}).picture);
     } else {
-        values = read_shown_values(shown, arguments.file, arguments.choice);
-        color_by_value(
-            run.scene, *values, {arguments.choice.error, arguments.colors, range}, picture);
+        const std::vector<ShownValues> all = values_of(arguments, shown, is_numbered);
+        if (range.first == range.second && is_numbered) {
+            range = common_range(scene, all);
+        }
+        for (const ShownValues& values : all) {
+            Frame& frame = frames.emplace_back(Frame{base, values.when});
+            color_by_value(
+                scene, values, {arguments.choice.error, arguments.view.colors, range},
+                frame.picture);
+        }
     }
-    picture.to_suns = suns_of(run, values ? &*values : nullptr);
+    for (Frame& frame : frames) {
+        const auto& true_light = frame.picture.true_light;
+        const quasimc::Sources* sources =
+            true_light ? true_light->sources : sources_at(shown.run, frame.when);
+        frame.picture.title = title_of(shown.run);
+        frame.picture.to_suns = suns_of(sources, shown.run.series.has_value());
+    }
+    return frames;
 }
 
 /// "canopy.png" in the current folder for fields/canopy.json.
 std::string default_picture(const std::string& file) {
     return (file == "-" ? "scene" : std::filesystem::path(file).stem().string()) + ".png";
+}
+
+/// Whether the name numbers the time steps: "day_%02d.png".
+bool is_numbered(
+    const ShowArguments& arguments, const std::string& path, const quasimc::RunFile& run) {
+    if (!numbered_path(path, 1)) {
+        return false;
+    }
+    const bool is_one = !arguments.choice.time.empty() || !arguments.choice.day.empty() ||
+                        arguments.plain || !arguments.label.empty();
+    if (!run.series || is_one) {
+        throw quasimc::InputError(
+            {{"-o", fmt::format("'{}' numbers time steps", path),
+              is_one ? "one picture is asked for" : "the run has no [time]",
+              "name a file without %"}});
+    }
+    return true;
 }
 
 Exit show(const ShowArguments& arguments) {
@@ -184,74 +175,27 @@ Exit show(const ShowArguments& arguments) {
                                : read_shown_run(arguments.file, arguments.choice.point);
     print_warnings(geometry != nullptr ? shown.run.warnings : std::vector<quasimc::Warning>());
     Faults faults;
-    quasimc::ScenePicture picture;
-    set_size(arguments, picture, faults);
-    set_view(arguments, shown.run.scene, picture, faults);
-    const auto range = range_of(arguments, faults);
+    quasimc::ScenePicture base;
+    set_view(arguments.view, shown.run.scene, base, faults);
+    const auto range = range_of(arguments.view, faults);
     faults.throw_if_any();
-    quasimc::OutputFiles output({{path, "-o"}}, shown.inputs);
-    set_colors(arguments, shown, range, picture);
-    output.sink(0)(draw_scene(shown.run.scene, picture));
+    const bool is_sequence = is_numbered(arguments, path, shown.run);
+    const std::vector<Frame> frames = frames_of(arguments, shown, range, base, is_sequence);
+    std::vector<quasimc::OutputPath> paths;
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        paths.push_back(
+            {is_sequence ? *numbered_path(path, static_cast<std::int64_t>(i) + 1) : path, "-o"});
+    }
+    quasimc::OutputFiles output(paths, shown.inputs);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        output.sink(i)(draw_scene(shown.run.scene, frames[i].picture));
+    }
     output.commit();
     output.throw_if_given_up();
     if (arguments.output.empty()) {
         fmt::print("written {}\n", path);
     }
     return Exit::done;
-}
-
-/// The flags for drawing.
-std::vector<Flag> view_flags(ShowArguments& arguments) {
-    std::vector<std::string> maps;
-    for (const quasimc::ColorMap& map : quasimc::color_map_table()) {
-        maps.emplace_back(map.name);
-    }
-    const std::string kView = "View";
-    return {
-        {.name = "--camera",
-         .target = &arguments.view,
-         .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye in "
-                    "degrees",
-         .type_name = "VIEW",
-         .group = kView,
-         .default_text = arguments.view},
-        {.name = "--fov",
-         .target = &arguments.opening,
-         .summary = "field of view in degrees; 0: parallel projection",
-         .range = std::pair(0.0, 150.0),
-         .group = kView,
-         .default_text = "0"},
-        {.name = "--clip",
-         .target = &arguments.cuts,
-         .summary = "show this part only, in the axes of the file: 'x<0.5', 'x<0.5,z>1'",
-         .type_name = "HALVES",
-         .group = kView},
-        {.name = "--size",
-         .target = &arguments.size,
-         .summary = "width and height in pixels",
-         .type_name = "WxH",
-         .group = kView,
-         .default_text = arguments.size},
-        {.name = "--no-annotations",
-         .target = &arguments.bare,
-         .summary = "without title, legend, scale bar and directions",
-         .group = kView},
-        {.name = "--threads",
-         .target = &arguments.threads,
-         .summary = "threads; 0: all cores",
-         .group = kView,
-         .default_text = "0"},
-        {.name = "--colormap",
-         .target = &arguments.colors,
-         .summary = "colours of the scale",
-         .choices = maps,
-         .group = "Colours",
-         .default_text = arguments.colors},
-        {.name = "--range",
-         .target = &arguments.range,
-         .summary = "values of the first and the last colour: 0,500; default those of the picture",
-         .type_name = "LOW,HIGH",
-         .group = "Colours"}};
 }
 
 /// All flags of `quasimc show`.
@@ -264,7 +208,8 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
         {.name = "-o,--output",
          .target = &arguments.output,
          .summary = "PNG picture to write, - for standard output; default NAME.png in the current "
-                    "folder",
+                    "folder; %02d in a name is the number of a time step, and every one with light "
+                    "is drawn",
          .type_name = "FILE"},
         point_flag(choice.point),
         {.name = "--time",
@@ -290,7 +235,13 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .group = kColors},
         {.name = "--error",
          .target = &choice.error,
-         .summary = "show its standard error in per cent of the value",
+         .summary = "show its relative standard error, in classes",
+         .group = kColors},
+        {.name = "--minus",
+         .target = &arguments.minus,
+         .summary = "show the difference from this result, by organ id",
+         .type_name = "FILE",
+         .excludes = "--error",
          .group = kColors},
         {.name = "--label",
          .target = &arguments.label,
@@ -305,7 +256,7 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .target = &arguments.plain,
          .summary = "show the surfaces without light",
          .group = kColors}};
-    std::vector<Flag> view = view_flags(arguments);
+    std::vector<Flag> view = view_flags(arguments.view);
     std::move(view.begin(), view.end(), std::back_inserter(flags));
     return flags;
 }

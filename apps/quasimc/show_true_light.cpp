@@ -1,21 +1,18 @@
 #include "show_true_light.h"
 
+#include "show_colors.h"
+
 namespace {
 
-/// The sources of the chosen time step.
-const quasimc::Sources& sources_of(
-    const quasimc::RunFile& run, const std::string& path, const ShownValues& values) {
-    if (!run.series) {
-        return run.sources;
+/// Colours of leaves and soil for scenes of one band.
+std::vector<quasimc::LinearRgb> tints_of(const quasimc::Scene& scene) {
+    constexpr quasimc::LinearRgb kLeaf{0.4, 0.8, 0.2}, kSoil{0.6, 0.45, 0.3};
+    std::vector<quasimc::LinearRgb> tints;
+    tints.reserve(scene.organs().size());
+    for (const quasimc::Organ& organ : scene.organs()) {
+        tints.push_back(organ.is_ground ? kSoil : kLeaf);
     }
-    for (std::size_t i = 0; i < run.series->notes.size(); ++i) {
-        if (run.series->notes[i].time == values.when) {
-            return run.series->time_steps[i].sources;
-        }
-    }
-    throw quasimc::InputError(
-        {{"--realistic", path + ": no time was chosen", "an eye sees one moment",
-          "give it: --time 2024-06-21T12"}});
+    return tints;
 }
 
 }  // namespace
@@ -36,6 +33,9 @@ quasimc::TrueLightSpec true_light_of(
               "of none are wavelengths of 400 to 700 nm known",
               "state them in [[band]]: from_nm, to_nm"}});
     }
+    if (bands.size() == 1) {
+        spec.tints = tints_of(shown.run.scene);
+    }
     const std::size_t organs = shown.run.scene.organs().size();
     spec.scattered.resize(organs * bands.size());
     for (std::size_t b = 0; b < bands.size(); ++b) {
@@ -43,7 +43,12 @@ quasimc::TrueLightSpec true_light_of(
         scattered.quantity = "incident_scattered";
         scattered.band = bands[b].name;
         const ShownValues values = read_shown_values(shown, path, scattered);
-        spec.sources = &sources_of(shown.run, path, values);
+        spec.sources = sources_at(shown.run, values.when);
+        if (spec.sources == nullptr) {
+            throw quasimc::InputError(
+                {{"--realistic", path + ": no time was chosen", "an eye sees one moment",
+                  "give it: --time 2024-06-21T12"}});
+        }
         for (std::size_t i = 0; i < organs; ++i) {
             spec.scattered[i * bands.size() + b] = values.estimates[i].mean;
         }

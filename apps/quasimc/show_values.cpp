@@ -1,6 +1,8 @@
 #include "show_values.h"
 
 #include <algorithm>
+#include <cmath>
+#include <unordered_map>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -194,6 +196,31 @@ Flag point_flag(std::size_t& point) {
         .range = std::pair(1.0, 1e9)};
 }
 
+void subtract(
+    const quasimc::Scene& scene,
+    const ShownRun& other,
+    const std::string& title,
+    const ShownValues& of_other,
+    ShownValues& values) {
+    std::unordered_map<std::int64_t, const quasimc::Estimate*> by_id;
+    const auto& organs = other.run.scene.organs();
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        by_id[organs[i].id] = &of_other.estimates[i];
+    }
+    for (std::size_t i = 0; i < values.estimates.size(); ++i) {
+        const auto found = by_id.find(scene.organs()[i].id);
+        quasimc::Estimate& estimate = values.estimates[i];
+        if (found == by_id.end()) {
+            estimate = quasimc::kUnknownEstimate;
+            continue;
+        }
+        estimate.mean -= found->second->mean;
+        estimate.standard_error =
+            std::hypot(estimate.standard_error, found->second->standard_error);
+    }
+    values.minus = title;
+}
+
 ShownRun read_shown_geometry(const std::string& path, const quasimc::FormatEntry& format) {
     quasimc::GeometryScene read = quasimc::read_geometry_scene(path, format);
     RunFile run{
@@ -270,6 +297,29 @@ std::vector<ShownValues> read_all_shown_values(
         refuse_choice(shown, path, choices.back());
     }
     return all;
+}
+
+std::vector<ShownValues> read_shown_times(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice) {
+    ValueChoice any = choice;
+    any.time = shown.run.series->notes.front().time;
+    ShownValues named;
+    quasimc::RowsQuery query = query_of(shown.run, any, named);
+    query.label = "";
+    std::vector<ShownValues> times;
+    for (auto& rows : quasimc::read_rows(shown.result_text, path, query)) {
+        if (!rows.columns.front().empty()) {
+            times.push_back(named);
+            times.back().estimates = std::move(rows.columns.front());
+            times.back().estimates.resize(
+                shown.run.scene.organs().size(), quasimc::kUnknownEstimate);
+            times.back().when = rows.position.label;
+        }
+    }
+    if (times.empty()) {
+        refuse_choice(shown, path, choice);
+    }
+    return times;
 }
 
 ShownValues read_shown_values(

@@ -46,6 +46,7 @@ struct ShownValues {
     std::string name, unit;                    ///< "absorbed flux density, PAR", "W m-2"
     std::string key;                           ///< "absorbed_flux_density_PAR"
     std::string when;                          ///< time, day or period; empty without [time]
+    std::string minus;  ///< file of the run whose values were subtracted, or empty
 };
 /// ShownValues of a quantity and a band, without the estimates.
 [[nodiscard]] ShownValues named_values(
@@ -56,6 +57,21 @@ struct ShownValues {
 /// @throws quasimc::InputError  if the result has none of this kind
 [[nodiscard]] ShownValues read_shown_values(
     const ShownRun& shown, const std::string& path, const ValueChoice& choice);
+
+/// The numbers of every time step with light, in their order.
+/// @throws quasimc::InputError  if there are none
+[[nodiscard]] std::vector<ShownValues> read_shown_times(
+    const ShownRun& shown, const std::string& path, const ValueChoice& choice);
+
+/// Subtracts the values of the same organs, by id, of another run. Errors are those of independent
+/// results.
+/// @param title  of the other run
+void subtract(
+    const quasimc::Scene& scene,
+    const ShownRun& other,
+    const std::string& title,
+    const ShownValues& of_other,
+    ShownValues& values);
 
 /// All numbers of each organ at the chosen time, day or point: every quantity in every band, the
 /// sunlit fraction, ratios. The chosen quantity and band are ignored.

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "picture/font.h"
-
 namespace quasimc {
 namespace {
 
@@ -52,7 +50,57 @@ double coverage(std::span<const PixelPoint> corners, std::size_t x, std::size_t 
     return count / 16.0;
 }
 
+double width_of(std::string_view utf8, double size) {
+    return static_cast<double>(draw_text(utf8, size).width);
+}
+
+/// The longest beginning with "..." that fits; the text if it fits.
+std::string shortened(std::string text, double size, double width) {
+    if (width_of(text, size) <= width) {
+        return text;
+    }
+    const auto is_inside_letter = [](char byte) {
+        return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U;
+    };
+    std::string whole;
+    do {
+        while (!text.empty() && is_inside_letter(text.back())) {
+            text.pop_back();
+        }
+        if (!text.empty()) {
+            text.pop_back();
+        }
+        whole = text + "\u2026";
+    } while (!text.empty() && width_of(whole, size) > width);
+    return whole;
+}
+
 }  // namespace
+
+std::vector<std::string> folded(
+    std::string_view utf8, double size, double width, std::size_t lines) {
+    std::vector<std::string> all{""};
+    std::string_view rest = utf8;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(' '), rest.size());
+        const std::string longer =
+            all.back() + (all.back().empty() ? "" : " ") + std::string(rest.substr(0, end));
+        if (all.size() == lines) {
+            all.back() += (all.back().empty() ? "" : " ") + std::string(rest);
+            break;
+        }
+        if (!all.back().empty() && width_of(longer, size) > width) {
+            all.emplace_back();
+            continue;
+        }
+        all.back() = longer;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    for (std::string& line : all) {
+        line = shortened(std::move(line), size, width);
+    }
+    return all;
+}
 
 void Canvas::put(const PixelPoint& corner, const Image& picture) {
     const auto x0 = static_cast<std::size_t>(corner.x), y0 = static_cast<std::size_t>(corner.y);
@@ -108,13 +156,26 @@ void Canvas::text(const PixelPoint& position, std::string_view utf8, const TextS
     const TextMask mask = draw_text(utf8, style.size);
     const double before =
         style.anchor == TextAnchor::start ? 0 : 0.5 * static_cast<double>(mask.width);
+    const PixelPoint corner{position.x - before, position.y - mask.baseline};
+    if (style.has_halo) {
+        const double edge = style.size / 8;
+        for (const double dx : {-edge, 0.0, edge}) {
+            for (const double dy : {-edge, 0.0, edge}) {
+                draw_mask({corner.x + dx, corner.y + dy}, mask, {255, 255, 255});
+            }
+        }
+    }
+    draw_mask(corner, mask, style.color);
+}
+
+void Canvas::draw_mask(const PixelPoint& corner, const TextMask& mask, const Rgb& color) {
     for (std::size_t j = 0; j < mask.height; ++j) {
         for (std::size_t i = 0; i < mask.width; ++i) {
-            const double x = position.x + (static_cast<double>(i) - before);
-            const double y = position.y + (static_cast<double>(j) - mask.baseline);
+            const double x = corner.x + static_cast<double>(i);
+            const double y = corner.y + static_cast<double>(j);
             if (x >= 0 && y >= 0) {
                 blend(
-                    static_cast<std::size_t>(x), static_cast<std::size_t>(y), style.color,
+                    static_cast<std::size_t>(x), static_cast<std::size_t>(y), color,
                     mask.coverage[j * mask.width + i] / 255.0);
             }
         }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace quasimc {
 namespace {
@@ -28,16 +29,37 @@ constexpr Stops kMagma{0x000004, 0x030312, 0x0A0822, 0x130D34, 0x1D1147, 0x29115
                        0xEF5D5E, 0xF56B5C, 0xF9795D, 0xFC8961, 0xFD9869, 0xFEA772, 0xFEB67C,
                        0xFEC488, 0xFED395, 0xFDE2A3, 0xFCF0B2, 0xFCFDBF};
 
+// Brewer and Harrower (2003), RdBu, reversed; nearly white in the middle.
+constexpr std::array<std::uint32_t, 9> kDifference{0x2166AC, 0x4393C3, 0x92C5DE, 0xD1E5F0, 0xF4F1EC,
+                                                   0xFDDBC7, 0xF4A582, 0xD6604D, 0xB2182B};
+
 // Eight colours that people of any colour vision can distinguish: Okabe and Ito (2008), with grey
 // instead of black.
 constexpr std::array<std::uint32_t, 8> kCategories{0x0072B2, 0xE69F00, 0x009E73, 0xD55E00,
                                                    0x56B4E9, 0xCC79A7, 0xF0E442, 0x888888};
+// Tableau 20, with two dark colours instead of its greys.
+constexpr std::array<std::uint32_t, 20> kMoreCategories{
+    0x1F77B4, 0xFF7F0E, 0x2CA02C, 0xD62728, 0x9467BD, 0x8C564B, 0xE377C2,
+    0x393B79, 0xBCBD22, 0x17BECF, 0xAEC7E8, 0xFFBB78, 0x98DF8A, 0xFF9896,
+    0xC5B0D5, 0xC49C94, 0xF7B6D2, 0x637939, 0xDBDB8D, 0x9EDAE5};
 
 Rgb unpack(std::uint32_t rgb) {
     const auto byte = [rgb](unsigned shift) {
         return static_cast<std::uint8_t>((rgb >> shift) & 0xFFU);
     };
     return {byte(16), byte(8), byte(0)};
+}
+
+/// A saturated colour. @param hue  0 to 1: red, yellow, green, cyan, blue, magenta, red
+/// @param value  0: black, 1: bright
+Rgb color_of_hue(double hue, double value) {
+    constexpr double kSaturation = 0.7;
+    const auto channel = [&](double offset) {
+        const double turn = std::fmod(6 * hue + offset, 6);
+        const double away = std::clamp(std::min(turn, 4 - turn), 0.0, 1.0);
+        return static_cast<std::uint8_t>(std::lround(255 * value * (1 - kSaturation * away)));
+    };
+    return {channel(5), channel(3), channel(1)};
 }
 
 }  // namespace
@@ -69,8 +91,25 @@ Rgb color_at(const ColorMap& map, double part) {
         position - static_cast<double>(below));
 }
 
-Rgb category_color(std::size_t number) {
-    return unpack(kCategories[number % kCategories.size()]);
+const ColorMap& difference_map() {
+    static const ColorMap map{"difference", kDifference};
+    return map;
+}
+
+std::vector<Rgb> category_colors(std::size_t count) {
+    const std::span<const std::uint32_t> table =
+        count <= kCategories.size() ? std::span<const std::uint32_t>(kCategories)
+                                    : std::span<const std::uint32_t>(kMoreCategories);
+    std::vector<Rgb> colors;
+    colors.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        // Further hues by the golden angle are far from their predecessors.
+        const double hue = static_cast<double>(i) * (std::numbers::phi - 1);
+        colors.push_back(
+            i < table.size() ? unpack(table[i])
+                             : color_of_hue(hue - std::floor(hue), i % 2 == 0 ? 0.9 : 0.6));
+    }
+    return colors;
 }
 
 }  // namespace quasimc

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "picture/image.h"
 
@@ -27,7 +28,13 @@ inline constexpr Rgb kNoValue{200, 200, 200};
 /// NaN has kNoValue
 [[nodiscard]] Rgb color_at(const ColorMap& map, double part);
 
-/// Colours of categories; they repeat after eight.
-[[nodiscard]] Rgb category_color(std::size_t number);
+/// The map of differences: from blue for negative over white to red for positive ones.
+[[nodiscard]] const ColorMap& difference_map();
+
+/// Colour of the ground where colours show something else than light.
+inline constexpr Rgb kEarth{190, 170, 150};
+
+/// Different colours for a number of categories. Eight differ for any colour vision.
+[[nodiscard]] std::vector<Rgb> category_colors(std::size_t count);
 
 }  // namespace quasimc

@@ -42,5 +42,7 @@ struct Image {
 /// The bytes of a PNG file. Needs has_png().
 /// @throws std::runtime_error  if libpng fails
 [[nodiscard]] std::string to_png(const Image& image);
+/// The bytes of a PNG file without a background, from the same picture on white and on black.
+[[nodiscard]] std::string to_transparent_png(const Image& on_white, const Image& on_black);
 
 }  // namespace quasimc

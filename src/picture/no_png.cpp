@@ -15,6 +15,11 @@ std::string to_png([[maybe_unused]] const Image& image) {
     throw std::logic_error("built without pictures");
 }
 
+std::string to_transparent_png(
+    [[maybe_unused]] const Image& on_white, [[maybe_unused]] const Image& on_black) {
+    throw std::logic_error("built without pictures");
+}
+
 TextMask draw_text([[maybe_unused]] std::string_view utf8, [[maybe_unused]] double size) {
     throw std::logic_error("built without pictures");
 }

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -16,27 +19,62 @@ constexpr Rgb kDark{30, 30, 30};
 constexpr Rgb kFaint{110, 110, 110};
 constexpr Rgb kSunMark{225, 120, 0};
 constexpr double kLegendWidth = 170;
-constexpr double kTitleHeight = 62;
+constexpr double kEdge = 18;
 
-/// Layout of a picture 900 pixels high, times `scale` for others.
+/// A heading in lines that fit.
+struct Heading {
+    static constexpr double kTitleSize = 20, kSubtitleSize = 14;
+    static constexpr std::size_t kMaxLines = 2;
+
+    std::vector<std::string> title, subtitle;
+
+    Heading(const ScenePicture& picture, double width, double scale)
+        : title(folded(picture.title, kTitleSize * scale, width, kMaxLines)),
+          subtitle(folded(picture.subtitle, kSubtitleSize * scale, width, kMaxLines)) {}
+
+    [[nodiscard]] double height() const {
+        return 1.2 * kTitleSize * static_cast<double>(title.size()) +
+               1.3 * kSubtitleSize * static_cast<double>(subtitle.size()) + 20;
+    }
+    void draw(Canvas& canvas, PixelPoint at, double scale) const {
+        for (const std::string& line : title) {
+            at.y += 1.2 * kTitleSize * scale;
+            canvas.text(at, line, {.size = kTitleSize * scale});
+        }
+        at.y += 2 * scale;
+        for (const std::string& line : subtitle) {
+            at.y += 1.3 * kSubtitleSize * scale;
+            canvas.text(at, line, {.size = kSubtitleSize * scale, .color = kFaint});
+        }
+    }
+};
+
+/// The size of annotations, relative to those of a picture 900 pixels high. Those of smaller
+/// pictures are not much smaller, unless there is no room for them.
+double scale_of(const ScenePicture& picture) {
+    constexpr double kUsual = 900, kLegible = 0.85, kMinWidth = 500, kMinHeight = 400;
+    const auto width = static_cast<double>(picture.width);
+    const auto height = static_cast<double>(picture.height);
+    const double legible = std::min({kLegible, width / kMinWidth, height / kMinHeight});
+    return std::clamp(std::max(std::min(width, height) / kUsual, legible), 0.5, 8.0);
+}
+
+/// Layout of a picture.
 struct Layout {
     double scale, width, height;  // of the picture
-    double view_width, view_height, view_top;
+    double view_width, view_height, view_top = 0;
+    std::optional<Heading> heading;
 
     explicit Layout(const ScenePicture& picture)
-        : scale(std::clamp(
-              std::min(static_cast<double>(picture.width), static_cast<double>(picture.height)) /
-                  900,
-              0.5,
-              8.0)),
+        : scale(scale_of(picture)),
           width(static_cast<double>(picture.width)),
           height(static_cast<double>(picture.height)),
           view_width(width),
-          view_height(height),
-          view_top(0) {
+          view_height(height) {
         if (picture.has_annotations) {
+            heading.emplace(picture, width - 2 * kEdge * scale, scale);
             view_width = std::max(1.0, std::floor(width - kLegendWidth * scale));
-            view_top = std::floor(kTitleHeight * scale);
+            view_top = std::floor(heading->height() * scale);
             view_height = std::max(1.0, height - view_top);
         }
     }
@@ -117,15 +155,15 @@ void draw_scale_bar(
     const double s = layout.scale;
     const double length = round_number_below(0.25 * layout.view_width / camera.scale());
     const double pixels = length * camera.scale();
-    const PixelPoint left{18 * s, layout.height - 18 * s};
-    canvas.rectangle({left.x - 6 * s, left.y - 22 * s}, pixels + 12 * s, 32 * s, {255, 255, 255});
+    const PixelPoint left{kEdge * s, layout.height - 18 * s};
+    canvas.rectangle({left.x - 1.5 * s, left.y - 4.5 * s}, pixels + 3 * s, 8 * s, {255, 255, 255});
     canvas.rectangle({left.x, left.y - 3 * s}, pixels, 5 * s, kDark);
     canvas.text(
-        {left.x + 0.5 * pixels, left.y - 7 * s},
+        {left.x + 0.5 * pixels, left.y - 8 * s},
         fmt::format(
             "{} {}{}", tick_text(length, length), scene.length_unit(),
             camera.is_parallel() ? "" : " in the middle"),
-        {.size = 13 * s, .anchor = TextAnchor::middle});
+        {.size = 13 * s, .anchor = TextAnchor::middle, .has_halo = true});
 }
 
 /// The scene in colours, or in its light.
@@ -133,51 +171,57 @@ Image image_of(
     const Scene& scene,
     const Camera& camera,
     const ScenePicture& picture,
-    std::size_t width,
-    std::size_t height) {
+    const Layout& layout,
+    const Rgb& background) {
+    const auto width = static_cast<std::size_t>(layout.view_width);
+    const auto height = static_cast<std::size_t>(layout.view_height);
     if (!picture.true_light) {
         RenderSpec spec = picture.render;
         spec.width = width;
         spec.height = height;
+        spec.background = background;
         return render(scene, camera, spec);
     }
     TrueLightSpec spec = *picture.true_light;
     spec.width = width;
     spec.height = height;
+    spec.background = background;
     spec.cuts = picture.render.cuts;
     spec.threads = picture.render.threads;
     return render_true_light(scene, camera, spec);
 }
 
-}  // namespace
-
-std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
-    const Bounds shown = shown_bounds(scene, picture.render.cuts);
-    if (shown.empty()) {
-        throw InputError(
-            {{"--clip", "nothing of the scene is left", "the scene is on the other side", ""}});
-    }
+Image draw_on(const Rgb& background, const Scene& scene, const ScenePicture& picture) {
     const Layout layout(picture);
     const Camera camera(
-        picture.view, scene.orientation(), shown, layout.view_width, layout.view_height);
-    Canvas canvas(picture.width, picture.height);
-    canvas.put(
-        {0, layout.view_top},
-        image_of(
-            scene, camera, picture, static_cast<std::size_t>(layout.view_width),
-            static_cast<std::size_t>(layout.view_height)));
+        picture.view, scene.orientation(), shown_bounds(scene, picture.render.cuts),
+        layout.view_width, layout.view_height);
+    Canvas canvas(picture.width, picture.height, background);
+    canvas.put({0, layout.view_top}, image_of(scene, camera, picture, layout, background));
     if (!picture.has_annotations) {
-        return to_png(canvas.image());
+        return canvas.image();
     }
     const double s = layout.scale;
-    canvas.text({18 * s, 28 * s}, picture.title, {.size = 20 * s});
-    canvas.text({18 * s, 50 * s}, picture.subtitle, {.size = 14 * s, .color = kFaint});
+    layout.heading->draw(canvas, {kEdge * s, 4 * s}, s);
     draw_legend(
         canvas, picture.legend, {layout.view_width + 22 * s, layout.view_top + 30 * s},
         std::max(20.0, layout.view_height - 260 * s), s);
     draw_scale_bar(canvas, scene, camera, layout);
     draw_directions(canvas, scene, camera, picture, layout);
-    return to_png(canvas.image());
+    return canvas.image();
+}
+
+}  // namespace
+
+std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
+    if (shown_bounds(scene, picture.render.cuts).empty()) {
+        throw InputError(
+            {{"--clip", "nothing of the scene is left", "the scene is on the other side", ""}});
+    }
+    constexpr Rgb kWhite{255, 255, 255}, kBlack{0, 0, 0};
+    const Image on_white = draw_on(kWhite, scene, picture);
+    return picture.is_transparent ? to_transparent_png(on_white, draw_on(kBlack, scene, picture))
+                                  : to_png(on_white);
 }
 
 }  // namespace quasimc

@@ -20,6 +20,7 @@ struct ScenePicture {
     Legend legend;
     std::vector<Vec3> to_suns;    ///< unit, z up; drawn if there are few
     bool has_annotations = true;  ///< title, legend, scale bar, directions
+    bool is_transparent = false;  ///< without a background
     std::size_t width = 1200, height = 900;
 };
 

@@ -117,7 +117,9 @@ class TrueLight {
             const PixelPoint at{
                 static_cast<double>(x) + kOffsets[i].x, static_cast<double>(y) + kOffsets[i].y};
             if (const auto seen = hits_.trace(at)) {
-                sum += light_from(*seen, mix64(kOffsets.size() * pixel + i));
+                sum += tinted(
+                    light_from(*seen, mix64(kOffsets.size() * pixel + i)),
+                    scene_.regions()[seen->region].organ.value);
                 ++count;
             }
         }
@@ -125,6 +127,13 @@ class TrueLight {
             light_[pixel][c] = sum[c] / count / white_[c];
         }
         coverage_[pixel] = count / kOffsets.size();
+    }
+
+    [[nodiscard]] LinearRgb tinted(LinearRgb light, std::uint32_t organ) const {
+        for (std::size_t c = 0; c < light.size() && !spec_.tints.empty(); ++c) {
+            light[c] *= spec_.tints[organ][c];
+        }
+        return light;
     }
 
     /// Pi times the radiance towards the camera.

@@ -24,6 +24,8 @@ struct TrueLightSpec {
     std::size_t width = 1, height = 1;
     const Sources* sources = nullptr;
     std::vector<LinearRgb> bands;  ///< from colors_of_bands(), not empty
+    /// Colours by which the light of organs is multiplied, by organ; empty: none.
+    std::vector<LinearRgb> tints = {};
     /// Scattered light on both sides of an organ, per area: [organ * bands + band].
     std::vector<double> scattered;
     std::vector<CutPlane> cuts = {};

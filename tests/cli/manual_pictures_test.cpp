@@ -124,7 +124,7 @@ TEST_F(ManualPictures, ShowTheLeaves) {
     expect_of_manual(
         "images/leaves_scattered_error.png",
         {"show", "leaves.json", "-o", "new.png", "--quantity", "incident_scattered", "--error",
-         "--camera", "top", "--clip", "z>5", "--colormap", "magma", "--size", "600x450"});
+         "--camera", "top", "--clip", "z>5", "--size", "600x450"});
     // Colours that must be distinguishable at a glance.
     const std::vector<Lab> seen = drawn(first);
     for (const auto& [flag, value] : std::vector<std::pair<std::string, std::string>>{

@@ -80,6 +80,44 @@ TEST_F(ShowCommand, DrawsLabels) {
         {"show", "run.toml", "-o", "p.png", "--label", "kind"}, "no organ has a label 'kind'");
 }
 
+TEST_F(ShowCommand, DrawsManyNumbersOfALabelOnAScale) {
+    const auto labelled = [&](int organs) {
+        std::string organ_tables;
+        for (int i = 0; i < organs; ++i) {
+            organ_tables += fmt::format(
+                "[[organ]]\nmaterial = \"leaf\"\nshape = \"disk\"\ncenter = [{0}, 0, 1]\n"
+                "normal = [0, 0, 1]\nradius = 0.3\nlabels = {{ plant = {0} }}\n",
+                i);
+        }
+        return good_run_file() + organ_tables;
+    };
+    folder_.write("few.toml", labelled(12));
+    folder_.write("many.toml", labelled(30));
+    EXPECT_TRUE(
+        drawn({"few.toml", "--label", "plant"}) != drawn({"many.toml", "--label", "plant"}));
+}
+
+TEST_F(ShowCommand, DrawsTheDifferenceOfTwoResults) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    ASSERT_EQ(run({"run", "run.toml", "--json", "other.json", "--seed", "9"}).status, 0);
+    EXPECT_TRUE(drawn({"out.json", "--minus", "other.json"}) != drawn({"out.json"}));
+    EXPECT_TRUE(
+        drawn({"out.json", "--minus", "other.json"}) != drawn({"out.json", "--minus", "out.json"}));
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--minus", "run.toml"}, "run.toml is not a result");
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--minus", "none.json"}, "none.json: can't be read");
+    EXPECT_EQ(
+        run({"show", "out.json", "-o", "p.png", "--minus", "other.json", "--error"}).status, 2);
+}
+
+TEST_F(ShowCommand, DrawsWithoutABackground) {
+    const std::string bare = drawn({"run.toml", "--background", "transparent"});
+    ASSERT_GT(bare.size(), 25U);
+    EXPECT_EQ(bare[25], 6) << "red, green, blue and alpha";
+    EXPECT_EQ(run({"show", "run.toml", "--background", "pink"}).status, 2);
+}
+
 TEST_F(ShowCommand, DrawsWhatAnEyeWouldSee) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     EXPECT_TRUE(drawn({"out.json", "--realistic"}) != drawn({"out.json"}));
@@ -109,6 +147,20 @@ TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {
     expect_fault(
         {"show", "out.json", "-o", "p.png", "--day", "2024-06-22"},
         "of a day that begins '2024-06-22' (days without light are left out); there is 2024-06-21");
+    const std::vector<std::string> all{"show", "out.json", "--size", "200x150", "-o"};
+    const auto numbered = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), all.begin(), all.end());
+        return run(more);
+    };
+    for (const char* kind : {"--quantity=incident_upper", "--realistic"}) {
+        ASSERT_EQ(numbered({"t_%02d.png", kind}).status, 0);
+        EXPECT_TRUE(folder_.read("t_01.png").starts_with("\x89PNG"));
+        EXPECT_TRUE(folder_.read("t_01.png") != folder_.read("t_02.png"));
+        EXPECT_FALSE(std::filesystem::exists(folder_.path() / "t_03.png"));
+    }
+    EXPECT_NE(
+        numbered({"t_%02d.png", "--day", "2024-06-21"}).err.find("one picture is asked for"),
+        std::string::npos);
     folder_.write("sweep.toml", good_run_file() + "[sweep]\nseed = [1, 2]\n");
     ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
     EXPECT_TRUE(said({"--sweep-point", "2"}) != said({"--sweep-point", "1"}));

@@ -164,6 +164,69 @@ TEST(Legend, HasRoundTicks) {
     EXPECT_EQ(round_number_below(0.3), 0.2);
 }
 
+TEST(Legend, HasAPowerOfTenForVerySmallAndLargeTicks) {
+    EXPECT_EQ(tick_exponent(0, 5, 1), 0);
+    EXPECT_EQ(tick_exponent(0, 5e-6, 1e-6), -6);
+    EXPECT_EQ(tick_exponent(-3e7, 2e7, 1e7), 7);
+}
+
+TEST(Legend, HasClassesOfErrorsInOrder) {
+    double before = 0;
+    for (const ErrorClass& one : error_class_table()) {
+        EXPECT_GT(one.below, before);
+        before = one.below;
+    }
+    EXPECT_TRUE(std::isinf(before));
+}
+
+TEST(ColorMap, HasDifferentColoursForManyCategories) {
+    for (const std::size_t count : {3U, 12U, 20U, 60U}) {
+        const std::vector<Rgb> colors = category_colors(count);
+        ASSERT_EQ(colors.size(), count);
+        for (std::size_t i = 0; i < count; ++i) {
+            EXPECT_FALSE(colors[i] == kNoValue);
+            for (std::size_t j = 0; j < i; ++j) {
+                const int distance = std::abs(colors[i].r - colors[j].r) +
+                                     std::abs(colors[i].g - colors[j].g) +
+                                     std::abs(colors[i].b - colors[j].b);
+                EXPECT_GT(distance, count <= 20 ? 30 : 4) << count << ": " << i << ' ' << j;
+            }
+        }
+    }
+}
+
+TEST(Canvas, FoldsTextsThatAreTooWide) {
+    if (!has_png()) {
+        GTEST_SKIP() << "built without pictures";
+    }
+    EXPECT_EQ(folded("", 13, 100, 2), std::vector<std::string>{""});
+    EXPECT_EQ(folded("a leaf", 13, 100, 2), std::vector<std::string>{"a leaf"});
+    const std::vector<std::string> lines = folded("one two three four five six seven", 13, 90, 2);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_TRUE(lines[1].ends_with("\u2026")) << lines[1];
+    for (const std::string& line : lines) {
+        EXPECT_LE(draw_text(line, 13).width, 90U) << line;
+    }
+    const std::string wide =
+        folded("\u00fc\u00fc\u00fc\u00fc\u00fc\u00fc\u00fc\u00fc\u00fc\u00fc", 13, 40, 1)[0];
+    EXPECT_TRUE(wide.starts_with("\u00fc\u00fc") && wide.ends_with("\u2026")) << wide;
+    EXPECT_EQ((wide.size() - 3) % 2, 0U) << "letters are whole";
+}
+
+TEST(Canvas, LosesItsBackgroundAlone) {
+    if (!has_png()) {
+        GTEST_SKIP() << "built without pictures";
+    }
+    const auto drawn_on = [](const Rgb& background) {
+        Canvas canvas(8, 8, background);
+        canvas.rectangle({0, 0}, 4, 8, kRed);
+        return canvas.image();
+    };
+    const std::string png = to_transparent_png(drawn_on(kWhite), drawn_on({0, 0, 0}));
+    EXPECT_EQ(png[25], 6) << "red, green, blue and alpha";
+    EXPECT_EQ(to_png(drawn_on(kWhite))[25], 2);
+}
+
 TEST(Canvas, DrawsLettersWhereTheyBelong) {
     if (!has_png()) {
         GTEST_SKIP() << "built without pictures";
