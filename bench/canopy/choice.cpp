@@ -29,15 +29,27 @@ constexpr std::uint64_t kStep = 4, kFewest = 64;
 /// Paths of the reference over those of the longest run of its method.
 constexpr std::uint64_t kLonger = 8;
 
-/// A run and its processor time, with that of its pilot runs.
+/// Organs of which a single error is no chance; of fewer, several seeds are run.
+constexpr std::size_t kManyOrgans = 10, kSeeds = 8;
+
+/// Runs of some seeds and their mean processor time, with that of pilot runs.
 struct TimedRun {
-    Result result;
+    std::vector<Result> results;
     double cost = 0;
 };
-TimedRun timed_run(const ChoiceScene& one, const RunSpec& spec, Simulator& simulator) {
+TimedRun timed_run(const ChoiceScene& one, RunSpec spec, Simulator& simulator) {
+    const auto measured =
+        static_cast<std::size_t>(std::ranges::count_if(one.scene.organs(), [](const Organ& organ) {
+            return organ.measured && !organ.is_ground && organ.area > 0;
+        }));
+    const std::size_t seeds = measured < kManyOrgans ? kSeeds : 1;
+    TimedRun timed;
     const Stopwatch watch;
-    Result result = simulator.run(one.scene, one.sources, spec);
-    return {std::move(result), watch.cpu_seconds()};
+    for (; timed.results.size() < seeds; ++spec.seed) {
+        timed.results.push_back(simulator.run(one.scene, one.sources, spec));
+    }
+    timed.cost = watch.cpu_seconds() / static_cast<double>(seeds);
+    return timed;
 }
 
 /// The light of an organ: what it absorbs or, of sensors, receives.
@@ -80,6 +92,14 @@ double true_error(const Scene& scene, const Result& result, const Result& truth)
         const double own = known(exact.standard_error);
         return (e.mean - exact.mean) * (e.mean - exact.mean) - own * own;
     });
+}
+
+double true_error(const Scene& scene, const TimedRun& run, const Result& truth) {
+    double squares = 0;
+    for (const Result& result : run.results) {
+        squares += std::pow(true_error(scene, result, truth), 2);
+    }
+    return std::sqrt(squares / static_cast<double>(run.results.size()));
 }
 
 double reported_error(const Scene& scene, const Result& result) {
@@ -153,14 +173,14 @@ Result reference_of(
     const ChoiceScene& one, const std::vector<Ladder>& ladders, Simulator& simulator) {
     const auto merit = [&](const Ladder& ladder) {
         const TimedRun& last = ladder.runs.back();
-        return std::pow(reported_error(one.scene, last.result), 2) * last.cost;
+        return std::pow(reported_error(one.scene, last.results.front()), 2) * last.cost;
     };
     const Ladder& best = *std::min_element(
         ladders.begin(), ladders.end(),
         [&](const Ladder& a, const Ladder& b) { return merit(a) < merit(b); });
     const double affordable = 8 * kMaxSeconds / best.runs.back().cost;
     RunSpec spec = spec_for(
-        best.runs.back().result.chosen.method,
+        best.runs.back().results.front().chosen.method,
         best.paths.back() *
             std::clamp<std::uint64_t>(static_cast<std::uint64_t>(affordable), 1, kLonger));
     spec.seed = 97;
@@ -175,10 +195,12 @@ std::vector<double> print_case(const ChoiceCase& one) {
     const Result truth = reference_of(scene, ladders, simulator);
     for (Ladder& ladder : ladders) {
         for (const TimedRun& run : ladder.runs) {
-            ladder.points.push_back({run.cost, true_error(scene.scene, run.result, truth)});
+            ladder.points.push_back({run.cost, true_error(scene.scene, run, truth)});
         }
     }
-    std::printf("%s\n", one.name.c_str());
+    std::printf(
+        "%s (%zu organs, %zu triangles)\n", one.name.c_str(), scene.scene.organs().size(),
+        scene.scene.triangle_count());
     for (const Ladder& ladder : ladders) {
         std::printf("   %-14s", ladder.method.c_str());
         for (std::size_t i = 0; i < ladder.points.size(); ++i) {
@@ -188,19 +210,20 @@ std::vector<double> print_case(const ChoiceCase& one) {
     }
     std::vector<double> all;
     for (const std::uint64_t paths : {1024U, 65536U, 1048576U}) {
-        const auto [choice, cost] = timed_run(scene, spec_for(Method::automatic, paths), simulator);
-        const double error = true_error(scene.scene, choice, truth);
+        const TimedRun run = timed_run(scene, spec_for(Method::automatic, paths), simulator);
+        const double cost = run.cost, error = true_error(scene.scene, run, truth);
+        const ChosenMethod& chosen_method = run.results.front().chosen;
         const Ladder* best = &ladders.front();
         for (const Ladder& ladder : ladders) {
             best = ladder.error_at(cost) < best->error_at(cost) ? &ladder : best;
         }
         const double times = std::max(1., std::pow(error / best->error_at(cost), 2));
-        const auto chosen = std::ranges::find(kMethods, choice.chosen.method) - kMethods.begin();
+        const auto chosen = std::ranges::find(kMethods, chosen_method.method) - kMethods.begin();
         std::printf(
             "   %8llu paths: %-14s %.4f s %.3g %%; best %-14s %.3g %%; %.2f times\n",
             static_cast<unsigned long long>(paths), kMethodNames[static_cast<std::size_t>(chosen)],
             cost, 100 * error, best->method.c_str(), 100 * best->error_at(cost), times);
-        std::printf("            %s\n", choice.chosen.reason.c_str());
+        std::printf("            %s\n", chosen_method.reason.c_str());
         all.push_back(std::isfinite(best->error_at(cost)) ? times : 1);
         if (16 * cost > 4 * kMaxSeconds) {
             break;

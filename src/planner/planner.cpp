@@ -17,8 +17,9 @@ namespace {
 constexpr std::size_t kMaxForRasters = 100'000'000;
 /// The gain of equal shares from which on paths from organs are most likely the most efficient.
 constexpr double kLargeGain = 14;
-/// Fewer organs are not first tried by ray bundles: each has many paths.
-constexpr std::size_t kFewOrgans = 16;
+/// Fewer organs are not first tried by ray bundles: each has many paths. Of a few more, images of
+/// far light may be worse than paths from the sources.
+constexpr std::size_t kVeryFewOrgans = 16, kFewOrgans = 100;
 
 /// The kinds of sources with light.
 struct Lighting {
@@ -94,12 +95,16 @@ std::vector<Method> candidate_methods(
         !refuse_bundles()) {
         methods.push_back(Method::ray_bundles);
     }
+    const std::size_t organs = scene.organs().size();
     if (has_images) {
-        const bool is_first = scene.organs().size() < kFewOrgans;
-        methods.insert(is_first ? methods.begin() : methods.end(), Method::first_hits);
+        methods.insert(
+            organs < kVeryFewOrgans ? methods.begin() : methods.end(), Method::first_hits);
     }
     if (lighting.lamp || !has_images) {
         methods.push_back(Method::light_tracing);
+    } else if (methods.front() == Method::ray_bundles && organs < kFewOrgans) {
+        // Pilot runs of few paths may have no images, and find the two alike.
+        methods.insert(std::ranges::find(methods, Method::first_hits), Method::light_tracing);
     }
     // Lamps repeat with the scene; paths from organs would have to pick one of infinitely many.
     // They do not sample light that escapes.

@@ -27,13 +27,13 @@ constexpr SamplingDensity kBrightDensity{
 /// of theirs, at every albedo. Bundles take several times as long per path, and so may lines.
 constexpr SamplingDensity kBrightBundleDensity{
     .lines_per_root = 12.8,
-    .lines_per_root_of_triangles = 8,
     .pixels_per_path = 160,
     .pixels_per_root = 320,
     .most_over_root = 2,
-    .min_directions = 16,
     .cuts_per_path = 160,
     .over_triangles = 16,
+    .paths_per_triangle = 2,
+    .times_few = 4,
     .paths_per_sample = 2};
 /// The density with `times` as many pixels in each direction.
 constexpr SamplingDensity with_pixels(SamplingDensity density, double times) {
@@ -92,6 +92,10 @@ constexpr double kManyPaths = 65536, kGrowthOfPixels = 3.0 / 8;
 constexpr double kMinPixels = 1024, kMaxPixels = 2048 * 2048;
 /// Factor for periodic scenes, where no pixel is empty.
 constexpr double kShareOfLayer = 1.0 / 3;
+/// Number of paths up to which scattered light by bundles takes longer than they.
+constexpr double kFewPaths = 8192;
+/// Minimum number of directions of all skies.
+constexpr std::uint32_t kMinDirections = 4;
 /// Maximum number of blocks of directions.
 constexpr std::uint32_t kDirectionBlocks = 16;
 /// Cost of projecting a triangle, in pixels; twice that in periodic scenes.
@@ -127,16 +131,13 @@ SamplingBudget::SamplingBudget(
         beams += light.source->is_sun() ? beams_of(light) : 0;
     }
     fewest_lines_ = std::max(kMinLines, kMinOfFew / std::max(beams, 1U));
-    const double per_root = density_.lines_per_root_of_triangles / std::max(beams, 1U);
-    fewest_lines_ = std::max(
-        fewest_lines_, static_cast<std::uint32_t>(
-                           per_root * std::sqrt(prepared.caster().mesh().triangle_count())));
-    set_lines(LineCost(seen), static_cast<double>(paths));
-    sees_skies_ = !skies.skies().empty() &&
-                  are_directions_better(skies.probability() * static_cast<double>(paths));
+    const double worth = worth_of(paths);
+    set_lines(LineCost(seen), {paths, worth});
+    sees_skies_ = !skies.skies().empty() && are_directions_better(skies.probability() * worth);
 }
 
-void SamplingBudget::set_lines(const LineCost& cost, double paths) {
+void SamplingBudget::set_lines(const LineCost& cost, const Paths& first) {
+    const double paths = first.worth;
     const auto suns = std::ranges::count_if(
         prepared_.lights(), [](const BoundSource& light) { return light.source->is_sun(); });
     projection_ =
@@ -160,10 +161,10 @@ void SamplingBudget::set_lines(const LineCost& cost, double paths) {
         const double own = light.probability * paths;
         const double fewest = fewest_paths(i, own);
         if (own < fewest) {
-            if (are_close(lines_of({.light = i, .probability = fewest / paths}, paths), paths)) {
+            if (are_close(lines_of({.light = i, .probability = fewest / paths}, paths), first)) {
                 many.push_back({i, light.probability, fewest, direction});
             }
-        } else if (are_close(lines_of(whole(i), paths), paths)) {
+        } else if (are_close(lines_of(whole(i), paths), first)) {
             alone_.push_back(i);
             has_lines_[i] = true;
         }
@@ -177,6 +178,13 @@ void SamplingBudget::set_lines(const LineCost& cost, double paths) {
     }
 }
 
+double SamplingBudget::worth_of(std::uint64_t paths) const {
+    const auto own = static_cast<double>(paths);
+    return std::max(
+        {own, std::min(density_.times_few * own, kFewPaths),
+         density_.paths_per_triangle * prepared_.caster().mesh().triangle_count()});
+}
+
 VisibilityTask SamplingBudget::whole(std::uint32_t light) const {
     const BoundSource& sun = prepared_.lights()[light];
     return {.light = light, .probability = sun.probability, .beams = beams_of(sun)};
@@ -188,11 +196,11 @@ double SamplingBudget::fewest_paths(std::size_t light, double own) const {
     return std::max(projection_, lines * cuts_per_line_[light] / density_.cuts_per_path);
 }
 
-bool SamplingBudget::are_close(const VisibilityTask& task, double paths) const {
-    if (task.count >= usual_lines(task.beams, task.probability * paths)) {
+bool SamplingBudget::are_close(const VisibilityTask& task, const Paths& first) const {
+    if (task.count >= usual_lines(task.beams, task.probability * first.worth)) {
         return true;
     }
-    const Round round{.count = static_cast<std::uint64_t>(paths)};
+    const Round round{.count = first.count};
     const double organ = std::sqrt(median_measured_area(prepared_.scene()));
     // On an organ that no line finds lit, twice the distance of lines may be lit
     // (theory/statistics.md).
@@ -216,7 +224,7 @@ bool SamplingBudget::are_directions_better(double paths) const {
 }
 
 std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round, double pick) const {
-    const auto paths = static_cast<double>(round.count);
+    const double paths = worth_of(round.count);
     std::vector<VisibilityTask> tasks;
     add_suns(paths, tasks);
     add_picks(paths, pick, tasks);
@@ -232,7 +240,7 @@ std::vector<VisibilityTask> SamplingBudget::tasks(const Round& round, double pic
 }
 
 std::vector<VisibilityTask> SamplingBudget::largest_tasks(const Round& round) const {
-    const auto paths = static_cast<double>(round.count);
+    const double paths = worth_of(round.count);
     std::vector<VisibilityTask> tasks;
     if (picks_suns()) {
         tasks.push_back({.is_picked = true, .probability = many_.light_of_each(picks(paths))});
@@ -323,7 +331,7 @@ VisibilityTask SamplingBudget::skies_of(double paths) const {
     const double cheap = kMaxOverPixels * all / (pixels + kPixelsPerTriangle * images * triangles);
     const auto skies = static_cast<std::uint32_t>(skies_.skies().size());
     const auto count = static_cast<std::uint32_t>(std::min(wanted, cheap));
-    const std::uint32_t directions = std::max({density_.min_directions, skies, count});
+    const std::uint32_t directions = std::max({kMinDirections, skies, count});
     return {
         .is_sky = true,
         .count = directions,

@@ -36,18 +36,18 @@ enum class ScatteredBy { paths, bundles };
 struct SamplingDensity {
     double paths_per_line = 0;  ///< 0: lines_per_root decides
     double lines_per_root = 0;  ///< lines per square root of the number of paths
-    /// Minimum number of lines per square root of the number of triangles; these take about the
-    /// time of the preparation.
-    double lines_per_root_of_triangles = 0;
     double pixels_per_path = 0;
     double pixels_per_root =
         0;  ///< pixels of a sky direction per square root of the number of triangles
     double most_over_root =
         1;  ///< largest factor on pixels_per_root if triangles would have few pixels
-    std::uint32_t min_directions = 4;  ///< minimum number of directions of all skies
-    double cuts_per_path = 0;          ///< limit of triangle images that the lines of a sun cut
+    double cuts_per_path = 0;  ///< limit of triangle images that the lines of a sun cut
     /// Factor on the limit of projected triangles where suns are too few to pick some of them.
     double over_triangles = 1;
+    /// Paths for each triangle that take as long as the scattered light, however few there are:
+    /// direct light is sampled for as many at least.
+    double paths_per_triangle = 0;
+    double times_few = 1;  ///< likewise, factor on the number of few paths
     /// Largest contribution of a line to a typical organ if cuts leave fewer lines than usual, as a
     /// number of paths.
     double paths_per_sample = 0;
@@ -99,7 +99,14 @@ class SamplingBudget {
     [[nodiscard]] double spacing(const VisibilityTask& task) const;
 
   private:
-    void set_lines(const LineCost& cost, double paths);
+    /// The number of paths that take as long as scattered light does with this number.
+    [[nodiscard]] double worth_of(std::uint64_t paths) const;
+    /// Paths of the first round, and worth_of() them.
+    struct Paths {
+        std::uint64_t count;
+        double worth;
+    };
+    void set_lines(const LineCost& cost, const Paths& first);
     /// Whether directions have smaller errors than `paths` paths from the skies.
     [[nodiscard]] bool are_directions_better(double paths) const;
     /// The smallest number of paths that take as long as the lines of a sun may. @param own  of it
@@ -115,7 +122,7 @@ class SamplingBudget {
     [[nodiscard]] std::uint32_t picks(double paths) const;
     /// Whether the lines of a sun are as many as usual, or so close together that the largest
     /// contribution of one to an organ is no more than that of a few paths.
-    [[nodiscard]] bool are_close(const VisibilityTask& task, double paths) const;
+    [[nodiscard]] bool are_close(const VisibilityTask& task, const Paths& first) const;
     [[nodiscard]] VisibilityTask skies_of(double paths) const;
     /// Adds the beams of suns with lines of their own.
     void add_suns(double paths, std::vector<VisibilityTask>& tasks) const;

@@ -2,6 +2,7 @@
 
 #include "quasimc/error.h"
 #include "quasimc/run_spec.h"
+#include "quasimc/source.h"
 #include "scene/scene.h"
 #include "solvers/ray_bundles/patch_size.h"
 

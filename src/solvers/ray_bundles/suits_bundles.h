@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quasimc/run_spec.h"
+#include "quasimc/source.h"
 #include "scene/scene.h"
 
 namespace quasimc {

