@@ -13,7 +13,7 @@ const esbuild = createRequire(path.join(work, "package.json"))("esbuild");
 
 mkdirSync(target, { recursive: true });
 await esbuild.build({
-  entryPoints: [path.join(here, "src/viewer.js"), path.join(here, "src/viewer.css")],
+  entryPoints: ["js", "css"].map((kind) => ({ in: path.join(here, kind === "js" ? "src/main.js" : "src/viewer.css"), out: "viewer" })),
   outdir: target,
   bundle: true,
   minify: true,

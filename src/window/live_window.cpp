@@ -113,6 +113,21 @@ std::string light_json(const LiveFrame& frame) {
     return json_text_with(json, "head", frame.head);
 }
 
+/// The light that organs absorb in each band, for the bars of the page.
+Json absorbed_light(const LiveFrame& frame) {
+    Json light = Json::object();
+    const std::vector<Band>& bands = frame.scene->bands;
+    const std::vector<Result>& results = *frame.results;
+    for (std::size_t band = 0; band < bands.size(); ++band) {
+        const std::size_t index = results.size() > 1 ? band : 0;
+        const std::size_t own = results.size() > 1 ? 0 : band;
+        if (index < results.size() && own < results[index].budget.size()) {
+            light[bands[band].name] = results[index].budget[own].absorbed_by_organs.mean;
+        }
+    }
+    return light;
+}
+
 WindowFile made(std::string_view type, std::string text) {
     auto owner = std::make_shared<const std::string>(std::move(text));
     return {type, *owner, owner};
@@ -217,7 +232,8 @@ std::string LiveWindow::news() const {
             {{"number", kept.number},
              {"version", kept.version},
              {"scene", kept.scene},
-             {"label", kept.frame->label}});
+             {"label", kept.frame->label},
+             {"light", absorbed_light(*kept.frame)}});
     }
     return json_text(
         {{"words", words_}, {"fraction", fraction_}, {"ended", ending_}, {"frames", frames}});

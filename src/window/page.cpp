@@ -117,8 +117,8 @@ void write_report(const WindowData& data, const TextSink& sink) {
         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
         "script-src {}; style-src {}; img-src data:; base-uri 'none'; form-action 'none'\">",
         source_hash(page.script), source_hash(page.style)));
-    take_until(rest, "<!--style-->");
-    sink("\n<style>");
+    sink(take_until(rest, "<!--style-->"));
+    sink("<style>");
     sink(page.style);
     sink("</style>");
     sink(take_until(rest, "<!--data-->"));

@@ -34,16 +34,16 @@ Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
         {"index", rows.position.index},
         {"label", rows.position.label}};
     time.update(json_lights(lights_at(run, rows.position), window_middle(run.scene)));
-    Json& values = time["values"] = Json::array();
+    std::vector<int> indices;
     for (std::vector<Estimate>& column : rows.columns) {
-        if (column.empty()) {
-            values.push_back(-1);
-        } else {
-            values.push_back(data.values.size());
+        indices.push_back(column.empty() ? -1 : static_cast<int>(data.values.size()));
+        if (!column.empty()) {
             column.resize(run.scene.organs().size(), kUnknownEstimate);
             data.values.push_back(window_values(column));
         }
     }
+    time["values"] = indices;
+    data.value_index.push_back(std::move(indices));
     return time;
 }
 
@@ -55,6 +55,30 @@ std::size_t WindowData::bytes() const {
         sum += each.size();
     }
     return sum;
+}
+
+std::string WindowData::course(std::size_t column, std::size_t organ) const {
+    constexpr std::size_t kNumbers = 4;
+    std::string bytes;
+    for (const std::vector<int>& indices : value_index) {
+        if (column >= indices.size()) {
+            return {};
+        }
+        std::string numbers(kNumbers * sizeof(float), '\0');
+        if (indices[column] >= 0) {
+            const std::string& all = values[static_cast<std::size_t>(indices[column])];
+            const std::size_t organs = all.size() / numbers.size();
+            if (organ >= organs) {
+                return {};
+            }
+            for (std::size_t i = 0; i < kNumbers; ++i) {
+                const std::size_t from = (i * organs + organ) * sizeof(float);
+                all.copy(numbers.data() + i * sizeof(float), sizeof(float), from);
+            }
+        }
+        bytes += numbers;
+    }
+    return bytes;
 }
 
 WindowData make_window_data(

@@ -16,7 +16,12 @@ struct WindowData {
     /// For each time and kind of number: means, standard errors, low and high ends of all organs,
     /// single precision.
     std::vector<std::string> values;
+    /// [time][column]: the index of the values, -1 where there are none.
+    std::vector<std::vector<int>> value_index = {};
 
+    /// Mean, standard error, low and high end of an organ in a column at every time, single
+    /// precision; zeros where there are no values. Empty for unknown columns and organs.
+    [[nodiscard]] std::string course(std::size_t column, std::size_t organ) const;
     [[nodiscard]] std::size_t bytes() const;
 };
 

@@ -182,6 +182,13 @@ WindowFiles files_of(WindowData data) {
         if (number && number->front() < kept->values.size()) {
             return WindowFile{kBytesType, kept->values[number->front()]};
         }
+        if (const auto numbers = numbers_behind<2>("course", name)) {
+            auto bytes =
+                std::make_shared<const std::string>(kept->course((*numbers)[0], (*numbers)[1]));
+            if (!bytes->empty()) {
+                return WindowFile{kBytesType, *bytes, bytes};
+            }
+        }
         return std::nullopt;
     };
 }

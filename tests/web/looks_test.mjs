@@ -97,7 +97,7 @@ async function checkKeys(page) {
     assert.ok(difference(home, await press(key)) > 0.01, `${key} does nothing`);
     await press("Home");
   }
-  assert.ok(difference(home, await press("ArrowLeft", 36)) < 0.005, "36 steps of 10 degrees are once around");
+  assert.ok(difference(home, await press("ArrowLeft", 36)) < 0.01, "36 steps of 10 degrees are once around");
   await press("ArrowRight", 3);
   assert.ok(difference(home, await press("ArrowLeft", 3)) < 0.005, "what goes right does not come back left");
   await press("ArrowDown", 2);
@@ -107,9 +107,10 @@ async function checkKeys(page) {
   assert.ok(difference(home, await press("-", 2)) < 0.005, "- does not go away as far");
   await press("ArrowUp", 12);
   const box = await page.locator("#canvas").boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  const [x, y] = (await page.getAttribute("#canvas", "data-shift")).split(",").map(Number);
+  await page.mouse.move(box.x + box.width / 2 + x, box.y + box.height / 2 + y);
   await page.waitForSelector("#tip:not([hidden])");
-  assert.match(await page.locator("#tip").textContent(), /^upper: /, "from above the upper leaf is in front");
+  assert.equal(await page.locator("#tip b").textContent(), "upper", "from above the upper leaf is in front");
   await page.mouse.move(2, 2);
   await press("Home");
   await page.locator("#directions").check();
@@ -118,9 +119,9 @@ async function checkKeys(page) {
 /** Everything that can be used has a name, as it is told to who reads by ear. */
 async function checkNames(page) {
   const told = await page.locator("body").ariaSnapshot();
-  const kRoles = /^\s*- (button|combobox|listbox|slider|spinbutton|searchbox|checkbox|textbox|application|img)\b(.*)$/gm;
+  const kRoles = /^\s*- (button|combobox|listbox|slider|radio|radiogroup|tab|searchbox|checkbox|textbox|application|img)\b(.*)$/gm;
   const found = [...told.matchAll(kRoles)];
-  for (const role of ["combobox", "listbox", "spinbutton", "slider", "checkbox", "button", "application"]) {
+  for (const role of ["combobox", "radio", "radiogroup", "tab", "checkbox", "button", "application"]) {
     assert.ok(found.some((match) => match[1] === role), `no ${role}:\n${told}`);
   }
   found.forEach(([line, , rest]) => assert.match(rest, /^ "[^"]+"/, `no name: ${line}`));
@@ -141,6 +142,7 @@ const kFaintTexts = () => {
   return [...document.body.querySelectorAll("*")].filter((element) =>
     own(element) && element.checkVisibility() && !element.closest("noscript, script, option")).flatMap((element) => {
     const style = getComputedStyle(element);
+    if (element.closest(".badge, .letter")) { return []; } // tested with their own colours
     const [one, other] = [luminance(element.closest("svg") ? style.fill : style.color), luminance(behind(element))];
     const contrast = (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05);
     return contrast < 4.5 ? [`${contrast.toFixed(2)}: ${element.outerHTML.slice(0, 120)}`] : [];
@@ -152,6 +154,7 @@ async function checkColours(page) {
   const papers = [];
   for (const colorScheme of ["light", "dark"]) {
     await page.emulateMedia({ colorScheme });
+    await page.waitForSelector(`html[data-theme=${colorScheme}]`);
     papers.push(await paper());
     assert.deepEqual(await page.evaluate(kFaintTexts), [], colorScheme);
     assert.ok(leafPixels(await canvasPixels(page)) > 1000, `${colorScheme}: no leaves are seen`);
@@ -165,29 +168,29 @@ async function checkColours(page) {
 
 /** The sky, the sun and the lamp can be seen, and left out. */
 async function checkLights(page) {
-  const amber = (pixels) => countPixels(pixels, (red, green, blue) => red > 190 && green > 120 && green < 190 && blue < 90);
-  const blue = (pixels) => countPixels(pixels, (red, green, blue) => blue > 180 && blue - red > 20);
+  const amber = (pixels) => countPixels(pixels, (red, green, blue) => red > 170 && green > 80 && green < 190 && blue < 60);
   await page.getByRole("button", { name: "Front" }).click();
-  const all = await canvasPixels(page);
-  await page.locator("#sky").uncheck();
-  const withoutSky = await canvasPixels(page);
-  assert.ok(blue(all) > 5000 && blue(withoutSky) < blue(all) / 10, `sky: ${blue(all)}, ${blue(withoutSky)}`);
+  const usual = await canvasPixels(page);
+  await page.locator("#dome").check();
+  const withDome = await canvasPixels(page);
+  assert.ok(difference(usual, withDome) > 0.05, "no dome is seen");
+  await page.locator("#dome").uncheck();
   await page.locator("#directions").uncheck();
   const none = await canvasPixels(page);
-  assert.ok(amber(withoutSky) > amber(none) + 100, `sun and lamp: ${amber(withoutSky)}, ${amber(none)}`);
+  assert.ok(amber(usual) > amber(none) + 100, `sun and lamp: ${amber(usual)}, ${amber(none)}`);
   await page.locator("#directions").check();
-  await page.locator("#sky").check();
-  assert.ok(difference(all, await canvasPixels(page)) < 0.005);
+  assert.ok(difference(usual, await canvasPixels(page)) < 0.005);
+  assert.match(await page.locator("#disc").textContent(), /Sun 50° high, SE/);
 }
 
 /** What is printed has the picture, the charts and the tables, and nothing to press. */
 async function checkPrint(page) {
   await page.pdf({ format: "A4", ...(pictures ? { path: path.join(pictures, "print.pdf") } : {}) });
   await page.emulateMedia({ media: "print" });
-  for (const selector of ["#controls", "#canvas"]) {
+  for (const selector of ["#panel details >> nth=0", "#canvas", "#find", "#time"]) {
     assert.ok(!(await page.locator(selector).isVisible()), `${selector} is printed`);
   }
-  for (const selector of ["#printed", "#legend", "#histogram svg", "#profile svg", "#report table"]) {
+  for (const selector of ["#printed", "#legend", "#histogram svg", "#profile svg", "#table table", "#report table"]) {
     assert.ok(await page.locator(selector).first().isVisible(), `${selector} is not printed`);
   }
   const source = await page.locator("#printed").getAttribute("src");
@@ -238,14 +241,15 @@ async function checkOddCharts(page) {
   for (const chart of ["#histogram", "#profile"]) {
     assert.equal(await page.locator(`${chart} .bar`).count(), 1);
     const { width, height } = await page.locator(`${chart} .bar`).boundingBox();
-    assert.ok(width > 100 && height > 50, `${chart}: ${width} x ${height}`);
+    assert.ok(width > 8 && height > 50, `${chart}: ${width} x ${height}`);
   }
   const steep = (x) => [[x, 0, 0], [x + 0.02 * (1 + x / 5), 0, 9], [x, 9, 0]];
   await show([...[0, 2, 4, 6].map((x) => [`steep ${x}`, steep(x)]), ["bright", [[-3, 0, 0], [-2.9, 0, 0], [-3, 0.1, 0]]]]);
-  assert.match(await page.locator("#histogram").textContent(), /last bar up to 0\.[4-9]/);
-  const labels = await page.locator("#histogram .bar").evaluateAll((bars) => bars.map((bar) => bar.getAttribute("aria-label")));
+  assert.match(await page.locator("#histogram").textContent(), /more/);
+  const labels = await page.locator("#histogram .hit").evaluateAll((bars) => bars.map((bar) => bar.getAttribute("aria-label")));
   assert.ok(labels.length > 3, `those that are alike are told apart: ${labels}`);
-  assert.match(labels.at(-1), / to 0\.[4-9][^:]*: 1 of 1 organ$/);
+  assert.match(labels.at(-1), /^more than [^:]*, up to 0\.[4-9][^:]*: 1 organ,/);
+  assert.match(await page.locator("#legend").textContent(), /▲ up to 0\.[4-9]/);
 }
 
 const browser = await chromium.launch({
@@ -256,7 +260,7 @@ try {
   writeFileSync(path.join(folder, "two.toml"), kRunFile);
   run("run", "two.toml", "--quiet");
   run("report", "two.json", "-o", "two.html");
-  const page = await browser.newPage({ viewport: { width: 960, height: 720 } });
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
   const faults = [];
   page.on("pageerror", (error) => faults.push(String(error)));
   await page.goto(pathToFileURL(path.join(folder, "two.html")).href);

@@ -81,137 +81,174 @@ async function colorsOf(page) {
   return new Set(new Uint32Array(data.buffer, data.byteOffset, data.length / 4)).size;
 }
 
-/** How many pixels of the canvas have the colour of what is marked. */
-async function markedPixels(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+/** How many pixels of the scene are as colourful as organs that are not dimmed. */
+async function colourfulPixels(page) {
+  await page.waitForTimeout(400); // at rest
   const pixels = await pixelsOf(page, await page.locator("#canvas").screenshot());
-  return countPixels(pixels, (red, green, blue) => red > 180 && green < 110 && blue > 80 && blue < 190);
+  return countPixels(pixels, (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 40);
 }
 
-const meanIn = (text) => Number(/: (-?[\d.e+-]+) ±/.exec(text)?.[1]);
-const near = (shown, value) => Math.abs(shown - value) <= 2e-3 * Math.abs(value);
+const kNumber = /(−?[\d.,]+)(?: ±|\s|$)/;
+const numberIn = (text) => Number(kNumber.exec(text)?.[1].replaceAll(",", "").replace("−", "-"));
+/** Whether a number as it is shown is that of a result: to the digits that its error supports. Sums are in MJ. */
+const near = (shown, { mean, standard_error: error }, factor = 1) =>
+  Math.abs(shown / factor - mean) <= Math.max(2e-3 * Math.abs(mean), 0.6 * error);
 
-/** Points at the middle of the canvas, seen from above: the upper leaf is there. */
+/** Points at the middle of the scene, seen from above: the upper leaf is there. */
 async function hoverMiddle(page) {
   await page.getByRole("button", { name: "Top" }).click();
+  await page.waitForTimeout(400);
   const box = await page.locator("#canvas").boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await page.mouse.move(box.x + box.width / 2 + 1, box.y + box.height / 2);
+  const [x, y] = (await page.getAttribute("#canvas", "data-shift")).split(",").map(Number);
+  await page.mouse.move(2, 2);
+  await page.waitForSelector("#tip", { state: "hidden" });
+  await page.mouse.move(box.x + box.width / 2 + x, box.y + box.height / 2 + y);
   await page.waitForSelector("#tip:not([hidden])");
-  return page.locator("#tip").textContent();
+  return { name: await page.locator("#tip b").textContent(), number: numberIn(await page.locator("#tip .number").textContent()) };
 }
+
+const chip = (page, key, value) => page.getByRole("group", { name: key, exact: true }).getByRole("button", { name: value });
+const clearFilters = (page) => page.locator("#panel").getByRole("button", { name: "Clear filters" }).click();
 
 async function checkNumbers(page, result) {
   const upper = result.total.organs[0];
-  const total = upper.absorbed_flux_density.PAR;
-  await page.selectOption("#part", "total");
-  const tip = await hoverMiddle(page);
-  assert.ok(tip.startsWith(upper.name), tip);
-  assert.ok(near(meanIn(tip.slice(upper.name.length)), total.mean), `${tip}: ${total.mean}`);
-  await page.waitForSelector("#organ table");
-  const about = await page.locator("#organ").textContent();
-  assert.ok(about.includes("kind = blade") && about.includes("absorbed flux density, NIR"), about);
+  const tip = await hoverMiddle(page); // the sum is shown first
+  assert.equal(await page.locator("#time-title").textContent(), "Sum of the day");
+  assert.equal(tip.name, upper.name);
+  assert.ok(near(tip.number, upper.absorbed_flux_density.PAR, 1e-6), `${tip.number}: ${upper.absorbed_flux_density.PAR.mean}`);
 
-  // The slider goes through the times; hidden organs no longer stand before others.
-  await page.selectOption("#part", "time_steps");
-  for (const [i, moment] of result.time_steps.entries()) {
-    await page.locator("#time").fill(String(i));
-    await page.waitForFunction((time) => document.querySelector("#legend-title").textContent.includes(time), moment.time);
-    const text = await hoverMiddle(page);
-    const mean = moment.organs[0].absorbed_flux_density.PAR.mean;
-    assert.ok(near(meanIn(text.slice(upper.name.length)), mean), `${moment.time}: ${text}: ${mean}`);
+  // What stands above all: the light of the plants, as the result has them together.
+  const all = result.total.groups.find(({ by }) => by === "all").absorbed_flux.PAR;
+  assert.ok(near(numberIn(await page.locator("#headline p.number").textContent()), all), await page.locator("#headline").textContent());
+
+  // The strip goes through the times; hidden organs no longer cover others.
+  await page.getByRole("radio", { name: "Hours" }).click();
+  await page.locator("#strip").focus();
+  await page.keyboard.press("Home");
+  for (const moment of result.time_steps) {
+    const hour = moment.time.slice(11, 16);
+    await page.waitForFunction((time) => document.querySelector("#time-title").textContent === time, hour);
+    await page.waitForFunction((time) => document.querySelector("#legend-note").textContent.includes(time), hour);
+    const own = await hoverMiddle(page);
+    const expected = moment.organs[0].absorbed_flux_density.PAR;
+    assert.ok(near(own.number, expected), `${moment.time}: ${own.number}: ${expected.mean}`);
+    await page.locator("#strip").focus();
+    await page.keyboard.press("ArrowRight");
   }
+  await page.getByRole("radio", { name: "Day" }).click();
+  await page.waitForFunction(() => document.querySelector("#time-title").textContent === "Sum of the day");
 }
 
 async function checkFilters(page) {
   const shown = () => page.locator("#shown").textContent();
   assert.match(await shown(), /^3 of 3/);
-  const values = (key) => page.getByRole("listbox", { name: key });
-  await values("kind").selectOption("stem");
-  assert.match(await shown(), /^1 of 3 organs shown, kind stem$/);
+  await chip(page, "kind", /^stem/).click();
+  assert.match(await shown(), /^1 of 3 organs shown$/);
   const tip = await hoverMiddle(page);
-  assert.ok(tip.startsWith("lower: "), `filtered by kind, yet: ${tip}`);
+  assert.equal(tip.name, "lower", "filtered by kind");
   // Of several labels all must hold.
-  await values("kind").selectOption(["stem", "blade"]);
+  await chip(page, "kind", /^blade/).click();
   assert.match(await shown(), /^2 of 3/);
-  await values("plant").selectOption(kTrick);
+  await chip(page, "plant", /^<script/).click();
   assert.match(await shown(), /^1 of 3/);
-  assert.ok((await hoverMiddle(page)).startsWith("upper "));
-  await page.getByRole("button", { name: "Reset" }).click();
+  assert.ok((await hoverMiddle(page)).name.startsWith("upper "));
+  await clearFilters(page);
   assert.match(await shown(), /^3 of 3/);
   await page.locator("#ground").uncheck();
   assert.match(await shown(), /^2 of 3/);
-  await page.locator("#histogram .bar").first().click();
-  assert.match(await shown(), /^[01] of 3/);
-  await page.getByRole("button", { name: "Reset" }).click();
-  await page.selectOption("#cut", "z");
+  await page.locator("#ground").check();
+  await page.locator("#histogram .hit").first().click();
+  assert.match(await page.locator("#active").textContent(), /^Value .*✕$/);
+  await page.mouse.move(2, 2);
+  assert.match(await shown(), /^[12] of 3/);
+  await page.locator("#active button").click();
+  assert.match(await shown(), /^3 of 3/);
+  // Nothing passes: the page says so, and how to get out.
+  await chip(page, "kind", /^stem/).click();
+  await chip(page, "plant", /^<script/).click();
+  assert.match(await page.locator("#nothing").textContent(), /No organ passes/);
+  await page.locator("#clear").click();
+  assert.ok(await page.locator("#nothing").isHidden());
+  await page.getByRole("radio", { name: "z" }).click();
   await page.locator("#cut-at").fill("700"); // of the height of 1: below the upper leaf
-  assert.match(await page.locator("#cut-text").textContent(), /z = 0\.7 m/);
-  assert.ok((await hoverMiddle(page)).startsWith("lower: "), "what is cut away still stands there");
-  await page.getByRole("button", { name: "Reset" }).click();
+  assert.match(await page.locator("#cut-text").textContent(), /z = 0\.7\sm/);
+  assert.equal((await hoverMiddle(page)).name, "lower", "what is cut away still stands there");
+  await page.getByRole("radio", { name: "No cut" }).click();
 }
 
 /** Bars and organs that belong together are set apart together, by mouse and by key. */
-async function checkBars(page, result, name) {
+async function checkBars(page, name) {
   await page.getByRole("button", { name: "Top" }).click();
   await page.mouse.move(2, 2);
-  const plain = await markedPixels(page);
-  assert.ok(plain < 20, "nothing is chosen, yet something is marked");
-  await page.locator("#profile .bar").last().hover(); // the highest layer: the upper leaf alone
-  assert.match(await page.locator("#pointed").textContent(), /^height .* of 1 organ: 1 organ highlighted in the scene$/);
-  const marked = await markedPixels(page);
-  assert.ok(marked > 300, `${marked} pixels are marked`);
+  const plain = await colourfulPixels(page);
+  await page.locator("#profile .hit").last().hover(); // the highest layer: the upper leaf alone
+  assert.match(await page.locator("#shown").textContent(), /^height .* 1 organ, .*, marked in the scene$/);
+  const marked = await colourfulPixels(page);
+  assert.ok(marked > 300 && marked < 0.6 * plain, `${marked} of ${plain} pixels are not dimmed`);
   await page.mouse.move(2, 2);
-  assert.ok((await markedPixels(page)) < 20, "marks outlive the pointer");
-  assert.equal(await page.locator("#pointed").textContent(), "");
-  await page.locator("#histogram .bar").first().focus();
-  assert.match(await page.locator("#pointed").textContent(), /organs?.*highlighted in the scene$/);
-  assert.ok((await markedPixels(page)) > 300, "a bar that has the focus marks nothing");
+  assert.ok(Math.abs((await colourfulPixels(page)) - plain) < 0.02 * plain, "others stay dimmed");
+  assert.match(await page.locator("#shown").textContent(), /^3 of 3 organs shown$/);
+  await page.locator("#by [aria-checked=true]").focus();
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("ArrowLeft"); // the last bar: the upper leaf
+  assert.match(await page.locator("#shown").textContent(), /organs?.*marked in the scene$/);
+  assert.ok((await colourfulPixels(page)) < 0.6 * plain, "a bar that has the focus dims nothing");
   await page.locator("#canvas").focus();
-  assert.ok((await markedPixels(page)) < 20);
 
-  // The other way round: the organ that is pointed at, or chosen by a key, marks its bars.
+  // The other way round: the organ that is pointed at, or reached by a key, marks its bars.
   await hoverMiddle(page);
-  const current = page.locator("#profile .bar[aria-current=true]");
+  const current = page.locator("#profile .hit[aria-current=true]");
   assert.equal(await current.count(), 1);
-  assert.equal(await current.getAttribute("data-bin"), await page.locator("#profile .bar").last().getAttribute("data-bin"));
+  assert.equal(await current.getAttribute("data-bin"), await page.locator("#profile .hit").last().getAttribute("data-bin"));
+  await page.mouse.move(2, 2);
   await page.locator("#canvas").focus();
   await page.keyboard.press("n");
-  await page.waitForFunction((own) => document.querySelector("#organ h3")?.textContent === own, name);
-  const bar = await page.locator("#histogram .bar[aria-current=true]").getAttribute("aria-label");
-  const mean = result.total.organs[0].absorbed_flux_density.PAR.mean;
-  const [from, to] = /^(\S+) to (\S+):/.exec(bar).slice(1).map(Number);
-  const shown = meanIn(`: ${await page.locator("#organ td.number").first().textContent()}`);
-  assert.ok(shown >= from * 0.999 && shown <= to * 1.001, `${shown} is not in the bar ${bar} (sum: ${mean})`);
-  assert.ok((await page.locator("#organ p").textContent()).includes(`in bar ${bar.split(":")[0]}`));
-  await page.mouse.move(2, 2);
+  await page.waitForFunction((own) => document.querySelector("#said").textContent.startsWith(own), name);
+  assert.equal(await page.locator("#histogram .hit[aria-current=true]").count(), 1);
   await page.keyboard.press("Escape");
-  assert.equal(await page.locator(".bar[aria-current=true]").count(), 0);
+  assert.equal(await page.locator(".hit[aria-current=true]").count(), 0);
 }
 
 async function checkKeys(page, upper) {
   await page.locator("#canvas").focus();
   await page.keyboard.press("n");
-  await page.waitForFunction((name) => document.querySelector("#organ h3")?.textContent === name, upper);
+  await page.keyboard.press("Enter");
+  await page.waitForFunction((name) => document.querySelector("#cards .card h3")?.textContent === name, upper);
+  const about = await page.locator("#cards").textContent();
+  assert.ok(about.includes("kind blade"), about);
+  await page.locator("#cards summary").click();
+  await page.waitForFunction(() => document.querySelector("#cards details table")?.textContent.includes("Absorbed per area, NIR"));
+  await page.keyboard.press("Tab");
+  await page.locator("#canvas").focus();
   await page.keyboard.press("n");
-  await page.waitForFunction(() => document.querySelector("#organ h3")?.textContent === "lower");
+  await page.waitForFunction(() => document.querySelector("#said").textContent.startsWith("lower"));
   await page.keyboard.press("ArrowLeft");
   await page.keyboard.press("+");
-  await page.keyboard.press("Escape");
+  await page.keyboard.press("Escape"); // lets go
+  await page.keyboard.press("Escape"); // unpins
+  assert.equal(await page.locator("#cards .card").count(), 0);
+  await page.keyboard.press("/");
+  await page.keyboard.type("zzz");
+  assert.match(await page.locator("#hits").textContent(), /^No organ is called “zzz”/);
   await page.locator("#find").fill("lower");
   await page.keyboard.press("Enter");
-  await page.waitForFunction(() => document.querySelector("#organ h3")?.textContent === "lower");
-  await page.getByRole("button", { name: "Reset" }).click();
+  await page.waitForFunction(() => document.querySelector("#cards .card h3")?.textContent === "lower");
+  await page.locator("#cards").getByRole("button", { name: "Unpin all" }).click();
 }
 
 async function checkReport(page, result) {
+  await page.getByRole("tab", { name: "Run and warnings" }).click();
   const text = await page.locator("#report").textContent();
-  for (const word of ["Energy", "absorbed by organs", "all organs", "Largest errors", "SHA-256",
-    result.inputs[0].sha256, "first_hits"]) {
+  for (const word of ["Where the light goes", "plants ", "Groups of organs", "all organs", "SHA-256", result.inputs[0]?.sha256 ?? "", "paths"]) {
     assert.ok(text.includes(word), word);
   }
+  await page.getByRole("tab", { name: "Table" }).click();
+  const rows = await page.locator("#table tbody tr").allTextContents();
+  assert.equal(rows.length, 3);
+  assert.ok(rows.some((row) => row.startsWith("lower")), rows.join("\n"));
+  await page.getByRole("tab", { name: "Charts" }).click();
   assert.ok((await page.title()).includes(kTrick), "a title is text, not markup");
-  assert.equal(await page.locator("#title img, #report img, #organ img").count(), 0);
+  assert.equal(await page.locator("#title img, #report img, #cards img, #panel img, #table img").count(), 0);
 }
 
 async function checkAll(page, faults, result, name) {
@@ -222,7 +259,7 @@ async function checkAll(page, faults, result, name) {
     await page.screenshot({ path: path.join(pictures, `${name}.png`), fullPage: true });
   }
   await checkFilters(page);
-  await checkBars(page, result, result.total.organs[0].name);
+  await checkBars(page, result.total.organs[0].name);
   await checkKeys(page, result.total.organs[0].name);
   await checkReport(page, result);
   assert.deepEqual(faults, []);
@@ -251,7 +288,11 @@ async function checkWithoutWebGl(address) {
     await page.goto(address);
     await page.waitForSelector("html[data-state=ready]");
     assert.match(await page.locator("#notice").textContent(), /no WebGL/);
+    assert.equal(await page.locator("#table tbody tr").count(), 3);
+    await page.getByRole("tab", { name: "Run and warnings" }).click();
     assert.ok(await page.locator("#report table").count() > 3);
+    await page.getByRole("tab", { name: "Charts" }).click();
+    assert.ok(await page.locator("#histogram .hit").count() > 0);
   } finally {
     await browser.close();
   }
@@ -267,7 +308,7 @@ async function main() {
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
   });
   try {
-    const context = await browser.newContext({ viewport: { width: 960, height: 720 } });
+    const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
     const address = pathToFileURL(inFolder("day.html")).href;
     const { page, faults } = await open(context, address, (url) => url === address || url.startsWith("data:"));
     await checkAll(page, faults, result, "report");

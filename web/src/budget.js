@@ -12,7 +12,7 @@ const kPoll = 3; // milliseconds between questions whether a frame is done
  * queue up, and the GPU does not wait for the page.
  */
 export class FrameBudget {
-  /** @param gl  WebGL context  @param onRest  called when all triangles are to be drawn again */
+  /** @param gl  WebGL context  @param onRest  called when the whole picture is to be drawn again */
   constructor(gl, onRest) {
     Object.assign(this, { gl, onRest, triangles: 0, moving: 0, isMoving: false, isFirst: true, waiting: null, fences: [], done: 0 });
   }
@@ -94,9 +94,9 @@ export class FrameBudget {
     if (this.fences.length > 0) {
       return; // a frame is still in progress
     }
-    const wasLess = this.share < 1;
+    const wasMoving = this.isMoving;
     this.isMoving = false;
-    if (wasLess) {
+    if (wasMoving) {
       this.onRest();
     }
   }

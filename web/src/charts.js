@@ -1,226 +1,173 @@
-// Histogram and height profile, as SVG; both are lists of buttons as well.
+// Area by value, and mean by height, of the organs that are shown.
 
-import { endsOf, short, ticks } from "./numbers.js";
+import { kClasses } from "./classes.js";
+import { classBins, layersOf, valueBins } from "./bins.js";
+import { Choice } from "./choice.js";
+import { byId, svg } from "./dom.js";
+import { areaText, many, plain, unitText, withUnit } from "./format.js";
+import { colorsOf, cssOf } from "./numbers.js";
+import { kPins } from "./page.js";
+import { addBars, keepingFocus, startPlot } from "./plot.js";
 
-const kSvg = "http://www.w3.org/2000/svg";
-const kWidth = 480;
-const kHeight = 220;
-const kLeft = 58;
-const kBottom = 36;
-
-function add(parent, name, attributes, text) {
-  const made = document.createElementNS(kSvg, name);
-  for (const [key, value] of Object.entries(attributes)) {
-    made.setAttribute(key, value);
+export class Charts {
+  constructor(page) {
+    this.page = page;
+    this.by = new Choice("Count", [["area", "area"], ["count", "organs"]], (by) => page.set({ by }), "choice small");
+    byId("by").append(this.by.node);
+    new ResizeObserver(() => this.draw()).observe(byId("charts"));
+    this.marks = [];
   }
-  if (text !== undefined) {
-    made.textContent = text;
-  }
-  parent.append(made);
-  return made;
-}
 
-/** An empty chart with axes. @returns its svg, and the scales of x and y */
-function start(parent, label, [x0, x1], [y0, y1], xTitle, isYTick = () => true, isXTick = () => true) {
-  parent.replaceChildren();
-  const svg = add(parent, "svg", { viewBox: `0 0 ${kWidth} ${kHeight}`, role: "group", "aria-label": label });
-  const x = (v) => kLeft + ((v - x0) / (x1 - x0 || 1)) * (kWidth - kLeft - 12);
-  const y = (v) => kHeight - kBottom - ((v - y0) / (y1 - y0 || 1)) * (kHeight - kBottom - 12);
-  add(svg, "path", { class: "axis", fill: "none", d: `M${kLeft} 8V${kHeight - kBottom}H${kWidth - 8}` });
-  for (const tick of ticks(x0, x1, 5).filter(isXTick)) {
-    add(svg, "text", { x: x(tick), y: kHeight - kBottom + 14, "text-anchor": "middle" }, short(tick));
+  draw() {
+    const { page } = this;
+    if (!page.values || byId("charts").clientWidth === 0) {
+      return;
+    }
+    this.by.set(page.state.by);
+    this.marks = [this.#drawValues(), this.#drawHeights()];
+    this.mark();
   }
-  for (const tick of ticks(y0, y1, 4).filter(isYTick)) {
-    add(svg, "text", { x: kLeft - 5, y: y(tick) + 4, "text-anchor": "end" }, short(tick));
-  }
-  add(svg, "text", { x: (kLeft + kWidth) / 2, y: kHeight - 5, "text-anchor": "middle" }, xTitle);
-  return { svg, x, y };
-}
 
-/**
- * Adds bars that can be pressed and pointed at, by mouse or key.
- * @param binOf  the number of its bar for each organ, -1 for none
- * @param bars  {bin, box, label, from, to} of each
- * @param acts  onRange is called with the ends of a bar that is pressed, onPoint with the organs and
- *     the label of the one that is pointed at, null when it no longer is
- * @returns (organ) => the ends of its bar, which is highlighted; null for none
- */
-function addBars(svg, binOf, bars, { onRange, onPoint }) {
-  const made = new Map();
-  for (const { bin, box, label, from, to } of bars) {
-    const bar = add(svg, "rect", { class: "bar", tabindex: 0, role: "button", "aria-label": label, "data-bin": bin, ...box });
-    add(bar, "title", {}, label);
-    const point = () => {
-      const organs = [];
-      binOf.forEach((own, organ) => own === bin && organs.push(organ));
-      onPoint(organs, label);
-    };
-    const listen = (events, act) => events.forEach((event) => bar.addEventListener(event, act));
-    listen(["pointerenter", "focus"], point);
-    listen(["pointerleave", "blur"], () => onPoint(null));
-    listen(["click"], () => onRange(from, to));
-    listen(["keydown"], (event) => {
-      if (event.key === "Enter" || event.key === " ") {
-        event.preventDefault();
-        onRange(from, to);
+  /** Marks the bars of the organ that is pointed at. */
+  mark() {
+    this.marks.forEach((mark) => mark(this.page.hovered ?? this.page.pins.at(-1) ?? null));
+  }
+
+  #point(binOf, bar) {
+    const { page } = this;
+    if (bar === null) {
+      page.point(null);
+      byId("shown").textContent = page.shownWords();
+      return;
+    }
+    const organs = [];
+    binOf.forEach((bin, i) => bin === bar.bin && page.isShown[i] && organs.push(i));
+    page.point(organs);
+    byId("shown").textContent = `${bar.label}, marked in the scene`;
+  }
+
+  /** Bars stand on the same colours as the organs. */
+  #colorOf(number) {
+    const { page } = this;
+    return cssOf(colorsOf([number], page.scale, page.map)[0]);
+  }
+
+  #drawValues() {
+    const { page } = this;
+    const isError = page.state.show === "error";
+    const byArea = page.state.by === "area";
+    byId("histogram-title").textContent = byArea ? "Area by value" : "Organs by value";
+    byId("histogram-unit").textContent = isError ? "class of error" : page.unit;
+    const { areas } = page.run.shape;
+    const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, scale: page.usual };
+    const found = isError ? classBins(data) : valueBins(data);
+    if (!found) {
+      byId("histogram").textContent = page.absent || "No organ has a value.";
+      return () => {};
+    }
+    const part = byArea ? "area" : "count";
+    const factor = byArea && page.run.json.unit === "m" && Math.max(...found.bins.map(({ all }) => all.area)) < 0.01 ? 1e4 : 1;
+    const unit = byArea ? factor === 1e4 ? "cm²" : page.run.json.unit && `${unitText(page.run.json.unit)}²` : "organs";
+    const high = Math.max(...found.bins.map(({ all }) => all[part])) * factor || 1;
+    return keepingFocus(byId("histogram"), () => {
+      const x = isError ? { low: 0, high: kClasses.length, ticks: [] }
+        : { low: found.low, high: found.high, ...(found.hasMore ? { ticks: undefined } : {}), format: (v) => (v > found.last * (1 + 1e-9) && found.hasMore ? "" : plain(v)) };
+      const plot = startPlot(byId("histogram"), "Area by value", { x, y: { low: 0, high, unit, grid: true, ticks: byArea ? undefined : Math.min(3, high) } });
+      if (isError) {
+        kClasses.forEach(({ short }, i) => plot.node.append(svg("text", { x: plot.x(i + 0.5), y: plot.box.bottom + 14, "text-anchor": "middle" }, short)));
+      } else if (found.hasMore) {
+        plot.node.append(svg("text", { x: plot.box.right, y: plot.box.bottom + 14, "text-anchor": "end" }, "more"));
       }
-    });
-    made.set(bin, { bar, ends: `${short(from)} to ${short(to)}` });
-  }
-  return (organ) => {
-    const own = organ === null ? undefined : made.get(binOf[organ]);
-    for (const each of made.values()) {
-      each.bar.classList.toggle("holds", each === own);
-      each.bar.setAttribute("aria-current", String(each === own));
-    }
-    return own?.ends ?? null;
-  };
-}
-
-/** Redraws a chart; the focused bar stays focused. */
-function keepingFocus(parent, draw) {
-  const bin = parent.contains(document.activeElement) ? document.activeElement.dataset.bin : undefined;
-  const result = draw();
-  if (bin !== undefined) {
-    parent.querySelector(`[data-bin="${bin}"]`)?.focus();
-  }
-  return result;
-}
-
-const kNoBars = () => null;
-
-/** Ends of an axis, widened if all numbers are equal. */
-function widened(low, high) {
-  const about = 0.1 * Math.abs(low) || 0.5;
-  return high > low ? { low, high } : { low: low - about, high: low + about };
-}
-
-/** The bin of each number, one of `bins` between the ends; -1 for numbers that are left out. */
-function binsOf(numbers, bins, { low, high }, isIn) {
-  const width = (high - low) / bins;
-  const result = new Int16Array(numbers.length).fill(-1);
-  for (let organ = 0; organ < numbers.length; ++organ) {
-    if (Number.isFinite(numbers[organ]) && isIn(organ)) {
-      result[organ] = width > 0 ? Math.min(bins - 1, Math.floor((numbers[organ] - low) / width)) : 0;
-    }
-  }
-  return result;
-}
-
-/**
- * Histogram of the values of shown organs. The last bar includes outliers, so that a few organs do not press all
- * others into one bar.
- * @param usual  value that few organs exceed  @param absent  reason for missing numbers
- * @param acts, @returns  see addBars
- */
-export function drawHistogram(parent, { numbers, isShown, title, usual, absent }, acts) {
-  const { low, high } = endsOf(numbers);
-  if (!(high >= low)) {
-    parent.textContent = absent || "No organ has a value.";
-    return kNoBars;
-  }
-  const bins = high > low ? 24 : 1;
-  const isOpen = usual > low && high > low + 1.5 * (usual - low);
-  const ends = isOpen ? { low, high: low + ((usual - low) * bins) / (bins - 2) } : widened(low, high);
-  const width = (ends.high - ends.low) / bins;
-  const all = new Array(bins).fill(0);
-  const shown = new Array(bins).fill(0);
-  const binOf = binsOf(numbers, bins, ends, () => true);
-  for (let organ = 0; organ < binOf.length; ++organ) {
-    if (binOf[organ] >= 0) {
-      ++all[binOf[organ]];
-      shown[binOf[organ]] += isShown[organ];
-      binOf[organ] = isShown[organ] ? binOf[organ] : -1;
-    }
-  }
-  return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Histogram", [ends.low, ends.high], [0, Math.max(...all)],
-      title, Number.isInteger);
-    if (isOpen) {
-      add(svg, "text", { x: kWidth - 8, y: 20, "text-anchor": "end" }, `last bar up to ${short(high)}`);
-    }
-    const bars = [];
-    for (let bin = 0; bin < bins; ++bin) {
-      const from = ends.low + bin * width;
-      const to = bin === bins - 1 ? Math.max(high, ends.high) : from + width;
-      const box = (count) => ({
-        x: x(from), width: Math.max(2, x(from + width) - x(from) - 1), y: y(count), height: Math.max(0, y(0) - y(count)),
+      const bars = found.bins.flatMap((bin, i) => this.#valueBar(plot, bin, i, { part, factor, isError, found }));
+      const mark = addBars(plot.node, bars, {
+        onPoint: (bar) => this.#point(found.binOf, bar),
+        onPress: (bar) => this.#press(isError ? "errorClass" : "values", isError ? bar.bin : [bar.from, bar.to]),
       });
-      if (all[bin] > 0) {
-        add(svg, "rect", { class: "all", ...box(all[bin]) });
-        const label = `${short(from)} to ${short(to)}: ${shown[bin]} of ${all[bin]} organ${all[bin] === 1 ? "" : "s"}`;
-        bars.push({ bin, box: box(shown[bin]), label, from, to });
-      }
-    }
-    return addBars(svg, binOf, bars, acts);
-  });
-}
-
-/**
- * Area-weighted means of shown organs in layers of height.
- * @param acts, @returns  see addBars
- */
-export function drawProfile(parent, { numbers, isShown, title, heights, areas }, acts) {
-  const known = endsOf(heights.map((height, organ) => (areas[organ] > 0 ? height : NaN)));
-  const layers = known.high > known.low ? 12 : 1;
-  const ends = widened(known.low, known.high);
-  const { low, high } = ends;
-  const thick = (high - low) / layers;
-  const layerOf = binsOf(heights, layers, ends,
-    (organ) => areas[organ] > 0 && isShown[organ] === 1 && Number.isFinite(numbers[organ]));
-  const sums = Array.from({ length: layers }, () => ({ area: 0, sum: 0, count: 0 }));
-  layerOf.forEach((number, organ) => {
-    if (number >= 0) {
-      sums[number].area += areas[organ];
-      sums[number].sum += areas[organ] * numbers[organ];
-      ++sums[number].count;
-    }
-  });
-  const means = sums.map((layer) => (layer.area > 0 ? layer.sum / layer.area : NaN));
-  const finite = means.filter(Number.isFinite);
-  if (finite.length === 0) {
-    parent.textContent = "No organ shown has a value.";
-    return kNoBars;
-  }
-  return keepingFocus(parent, () => {
-    const { svg, x, y } = start(parent, "Height profile", [Math.min(0, ...finite), Math.max(0, ...finite) || 1],
-      [low, high], title);
-    const bars = means.map((mean, bin) => {
-      const from = low + bin * thick;
-      const to = bin === layers - 1 ? high : from + thick;
-      const top = y(to);
-      const box = {
-        x: Math.min(x(0), x(mean)), width: Math.max(2, Math.abs(x(mean) - x(0))), y: top, height: Math.max(2, y(from) - top - 1),
-      };
-      const label = `height ${short(from)} to ${short(to)}: mean ${short(mean)} of ${sums[bin].count} organ${sums[bin].count === 1 ? "" : "s"}`;
-      return { bin, box, label, from, to };
+      this.#addPins(plot, found, isError);
+      return (organ) => mark(organ === null ? -1 : found.binOf[organ]);
     });
-    return addBars(svg, layerOf, bars.filter(({ bin }) => Number.isFinite(means[bin])), acts);
-  });
-}
+  }
 
-/** The median and the worst error after each round, per cent, both axes logarithmic. */
-export function drawConvergence(parent, rounds) {
-  const known = rounds.filter((round) => round.median_error > 0 && round.worst_error > 0);
-  if (known.length < 2) {
-    return;
+  #valueBar({ node, x, y }, bin, i, { part, factor, isError, found }) {
+    if (bin.all[part] === 0) {
+      return [];
+    }
+    const [from, to] = isError ? [i + 0.04, i + 0.96] : [found.low + ((found.high - found.low) * i) / found.bins.length, found.low + ((found.high - found.low) * (i + 1)) / found.bins.length];
+    const boxOf = (amount) => ({
+      x: x(from), width: Math.max(2, x(to) - x(from) - 1), y: Math.min(y(amount * factor), y(0) - 1), height: Math.max(1, y(0) - y(amount * factor)),
+    });
+    node.append(svg("rect", { class: "all", ...boxOf(bin.all[part]) }));
+    const span = isError ? `error ${kClasses[i].name}` : bin.isMore ? `more than ${plain(bin.from)}, up to ${plain(bin.to)}` : `${plain(bin.from)} to ${plain(bin.to)}`;
+    const count = bin.shown.count === bin.all.count ? many(bin.shown.count, "organ") : `${bin.shown.count} of ${many(bin.all.count, "organ")}`;
+    const label = `${isError ? span : `${span} ${this.page.unit}`}: ${count}, ${areaText(bin.shown.area, this.page.run.json.unit)}`;
+    const { top, bottom } = { top: y(y ? bin.all[part] * factor : 0), bottom: y(0) };
+    return [{
+      bin: i, box: boxOf(bin.shown[part]), color: isError ? kClasses[i].color : this.#colorOf(bin.isMore ? bin.from : (bin.from + bin.to) / 2), label, from: bin.from, to: bin.to,
+      hit: { x: x(from), width: Math.max(3, x(to) - x(from)), y: Math.min(top, bottom - 24), height: Math.max(24, bottom - top) },
+    }];
   }
-  const log = Math.log10;
-  const errors = known.flatMap((round) => [100 * round.median_error, 100 * round.worst_error]);
-  const ends = [Math.floor(log(Math.min(...errors))), Math.ceil(log(Math.max(...errors)))];
-  const paths = [log(known[0].paths), log(known.at(-1).paths)];
-  const { svg, x, y } = start(parent, "Convergence", paths, ends, "paths per replicate", () => false, () => false);
-  for (let power = ends[0]; power <= ends[1]; ++power) {
-    add(svg, "text", { x: kLeft - 5, y: y(power) + 4, "text-anchor": "end" }, `${power > 3 ? `1e${power}` : short(10 ** power)} %`);
+
+  /** Triangles below the axis: pinned organs. */
+  #addPins({ node, x, box }, found, isError) {
+    const { page } = this;
+    page.pins.forEach((organ, i) => {
+      const bin = found.binOf[organ];
+      if (bin >= 0) {
+        const at = isError ? bin + 0.5 : found.low + ((found.high - found.low) * (bin + 0.5)) / found.bins.length;
+        node.append(svg("path", { d: `M${x(at)} ${box.bottom + 1}l5 7h-10z`, fill: kPins[i] }));
+      }
+    });
   }
-  known.forEach((round, i) => {
-    const anchor = i + 1 === known.length ? "end" : "middle";
-    add(svg, "text", { x: x(log(round.paths)), y: kHeight - kBottom + 14, "text-anchor": anchor }, String(round.paths));
-  });
-  for (const [key, name, below] of [["worst_error", "largest", -6], ["median_error", "median", 16]]) {
-    const points = known.map((round) => [x(log(round.paths)), y(log(100 * round[key]))]);
-    add(svg, "polyline", { class: `error ${key}`, fill: "none", points: points.map((point) => point.join(",")).join(" ") });
-    points.forEach(([cx, cy]) => add(svg, "circle", { class: `dot ${key}`, cx, cy, r: 3 }));
-    add(svg, "text", { x: points[0][0] + 6, y: points[0][1] + below }, name);
+
+  #press(key, value) {
+    const { state } = this.page;
+    this.page.set({ [key]: JSON.stringify(state[key]) === JSON.stringify(value) ? null : value });
+  }
+
+  #drawHeights() {
+    const { page } = this;
+    const { run, values } = page;
+    const { unit } = run.json;
+    const isError = page.state.show === "error";
+    byId("profile-title").textContent = isError ? "Median error by height" : "Mean by height";
+    byId("profile-unit").textContent = isError ? "%" : page.unit;
+    const numbers = isError ? values.mean.map((mean, i) => (page.classes[i] < kClasses.length ? (100 * values.error[i]) / Math.abs(mean) : NaN)) : values.mean;
+    const isShown = page.isShown.map((shown, i) => (run.isGround[i] ? 0 : shown));
+    const found = layersOf({ numbers, areas: run.shape.areas, heights: run.shape.heights, isShown, isMedian: isError });
+    const known = found?.bins.map(({ mean }) => mean).filter(Number.isFinite) ?? [];
+    if (known.length === 0) {
+      byId("profile").textContent = page.absent || "No organ shown has a value.";
+      return () => {};
+    }
+    return keepingFocus(byId("profile"), () => {
+      const plot = startPlot(byId("profile"), "Mean by height", {
+        x: { low: Math.min(0, ...known), high: Math.max(0, ...known) || 1, grid: true }, y: { low: found.low, high: found.high, unit, ticks: 4 } });
+      const bars = found.bins.flatMap((bin, i) => (Number.isFinite(bin.mean) ? [this.#layerBar(plot, bin, i, isError)] : []));
+      const mark = addBars(plot.node, bars, { onPoint: (bar) => this.#point(found.binOf, bar), onPress: (bar) => this.#press("layer", [bar.from, bar.to]) });
+      this.#addArea(plot, found.bins);
+      return (organ) => mark(organ === null ? -1 : found.binOf[organ]);
+    });
+  }
+
+  #layerBar({ x, y, box }, bin, i, isError) {
+    const top = y(bin.to);
+    const high = Math.max(2, y(bin.from) - top - 1.5);
+    const mean = isError ? `median error ${plain(bin.mean, 2)} %` : `mean ${withUnit(plain(bin.mean), this.page.unit)}`;
+    const { unit } = this.page.run.json;
+    const color = isError ? kClasses.find(({ below }) => bin.mean < 100 * below).color : this.#colorOf(bin.mean);
+    return {
+      bin: i, color, from: bin.from, to: bin.to,
+      box: { x: Math.min(x(0), x(bin.mean)), width: Math.max(2, Math.abs(x(bin.mean) - x(0))), y: top, height: high },
+      hit: { x: box.left, width: box.right - box.left, y: top, height: high },
+      label: `height ${plain(bin.from)} to ${withUnit(plain(bin.to), unit)}: ${mean}, ${many(bin.count, "organ")}, ${areaText(bin.area, unit)}`,
+    };
+  }
+
+  /** Area in each layer, as a dotted outline over the width. */
+  #addArea({ node, y, box }, bins) {
+    const most = Math.max(...bins.map(({ area }) => area));
+    const x = (area) => box.left + 0.92 * (area / most) * (box.right - box.left);
+    const points = bins.flatMap(({ from, to, area }) => [`${x(area)},${y(from)}`, `${x(area)},${y(to)}`]);
+    node.append(svg("polyline", { class: "area", points: points.join(" "), "pointer-events": "none" }));
   }
 }

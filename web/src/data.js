@@ -1,5 +1,6 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
+import { plainUnit, unitText } from "./format.js";
 import { readShape } from "./shape.js";
 
 /** The bytes of a base64 text. */
@@ -39,14 +40,39 @@ async function readBytes(name) {
   return bytes;
 }
 
+const kNames = {
+  absorbed_flux_density: "Absorbed per area", absorbed_flux: "Absorbed by organ", incident_upper: "Light on the upper side",
+  incident_lower: "Light on the lower side", incident_direct: "Direct light on both sides",
+  incident_scattered: "Scattered light on both sides", sunlit_fraction: "Sunlit fraction",
+};
+
+/** A kind of number in words. */
+export function quantityName({ quantity, name }) {
+  return kNames[quantity] ?? name[0].toUpperCase() + name.slice(1);
+}
+
+/** Means, standard errors, low and high ends from the bytes of all organs. */
+function partsOf(bytes, n, factor) {
+  const part = (k) => {
+    const numbers = new Float32Array(bytes, 4 * n * k, n);
+    return factor === 1 ? numbers : numbers.map((x) => x * factor);
+  };
+  return { mean: part(0), error: part(1), low: part(2), high: part(3) };
+}
+
+function oneOf(numbers, factor) {
+  const [mean, error, low, high] = numbers.map((x) => x * factor);
+  return { mean, error, low, high };
+}
+
 /** The data of a run; numbers of a time are read at the first request. */
 export class RunData {
   static async load() {
     const shape = readBytes("shape");
     const colorMaps = readJson("colors");
     const run = new RunData(await readJson("data"), await colorMaps, null, (blob) => readBytes(`values-${blob}`));
-    if (run.columns.length > 0) {
-      run.values(0, run.columns[0].number); // shown first: loads together with the shape
+    if (!element("data")) {
+      run.readCourse = (column, organ) => request(`course-${column}-${organ}`).then((answer) => answer.arrayBuffer());
     }
     run.shape = readShape(await shape, run.count);
     return run;
@@ -73,41 +99,56 @@ export class RunData {
 
   /** {mean, error, low, high} of all organs, null if the result has none. A promise. */
   values(time, column) {
-    const blob = this.json.times[time].values[column];
+    return this.#valuesOf(this.json.times[time].values[column], this.#unitOf(time, column).factor);
+  }
+
+  #valuesOf(blob, factor) {
     if (blob < 0) {
       return Promise.resolve(null);
     }
     if (!this.known.has(blob)) {
-      const n = this.count;
-      this.known.set(
-        blob,
-        this.readBlob(blob).then((bytes) => {
-          if (bytes === null) {
-            return null;
-          }
-          const part = (k) => new Float32Array(bytes, 4 * n * k, n);
-          return { mean: part(0), error: part(1), low: part(2), high: part(3) };
-        }),
-      );
+      this.known.set(blob, this.readBlob(blob).then((bytes) => (bytes === null ? null : partsOf(bytes, this.count, factor))));
     }
     return this.known.get(blob);
   }
 
-  /** The unit of a column at a time: sums over days have another one. */
-  unit(time, column) {
+  /** Another result's values taken away; null if there is none. A promise. */
+  difference(time, column) {
+    const blob = this.json.times[time].minus?.[column] ?? -1;
+    return this.#valuesOf(blob, this.#unitOf(time, column).factor);
+  }
+
+  /** {mean, error, low, high} of an organ at several times, null where it has none. A promise. */
+  async course(times, column, organ) {
+    if (this.readCourse) {
+      const found = await this.readCourse(column, organ);
+      const numbers = found && new Float32Array(found);
+      return times.map((time) => numbers && this.has(time, column)
+        ? oneOf(numbers.subarray(4 * time, 4 * time + 4), this.#unitOf(time, column).factor) : null);
+    }
+    const all = await Promise.all(times.map((time) => this.values(time, column)));
+    return all.map((values) => values && { mean: values.mean[organ], error: values.error[organ], low: values.low[organ], high: values.high[organ] });
+  }
+
+  #unitOf(time, column) {
     const part = this.json.times[time].part;
     const kind = this.json.columns[column];
-    return part === "days" || part === "total" ? kind.sum_unit : kind.unit;
+    return plainUnit(part === "days" || part === "total" ? kind.sum_unit : kind.unit);
+  }
+
+  /** The unit of a column at a time: sums over days have another one. */
+  unit(time, column) {
+    return unitText(this.#unitOf(time, column).unit);
+  }
+
+  /** The number of a column. -1: there is none */
+  columnOf(quantity, band) {
+    return this.json.columns.findIndex((column) => column.quantity === quantity && column.band === band);
   }
 
   columnName(column) {
     const kind = this.json.columns[column];
-    return kind.band ? `${kind.name}, ${kind.band}` : kind.name;
-  }
-
-  timeName(time) {
-    const { part, label } = this.json.times[time];
-    return part === "total" ? "sum of all times" : label;
+    return kind.band ? `${quantityName(kind)}, ${kind.band}` : quantityName(kind);
   }
 
   /** The user's number of an organ, as text: it may exceed the exact integers of numbers. */
@@ -124,6 +165,12 @@ export class RunData {
 
   organName(organ) {
     return this.json.organs.name?.[organ] || `organ ${this.idOf(organ)}`;
+  }
+
+  /** The name of an organ's kind of label "kind", or what it is. */
+  kindOf(organ) {
+    const kinds = this.json.organs.labels.kind;
+    return this.isGround[organ] ? "ground" : kinds?.of[organ] >= 0 ? kinds.values[kinds.of[organ]] : "";
   }
 
   /** The result at a time without its organs: energy, groups, method. */

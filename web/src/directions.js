@@ -1,151 +1,90 @@
-// Horizon, north, suns, lamps and sky around the scene.
+// Horizon, the four winds, the sun and its path, and lamps: vectors in two layers, one behind the canvas
+// and one before it.
 
-import {
-  BackSide, BufferGeometry, CanvasTexture, Color, Float32BufferAttribute, Group, Line, LineBasicMaterial, LineLoop, Mesh,
-  MeshBasicMaterial, Sprite, SpriteMaterial, SRGBColorSpace, Vector3,
-} from "three";
+import { Vector3 } from "three";
+import { svg } from "./dom.js";
 
-const kGrey = "#75808a";
-const kSun = "#e09b00";
-const kRings = 9; // rings of sky cells, from the horizon up
-const kSectors = 36; // from the x axis towards y
-const kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-// Colours from black to the brightest sky; all are visible on white.
-const kSky = [[12, 24, 70], [30, 80, 160], [96, 170, 225], [190, 225, 245]];
+const kSteps = 48; // of the horizon
 
-/** A sign of 64 x 64 pixels, drawn by `draw`. */
-function sign(draw, color) {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const pen = canvas.getContext("2d", { willReadFrequently: true }); // on the CPU: there are few signs
-  pen.fillStyle = pen.strokeStyle = color;
-  pen.lineWidth = 5;
-  draw(pen);
-  const map = new CanvasTexture(canvas);
-  map.colorSpace = SRGBColorSpace;
-  return new Sprite(new SpriteMaterial({ map, depthTest: false }));
+/** The mean of unit vectors as a unit vector; null for none. */
+export function meanDirection(vectors) {
+  const sum = vectors.reduce((all, v) => all.map((x, k) => x + v[k]), [0, 0, 0]);
+  const length = Math.hypot(...sum);
+  return length > 0 ? sum.map((x) => x / length) : null;
 }
 
-function drawNorth(pen) {
-  pen.font = "bold 44px sans-serif";
-  pen.textAlign = "center";
-  pen.textBaseline = "middle";
-  pen.fillStyle = "#3a434b"; // with a white rim, legible on any background
-  pen.strokeStyle = "#ffffff";
-  pen.lineWidth = 8;
-  pen.strokeText("N", 32, 34);
-  pen.fillText("N", 32, 34);
+/** The frame of what is drawn: the middle of the ground below the plants, and a radius around it. */
+function frameOf({ bounds, low }) {
+  const { low: from, high: to } = bounds;
+  const wide = Math.max(to.x - from.x, to.y - from.y, 0.7 * (to.z - from.z));
+  return { base: new Vector3((from.x + to.x) / 2, (from.y + to.y) / 2, low.z), radius: 0.68 * Math.max(wide, 1e-30) };
 }
 
-function drawDisk(pen, radius) {
-  pen.beginPath();
-  pen.arc(32, 32, radius, 0, 2 * Math.PI);
-  pen.fill();
-}
-
-/** Drawn, as not every font has a symbol for it. */
-function drawSun(pen) {
-  drawDisk(pen, 15);
-  pen.beginPath();
-  for (let i = 0; i < 8; ++i) {
-    const [x, y] = [Math.cos((i * Math.PI) / 4), Math.sin((i * Math.PI) / 4)];
-    pen.moveTo(32 + 20 * x, 32 + 20 * y);
-    pen.lineTo(32 + 30 * x, 32 + 30 * y);
+export class Directions {
+  /** @param back, front  svg elements */
+  constructor(back, front) {
+    this.layers = [back, front];
   }
-  pen.stroke();
-}
 
-function drawLamp(pen) {
-  drawDisk(pen, 12);
-  pen.beginPath();
-  pen.arc(32, 32, 22, 0, 2 * Math.PI);
-  pen.stroke();
-}
+  clear() {
+    this.layers.forEach((layer) => layer.replaceChildren());
+  }
 
-function line(points, color, Kind = Line) {
-  return new Kind(new BufferGeometry().setFromPoints(points), new LineBasicMaterial({ color }));
-}
-
-/** The linear colour of a digit of the sky. */
-function skyColor(digit) {
-  const at = (kDigits.indexOf(digit) / 63) * (kSky.length - 1);
-  const below = Math.min(kSky.length - 2, Math.floor(at));
-  const rgb = kSky[below].map((low, k) => (low + (at - below) * (kSky[below + 1][k] - low)) / 255);
-  return new Color().setRGB(...rgb, SRGBColorSpace).toArray();
-}
-
-/** The inner side of the sky's dome, cell by cell. Its near half is transparent. */
-function makeDome(middle, size, sky) {
-  const at = (ring, sector) => {
-    const elevation = (ring * Math.PI) / 2 / kRings;
-    const azimuth = (sector * 2 * Math.PI) / kSectors;
-    return middle.clone().addScaledVector(new Vector3(
-      Math.cos(elevation) * Math.cos(azimuth), Math.cos(elevation) * Math.sin(azimuth), Math.sin(elevation)), size);
-  };
-  const vertices = [];
-  const colors = [];
-  for (let i = 0; i < kRings * kSectors; ++i) {
-    const [ring, sector] = [Math.floor(i / kSectors), i % kSectors];
-    const [a, b, c, d] = [at(ring, sector), at(ring, sector + 1), at(ring + 1, sector + 1), at(ring + 1, sector)];
-    const color = skyColor(sky[i]);
-    for (const corner of [a, b, c, a, c, d]) {
-      vertices.push(...corner);
-      colors.push(...color);
+  /**
+   * @param window  the SceneWindow
+   * @param path  unit vectors towards the sun through the day  @param hours  of each time step
+   * @param sun  of the shown time, null for none  @param lamps  positions
+   */
+  draw(window, { path, hours, sun, lamps }) {
+    this.clear();
+    const { base, radius } = frameOf(window);
+    const back = window.camera.position.clone().sub(base).setZ(0);
+    const at = (v, far = 1) => base.clone().addScaledVector(new Vector3(...v), far * radius);
+    const layerOf = (point) => this.layers[point.clone().sub(base).dot(back) > 0 ? 1 : 0];
+    const line = (points, kind) => this.#line(points.map((point) => [layerOf(point), window.project(point)]), kind);
+    line(Array.from({ length: kSteps + 1 }, (_, i) => at([Math.cos((2 * Math.PI * i) / kSteps), Math.sin((2 * Math.PI * i) / kSteps), 0])), "ring");
+    this.#winds(window, at, layerOf);
+    if (path.length > 1) {
+      line(path.map((v) => at(v)), "path");
+      hours.forEach((v) => this.#disc(layerOf(at(v)), window.project(at(v)), 2, "dot"));
+    }
+    if (sun) {
+      line([at(sun, 0.72), at(sun, 0.94)], "ray");
+      this.#disc(layerOf(at(sun)), window.project(at(sun)), 9, "sun");
+    }
+    for (const lamp of lamps.slice(0, 100)) {
+      const point = new Vector3(...lamp);
+      const far = point.distanceTo(base);
+      const shown = far <= 2 * radius ? point : point.sub(base).multiplyScalar(radius / far).add(base);
+      this.#disc(layerOf(shown), window.project(shown), 4, "dot");
+      this.#disc(layerOf(shown), window.project(shown), 8, "lamp");
     }
   }
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new Float32BufferAttribute(vertices, 3));
-  geometry.setAttribute("color", new Float32BufferAttribute(colors, 3));
-  const dome = new Mesh(geometry, new MeshBasicMaterial({
-    vertexColors: true, side: BackSide, transparent: true, opacity: 0.5, depthWrite: false, toneMapped: false,
-  }));
-  dome.renderOrder = -1;
-  return dome;
-}
 
-/**
- * Horizon, north and sources around a point. @param radius  radius of the scene
- * @param north  unit vector  @param lights  {suns, lamps, sky} of a time
- * @param hasSky  whether the dome of the sky is shown, if there is one
- */
-export function makeDirections(middle, radius, north, { suns, lamps, sky }, hasSky) {
-  const group = new Group();
-  const size = 1.1 * radius; // fits in the view of the whole scene
-  const at = (v, far) => middle.clone().addScaledVector(new Vector3(...v), far);
-  const addSign = (draw, color, position) => {
-    const sprite = sign(draw, color);
-    sprite.position.copy(position);
-    sprite.scale.setScalar(0.16 * radius);
-    group.add(sprite);
-  };
-  const ring = [];
-  for (let i = 0; i < 72; ++i) {
-    const angle = (i * Math.PI) / 36;
-    ring.push(at([Math.cos(angle), Math.sin(angle), 0], size));
+  #winds(window, at, layerOf) {
+    const [x, y] = window.run.json.north;
+    for (const [letter, v] of [["N", [x, y, 0]], ["E", [y, -x, 0]], ["S", [-x, -y, 0]], ["W", [-y, x, 0]]]) {
+      const point = at(v, 1.1);
+      const [left, top] = window.project(point);
+      layerOf(point).append(svg("text", { x: left, y: top, class: letter === "N" ? "wind north" : "wind" }, letter));
+    }
   }
-  group.add(line(ring, kGrey, LineLoop), line([at(north, 0.92 * size), at(north, 1.04 * size)], kGrey));
-  addSign(drawNorth, kGrey, at(north, 1.12 * size));
-  for (const sun of suns.slice(0, 24)) {
-    group.add(line([at(sun, 0.8 * size), at(sun, size)], kSun));
-    addSign(drawSun, kSun, at(sun, 1.06 * size));
-  }
-  for (const lamp of lamps.slice(0, 100)) {
-    const position = new Vector3(...lamp);
-    const far = position.distanceTo(middle);
-    // A lamp far away is drawn in its direction.
-    addSign(drawLamp, kSun, far <= 2 * size ? position : position.sub(middle).multiplyScalar((1.1 * size) / far).add(middle));
-  }
-  if (hasSky && sky) {
-    group.add(makeDome(middle, size, sky));
-  }
-  return group;
-}
 
-/** Frees the GPU memory of a group of directions. */
-export function disposeDirections(group) {
-  group.children.forEach((child) => {
-    child.geometry.dispose();
-    child.material.map?.dispose();
-    child.material.dispose();
-  });
+  /** Pieces of a line go to the layer of their first point. */
+  #line(points, kind) {
+    let piece = [];
+    points.forEach(([layer, pixel], i) => {
+      piece.push(pixel);
+      const next = points[i + 1];
+      if (!next || (next[0] !== layer && piece.length > 0)) {
+        const all = next ? [...piece, next[1]] : piece;
+        layer.append(svg("polyline", { class: kind, points: all.map((p) => p.map((x) => x.toFixed(1)).join(",")).join(" ") }));
+        piece = [];
+      }
+    });
+  }
+
+  #disc(layer, [cx, cy], r, kind) {
+    layer.append(svg("circle", { class: kind, cx, cy, r }));
+  }
 }

@@ -27,6 +27,7 @@ export class LiveRun {
     live.colorMaps = await readJson("colors");
     live.scenes = new Map(); // promises, by number
     live.frames = new Map(); // promises, by number and version
+    live.heads = new Map(); // of loaded frames, by number
     await live.poll();
     return live;
   }
@@ -56,6 +57,7 @@ export class LiveRun {
     if (!this.frames.has(key)) {
       this.frames.set(key, Promise.all([this.#scene(scene), readJson(`light-${key}`)]).then(([shape, light]) => {
         const { label, suns, lamps, sky, values } = light;
+        this.heads.set(number, light.head);
         const json = {
           ...shape.json,
           head: { ...shape.json.head, ...light.head },
@@ -67,6 +69,17 @@ export class LiveRun {
     }
     return this.frames.get(key);
   }
+
+  /** A frame if it is loaded, or being loaded; else null. */
+  loaded({ number, version }) {
+    return this.frames.get(`${number}-${version}`)?.catch(() => null) ?? null;
+  }
+}
+
+/** The newest frame with light: the night is not worth watching. */
+function newestLit(frames) {
+  const isDark = ({ light }) => light && Object.values(light).every((mean) => mean === 0);
+  return [...frames].reverse().find((frame) => !isDark(frame)) ?? frames.at(-1);
 }
 
 /**
@@ -84,7 +97,7 @@ export class Follower {
     for (;;) {
       const { words, fraction, ended } = this.live.state;
       await this.#showNews();
-      this.report(ended || words, ended ? -1 : fraction);
+      this.report(ended || words, ended ? -1 : fraction, Boolean(ended));
       if (ended) {
         return;
       }
@@ -92,7 +105,7 @@ export class Follower {
       try {
         await this.live.poll();
       } catch {
-        this.report("The run has ended. This page keeps the data that it has loaded.", -1);
+        this.report("The program has ended. This page keeps what it has loaded.", -1);
         return;
       }
     }
@@ -106,11 +119,17 @@ export class Follower {
     await this.#inTurn(() => (this.asked === index ? frames[index] : null)); // the slider may have moved on
   }
 
+  /** Follows again. */
+  followAgain() {
+    this.isFollowing = true;
+    return this.#showNews();
+  }
+
   async #showNews() {
     await this.#inTurn(() => {
       const { frames } = this.live.state;
       const own = frames.find((frame) => frame.number === this.shown?.number);
-      return this.isFollowing ? frames.at(-1) : own ?? this.shown;
+      return this.isFollowing ? newestLit(frames) : own ?? this.shown;
     });
   }
 

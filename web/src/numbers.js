@@ -1,32 +1,4 @@
-// Formats of numbers, and scales.
-
-/** At most four digits. */
-export function short(value) {
-  if (!Number.isFinite(value)) {
-    return "—";
-  }
-  const size = Math.abs(value);
-  if (size !== 0 && (size < 1e-3 || size >= 1e6)) {
-    return value.toExponential(3).replace(/\.?0*e/, "e");
-  }
-  return String(Number(value.toPrecision(4)));
-}
-
-/** "0.3697 ± 0.0009": the value with the digits that its error justifies. */
-export function withError(mean, error) {
-  if (!Number.isFinite(mean)) {
-    return "not known";
-  }
-  if (!Number.isFinite(error) || error === 0) {
-    return `${short(mean)} ± ${Number.isFinite(error) ? "0" : "?"}`;
-  }
-  const exponent = Math.floor(Math.log10(error)) - 1; // two digits of the error
-  if (Math.abs(mean) >= 1e6 || (mean !== 0 && Math.abs(mean) < 1e-3) || exponent < -9 || exponent > 3) {
-    return `${mean.toExponential(4)} ± ${error.toExponential(1)}`;
-  }
-  const digits = Math.max(0, -exponent);
-  return `${mean.toFixed(digits)} ± ${error.toFixed(digits)}`;
-}
+// Scales of numbers, and their colours.
 
 /** Round numbers from low to high, about `count` of them. */
 export function ticks(low, high, count) {
@@ -101,7 +73,7 @@ export function scaleOf(numbers, areas) {
 }
 
 /** `count` colours of a map, red in the lowest of three bytes. */
-function paletteOf(map, count) {
+export function paletteOf(map, count) {
   return Int32Array.from({ length: count }, (_, i) => {
     const at = (i / (count - 1)) * (map.length - 1);
     const below = Math.min(map.length - 2, Math.floor(at));
@@ -110,22 +82,40 @@ function paletteOf(map, count) {
   });
 }
 
-/** Colours of numbers on a scale, red in the lowest of three bytes: grey for unknown numbers, -1 for hidden organs. */
-export function colorsOf(numbers, isShown, scale, map) {
-  const kGrey = 0xc8c8c8;
-  const last = 1023;
-  const palette = paletteOf(map, last + 1);
-  const factor = last / (scale.high - scale.low);
-  const colors = new Int32Array(numbers.length);
-  for (let i = 0; i < numbers.length; ++i) {
-    const part = Math.round((numbers[i] - scale.low) * factor);
-    const color = Number.isFinite(numbers[i]) ? palette[Math.min(last, Math.max(0, part))] : kGrey;
-    colors[i] = isShown[i] ? color : -1;
-  }
-  return colors;
+export const kUnknown = 0xc8c8c8; // the colour of organs without a value
+
+/** A number on a scale, from 0 to 1. @param scale  {low, high, isLog} */
+export function partOf(number, { low, high, isLog }) {
+  const part = isLog ? Math.log(Math.max(number, low) / low) / Math.log(high / low) : (number - low) / (high - low);
+  return Math.min(1, Math.max(0, part));
 }
 
-/** A number as text with its unit, if it has one: plants of simulators have none. */
-export function withUnit(text, unit) {
-  return unit ? `${text} ${unit}` : text;
+/** Colours of numbers on a scale, red in the lowest of three bytes; grey for unknown numbers. */
+export function colorsOf(numbers, scale, map) {
+  const last = 1023;
+  const palette = paletteOf(map, last + 1);
+  return Int32Array.from(numbers, (number) =>
+    Number.isFinite(number) ? palette[Math.round(last * partOf(number, scale))] : kUnknown);
+}
+
+/** "#rrggbb" or "rgb()" of a colour with red in the lowest of three bytes, and back. */
+export const cssOf = (color) => `rgb(${color & 255},${(color >> 8) & 255},${(color >> 16) & 255})`;
+export function packed(hex) {
+  const rgb = parseInt(hex.slice(1), 16);
+  return (rgb >> 16) | (rgb & 0xff00) | ((rgb & 255) << 16);
+}
+
+/** The number that a fraction of the weight is below. */
+export function weightedQuantile(numbers, weights, fraction) {
+  const known = [...numbers.keys()].filter((i) => Number.isFinite(numbers[i]) && weights[i] > 0);
+  known.sort((a, b) => numbers[a] - numbers[b]);
+  const total = known.reduce((sum, i) => sum + weights[i], 0);
+  let below = 0;
+  for (const i of known) {
+    below += weights[i];
+    if (below >= fraction * total) {
+      return numbers[i];
+    }
+  }
+  return NaN;
 }

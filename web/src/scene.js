@@ -1,280 +1,260 @@
-// The scene in three dimensions, redrawn after changes.
+// The scene in three dimensions: camera, input, and when it is drawn.
 
-import {
-  DoubleSide, GLSL3, Group, Mesh, NearestFilter, NoBlending, PerspectiveCamera, RawShaderMaterial, Scene,
-  Vector2, Vector3, Vector4, WebGLRenderTarget, WebGLRenderer,
-} from "three";
+import { MathUtils, Mesh, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { disposeDirections, makeDirections } from "./directions.js";
 import { FrameBudget } from "./budget.js";
+import { boundsOf, fitCamera, pointsOf } from "./camera.js";
+import { OrganColors, Passes } from "./passes.js";
 import { OrganGeometry } from "./shape.js";
 
-const kVertexShader = `
-precision highp float;
-precision highp int;
-uniform mat4 projectionMatrix, modelViewMatrix;
-uniform vec4 cut;
-in vec3 position;
-in uint tint;
-flat out uint color;
-#ifdef CUT
-out float beyond;
-#endif
-void main() {
-  color = tint;
-#ifdef CUT
-  beyond = dot(cut.xyz, position) - cut.w;
-#endif
-  gl_Position = tint == 0u ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * (modelViewMatrix * vec4(position, 1.0));
-}`;
-
-// Colours show light: surfaces seen edge-on are only a little darker, and more in the view of the plant
-// without its light. The normal follows from the derivatives of depth: the plane z = slope * xy + c of
-// the projection, transformed back by the matrix. So vertices need no normals.
-const kFragmentShader = `
-precision highp float;
-precision highp int;
-uniform mat4 projectionMatrix;
-uniform vec2 size, corner;
-uniform float depth;
-flat in uint color;
-#ifdef CUT
-in float beyond;
-#endif
-out vec4 result;
-void main() {
-#ifdef CUT
-  if (beyond > 0.0) { discard; }
-#endif
-  vec4 own = vec4(uvec4(color, color >> 8, color >> 16, color >> 24) & 255u) / 255.0;
-#ifdef PICKING
-  result = vec4(own.rgb, 1.0);
-#else
-  vec2 opening = vec2(projectionMatrix[0][0], projectionMatrix[1][1]);
-  vec3 seen = 2.0 * (gl_FragCoord.xyz - vec3(corner, 0.0)) / vec3(size, 1.0) - 1.0;
-  vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) * size;
-  vec3 normal = vec3(opening * slope, dot(slope, seen.xy) - seen.z - projectionMatrix[2][2]);
-  float facing = abs(dot(normalize(normal), normalize(vec3(seen.xy / opening, -1.0))));
-  vec3 shown = own.rgb * (1.0 - depth * (1.0 - facing));
-  result = vec4(own.a < 0.75 ? mix(shown, vec3(1.0, 0.1, 0.5), 0.75) : shown, 1.0);
-#endif
-}`;
+const kOpening = 35; // degrees, upward
+const kRadians = Math.PI / 180;
 
 /** Whether the CPU renders instead of a GPU. */
-function isSoftware(gl) {
+export function isSoftware(gl) {
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
   return /swiftshader|llvmpipe|software|basic render/i.test(name);
 }
 
-/**
- * A renderer for a canvas, or for a new one that replaces it. Throws without WebGL. Antialiasing is fixed
- * when a context is made. On a CPU this takes long, and antialiasing is too slow: so the first context is
- * made without it.
- */
+/** A renderer for a canvas. Throws without WebGL 2. Edges are smoothed by the second pass. */
 export function makeRenderer(canvas) {
   const gl = canvas.getContext("webgl2", { alpha: true, antialias: false });
   if (!gl) {
     throw new Error("no context");
   }
-  if (isSoftware(gl)) {
-    return new WebGLRenderer({ canvas, context: gl });
+  const renderer = new WebGLRenderer({ canvas, context: gl });
+  renderer.autoClear = false;
+  if (!isSoftware(gl)) {
+    renderer.setPixelRatio(Math.min(2, globalThis.devicePixelRatio || 1));
   }
-  gl.getExtension("WEBGL_lose_context")?.loseContext();
-  const other = canvas.cloneNode();
-  canvas.replaceWith(other);
-  const renderer = new WebGLRenderer({ canvas: other, antialias: true, alpha: true });
-  renderer.setPixelRatio(Math.min(2, globalThis.devicePixelRatio || 1));
   return renderer;
 }
 
-function makeMaterial(defines, uniforms) {
-  return new RawShaderMaterial({
-    glslVersion: GLSL3, vertexShader: kVertexShader, fragmentShader: kFragmentShader,
-    defines, uniforms, side: DoubleSide, blending: NoBlending,
-  });
-}
+/** Side by side: the light, and the plant in its own colours. */
+const kLight = { angle: 0.06 };
+const kPlant = { angle: 0.3 };
 
 export class SceneWindow {
-  /** @param renderer  see makeRenderer */
-  constructor(renderer, run) {
-    this.run = run;
-    this.renderer = renderer;
-    this.canvas = this.renderer.domElement;
+  /**
+   * @param renderer  see makeRenderer
+   * @param onView  called after each frame: the camera may have moved
+   */
+  constructor(renderer, run, onView) {
+    Object.assign(this, { renderer, run, onView, canvas: renderer.domElement, isAsked: false });
+    this.isQuickAllowed = isSoftware(renderer.getContext());
+    this.insets = { left: 0, top: 0, right: 0, bottom: 0 };
+    this.direction = { azimuth: 200, elevation: 14 };
+    this.isFitted = true; // until someone turns it
+    this.shading = 0;
+    this.backdrop = null; // a scene behind all others
     this.scene = new Scene();
-    this.#measure();
-    this.camera = new PerspectiveCamera(35, 1, this.radius / 1000, this.radius * 100);
+    this.passes = new Passes(renderer);
+    this.camera = new PerspectiveCamera(kOpening, 1, 0.1, 100);
     this.camera.up.set(0, 0, 1);
-    this.uniforms = {
-      cut: { value: new Vector4(0, 0, 0, 1) }, size: { value: new Vector2() }, corner: { value: new Vector2() },
-      depth: { value: 0 },
-    };
-    this.material = makeMaterial({}, this.uniforms);
-    this.picking = makeMaterial({ PICKING: "" }, this.uniforms);
-    this.budget = new FrameBudget(this.renderer.getContext(), () => this.changed());
-    this.#addTriangles();
-    this.directions = new Group();
-    this.scene.add(this.directions);
+    this.budget = new FrameBudget(renderer.getContext(), () => this.changed());
     this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.addEventListener("start", () => (this.isFitted = false));
     this.controls.addEventListener("change", () => {
       this.budget.moved();
       this.changed();
     });
-    this.picture = new WebGLRenderTarget(1, 1); // number of the visible organ at each pixel
-    this.picture.texture.minFilter = this.picture.texture.magFilter = NearestFilter;
+    this.#addTriangles();
     new ResizeObserver(() => this.#resize()).observe(this.canvas.parentElement);
-    this.lookFrom(200, 25);
     this.#resize();
+    this.fit();
     this.#handOver();
   }
 
   /** Uploads triangles and shaders, which the GPU prepares in the background. */
   #handOver() {
-    this.mesh.geometry.setDrawRange(0, 3);
-    this.renderer.render(this.scene, this.camera);
-    this.mesh.geometry.setDrawRange(0, Infinity);
-  }
-
-  #measure() {
-    this.low = new Vector3(...this.run.json.low);
-    this.high = new Vector3(...this.run.json.high);
-    this.radius = Math.max(1e-30, this.high.clone().sub(this.low).length() / 2);
-  }
-
-  /**
-   * Sets another scene of the same run. If the last one was shown whole, so is this one; otherwise the
-   * camera stays.
-   */
-  setScene(run) {
-    const moved = new Vector3(...this.run.json.middle).sub(new Vector3(...run.json.middle));
-    const { showsAll } = this;
-    this.scene.remove(this.mesh);
-    this.organs.dispose();
-    this.run = run;
-    this.#measure();
-    this.#addTriangles();
-    if (showsAll) {
-      this.#showAll();
-    } else {
-      this.controls.target.add(moved);
-      this.camera.position.add(moved);
-    }
-    this.controls.update();
-    this.changed();
-  }
-
-  #middle() {
-    return this.low.clone().add(this.high).multiplyScalar(0.5);
-  }
-
-  /** The distance from which the whole scene is visible. */
-  #distance() {
-    const opening = (this.camera.fov * Math.PI) / 360;
-    return ((1.25 * this.radius) / Math.sin(opening)) * Math.max(1, 1 / this.camera.aspect);
-  }
-
-  /** Whether the whole scene is shown. */
-  get showsAll() {
-    const far = this.camera.position.distanceTo(this.controls.target);
-    return this.controls.target.distanceTo(this.#middle()) < 1e-3 * this.radius &&
-      Math.abs(far / this.#distance() - 1) < 1e-3;
-  }
-
-  /** Shows the whole scene from the same direction. */
-  #showAll() {
-    const from = this.camera.position.clone().sub(this.controls.target).normalize();
-    this.controls.target.copy(this.#middle());
-    this.camera.position.copy(this.controls.target).addScaledVector(from, this.#distance());
+    const { geometry } = this.organs;
+    geometry.setDrawRange(0, 3);
+    this.#drawOrgans(this.passes.full, this.passes.target);
+    geometry.setDrawRange(0, Infinity);
   }
 
   #addTriangles() {
-    this.organs = new OrganGeometry(this.run.shape);
-    this.budget.setTriangles(this.run.shape.triangles);
-    this.mesh = new Mesh(this.organs.colored.geometry, this.material);
+    const { run } = this;
+    this.organs?.dispose();
+    this.scene.clear();
+    this.organs = new OrganGeometry(run.shape, run.isGround);
+    this.light = new OrganColors(run.count);
+    this.plant = null;
+    this.points = pointsOf(run.shape, run.isGround);
+    this.bounds = boundsOf(this.points.plants);
+    this.low = new Vector3(...run.json.low);
+    this.high = new Vector3(...run.json.high);
+    this.radius = Math.max(1e-30, this.high.clone().sub(this.low).length() / 2);
+    this.budget.setTriangles(run.shape.triangles);
+    this.mesh = new Mesh(this.organs.geometry, this.passes.full);
     this.mesh.frustumCulled = false;
     this.scene.add(this.mesh);
   }
 
-  /** @param colors  one per organ, red in the lowest of three bytes; negative hides it */
-  paint(colors) {
-    this.organs.paint(colors);
-    this.changed();
-  }
-
-  /** Also shows the plant without light, side by side. @param colors  one per organ; null: the light only */
-  paintPlant(colors) {
-    const { showsAll } = this;
-    this.organs.paintPlant(colors);
-    this.#setAspect();
-    if (showsAll) {
-      this.#showAll();
+  /** Sets another scene of the same run. The camera stays, if someone turned it. */
+  setScene(run) {
+    const moved = new Vector3(...this.run.json.middle).sub(new Vector3(...run.json.middle));
+    this.run = run;
+    this.light.dispose();
+    this.#addTriangles();
+    if (this.isFitted) {
+      this.fit();
+    } else {
+      this.controls.target.add(moved);
+      this.camera.position.add(moved);
       this.controls.update();
     }
     this.changed();
   }
 
-  /** Highlights organs. */
-  mark(organs) {
-    this.organs.mark(organs);
-    this.changed(false);
+  /** @param colors  one per organ, red in the lowest of three bytes; negative hides it */
+  paint(colors) {
+    this.light.write(colors);
+    this.changed();
   }
 
-  /** Clips to dot(normal, p) <= offset; null: no clipping. */
-  cut(normal, offset) {
-    this.uniforms.cut.value.set(...(normal ? [...normal, offset] : [0, 0, 0, 1]));
-    for (const material of [this.material, this.picking]) {
-      if (normal ? material.defines.CUT === undefined : material.defines.CUT !== undefined) {
-        material.needsUpdate = true;
-        if (normal) {
-          material.defines.CUT = "";
-        } else {
-          delete material.defines.CUT;
-        }
-      }
+  /** Also shows the plant without light, side by side. @param colors  as in paint(); null: the light only */
+  paintPlant(colors) {
+    const isOther = (colors === null) !== (this.plant === null);
+    this.plant?.dispose();
+    this.plant = colors ? new OrganColors(this.run.count) : null;
+    this.plant?.write(colors);
+    if (isOther) {
+      this.#setAspect();
+      this.refit();
     }
     this.changed();
   }
 
-  /** Sets the camera's azimuth and elevation, degrees; azimuth clockwise from north. */
-  lookFrom(azimuth, elevation) {
+  /** Outlines organs. @param marks  see Passes.setMarks */
+  mark(marks) {
+    this.passes.setMarks(marks);
+    this.changed(false);
+  }
+
+  /** @param shading  strength of depth shading, 0 for none  @param ink  of edges, 0 to 1 each */
+  setShading(shading, ink) {
+    this.shading = shading;
+    this.passes.edges.ink.value.set(...ink);
+    this.changed(false);
+  }
+
+  /** Sets a scene behind the plants, such as a dome. null: none. */
+  setBackdrop(scene) {
+    this.backdrop = scene;
+    this.changed(false);
+  }
+
+  /** Sets what covers the canvas, CSS pixels from its sides; the scene is fitted into the rest. */
+  setInsets(insets) {
+    this.insets = insets;
+    this.#setAspect();
+    this.refit();
+  }
+
+  /** Clips to dot(normal, p) <= offset; null: no clipping. */
+  cut(normal, offset) {
+    this.passes.uniforms.cut.value.set(...(normal ? [...normal, offset] : [0, 0, 0, 1]));
+    this.passes.setCut(normal !== null);
+    this.changed();
+  }
+
+  /** Shows the plants from an azimuth, clockwise from north, and an elevation, degrees. */
+  viewFrom(azimuth, elevation) {
+    this.direction = { azimuth, elevation };
+    this.fit();
+  }
+
+  /** The unit vector from the scene to a camera in a direction. */
+  #towards({ azimuth, elevation }) {
     const north = new Vector3(...this.run.json.north);
     const east = new Vector3(north.y, -north.x, 0);
-    const radians = Math.PI / 180;
-    const high = Math.min(89.99, Math.max(-89.99, elevation)) * radians;
-    const flat = north.multiplyScalar(Math.cos(azimuth * radians)).addScaledVector(east, Math.sin(azimuth * radians));
-    const towards = flat.multiplyScalar(Math.cos(high)).add(new Vector3(0, 0, Math.sin(high)));
-    const middle = this.#middle();
-    this.controls.target.copy(middle);
-    this.camera.position.copy(middle).addScaledVector(towards, this.#distance());
+    const high = MathUtils.clamp(elevation, -89.99, 89.99) * kRadians;
+    const flat = north.multiplyScalar(Math.cos(azimuth * kRadians)).addScaledVector(east, Math.sin(azimuth * kRadians));
+    return flat.multiplyScalar(Math.cos(high)).add(new Vector3(0, 0, Math.sin(high)));
+  }
+
+  /** The azimuth and the elevation of the camera, degrees, its target and distance. */
+  get view() {
+    const from = this.camera.position.clone().sub(this.controls.target);
+    const [nx, ny] = this.run.json.north;
+    const azimuth = Math.atan2(from.x * ny - from.y * nx, from.x * nx + from.y * ny) / kRadians;
+    const elevation = Math.atan2(from.z, Math.hypot(from.x, from.y)) / kRadians;
+    return {
+      azimuth: (azimuth + 360) % 360, elevation, distance: from.length(), target: this.controls.target.toArray(),
+      isFitted: this.isFitted,
+    };
+  }
+
+  /** Sets the camera to a view. */
+  set view({ azimuth, elevation, distance, target }) {
+    this.isFitted = false;
+    this.#stand(this.#towards({ azimuth, elevation }), new Vector3(...target), distance);
+  }
+
+  #stand(towards, target, distance) {
+    this.controls.target.copy(target);
+    this.camera.position.copy(target).addScaledVector(towards, distance);
     this.controls.update();
+    this.budget.moved();
     this.changed();
+  }
+
+  /** Fits the plants into the free part of the canvas, as seen from the last chosen direction. */
+  fit() {
+    this.isFitted = true;
+    const towards = this.#towards(this.direction);
+    const { target, distance } = fitCamera(this.points.all, towards, this.#opening());
+    this.#stand(towards, target, distance);
+  }
+
+  /** Fits again, unless someone has turned the scene. */
+  refit() {
+    if (this.isFitted) {
+      this.fit();
+    }
+  }
+
+  /** Moves organs into the middle, and nearer, from the same direction. */
+  zoomTo(organ) {
+    const { first, vertices } = this.run.shape;
+    const points = [];
+    for (let i = first[organ]; i < first[organ + 1]; ++i) {
+      points.push(new Vector3().fromArray(vertices, 3 * i));
+    }
+    if (points.length > 0) {
+      const { target, distance } = fitCamera(points, this.#towards(this.view), this.#opening().map((x) => x / 3));
+      this.isFitted = false;
+      this.#stand(this.#towards(this.view), target, distance);
+    }
   }
 
   /** Turns by angles in degrees, and zooms in by a factor. */
   turn(around, up, nearer = 1) {
-    const from = this.camera.position.clone().sub(this.controls.target);
-    const radians = Math.PI / 180;
-    const flat = Math.hypot(from.x, from.y);
-    const angle = Math.atan2(from.y, from.x) + around * radians;
-    const limit = 89.9 * radians;
-    const high = Math.min(limit, Math.max(-limit, Math.atan2(from.z, flat) + up * radians));
-    const far = from.length() / nearer;
-    this.camera.position
-      .set(Math.cos(angle) * Math.cos(high), Math.sin(angle) * Math.cos(high), Math.sin(high))
-      .multiplyScalar(far)
-      .add(this.controls.target);
-    this.controls.update();
-    this.changed();
+    const { azimuth, elevation, distance, target } = this.view;
+    this.view = {
+      azimuth: azimuth - around, elevation: MathUtils.clamp(elevation + up, -89.9, 89.9), distance: distance / nearer, target,
+    };
   }
 
-  /** Shows horizon, north and sources. @param lights, hasSky  see makeDirections */
-  showDirections(lights, isShown, hasSky) {
-    this.scene.remove(this.directions);
-    disposeDirections(this.directions);
-    const base = this.#middle().setZ(this.low.z);
-    this.directions = isShown ? makeDirections(base, this.radius, this.run.json.north, lights, hasSky) : new Group();
-    this.scene.add(this.directions);
-    this.changed(false);
+  /** The free rectangle of one view, CSS pixels. */
+  #free() {
+    const { left, top, right, bottom } = this.insets;
+    const [width, height] = [this.#width, this.canvas.clientHeight];
+    const fits = width - left - right > 0.35 * width && height - top - bottom > 0.35 * height;
+    const used = fits && this.#views.length === 1 ? this.insets : { left: 0, top: 0, right: 0, bottom: 0 };
+    return {
+      width: Math.max(1, width - used.left - used.right), height: Math.max(1, height - used.top - used.bottom),
+      x: (used.left - used.right) / 2, y: (used.top - used.bottom) / 2,
+    };
+  }
+
+  /** Tangents of half the free angles. */
+  #opening() {
+    const { width, height } = this.#free();
+    const perPixel = Math.tan((kOpening * kRadians) / 2) / (Math.max(1, this.canvas.clientHeight) / 2);
+    return [(perPixel * width) / 2, (perPixel * height) / 2];
   }
 
   /** To be called after changes. @param moves  whether the visible organ of a pixel may have changed */
@@ -291,55 +271,96 @@ export class SceneWindow {
 
   draw() {
     this.hasDrawn = true;
-    const far = this.camera.position.distanceTo(this.controls.target);
-    this.camera.near = Math.max(far - 3 * this.radius, far / 500);
-    this.camera.far = far + 3 * this.radius;
-    this.camera.updateProjectionMatrix();
-    this.renderer.setScissorTest(true);
-    for (const [number, { organs, depth }] of this.#views.entries()) {
-      this.#drawView(number, organs.geometry, depth);
+    const { renderer, passes, budget } = this;
+    const isQuick = this.isQuickAllowed && budget.isMoving;
+    renderer.setRenderTarget(null);
+    renderer.clear();
+    this.#setRange();
+    this.#drawBackdrop();
+    this.organs.drawFraction(budget.share);
+    if (isQuick) {
+      renderer.clearDepth();
+      this.#drawOrgans(passes.quick, null);
+    } else {
+      this.#drawPicture();
     }
-    this.renderer.setScissorTest(false);
-    this.mesh.geometry = this.organs.colored.geometry;
-    this.budget.drawn();
+    budget.drawn();
+    this.onView();
   }
 
-  /** The current picture as a data URL. */
-  pictureUrl() {
-    this.budget.isMoving = false;
-    this.draw();
-    return this.canvas.toDataURL();
+  #drawPicture() {
+    const { passes, renderer } = this;
+    this.#drawOrgans(passes.full, passes.target);
+    this.isPictureOld = this.budget.share < 1;
+    passes.edges.shading.value = this.shading;
+    renderer.setViewport(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
+    passes.drawEdges(this.camera, renderer.getPixelRatio());
   }
 
-  /** The views side by side, and how much darker each is where it is seen edge-on. */
+  #setRange() {
+    const far = this.camera.position.distanceTo(this.controls.target);
+    const around = this.controls.target.clone().sub(this.low.clone().add(this.high).multiplyScalar(0.5)).length();
+    this.camera.near = Math.max(far - 1.05 * (this.radius + around), far / 500);
+    this.camera.far = far + 3 * (this.radius + around);
+    this.camera.updateProjectionMatrix();
+  }
+
+  #drawBackdrop() {
+    if (this.backdrop) {
+      this.#eachView((viewport) => {
+        this.renderer.setViewport(...viewport);
+        this.renderer.render(this.backdrop, this.camera);
+      });
+    }
+  }
+
+  /** Draws organs in all views. @param target  render target; null: the screen */
+  #drawOrgans(material, target) {
+    const { renderer, passes } = this;
+    const ratio = target ? renderer.getPixelRatio() : 1;
+    this.mesh.material = material;
+    renderer.setRenderTarget(target);
+    if (target) {
+      target.viewport.set(0, 0, target.width, target.height);
+      renderer.setRenderTarget(target);
+      renderer.clear();
+    }
+    this.#eachView((viewport, { colors, angle }) => {
+      passes.uniforms.palette.value = colors.texture;
+      passes.uniforms.angle.value = angle;
+      const scaled = viewport.map((x) => Math.floor(x * ratio));
+      if (target) {
+        target.viewport.set(...scaled);
+        renderer.setRenderTarget(target);
+      } else {
+        renderer.setViewport(...scaled);
+      }
+      renderer.render(this.scene, this.camera);
+    });
+    renderer.setRenderTarget(null);
+  }
+
+  /** The views side by side. */
   get #views() {
-    const { colored, plant } = this.organs;
-    return [{ organs: colored, depth: 0.28 }, ...(plant ? [{ organs: plant, depth: 0.6 }] : [])];
+    return [{ colors: this.light, ...kLight }, ...(this.plant ? [{ colors: this.plant, ...kPlant }] : [])];
+  }
+
+  #eachView(act) {
+    const width = this.#width;
+    this.#views.forEach((view, i) => act([i * width, 0, width, this.canvas.clientHeight], view));
   }
 
   /** The width of a view, CSS pixels. */
   get #width() {
-    return Math.floor(this.canvas.clientWidth / this.#views.length);
-  }
-
-  #drawView(number, geometry, depth) {
-    const { renderer, uniforms } = this;
-    const [width, height] = [this.#width, this.canvas.clientHeight];
-    const ratio = renderer.getPixelRatio();
-    renderer.setViewport(number * width, 0, width, height);
-    renderer.setScissor(number * width, 0, width, height);
-    uniforms.size.value.set(width, height).multiplyScalar(ratio);
-    uniforms.corner.value.set(number * width * ratio, 0);
-    uniforms.depth.value = depth;
-    this.mesh.geometry = geometry;
-    geometry.setDrawRange(0, 3 * Math.ceil(this.budget.share * this.run.shape.triangles));
-    renderer.render(this.scene, this.camera);
-    geometry.setDrawRange(0, Infinity);
+    return Math.floor(this.canvas.clientWidth / (this.plant ? 2 : 1));
   }
 
   #setAspect() {
-    this.camera.aspect = this.#width / this.canvas.clientHeight;
-    this.camera.updateProjectionMatrix();
+    const [width, height] = [Math.max(1, this.#width), Math.max(1, this.canvas.clientHeight)];
+    const { x, y } = this.#free();
+    this.camera.aspect = width / height;
+    this.camera.setViewOffset(width, height, -x, -y, width, height);
+    this.canvas.dataset.shift = `${x},${y}`;
   }
 
   #resize() {
@@ -347,7 +368,10 @@ export class SceneWindow {
     const known = this.renderer.getSize(new Vector2());
     if (width > 0 && height > 0 && (width !== known.x || height !== known.y)) {
       this.renderer.setSize(width, height, false); // which clears the canvas
+      const ratio = this.renderer.getPixelRatio();
+      this.passes.setSize(Math.floor(width * ratio), Math.floor(height * ratio));
       this.#setAspect();
+      this.refit();
       if (this.hasDrawn) {
         this.draw();
       }
@@ -355,27 +379,41 @@ export class SceneWindow {
     }
   }
 
+  /** The current picture, as a canvas. @param scale  pixels of it per pixel of the screen */
+  picture(scale) {
+    const { renderer, passes } = this;
+    const before = renderer.getPixelRatio();
+    const resize = (ratio) => {
+      renderer.setPixelRatio(ratio);
+      passes.setSize(Math.floor(this.canvas.clientWidth * ratio), Math.floor(this.canvas.clientHeight * ratio));
+    };
+    const copy = document.createElement("canvas");
+    this.budget.isMoving = false;
+    resize(before * scale);
+    this.draw();
+    [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
+    copy.getContext("2d").drawImage(this.canvas, 0, 0);
+    resize(before);
+    this.draw();
+    return copy;
+  }
+
+  /** The position of a point of the scene on the canvas, CSS pixels, in the first view. */
+  project(point) {
+    const seen = point.clone().project(this.camera);
+    return [((seen.x + 1) / 2) * this.#width, ((1 - seen.y) / 2) * this.canvas.clientHeight];
+  }
+
   /** The organ at a point of the canvas, in any of its views, CSS pixels; null for none. */
   organAt(x, y) {
-    const width = this.#width;
-    const height = this.canvas.clientHeight;
     if (this.isPictureOld) {
-      this.picture.setSize(width, height);
-      this.directions.visible = false;
-      this.mesh.geometry = this.organs.numbers().geometry;
-      this.mesh.material = this.picking;
-      this.renderer.setRenderTarget(this.picture);
-      this.renderer.clear();
-      this.renderer.render(this.scene, this.camera);
-      this.renderer.setRenderTarget(null);
-      this.mesh.geometry = this.organs.colored.geometry;
-      this.mesh.material = this.material;
-      this.directions.visible = true;
+      this.organs.drawFraction(1);
+      this.#setRange();
+      this.#drawOrgans(this.passes.full, this.passes.target);
       this.isPictureOld = false;
     }
-    const pixel = new Uint8Array(4);
-    this.renderer.readRenderTargetPixels(this.picture, Math.floor(x) % width, height - 1 - Math.floor(y), 1, 1, pixel);
-    const number = pixel[0] + 256 * pixel[1] + 65536 * pixel[2];
-    return number > 0 ? number - 1 : null;
+    const ratio = this.renderer.getPixelRatio();
+    const { height } = this.passes.target;
+    return this.passes.organAt(Math.floor(x * ratio), height - 1 - Math.floor(y * ratio));
   }
 }

@@ -2,11 +2,6 @@
 
 import { BufferAttribute, BufferGeometry, Sphere } from "three";
 
-/** The state of an organ, in the highest byte of its colour. */
-const kWhole = 255;
-const kMarked = 128;
-const kNumber = 0xffffff;
-
 /**
  * The shape of a scene, from the bytes that the program writes
  * (docs/develop/decisions/viewer-server.md): areas, heights and numbers of triangles of `count`
@@ -31,7 +26,7 @@ export function readShape(bytes, count) {
     }
     first[organ + 1] = next;
   }
-  return { areas, heights, triangles: total, vertices, corners, first };
+  return { areas, heights, counts: triangles, triangles: total, vertices, corners, first };
 }
 
 /** A step that visits all of `count` indices once, each far from the last (golden section). */
@@ -60,112 +55,66 @@ function spread(corners) {
   return result;
 }
 
-/** The triangles, each in the tint of its organ: its colour, and its state in the highest byte; 0 hides it. */
-class TintedGeometry {
-  constructor(shape, position, index) {
-    this.first = shape.first;
-    this.geometry = new BufferGeometry();
-    this.geometry.setAttribute("position", position);
-    this.geometry.setAttribute("tint", new BufferAttribute(new Uint32Array(shape.vertices.length / 3), 1));
-    this.geometry.setIndex(index);
-    this.geometry.boundingSphere = new Sphere(); // unused, and slow to compute
-    this.tint = this.geometry.attributes.tint;
-    this.isAllOld = true; // whether all tints on the GPU are outdated
-    this.tint.onUpload(() => (this.isAllOld = false));
-  }
-
-  /** Sets the tints of all organs. */
-  write(tintOf) {
-    for (let organ = 0; organ + 1 < this.first.length; ++organ) {
-      this.tint.array.fill(tintOf(organ), this.first[organ], this.first[organ + 1]);
-    }
-    this.isAllOld = true;
-    this.tint.clearUpdateRanges();
-    this.tint.needsUpdate = true;
-  }
-
-  /** Sets the tints of a few organs. */
-  rewrite(organs, tintOf) {
-    const kFew = 16; // maximum number of separate uploads
-    this.isAllOld ||= organs.length > kFew;
-    if (this.isAllOld) {
-      this.tint.clearUpdateRanges();
-    }
-    for (const organ of organs) {
-      const [from, to] = [this.first[organ], this.first[organ + 1]];
-      this.tint.array.fill(tintOf(organ), from, to);
-      if (!this.isAllOld && to > from) {
-        this.tint.addUpdateRange(from, to - from);
-      }
-    }
-    if (organs.length > 0) {
-      this.tint.needsUpdate = true;
+/** Organs that are drawn whole while the scene moves: the ground, and the largest ones of few triangles. */
+function wholeOrgans(shape, isGround) {
+  const kLargest = 64; // organs
+  const most = Math.max(2000, 0.05 * shape.triangles); // triangles
+  const inOrder = [...shape.areas.keys()].sort((a, b) => isGround[b] - isGround[a] || shape.areas[b] - shape.areas[a]);
+  const whole = new Uint8Array(shape.areas.length);
+  let triangles = 0;
+  for (const organ of inOrder.slice(0, kLargest)) {
+    if (triangles + shape.counts[organ] <= most) {
+      whole[organ] = 1;
+      triangles += shape.counts[organ];
     }
   }
+  return whole;
 }
 
-/** The organs in the colours of their light, in those of the plant, and as numbers, for picking. */
+/** The corners of whole organs first, then all others spread. @returns {corners, whole}: whole is the number of the first */
+function drawingOrder(shape, isGround) {
+  const isWhole = wholeOrgans(shape, isGround);
+  const whole = new Uint32Array(shape.corners.length);
+  const others = new Uint32Array(shape.corners.length);
+  let [wholeCount, otherCount, from] = [0, 0, 0];
+  shape.counts.forEach((count, organ) => {
+    const own = shape.corners.subarray(from, (from += 3 * count));
+    if (isWhole[organ]) {
+      whole.set(own, wholeCount);
+      wholeCount += own.length;
+    } else {
+      others.set(own, otherCount);
+      otherCount += own.length;
+    }
+  });
+  whole.set(spread(others.subarray(0, otherCount)), wholeCount);
+  return { corners: whole, whole: wholeCount };
+}
+
+/** The triangles; each vertex has the number of its organ, by which shaders find its colour. */
 export class OrganGeometry {
-  constructor(shape) {
-    const position = new BufferAttribute(shape.vertices, 3);
-    const index = new BufferAttribute(spread(shape.corners), 1);
-    this.make = () => new TintedGeometry(shape, position, index);
-    this.colored = this.make();
-    this.numbered = this.make();
-    this.plant = null;
-    this.tints = new Uint32Array(shape.first.length - 1);
-    this.marked = [];
-    this.areNumbersOld = true;
+  constructor(shape, isGround) {
+    const { corners, whole } = drawingOrder(shape, isGround);
+    const organs = new Uint32Array(shape.vertices.length / 3);
+    for (let organ = 0; organ + 1 < shape.first.length; ++organ) {
+      organs.fill(organ, shape.first[organ], shape.first[organ + 1]);
+    }
+    this.whole = whole;
+    this.count = corners.length;
+    this.geometry = new BufferGeometry();
+    this.geometry.setAttribute("position", new BufferAttribute(shape.vertices, 3));
+    this.geometry.setAttribute("organ", new BufferAttribute(organs, 1));
+    this.geometry.setIndex(new BufferAttribute(corners, 1));
+    this.geometry.boundingSphere = new Sphere(); // unused, and slow to compute
+  }
+
+  /** Draws whole organs, and a fraction of the triangles of all others. */
+  drawFraction(fraction) {
+    const others = (this.count - this.whole) / 3;
+    this.geometry.setDrawRange(0, this.whole + 3 * Math.ceil(fraction * others));
   }
 
   dispose() {
-    [this.colored, this.numbered, this.plant].forEach((each) => each?.geometry.dispose());
-  }
-
-  /** @param colors  one per organ, red in the lowest of three bytes; negative hides it */
-  paint(colors) {
-    colors.forEach((color, organ) => {
-      this.tints[organ] = color < 0 ? 0 : (kWhole << 24) | color;
-    });
-    this.marked.forEach((organ) => this.#setMark(organ, kMarked));
-    this.colored.write((organ) => this.tints[organ]);
-    this.plant?.write((organ) => this.#plantTint(organ));
-    this.areNumbersOld = true;
-  }
-
-  /** @param colors  one per organ, for the plant without light; null if it is not shown */
-  paintPlant(colors) {
-    this.plantColors = colors;
-    this.plant = colors && (this.plant ?? this.make());
-    this.plant?.write((organ) => this.#plantTint(organ));
-  }
-
-  /** Highlights organs. */
-  mark(organs) {
-    const changed = [...this.marked, ...organs];
-    this.marked.forEach((organ) => this.#setMark(organ, kWhole));
-    this.marked = organs;
-    this.marked.forEach((organ) => this.#setMark(organ, kMarked));
-    this.colored.rewrite(changed, (organ) => this.tints[organ]);
-    this.plant?.rewrite(changed, (organ) => this.#plantTint(organ));
-  }
-
-  /** Organs' numbers, from 1, as colours. */
-  numbers() {
-    if (this.areNumbersOld) {
-      this.numbered.write((organ) => (this.tints[organ] === 0 ? 0 : (kWhole << 24) | (organ + 1)));
-      this.areNumbersOld = false;
-    }
-    return this.numbered;
-  }
-
-  #plantTint(organ) {
-    return this.tints[organ] === 0 ? 0 : (this.tints[organ] & ~kNumber) | this.plantColors[organ];
-  }
-
-  #setMark(organ, mark) {
-    if (this.tints[organ] !== 0) {
-      this.tints[organ] = (mark << 24) | (this.tints[organ] & kNumber);
-    }
+    this.geometry.dispose();
   }
 }

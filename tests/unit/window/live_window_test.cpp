@@ -40,6 +40,11 @@ Result make_result(std::size_t bands, double more = 0) {
         const double mean = 10.0 * static_cast<double>(i / bands) + static_cast<double>(i % bands);
         result.values.push_back({mean + more, .5, mean + more - 1, mean + more + 1});
     }
+    for (std::size_t band = 0; band < bands; ++band) {
+        BandBudget budget;
+        budget.absorbed_by_organs.mean = 7 + static_cast<double>(band);
+        result.budget.push_back(budget);
+    }
     return result;
 }
 
@@ -90,6 +95,7 @@ TEST(LiveWindow, TellsOfFramesAsTheyCome) {
     EXPECT_EQ(frames[0]["scene"], frames[1]["scene"]);
     EXPECT_NE(frames[1]["scene"], frames[2]["scene"]);
     EXPECT_EQ(frames[2]["label"], "step 3");
+    EXPECT_EQ(frames[2]["light"], (Json{{"PAR", 7}, {"NIR", 8}}));
     window.end("over");
     EXPECT_EQ(json_of(window, "live")["ended"], "over");
 }

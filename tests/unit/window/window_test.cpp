@@ -32,7 +32,8 @@ namespace {
 constexpr const char* kToken = "0123456789abcdef0123456789abcdef";
 
 WindowData small_data() {
-    return {R"({"title":"</script><script>"})", std::string(36, 'p'), {"first", "second"}};
+    return {
+        R"({"title":"</script><script>"})", std::string(36, 'p'), {"first", "second"}, {{0}, {-1}}};
 }
 
 ViewerRoutes small_site() {
@@ -66,6 +67,30 @@ TEST(ViewerRoutes, GivesThePageAndItsData) {
     EXPECT_EQ(status_of_request(get_request(kRoot, "", "localhost:8080")), 200);
     EXPECT_EQ(status_of_request(get_request(kRoot, "Origin: http://127.0.0.1:8080\r\n")), 200);
     EXPECT_EQ(status_of_request(get_request(kRoot, "Sec-Fetch-Site: same-origin\r\n")), 200);
+}
+
+TEST(ViewerRoutes, GivesTheCourseOfAnOrgan) {
+    // Two organs at three times; the second time has no values.
+    const auto numbers = [](std::vector<float> all) {
+        return std::string(reinterpret_cast<const char*>(all.data()), all.size() * sizeof(float));
+    };
+    const WindowData data{
+        "{}",
+        "",
+        {numbers({1, 2, 3, 4, 5, 6, 7, 8}), numbers({11, 12, 13, 14, 15, 16, 17, 18})},
+        {{0}, {-1}, {1}}};
+    EXPECT_EQ(data.course(0, 1), numbers({2, 4, 6, 8, 0, 0, 0, 0, 12, 14, 16, 18}));
+    ViewerRoutes site(files_of(data), kToken);
+    site.set_port(8080);
+    const auto body = [&site](const std::string& name) {
+        const std::string request = get_request(kRoot + name);
+        const HttpAnswer answer = site.answer(parse_request(request));
+        return std::pair(answer.status, std::string(answer.body));
+    };
+    EXPECT_EQ(body("course-0-0"), std::pair(200, data.course(0, 0)));
+    for (const char* name : {"course-0-2", "course-1-0", "course-0", "course-0-0-0"}) {
+        EXPECT_EQ(body(name).first, 404) << name;
+    }
 }
 
 TEST(ViewerRoutes, RefusesOtherTokens) {
@@ -342,6 +367,7 @@ TEST(Page, ReportsHoldNoMarkupOfTheData) {
     EXPECT_NE(html.find(R"({"title":"\u003c/script>\u003cscript>"})"), std::string::npos);
     EXPECT_NE(html.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
     EXPECT_EQ(html.find("<!--"), html.npos) << "a mark is left";
+    EXPECT_NE(html.find("<meta name=\"viewport\""), html.npos) << "phones would show it as on a desk";
     EXPECT_NE(html.find("id=\"values-1\">c2Vjb25k</script>"), std::string::npos);
 }
 

@@ -1,0 +1,141 @@
+// Cards of pinned organs, and how they compare.
+
+import { classColor, kClasses, kDark, kFaint } from "./classes.js";
+import { make, svg } from "./dom.js";
+import { areaText, estimate, interval, many, percent, plain, withError, withUnit } from "./format.js";
+import { numberNode } from "./headline.js";
+import { kPins, pinLetter } from "./page.js";
+
+const kSure = 1.96;
+const kMostColumns = 60; // in "All numbers"
+
+const iconButton = (label, path, onclick) => make("button", { type: "button", class: "icon", "aria-label": label, title: label, onclick },
+  svg("svg", { viewBox: "0 0 20 20", "aria-hidden": "true" }, svg("path", { d: path })));
+const kCross = "M5 5l10 10M15 5L5 15";
+const kTarget = "M10 3v4M10 13v4M3 10h4M13 10h4M10 10v.1";
+const kCopy = "M7 7V4h9v9h-3M4 7h9v9H4z";
+
+export const letterBadge = (i) => {
+  const badge = make("span", { class: "badge" }, pinLetter(i));
+  badge.style.backgroundColor = kPins[i];
+  return badge;
+};
+
+/** "A to B: +170 %", or that there is no clear difference. */
+export function comparedWords(one, other) {
+  const difference = other.mean - one.mean;
+  const error = Math.hypot(one.error || 0, other.error || 0);
+  if (!(Math.abs(difference) >= kSure * error) || difference === 0) {
+    return "no clear difference";
+  }
+  const part = (100 * difference) / Math.abs(one.mean);
+  return one.mean === 0 ? "" : `${difference > 0 ? "+" : "−"}${plain(Math.abs(part), Math.abs(part) < 100 ? 2 : 3)} %`;
+}
+
+export class Cards {
+  /** @param zoom  called with an organ */
+  constructor(page, parent, zoom) {
+    Object.assign(this, { page, parent, zoom });
+  }
+
+  draw() {
+    this.shown = null;
+    this.mark();
+  }
+
+  mark() {
+    const { page, parent } = this;
+    const key = page.state.pins.join();
+    if (key === this.shown) {
+      return;
+    }
+    const open = new Set([...parent.querySelectorAll("details[open]")].map(({ dataset }) => dataset.organ));
+    this.shown = key;
+    const { pins } = page;
+    document.body.dataset.pins = pins.length > 0 ? "yes" : "no";
+    if (pins.length === 0) {
+      parent.replaceChildren();
+      return;
+    }
+    parent.replaceChildren(
+      make("div", { class: "top" }, make("h2", {}, `Pinned organs (${pins.length})`), make("span", { class: "space" }), iconButton("Unpin all", kCross, () => page.set({ pins: [] }))),
+      ...(pins.length > 1 ? [this.#compared(pins)] : []),
+      ...pins.map((organ, i) => this.#card(organ, i, open)));
+  }
+
+  #card(organ, i, open) {
+    const { page } = this;
+    const { run, values } = page;
+    const { unit } = run.json;
+    const labels = Object.entries(run.json.organs.labels).filter(([, { of }]) => of[organ] >= 0).map(([key, { values: all, of }]) => `${key} ${all[of[organ]]}`);
+    const about = [`id ${run.idOf(organ)}`, areaText(run.shape.areas[organ], unit), `${withUnit(plain(run.shape.heights[organ]), unit)} high`, this.#rank(organ), ...labels.slice(0, 4)];
+    const text = () => `${run.organName(organ)} (id ${run.idOf(organ)}): ${page.describe(organ)}, ${run.columnName(page.column)}`;
+    return make("article", { class: "card", "aria-label": run.organName(organ) },
+      make("div", { class: "name" }, letterBadge(i), make("h3", {}, run.organName(organ)),
+        iconButton("Zoom to it", kTarget, () => this.zoom(organ)), iconButton("Copy", kCopy, () => this.#copy(text())), iconButton(`Unpin ${run.organName(organ)}`, kCross, () => page.pin(organ))),
+      make("p", { class: "about" }, about.filter(Boolean).join(" · ")),
+      numberNode(values.mean[organ], values.error[organ], page.unit, page.state.show === "difference" ? undefined : values.high[organ]),
+      this.#sure(organ), this.#all(organ, open));
+  }
+
+  async #copy(text) {
+    await navigator.clipboard?.writeText(text).catch(() => {});
+    this.page.say("Copied");
+  }
+
+  #rank(organ) {
+    const { mean } = this.page.values;
+    const { isGround } = this.page.run;
+    if (!Number.isFinite(mean[organ]) || isGround[organ]) {
+      return "";
+    }
+    const rank = mean.reduce((count, value, i) => count + (!isGround[i] && value > mean[organ] ? 1 : 0), 1);
+    return `rank ${rank} of ${many(this.page.run.count - this.page.run.json.organs.ground.length, "organ").replace(/ organs?$/, "")}`;
+  }
+
+  #sure(organ) {
+    const { classes, values } = this.page;
+    const number = classes[organ];
+    const swatch = make("i", { class: "swatch" });
+    swatch.style.backgroundColor = classColor(number);
+    const relative = values.error[organ] / Math.abs(values.mean[organ]);
+    const words = number === kDark ? "no light found" : number === kFaint ? "too faint to matter" : number >= kClasses.length ? "error not known"
+      : relative > 0.5 ? "known to no better than 50 %" : `known to ${percent(relative)}`;
+    const ends = Number.isFinite(values.low[organ]) ? ` · 95 %: ${interval(values.low[organ], values.high[organ], values.error[organ])}` : "";
+    return make("p", { class: "sure" }, swatch, words + ends);
+  }
+
+  /** All quantities and bands, read when they are asked for. */
+  #all(organ, open) {
+    const { page } = this;
+    const box = make("div", {});
+    const key = page.run.idOf(organ);
+    const fill = async () => {
+      const { run, time } = page;
+      const { columns } = run;
+      const told = columns.length <= kMostColumns ? columns : columns.filter(({ band }) => !band || band === page.state.band);
+      const found = await Promise.all(told.map(({ number }) => run.values(time, number)));
+      box.replaceChildren(make("table", {}, make("tbody", {}, told.flatMap(({ number }, i) => (found[i] ? [make("tr", {},
+        make("th", { scope: "row" }, run.columnName(number)),
+        make("td", { class: "number" }, withUnit(withError(found[i].mean[organ], found[i].error[organ], found[i].high[organ]), run.unit(time, number))))] : [])))));
+    };
+    const details = make("details", { open: open.has(key), "data-organ": key, ontoggle: () => details.open && fill() }, make("summary", {}, "All numbers"), box);
+    return details;
+  }
+
+  #compared(pins) {
+    const { mean, error } = this.page.values;
+    const of = (organ) => ({ mean: mean[organ], error: error[organ] });
+    const rows = pins.map((organ, i) => make("tr", {}, make("th", { scope: "row" }, letterBadge(i)),
+      make("td", { class: "number" }, this.#valueText(organ)),
+      make("td", { class: "number" }, i === 0 ? "" : comparedWords(of(pins[0]), of(organ)))));
+    return make("section", { class: "card compared" }, make("h3", {}, "Compared"),
+      make("table", {}, make("thead", {}, make("tr", {}, make("th", {}), make("th", { class: "number", scope: "col" }, this.page.unit || "value"), make("th", { class: "number", scope: "col" }, "against A"))), make("tbody", {}, rows)));
+  }
+
+  #valueText(organ) {
+    const { mean, error, high } = this.page.values;
+    const { value, error: own } = estimate(mean[organ], error[organ], high[organ]);
+    return [value, own && make("span", { class: "error" }, ` ± ${own}`)];
+  }
+}

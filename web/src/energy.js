@@ -1,0 +1,87 @@
+// Where the light goes: what stands above all.
+
+import { plainUnit, unitText } from "./format.js";
+
+/** The parts of light at one time, in its own unit; null without an energy budget. */
+function budgetOf(head, band) {
+  const energy = head?.energy?.[band];
+  if (!energy) {
+    return null;
+  }
+  const mean = (part) => energy[part]?.mean ?? 0;
+  return {
+    unit: energy.unit, plants: mean("absorbed_by_organs"), plantsError: energy.absorbed_by_organs?.standard_error ?? NaN,
+    ground: mean("absorbed_by_ground"), sky: mean("escaped") + mean("cut_off"),
+  };
+}
+
+/** The budget of a sum over times: of its plants the error is known, as the sum has them as a group. */
+function summedBudget(page, entry, band) {
+  const { run, timeline } = page;
+  const steps = entry === timeline.total ? timeline.steps : timeline.steps.filter(({ date }) => date === entry.date);
+  const all = page.headOf(entry).groups?.find(({ by }) => by === "all")?.absorbed_flux?.[band];
+  const sum = { plants: 0, ground: 0, sky: 0 };
+  for (const step of steps) {
+    const head = page.headOf(step);
+    const own = budgetOf(head, band);
+    if (!own || !(head.seconds > 0)) {
+      return null;
+    }
+    Object.keys(sum).forEach((key) => (sum[key] += own[key] * head.seconds));
+  }
+  if (!all || all.mean === null || !(sum.plants > 0)) {
+    return null;
+  }
+  const factor = all.mean / sum.plants;
+  return {
+    unit: run.json.head.sum_units?.[band]?.flux ?? "", plants: all.mean, plantsError: all.standard_error ?? NaN,
+    ground: sum.ground * factor, sky: sum.sky * factor,
+  };
+}
+
+/** The area of the cell of a periodic scene, in square lengths of the scene; NaN for others. */
+export function cellArea(run) {
+  const cell = run.json.head.run_file?.cell;
+  if (!cell) {
+    return NaN;
+  }
+  const ends = (axis) => (Array.isArray(cell[axis]) && cell[axis].length === 2 ? cell[axis][1] - cell[axis][0] : NaN);
+  return ends("x") * ends("y");
+}
+
+/**
+ * The light of a band at an entry of the timeline.
+ * @returns {plants, error, unit, isPerGround, parts: [{name, part}]}; null if the result does not have it
+ */
+export function lightBudget(page, entry, band) {
+  const { run, timeline } = page;
+  const isSum = entry === timeline.total || timeline.days.includes(entry);
+  const found = isSum ? summedBudget(page, entry, band) : budgetOf(page.headOf(entry), band);
+  if (!found) {
+    return null;
+  }
+  const incoming = found.plants + found.ground + found.sky;
+  const { unit, factor } = plainUnit(found.unit);
+  const area = cellArea(run);
+  const isPerGround = area > 0 && /^(W|umol s-1|mol|MJ|J|kJ)$/.test(unit) && run.json.unit === "m";
+  const by = isPerGround ? 1 / area : factor;
+  const perGround = { "umol s-1": "umol m-2 s-1" }[unit] ?? `${unit} m-2`;
+  return {
+    plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : unit), isPerGround,
+    parts: incoming > 0 ? [["plants", "Plants"], ["ground", "Ground"], ["sky", "Back to the sky"]]
+      .map(([key, name]) => ({ key, name, part: Math.max(0, found[key]) / incoming })).filter(({ key, part }) => key !== "ground" || part > 0) : [],
+  };
+}
+
+/** The light that all plants take of a band at a time, for the bars of the strip. */
+export const plantLight = (head, band) => {
+  const { energy } = head ?? {};
+  return (energy?.[band] ?? Object.values(energy ?? {})[0])?.absorbed_by_organs?.mean ?? NaN;
+};
+
+/** The estimate of all organs together of a quantity: {mean, error}; null if it is not known. */
+export function allPlants(head, quantity, band) {
+  const found = head?.groups?.find(({ by }) => by === "all")?.[quantity];
+  const estimate = band ? found?.[band] : found;
+  return estimate && estimate.mean !== null ? { mean: estimate.mean, error: estimate.standard_error ?? NaN } : null;
+}

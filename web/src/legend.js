@@ -1,0 +1,147 @@
+// The legend in the scene: a scale with marks, or the classes of errors; and how well organs are known.
+
+import { kClasses, kGreys, kDark, kGrey } from "./classes.js";
+import { byId, make } from "./dom.js";
+import { percent, plain } from "./format.js";
+import { endsOf, partOf, ticks, weightedQuantile } from "./numbers.js";
+import { kPins, qualityOf } from "./page.js";
+
+/** Round values on a scale. */
+function ticksOf({ low, high, isLog }, count) {
+  if (!isLog) {
+    return ticks(low, high, count);
+  }
+  const powers = [];
+  for (let power = Math.ceil(Math.log10(low)); 10 ** power <= high; ++power) {
+    powers.push(10 ** power);
+  }
+  return powers.length > 1 ? powers : [low, high];
+}
+
+/** "Half of the organs are known to 0.6 % or better, the worst to 1 %" */
+function knownWords({ values, classes, isShown, run }) {
+  const parts = values.mean.map((mean, i) =>
+    (classes[i] < kClasses.length && isShown[i] && !run.isGround[i] ? values.error[i] / Math.abs(mean) : NaN));
+  const half = weightedQuantile(parts, new Uint8Array(parts.length).fill(1), 0.5);
+  const worst = endsOf(parts).high;
+  if (!Number.isFinite(half)) {
+    return "No errors are known";
+  }
+  const count = parts.reduce((sum, part) => sum + (Number.isFinite(part) ? 1 : 0), 0);
+  return count === 1 ? `Known to ${percent(half, 1)}` : `Half of the organs are known to ${percent(half, 1)} or better, the worst to ${worst > 0.5 ? "no better than 50 %" : percent(worst, 1)}`;
+}
+
+export class Legend {
+  constructor(page, parent) {
+    Object.assign(this, { page, parent, isFlat: matchMedia("(max-width: 640px) and (min-height: 480px)") });
+    this.isFlat.addEventListener("change", () => this.draw());
+  }
+
+  draw() {
+    const { page } = this;
+    const { state, run, timeline, entry } = page;
+    const time = entry.name ? ` · ${timeline.wordsOf(entry)}` : "";
+    const isError = state.show === "error";
+    const title = isError ? "How well it is known" : `${state.show === "difference" ? `${run.json.minus.title}: ` : ""}${run.columnName(page.column)}`;
+    const note = isError ? `standard error, % of the value${time}` : `${page.unit}${time}`.replace(/^ · /, "");
+    this.arrows = make("div");
+    this.parent.replaceChildren(
+      make("h2", { id: "legend-title", title: run.json.columns[page.column].quantity }, title), make("p", { class: "note", id: "legend-note" }, note),
+      ...(isError ? [this.#classes()] : [this.#scale(), ...this.#quality()]));
+    this.mark();
+    page.tell("legend");
+  }
+
+  #classes() {
+    const counts = new Array(kClasses.length + kGreys.length).fill(0);
+    this.page.classes.forEach((number, i) => (counts[number] += this.page.isShown[i]));
+    const row = (color, name, count, kind) => {
+      const swatch = make("i", { class: kind === "dark" ? "swatch hatched" : "swatch" });
+      swatch.style.backgroundColor = color;
+      return make("li", { class: kind && "grey" }, swatch, make("span", {}, name), make("span", {}, String(count)));
+    };
+    return make("ul", {}, kClasses.map(({ color, name }, i) => row(color, this.isFlat.matches ? kClasses[i].short : name, counts[i])),
+      kGreys.filter(({ number }) => counts[number] > 0).map(({ number, name }) => row(kGrey, name, counts[number], number === kDark ? "dark" : "grey")));
+  }
+
+  #scale() {
+    const { page } = this;
+    const { scale } = page;
+    const bar = make("div", { id: "legend-bar" });
+    const stops = page.map.map((rgb) => `rgb(${rgb.join(",")})`).join(",");
+    bar.style.backgroundImage = `linear-gradient(to ${this.isFlat.matches ? "right" : "top"},${stops})`;
+    const place = (node, value) => {
+      node.style[this.isFlat.matches ? "left" : "bottom"] = `${100 * partOf(value, scale)}%`;
+      return node;
+    };
+    this.place = place;
+    const highest = endsOf(page.values.mean).high;
+    const marks = ticksOf(scale, 4).map((value) => place(make("span", { class: "tick" }, plain(value)), value));
+    const over = highest > scale.high * (1 + 1e-6) && make("span", { class: "over" }, `▲ up to ${plain(highest, 2)}`);
+    return make("div", { id: "legend-scale" }, bar, marks, over, this.arrows, page.state.show === "value" && [this.#end(1), this.#end(0)]);
+  }
+
+  /** A double click on an end of the scale edits it. */
+  #end(k) {
+    const { page } = this;
+    const button = make("button", { type: "button", "aria-label": `Edit the ${k === 0 ? "lower" : "upper"} end of the scale`, title: "Double click to edit" });
+    button.style[k === 0 ? "bottom" : "top"] = "-12px";
+    const edit = () => {
+      const { low, high } = page.scale;
+      const input = make("input", { class: "end", "aria-label": button.getAttribute("aria-label"), value: String(Number([low, high][k].toPrecision(3))) });
+      input.style[k === 0 ? "bottom" : "top"] = "-12px";
+      const done = (isKept) => {
+        const ends = [low, high];
+        ends[k] = Number(input.value);
+        input.remove();
+        const isGood = isKept && input.value.trim() && ends[1] > ends[0];
+        page.set({ ends: isGood ? ends : isKept && !input.value.trim() ? null : page.state.ends });
+      };
+      input.addEventListener("keydown", (event) => {
+        event.stopPropagation();
+        if (event.key === "Enter" || event.key === "Escape") {
+          done(event.key === "Enter");
+        }
+      });
+      button.after(input);
+      input.select();
+      input.focus();
+    };
+    button.addEventListener("dblclick", edit);
+    button.addEventListener("keydown", (event) => event.key === "Enter" && edit());
+    return button;
+  }
+
+  #quality() {
+    const { page } = this;
+    if (page.state.show === "difference") {
+      return [make("p", { class: "known" }, `Grey: smaller than its error. ${page.run.json.minus.errors}`)];
+    }
+    const bar = make("div", { class: "quality", "aria-hidden": "true" });
+    qualityOf(page).forEach((part, i) => {
+      const piece = make("i");
+      piece.style.flexGrow = part;
+      piece.style.backgroundColor = kClasses[i].color;
+      bar.append(piece);
+    });
+    return [bar, make("p", { class: "known" }, page.absent || knownWords(page))];
+  }
+
+  /** Arrows at the values of organs that are pinned or pointed at. */
+  mark() {
+    const { page } = this;
+    if (page.state.show === "error" || !page.values || !this.place) {
+      return;
+    }
+    const arrow = (organ, color) => {
+      const node = this.place(make("i", { class: "arrow" }), page.values.mean[organ]);
+      if (color) {
+        node.style[this.isFlat.matches ? "borderTopColor" : "borderLeftColor"] = color;
+      }
+      return node;
+    };
+    const known = (organ) => Number.isFinite(page.values.mean[organ]);
+    this.arrows.replaceChildren(...page.pins.flatMap((organ, i) => (known(organ) ? [arrow(organ, kPins[i])] : [])),
+      ...(page.hovered !== null && known(page.hovered) ? [arrow(page.hovered)] : []));
+  }
+}

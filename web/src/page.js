@@ -1,0 +1,281 @@
+// What the page shows: the choices of the user, the numbers that follow from them, and who draws them.
+
+import { kClasses, classColor, classesOf } from "./classes.js";
+import { byId } from "./dom.js";
+import { noFilters, organsPassing } from "./filters.js";
+import { allPlants, plantLight } from "./energy.js";
+import { counted, many, withError, withUnit } from "./format.js";
+import { colorsOf, packed, scaleOf, weightedQuantile } from "./numbers.js";
+import { AddressKeeper, addressOf, startOf } from "./state.js";
+
+export const kPins = ["#cf318e", "#bf5400", "#1b73d5", "#148460", "#8f54dd", "#7d7617"];
+export const pinLetter = (i) => "ABCDEF"[i];
+const kDifference = ["#2166ac", "#4393c3", "#92c5de", "#d1e5f0", "#f4f1ec", "#fddbc7", "#f4a582", "#d6604d", "#b2182b"];
+const kSmaller = packed("#c4c9c6"); // of differences smaller than their errors
+const kSure = 1.96; // standard errors of a 95 % interval
+
+const nothing = (n) => () => new Float32Array(n).fill(NaN);
+
+/** The reds, greens and blues of a list of "#rrggbb". */
+const mapOf = (colors) => colors.map((color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)));
+
+export class Page {
+  /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress, see live_page.js */
+  constructor(run, timeline, chosen, live = null) {
+    Object.assign(this, { run, timeline, live, hovered: null, pointed: null, parts: [], absent: "" });
+    const start = { ...startOf(innerWidth, innerHeight), beside: run.json.grows === true };
+    this.state = { ...structuredClone(start), ...chosen };
+    this.address = new AddressKeeper(() => addressOf(this.state, start));
+    this.colorMaps = { ...run.colorMaps, difference: mapOf(kDifference) };
+    this.#checkChoices();
+  }
+
+  /** Replaces choices that this result does not have. */
+  #checkChoices() {
+    const { run, state } = this;
+    const known = run.columnOf(state.quantity, state.band);
+    if (known < 0 || !run.columns.some(({ number }) => number === known)) {
+      const same = run.columns.find(({ quantity }) => quantity === state.quantity) ?? run.columns[0];
+      Object.assign(state, { quantity: same?.quantity ?? "", band: same?.band ?? "" });
+    }
+    if (!["value", "error", ...(run.json.minus ? ["difference"] : [])].includes(state.show)) {
+      state.show = "value";
+    }
+    state.map = run.colorMaps[state.map] ? state.map : "viridis";
+    state.pins = state.pins.filter((id) => run.organOfId(String(id)) >= 0).slice(0, kPins.length);
+    this.entry = this.timeline.find(state.time) ?? this.timeline.first((step) => this.lightOf(step));
+    state.time = this.entry.key;
+  }
+
+  get time() {
+    return this.run.json.times.length === 1 ? 0 : this.entry.index;
+  }
+
+  get column() {
+    return Math.max(0, this.run.columnOf(this.state.quantity, this.state.band));
+  }
+
+  get unit() {
+    return this.run.unit(this.time, this.column);
+  }
+
+  /** The band by which light is counted. */
+  get band() {
+    return this.state.band || (this.run.json.columns.find(({ band }) => band)?.band ?? "");
+  }
+
+  get head() {
+    return this.run.headOf(this.time);
+  }
+
+  /** The result at an entry without its organs; of a run in progress, as far as it is loaded. */
+  headOf(entry) {
+    return this.live ? this.live.headOf(entry) : this.run.headOf(entry.index);
+  }
+
+  /** The light that the plants take at a time: the height of its bar. */
+  lightOf(step) {
+    return this.live ? this.live.lightOf(step, this.band) : plantLight(this.headOf(step), this.band);
+  }
+
+  /** The light that the plants take on a day. */
+  dayLight(day) {
+    return allPlants(this.headOf(day), "absorbed_flux", this.band)?.mean ?? 0;
+  }
+
+  /** See RunData.course. */
+  courseOf(times, column, organ) {
+    return this.live ? this.live.course(times, column, this.run.idOf(organ)) : this.run.course(times, column, organ);
+  }
+
+  /** "70 of 77 organs shown" */
+  shownWords() {
+    const count = this.isShown.reduce((sum, one) => sum + one, 0);
+    return `${counted(count)} of ${many(this.run.count, "organ")} shown`;
+  }
+
+  get pins() {
+    return this.state.pins.map((id) => this.run.organOfId(String(id)));
+  }
+
+  /** Changes choices and draws again. Several parts of the page listen; see `parts`. */
+  set(changes) {
+    Object.assign(this.state, changes);
+    this.address.later();
+    const keys = Object.keys(changes);
+    const isOnly = (...names) => keys.every((key) => names.includes(key));
+    if (isOnly("pins")) {
+      this.mark();
+    } else if (isOnly("panel", "drawer", "tab", "theme", "view")) {
+      this.tell("fold");
+    } else if (isOnly("directions", "dome", "shading", "beside", "cut", "cutAt")) {
+      this.tell("look");
+    } else if (keys.some((key) => ["quantity", "band", "time"].includes(key)) || keys.includes("show")) {
+      return this.update();
+    } else {
+      this.paint();
+    }
+    return Promise.resolve();
+  }
+
+  tell(what) {
+    this.parts.forEach((part) => part[what]?.());
+  }
+
+  /** Shows an entry of the timeline. */
+  goTo(entry) {
+    if (!entry?.isKnown || entry.key === this.entry.key) {
+      return Promise.resolve();
+    }
+    return this.live ? this.live.select(entry.index) : this.set({ time: entry.key, values: null, ends: null });
+  }
+
+  /** Another result, or another state of it. */
+  async replace(run, timeline, key) {
+    const isNewScene = run.shape !== this.run.shape;
+    this.run = run;
+    this.timeline = timeline;
+    this.state.time = key;
+    this.#checkChoices();
+    if (isNewScene) {
+      this.hovered = null;
+      this.tell("scene");
+    }
+    await this.update();
+  }
+
+  /** Reads the numbers of the chosen column and time, and shows them. */
+  async update() {
+    const { run, state } = this;
+    this.entry = this.timeline.find(state.time) ?? this.entry;
+    const { time, column } = this;
+    const [values, difference] = await Promise.all([
+      run.values(time, column), state.show === "difference" ? run.difference(time, column) : null]);
+    if (time !== this.time || column !== this.column || run !== this.run) {
+      return; // the choice has changed in the meantime
+    }
+    this.absent = values === null && run.has(time, column) ? "The program ended before this page had loaded these values." : "";
+    const none = nothing(run.count);
+    this.values = (state.show === "difference" ? difference : values) ?? { mean: none(), error: none(), low: none(), high: none() };
+    await this.#findScale();
+    this.paint();
+    this.tell("time");
+  }
+
+  /** What the scale spans: one time, or all of them. */
+  async #findScale() {
+    const { run, state, column } = this;
+    const { areas } = run.shape;
+    const what = `${column} ${state.show} ${this.unit}`;
+    if (state.show === "difference") {
+      const size = scaleOf(this.values.mean.map(Math.abs), areas).high;
+      this.usual = { low: -size, high: size };
+    } else if (!state.sameScale) {
+      this.usual = scaleOf(this.values.mean, areas);
+    } else if (this.usualIsOf !== `${what} all`) {
+      const steps = this.timeline.steps.includes(this.entry) && run.json.times.length > 1 ? this.timeline.steps : [this.entry];
+      const all = await Promise.all(steps.map((step) => run.values(run.json.times.length > 1 ? step.index : 0, column)));
+      const scales = all.filter(Boolean).map(({ mean }) => scaleOf(mean, areas));
+      this.usual = scales.reduce((a, b) => ({ low: Math.min(a.low, b.low), high: Math.max(a.high, b.high) }), { low: 0, high: 0 });
+      this.usual.high = this.usual.high > this.usual.low ? this.usual.high : this.usual.low + 1;
+    }
+    this.usualIsOf = `${what}${state.sameScale ? " all" : ""}`;
+    this.spread = state.show === "value" ? [0.05, 0.95].map((part) => weightedQuantile(this.values.mean, areas, part)) : [NaN, NaN];
+  }
+
+  /** Whether a logarithmic scale shows more. */
+  get suitsLog() {
+    return this.spread[0] > 0 && this.spread[1] > 100 * this.spread[0];
+  }
+
+  #scale() {
+    const { state, usual } = this;
+    const [low, high] = state.ends ?? [usual.low, usual.high];
+    const isLog = state.isLog && this.suitsLog;
+    return { low: isLog ? Math.max(low, this.spread[0] / 2) : low, high: high > low ? high : low + 1, isLog };
+  }
+
+  /** Shows the organs that pass the filters. */
+  paint() {
+    const { run, state, values } = this;
+    if (!values) {
+      return;
+    }
+    this.scale = this.#scale();
+    this.classes = classesOf(values, run.shape.areas);
+    this.isShown = organsPassing(run, values.mean, this.classes, state);
+    this.colors = this.#colors();
+    this.tell("draw");
+    this.mark();
+  }
+
+  get map() {
+    return this.state.show === "difference" ? this.colorMaps.difference : this.colorMaps[this.state.map];
+  }
+
+  /** The colour of each organ, whether it is shown or not. */
+  #colors() {
+    const { mean, error } = this.values;
+    if (this.state.show === "error") {
+      return Int32Array.from(this.classes, (number) => packed(classColor(number)));
+    }
+    const colors = colorsOf(mean, this.scale, this.map);
+    return this.state.show === "difference"
+      ? colors.map((color, i) => (Math.abs(mean[i]) < kSure * error[i] ? kSmaller : color)) : colors;
+  }
+
+  /** Shows what is pinned and pointed at. */
+  mark() {
+    this.tell("mark");
+  }
+
+  hover(organ) {
+    if (organ !== this.hovered) {
+      this.hovered = organ;
+      this.mark();
+    }
+  }
+
+  /** Dims all organs but these. @param organs  null: none is dimmed */
+  point(organs) {
+    this.pointed = organs && new Set(organs);
+    this.mark();
+  }
+
+  pin(organ) {
+    const id = this.run.idOf(organ);
+    const { pins } = this.state;
+    if (pins.map(String).includes(String(id))) {
+      this.set({ pins: pins.filter((other) => String(other) !== String(id)) });
+    } else {
+      this.set({ pins: [...pins.slice(-(kPins.length - 1)), id] });
+    }
+  }
+
+  /** The estimate of an organ with its unit, as text. */
+  describe(organ) {
+    const { mean, error, high } = this.values;
+    return withUnit(withError(mean[organ], error[organ], this.state.show === "difference" ? undefined : high[organ]), this.unit);
+  }
+
+  clearFilters() {
+    this.set(noFilters());
+  }
+
+  /** Words to be read out. */
+  say(text) {
+    byId("said").textContent = text;
+  }
+}
+
+/** The parts of the absorbed light that organs of each class of error take, without grey ones. */
+export function qualityOf({ classes, values, run, isShown }) {
+  const sums = new Float64Array(kClasses.length);
+  classes.forEach((number, i) => {
+    if (number < kClasses.length && isShown[i] && !run.isGround[i]) {
+      sums[number] += Math.abs(values.mean[i]) * run.shape.areas[i];
+    }
+  });
+  const total = sums.reduce((a, b) => a + b, 0);
+  return total > 0 ? [...sums].map((sum) => sum / total) : [];
+}

@@ -1,0 +1,151 @@
+// Run and warnings: how the result was computed, as sentences and tables. Texts of results are never markup.
+
+import { drawConvergence } from "./convergence.js";
+import { make } from "./dom.js";
+import { lightBudget } from "./energy.js";
+import { counted, kUnknownText, many, percent, plain, unitText, plainUnit, withError, withUnit } from "./format.js";
+
+/** @param rows  lists of texts, numbers as {number: text}, or nodes */
+export function table(caption, heads, rows) {
+  const cell = (value) => {
+    const isNumber = value !== null && typeof value === "object" && value.number !== undefined;
+    return make("td", { class: isNumber && "number" }, isNumber ? value.number : value ?? "");
+  };
+  const isNumber = (i) => rows[0]?.[i]?.number !== undefined;
+  const made = make("table", {}, caption && make("caption", {}, caption),
+    heads.some(Boolean) && make("thead", {}, make("tr", {}, heads.map((text, i) => make("th", { scope: "col", class: isNumber(i) && "number" }, text)))),
+    make("tbody", {}, rows.map((row) => make("tr", {}, row.map(cell)))));
+  return make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": caption || "table" }, made);
+}
+
+function words(value) {
+  return value === null || value === undefined ? kUnknownText : typeof value === "object" ? JSON.stringify(value) : String(value);
+}
+
+/** An estimate in a unit, converted to one that does not mix lengths. */
+function estimateIn(factor) {
+  return (e) => ({ number: e && e.mean !== null ? withError(e.mean * factor, (e.standard_error ?? NaN) * factor) : kUnknownText });
+}
+
+function energyParts(energy, isRemainder) {
+  const rows = Object.entries(energy).map(([band, e]) => {
+    const { unit, factor } = plainUnit(e.unit);
+    const estimate = estimateIn(factor);
+    return [band, unitText(unit), estimate({ mean: e.emitted, standard_error: e.emitted_standard_error }), estimate(e.absorbed_by_organs),
+      estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off), estimate(e.imbalance)];
+  });
+  const worst = Math.max(...Object.values(energy).map(({ closure_error: error }) => error ?? 0));
+  const closes = worst > 0 ? `The budget adds up to 1 part in ${plain(1 / worst, 1)}.` : "The budget adds up exactly.";
+  return [make("p", {}, closes, isRemainder ? " Escaped light is the remainder of the budget." : ""), table("Light ± standard error",
+    ["Band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "ended by chance"], rows)];
+}
+
+function groupTables(groups, bands, unitOf) {
+  const hasSunlit = groups.some(({ sunlit_fraction: fraction }) => fraction);
+  const estimate = estimateIn(1);
+  return bands.map((band) => table(`${band}: sums over organs ± standard error`,
+    ["group", "organs", "area", `absorbed (${unitOf("absorbed_flux", band)})`, `absorbed per area (${unitOf("absorbed_flux_density", band)})`, ...(hasSunlit ? ["sunlit fraction"] : [])],
+    groups.map((group) => [
+      group.by === "all" ? "all organs" : `${group.by} = ${words(group.value)}`, { number: counted(group.organs) }, { number: plain(group.area) },
+      estimateIn(plainUnit(unitOf("absorbed_flux", band, true)).factor)(group.absorbed_flux?.[band]), estimate(group.absorbed_flux_density?.[band]), ...(hasSunlit ? [estimate(group.sunlit_fraction)] : [])])));
+}
+
+/** Advice on totals of labels without groups in the run: their errors do not follow from those of organs. */
+function missingGroups(run, groups) {
+  const kMaxLabels = 100; // maximum number of values of a label for groups
+  const keys = Object.entries(run.json.organs.labels)
+    .filter(([key, { values }]) => values.length <= kMaxLabels && !groups.some(({ by }) => by === key)).map(([key]) => key);
+  return keys.length > 0 && make("p", {}, `For totals by label with their errors, set groups = ${JSON.stringify(keys)} in [run].`);
+}
+
+function convergenceParts(rounds) {
+  const rows = rounds.map((round) => [{ number: counted(round.paths) }, { number: plain(round.seconds) },
+    ...[round.median_error, round.worst_error, round.fraction_at_target].map((part) => ({ number: percent(part) }))]);
+  const chart = make("div", { id: "convergence" });
+  setTimeout(() => drawConvergence(chart, rounds)); // once it has a size
+  return [chart, table("Relative standard errors of the flux absorbed by organs", ["paths", "seconds", "median", "largest", "at the target"], rows)];
+}
+
+const kStops = {
+  finished: "stopped: all paths done", paths_done: "stopped: all paths done", interrupted: "stopped by the user",
+};
+
+/** "65,536 paths × 8 replicates; stopped: all paths done" */
+function completedWords({ paths, replicates, time_steps: steps, time_steps_requested: requested, computed, stop }) {
+  return [
+    ...(paths === undefined ? [] : [`${counted(paths)} paths × ${replicates} replicates`]),
+    ...(steps === undefined ? [] : [`${steps} of ${many(requested, "time step")}, ${computed} computed, others dark or scaled copies`]),
+    ...(stop === undefined ? [] : [kStops[stop] ?? `stopped: ${stop.replaceAll("_", " ")}`]),
+  ].join("; ");
+}
+
+function aboutRun(run, now) {
+  const { head } = run.json;
+  const { organs, triangles, length_unit: unit } = head.scene ?? {};
+  const method = now.method ?? head.method;
+  const rows = [
+    ["scene", `${many(organs ?? run.count, "organ")}, ${many(triangles ?? run.shape.triangles, "triangle")}${unit ? `, lengths in ${unit}` : ""}`],
+    ...(head.sources ?? []).map((source) => ["source", source]),
+    ...(head.point ? [["point", words(head.point)]] : []),
+    ...[head.time ?? []].flat().map((text) => ["time steps", words(text)]),
+    ...(method ? [["method", `${method.used}${method.reason ? `: ${method.reason}` : ""}`]] : []),
+    ["completed", completedWords(now.completed ?? head.completed ?? {})],
+    ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (p = ${plain(now.audit.p_value)})`]] : []),
+    ["program", head.program_version ? `QuasiMC ${head.program_version}` : run.json.program],
+    ...(head.run_file_path ? [["run file", head.run_file_path]] : []),
+  ];
+  return table("", ["", ""], rows);
+}
+
+function settings(head) {
+  const options = Object.entries(head.run_file?.run ?? {}).map(([key, value]) => [key, words(value)]);
+  const inputs = (head.inputs ?? []).map((file) => [file.path, { number: counted(file.bytes) }, file.sha256]);
+  const text = make("details", {}, make("summary", {}, "Complete run file"), make("pre", {}, JSON.stringify(head.run_file ?? {}, null, 1)));
+  return make("details", {}, make("summary", {}, "Files and settings"),
+    inputs.length > 0 && table("Input files", ["file", "bytes", "SHA-256"], inputs), options.length > 0 && table("Settings", ["option", "value"], options), text);
+}
+
+export class RunTab {
+  constructor(page, parent) {
+    Object.assign(this, { page, parent });
+  }
+
+  draw() {
+    const { page } = this;
+    const key = `${page.time} ${page.run.json.title}`;
+    if (this.isOf !== page.run || this.key !== key) {
+      Object.assign(this, { isOf: page.run, key });
+      this.#show();
+    }
+  }
+
+  /** "PAR: plants 88.2 %, ground 7.7 %, back to the sky 4.1 %." */
+  #lightWords(bands) {
+    return bands.flatMap((band) => {
+      const parts = lightBudget(this.page, this.page.entry, band)?.parts ?? [];
+      return parts.length > 0 ? [make("p", {}, `${band}: ${parts.map(({ name, part }) => `${name.toLowerCase()} ${(100 * part).toFixed(1)} %`).join(", ")}.`)] : [];
+    });
+  }
+
+  #show() {
+    const { run, head: now, timeline, entry } = this.page;
+    const { head } = run.json;
+    const bands = [...new Set(run.json.columns.map(({ band }) => band).filter(Boolean))];
+    const when = entry.name ? `, ${timeline.wordsOf(entry)}` : "";
+    const unitOf = (quantity, band, isRaw) => {
+      const found = run.columnOf(quantity, band);
+      return found < 0 ? "" : isRaw ? run.json.columns[found].unit : run.unit(this.page.time, found);
+    };
+    const warnings = head.warnings ?? [];
+    const section = (title, ...nodes) => [make("h2", {}, title), ...nodes];
+    this.parent.replaceChildren(...[
+      ...(warnings.length > 0 ? section(many(warnings.length, "warning"), make("ul", { class: "warnings" },
+        warnings.map(({ where, text }) => make("li", {}, where && make("b", {}, `${where}: `), text)))) : []),
+      ...section("How it was computed", aboutRun(run, now)),
+      ...section(`Where the light goes${when}`, ...this.#lightWords(bands), ...(now.energy ? energyParts(now.energy, now.escaped_by_difference ?? head.escaped_by_difference) : [])),
+      ...(now.rounds?.length > 0 ? section(`Convergence${when}`, ...convergenceParts(now.rounds)) : []),
+      ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf), missingGroups(run, now.groups)) : []),
+      settings(head),
+    ].filter(Boolean));
+  }
+}

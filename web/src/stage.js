@@ -1,0 +1,252 @@
+// The scene in the page: pointing, pinning, the tip, letters of pinned organs, sun and sky around it.
+
+import { Vector3 } from "three";
+import { byId, make } from "./dom.js";
+import { Directions, meanDirection } from "./directions.js";
+import { disposeDome, makeDome, meanSky, skyCells } from "./dome.js";
+import { percent } from "./format.js";
+import { kPins, pinLetter } from "./page.js";
+import { cutEnds } from "./panel.js";
+import { plantColors } from "./plant.js";
+import { SceneWindow } from "./scene.js";
+import { kMaxMarks } from "./passes.js";
+
+const rgbOf = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
+const isDark = () => document.documentElement.dataset.theme === "dark";
+
+/** The lights of what is shown: {path, hours, sun, lamps, cells}; the path of the sun has its directions of each hour. */
+export function lightsOf({ run, timeline, entry, time }) {
+  const times = run.json.times;
+  const own = times[time];
+  const isSum = entry === timeline.total || timeline.days.includes(entry);
+  const beside = times.length > 1 ? timeline.stepsBeside(isSum && entry !== timeline.total ? entry : entry.date ? entry : null) : [];
+  const hasPath = timeline.dates.length === 1 || (timeline.dates.length > 1 && entry !== timeline.total);
+  const path = hasPath ? beside.flatMap(({ index }) => times[index].suns) : [];
+  const hours = hasPath ? beside.map(({ index }) => meanDirection(times[index].suns)).filter(Boolean) : [];
+  const skies = isSum ? beside.map(({ index }) => times[index].sky).filter(Boolean) : own.sky ? [own.sky] : [];
+  return { path, hours, sun: isSum ? null : meanDirection(own.suns), lamps: own.lamps, cells: skies.length === 0 ? null : skies.length === 1 ? skyCells(skies[0]) : meanSky(skies) };
+}
+
+export class Stage {
+  /** @param renderer  see makeRenderer */
+  constructor(page, renderer) {
+    this.page = page;
+    this.window = new SceneWindow(renderer, page.run, () => this.#moved());
+    this.directions = new Directions(byId("behind"), byId("before"));
+    this.lights = { path: [], hours: [], sun: null, lamps: [] };
+    this.#listen();
+    if (page.state.view) {
+      this.window.view = page.state.view;
+    }
+    this.window.controls.addEventListener("end", () => this.keepView());
+  }
+
+  scene() {
+    this.window.setScene(this.page.run);
+  }
+
+  draw() {
+    const { page } = this;
+    byId("nothing").hidden = page.isShown.includes(1);
+    this.lights = lightsOf(page);
+    this.look();
+  }
+
+  /** Choices of the view. */
+  look() {
+    const { state, run } = this.page;
+    if (this.besideShown !== state.beside) {
+      this.besideShown = state.beside;
+      byId("sides").hidden = !state.beside;
+      this.window.paintPlant(state.beside ? this.#hide(plantColors(run)) : null);
+    }
+    if (this.cutShown !== `${state.cut} ${state.cutAt}`) {
+      this.cutShown = `${state.cut} ${state.cutAt}`;
+      const { normal, from, to } = state.cut ? cutEnds(run, state.cut) : {};
+      this.window.cut(normal ?? null, from + (to - from) * state.cutAt);
+    }
+    const strength = state.show === "value" ? 0.4 : 0.26;
+    this.window.setShading(state.shading ? strength : 0, isDark() ? [0.91, 0.94, 0.92] : [0.08, 0.13, 0.11]);
+    this.#showDome();
+    this.#moved();
+  }
+
+  #showDome() {
+    const { state } = this.page;
+    const { bounds, radius, low } = this.window;
+    const isWanted = state.dome && this.lights.cells;
+    disposeDome(this.window.backdrop);
+    const middle = bounds.low.clone().add(bounds.high).multiplyScalar(0.5).setZ(low.z);
+    this.window.setBackdrop(isWanted ? makeDome(middle, 0.9 * radius, this.lights.cells) : null);
+  }
+
+  /** Colours, of which hidden organs have none and dimmed ones little. */
+  #hide(colors, dimmed = null) {
+    const { isShown } = this.page;
+    const ground = isDark() ? 0x1f2623 : 0xe9ecea;
+    const mix = (color) => [0, 8, 16].reduce((sum, shift) =>
+      sum | (Math.round(0.15 * ((color >> shift) & 255) + 0.85 * ((ground >> shift) & 255)) << shift), 0);
+    return colors.map((color, i) => (!isShown[i] ? -1 : dimmed && !dimmed.has(i) ? mix(color) : color));
+  }
+
+  mark() {
+    const { page } = this;
+    if (this.painted !== page.colors || this.dimmed !== page.pointed || this.besideShown !== this.besidePainted) {
+      Object.assign(this, { painted: page.colors, dimmed: page.pointed, besidePainted: this.besideShown });
+      this.window.paint(this.#hide(page.colors, page.pointed));
+      if (page.state.beside) {
+        this.window.paintPlant(this.#hide(plantColors(page.run), page.pointed));
+      }
+    }
+    const own = isDark() ? [0.91, 0.94, 0.92] : [0.08, 0.13, 0.11];
+    const pins = page.pins.map((organ, i) => [organ, rgbOf(kPins[i])]);
+    const hovered = page.hovered !== null && !page.pins.includes(page.hovered) ? [[page.hovered, own]] : [];
+    this.window.mark([...hovered, ...pins].slice(0, kMaxMarks));
+    this.#placeBadges();
+    byId("hint").hidden = page.pins.length > 0 || page.state.beside;
+    requestAnimationFrame(() => this.#fit()); // cards may stand over the scene
+  }
+
+  legend() {
+    this.#fit();
+  }
+
+  /** What covers the scene: legend, sky, cards. */
+  #fit() {
+    const [stage, legend, disc, cards] = ["stage", "legend", "disc", "cards"].map((id) => byId(id).getBoundingClientRect());
+    const isFlat = legend.width > 0.6 * stage.width;
+    const insets = {
+      left: isFlat ? 0 : legend.right - stage.left, top: isFlat ? legend.bottom - stage.top : 12,
+      right: Math.max(12, disc.width > 0 ? stage.right - disc.left : 0, cards.width > 0 ? stage.right - cards.left : 0), bottom: 16,
+    };
+    const text = JSON.stringify(insets);
+    if (this.fitted !== text) {
+      this.fitted = text;
+      this.window.setInsets(insets);
+    }
+  }
+
+  #moved() {
+    if (!this.window) {
+      return;
+    }
+    if (this.page.state.directions && !this.page.state.beside) {
+      this.directions.draw(this.window, this.lights);
+    } else {
+      this.directions.clear();
+    }
+    this.#placeBadges();
+    this.page.tell("turned");
+  }
+
+  #placeBadges() {
+    const { page, window } = this;
+    const badges = page.state.beside ? [] : page.pins.map((organ, i) => {
+      const badge = make("span", { class: "badge" }, pinLetter(i));
+      const [x, y] = window.project(this.#middleOf(organ));
+      Object.assign(badge.style, { left: `${x}px`, top: `${y}px`, backgroundColor: kPins[i] });
+      return badge;
+    });
+    byId("badges").replaceChildren(...badges);
+  }
+
+  /** The vertex of an organ that is nearest to the middle of all of them. */
+  #middleOf(organ) {
+    const { first, vertices } = this.page.run.shape;
+    const points = [];
+    for (let i = first[organ]; i < first[organ + 1]; ++i) {
+      points.push(new Vector3().fromArray(vertices, 3 * i));
+    }
+    const middle = points.reduce((sum, point) => sum.add(point), new Vector3()).divideScalar(Math.max(1, points.length));
+    return points.reduce((best, point) => (point.distanceTo(middle) < best.distanceTo(middle) ? point : best), points[0] ?? middle);
+  }
+
+  keepView() {
+    const { azimuth, elevation, distance, target, isFitted } = this.window.view;
+    const round = (x) => Number(x.toPrecision(6));
+    this.page.set({ view: isFitted ? null : { azimuth: round(azimuth), elevation: round(elevation), distance: round(distance), target: target.map(round) } });
+  }
+
+  lookFrom(azimuth, elevation) {
+    this.window.viewFrom(azimuth, elevation);
+    const isUsual = azimuth === 200 && elevation === 14;
+    this.page.set({ view: null });
+    if (!isUsual) {
+      const { distance, target } = this.window.view;
+      this.page.set({ view: { azimuth, elevation, distance, target } });
+    }
+  }
+
+  fit() {
+    this.window.fit();
+    this.keepView();
+  }
+
+  /** Turns so that an organ is seen, unless it is. */
+  lookAt(organ) {
+    const middle = this.#middleOf(organ).sub(this.window.controls.target);
+    const { azimuth, elevation, distance, target } = this.window.view;
+    const [nx, ny] = this.page.run.json.north;
+    const towards = (Math.atan2(middle.x * ny - middle.y * nx, middle.x * nx + middle.y * ny) * 180) / Math.PI;
+    const away = Math.abs(((towards - azimuth + 540) % 360) - 180);
+    if (away > 90 && middle.length() > 0.1 * this.window.radius) {
+      this.window.view = { azimuth: towards, elevation: Math.max(elevation, 14), distance, target };
+      this.keepView();
+    }
+  }
+
+  turn(around, up, nearer) {
+    this.window.turn(around, up, nearer);
+    this.keepView();
+  }
+
+  #listen() {
+    const canvas = byId("canvas");
+    let pressed = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      pressed = [event.offsetX, event.offsetY];
+      canvas.focus({ preventScroll: true });
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (event.buttons === 0) {
+        this.#hover(event.offsetX, event.offsetY);
+      }
+    });
+    canvas.addEventListener("pointerleave", () => this.#leave());
+    canvas.addEventListener("pointerup", (event) => {
+      const isClick = pressed && Math.hypot(event.offsetX - pressed[0], event.offsetY - pressed[1]) < 4 && event.button === 0;
+      const organ = isClick ? this.window.organAt(event.offsetX, event.offsetY) : null;
+      if (organ !== null) {
+        this.page.pin(organ);
+      }
+      pressed = null;
+    });
+  }
+
+  #hover(x, y) {
+    const organ = this.window.organAt(x, y);
+    const tip = byId("tip");
+    tip.hidden = organ === null;
+    if (organ !== null) {
+      if (organ !== this.page.hovered) {
+        tip.replaceChildren(...this.#tipOf(organ));
+      }
+      const stage = byId("stage");
+      tip.style.left = `${Math.min(x + 14, stage.clientWidth - tip.offsetWidth - 4)}px`;
+      tip.style.top = `${Math.max(0, y + 18 + tip.offsetHeight > stage.clientHeight ? y - tip.offsetHeight - 10 : y + 14)}px`;
+    }
+    this.page.hover(organ);
+  }
+
+  #tipOf(organ) {
+    const { page } = this;
+    const { mean, error } = page.values;
+    const sure = error[organ] > 0 && mean[organ] !== 0 ? `standard error ${percent(error[organ] / Math.abs(mean[organ]), 2)}` : "";
+    return [make("b", {}, page.run.organName(organ)), make("div", { class: "number" }, page.describe(organ)), make("div", { class: "soft" }, sure)];
+  }
+
+  #leave() {
+    byId("tip").hidden = true;
+    this.page.hover(null);
+  }
+}

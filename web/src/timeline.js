@@ -1,0 +1,87 @@
+// The times of a result, or the frames of a run in progress, in the order of the strip.
+
+import { clockText, dateText, readTime } from "./format.js";
+
+/** Names of a time step: {name: "13:00 – 14:00", short: "13:00", ...} */
+function describe(label, seconds) {
+  const time = readTime(label);
+  if (!time || time.hour === null) {
+    return { label, name: label, short: label, date: time?.date ?? null, start: null, hours: 0 };
+  }
+  const hours = seconds / 3600;
+  const isLong = hours > 0 && hours < 24;
+  const name = isLong ? `${clockText(time.hour)} – ${clockText(time.hour + hours)}` : clockText(time.hour);
+  return { label, name, short: clockText(time.hour), date: time.date, start: time.hour, hours };
+}
+
+export class Timeline {
+  /** @param steps, days  entries in order  @param total  entry of the sum, null for none  @param single  the only time of a run without times */
+  constructor({ steps, days = [], total = null, single = null }) {
+    Object.assign(this, { steps, days, total, single });
+    const dates = [...new Set(steps.map(({ date }) => date))];
+    this.hasClock = steps.length > 0 && steps.every(({ start }) => start !== null);
+    this.dates = this.hasClock ? dates : [];
+  }
+
+  /** The times of a finished result. The `index` of each is its number in the result. */
+  static ofRun(run) {
+    const all = run.json.times.map((time, index) => ({ ...time, index }));
+    const of = (part) => all.filter((time) => time.part === part);
+    const steps = of("time_steps").map(({ label, index }) => ({ ...describe(label, run.headOf(index)?.seconds ?? 0), index, key: label, isKnown: true }));
+    const days = of("days").map(({ label, index }) => ({ label, date: label, index, key: label, isKnown: true, name: dateText(label) }));
+    const [total] = of("total");
+    const name = days.length > 1 ? "All days" : "Sum of the day";
+    return new Timeline({ steps, days, total: total ? { index: total.index, key: "sum", isKnown: true, name } : null, single: of("")[0] ?? null });
+  }
+
+  /** The frames of a run in progress. @param frames  [{label, number}] */
+  static ofFrames(frames) {
+    return new Timeline({ steps: frames.map((frame, index) => ({ ...describe(frame.label, 3600), index, key: `frame-${frame.number}`, isKnown: true, frame })) });
+  }
+
+  get isEmpty() {
+    return this.steps.length + this.days.length + (this.total ? 1 : 0) < 2;
+  }
+
+  /** All that can be chosen. */
+  get all() {
+    return [...(this.total ? [this.total] : []), ...this.days, ...this.steps];
+  }
+
+  /** What is shown first: the sum, or the time of most light. */
+  first(lightOf) {
+    const brightest = this.steps.reduce((best, step) => (best === null || lightOf(step) > lightOf(best) ? step : best), null);
+    return this.total ?? this.days[0] ?? brightest ?? { index: this.single?.index ?? 0, key: "", isKnown: true, name: "" };
+  }
+
+  find(key) {
+    return this.all.find((entry) => entry.key === key) ?? null;
+  }
+
+  /** The steps of the day that an entry belongs to; all, where there are no days. */
+  stepsBeside(entry) {
+    const date = entry?.date ?? this.dates[0];
+    return this.hasClock && this.dates.length > 1 ? this.steps.filter((step) => step.date === date) : this.steps;
+  }
+
+  /** The title of an entry and what stands below it. */
+  titleOf(entry) {
+    if (entry === this.total) {
+      const hours = this.steps.reduce((sum, { hours: own }) => sum + own, 0);
+      const lit = hours > 0 ? `, ${Math.round(hours * 10) / 10} h of light` : "";
+      return { title: entry.name, note: this.days.length > 1 ? `${this.days.length} days${lit}` : `${this.days[0]?.name ?? ""}${lit}`.replace(/^, /, "") };
+    }
+    if (this.days.includes(entry)) {
+      return { title: entry.name, note: "sum of the day" };
+    }
+    if (entry.start === null || entry.start === undefined) {
+      return { title: entry.name, note: "" };
+    }
+    return { title: entry.short, note: `${entry.hours > 0 ? "mean of the time" : "at this instant"}, ${dateText(entry.date)}` };
+  }
+
+  /** Words for the legend: "sum of the day", "13:00 – 14:00". */
+  wordsOf(entry) {
+    return entry === this.total ? entry.name.toLowerCase() : this.days.includes(entry) ? `sum of ${entry.name}` : entry.name;
+  }
+}
