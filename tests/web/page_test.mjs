@@ -117,9 +117,9 @@ async function checkNumbers(page, result) {
   assert.equal(tip.name, upper.name);
   assert.ok(near(tip.number, upper.absorbed_flux_density.PAR, 1e-6), `${tip.number}: ${upper.absorbed_flux_density.PAR.mean}`);
 
-  // What stands above all: the light of the plants, as the result has them together.
+  // The number above all: the light of the plants, as the result has them together.
   const all = result.total.groups.find(({ by }) => by === "all").absorbed_flux.PAR;
-  assert.ok(near(numberIn(await page.locator("#headline p.number").textContent()), all), await page.locator("#headline").textContent());
+  assert.ok(near(numberIn(await page.locator("#headline p.number").textContent()), all, 1e-6), await page.locator("#headline").textContent());
 
   // The strip goes through the times; hidden organs no longer cover others.
   await page.getByRole("radio", { name: "Hours" }).click();
@@ -172,7 +172,7 @@ async function checkFilters(page) {
   await page.getByRole("radio", { name: "z" }).click();
   await page.locator("#cut-at").fill("700"); // of the height of 1: below the upper leaf
   assert.match(await page.locator("#cut-text").textContent(), /z = 0\.7\sm/);
-  assert.equal((await hoverMiddle(page)).name, "lower", "what is cut away still stands there");
+  assert.equal((await hoverMiddle(page)).name, "lower", "what is cut away is still there");
   await page.getByRole("radio", { name: "No cut" }).click();
 }
 

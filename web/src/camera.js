@@ -1,4 +1,4 @@
-// Where the camera stands: so that the plants, seen from a direction, fill what is free of the canvas.
+// The position of the camera from which the plants fill what is free of the canvas.
 
 import { Vector3 } from "three";
 

@@ -7,7 +7,7 @@ import { numberNode } from "./headline.js";
 import { kPins, pinLetter } from "./page.js";
 
 const kSure = 1.96;
-const kMostColumns = 60; // in "All numbers"
+const kMaxColumns = 60; // in "All numbers"
 
 const iconButton = (label, path, onclick) => make("button", { type: "button", class: "icon", "aria-label": label, title: label, onclick },
   svg("svg", { viewBox: "0 0 20 20", "aria-hidden": "true" }, svg("path", { d: path })));
@@ -20,6 +20,9 @@ export const letterBadge = (i) => {
   badge.style.backgroundColor = kPins[i];
   return badge;
 };
+
+/** Numbers of many digits with a few of them. */
+const shortLabel = (value) => (value.length > 6 && Number.isFinite(Number(value)) ? plain(Number(value)) : value);
 
 /** "A to B: +170 %", or that there is no clear difference. */
 export function comparedWords(one, other) {
@@ -67,7 +70,7 @@ export class Cards {
     const { page } = this;
     const { run, values } = page;
     const { unit } = run.json;
-    const labels = Object.entries(run.json.organs.labels).filter(([, { of }]) => of[organ] >= 0).map(([key, { values: all, of }]) => `${key} ${all[of[organ]]}`);
+    const labels = Object.entries(run.json.organs.labels).filter(([, { of }]) => of[organ] >= 0).map(([key, { values: all, of }]) => `${key} ${shortLabel(all[of[organ]])}`);
     const about = [`id ${run.idOf(organ)}`, areaText(run.shape.areas[organ], unit), `${withUnit(plain(run.shape.heights[organ]), unit)} high`, this.#rank(organ), ...labels.slice(0, 4)];
     const text = () => `${run.organName(organ)} (id ${run.idOf(organ)}): ${page.describe(organ)}, ${run.columnName(page.column)}`;
     return make("article", { class: "card", "aria-label": run.organName(organ) },
@@ -112,10 +115,9 @@ export class Cards {
     const key = page.run.idOf(organ);
     const fill = async () => {
       const { run, time } = page;
-      const { columns } = run;
-      const told = columns.length <= kMostColumns ? columns : columns.filter(({ band }) => !band || band === page.state.band);
-      const found = await Promise.all(told.map(({ number }) => run.values(time, number)));
-      box.replaceChildren(make("table", {}, make("tbody", {}, told.flatMap(({ number }, i) => (found[i] ? [make("tr", {},
+            const columns = run.columns.length <= kMaxColumns ? run.columns : run.columns.filter(({ band }) => !band || band === page.state.band);
+      const found = await Promise.all(columns.map(({ number }) => run.values(time, number)));
+      box.replaceChildren(make("table", {}, make("tbody", {}, columns.flatMap(({ number }, i) => (found[i] ? [make("tr", {},
         make("th", { scope: "row" }, run.columnName(number)),
         make("td", { class: "number" }, withUnit(withError(found[i].mean[organ], found[i].error[organ], found[i].high[organ]), run.unit(time, number))))] : [])))));
     };

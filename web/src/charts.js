@@ -24,12 +24,17 @@ export class Charts {
       return;
     }
     this.by.set(page.state.by);
+    this.pinsShown = page.state.pins.join();
     this.marks = [this.#drawValues(), this.#drawHeights()];
     this.mark();
   }
 
-  /** Marks the bars of the organ that is pointed at. */
+  /** Marks the bars of the organ that is pointed at, or else the last one pinned. */
   mark() {
+    if (this.pinsShown !== undefined && this.pinsShown !== this.page.state.pins.join()) {
+      this.draw();
+      return;
+    }
     this.marks.forEach((mark) => mark(this.page.hovered ?? this.page.pins.at(-1) ?? null));
   }
 

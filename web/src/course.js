@@ -60,7 +60,8 @@ export class Course {
     const at = steps.map(({ start, hours }, i) => (hasClock ? start + hours / 2 : i));
     byId("course-title").textContent = hasClock ? "Through the day" : "Along the steps";
     byId("course-unit").textContent = page.run.unit(page.run.json.times.length > 1 ? steps[0].index : 0, page.column);
-    const values = [...all, ...pins.flat()].filter(Boolean).flatMap(({ mean, error }) => [mean, mean + (error > 0 ? kSure * error : 0)]).filter(Number.isFinite);
+    const isSure = ({ mean, error }) => error > 0 && error < 0.5 * Math.abs(mean); // others would press all together
+    const values = [...all, ...pins.flat()].filter(Boolean).flatMap((one) => [one.mean, one.mean + (isSure(one) ? kSure * one.error : 0)]).filter(Number.isFinite);
     if (values.length === 0) {
       byId("course").replaceChildren(make("p", {}, "Click an organ to see its course."));
       return;
@@ -75,7 +76,7 @@ export class Course {
   }
 
   #hours(at) {
-    const step = [1, 2, 3, 6].find((hours) => (Math.max(...at) - Math.min(...at)) / hours <= 6) ?? 6;
+    const step = [1, 2, 3, 6].find((hours) => (Math.max(...at) - Math.min(...at)) / hours <= Math.max(3, byId("course").clientWidth / 75)) ?? 6;
     return Array.from({ length: 25 }, (_, i) => i).filter((hour) => hour % step === 0 && hour >= Math.min(...at) - 0.5 && hour <= Math.max(...at) + 0.5);
   }
 
@@ -105,12 +106,13 @@ export class Course {
   }
 
   /** A line with its band. @returns nodes of its letter, at the maximum */
-  #addPin({ node, x, y }, at, course, i) {
+  #addPin({ node, x, y, box }, at, course, i) {
     const known = course.flatMap((one, k) => (one && Number.isFinite(one.mean) ? [{ ...one, at: at[k] }] : []));
     if (known.length === 0) {
       return [];
     }
-    const edge = (one, sign) => `${x(one.at)},${y(one.mean + sign * (one.error > 0 ? kSure * one.error : 0))}`;
+    const inside = (pixel) => Math.min(box.bottom, Math.max(box.top, pixel));
+    const edge = (one, sign) => `${x(one.at)},${inside(y(one.mean + sign * (one.error > 0 ? kSure * one.error : 0)))}`;
     node.append(svg("polygon", { points: [...known.map((one) => edge(one, 1)), ...known.map((one) => edge(one, -1)).reverse()].join(" "), fill: kPins[i], "fill-opacity": 0.2 }));
     node.append(svg("polyline", { class: "line", stroke: kPins[i], points: known.map((one) => `${x(one.at)},${y(one.mean)}`).join(" ") }));
     const top = known.reduce((best, one) => (one.mean > best.mean ? one : best));

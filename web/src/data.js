@@ -167,9 +167,9 @@ export class RunData {
     return this.json.organs.name?.[organ] || `organ ${this.idOf(organ)}`;
   }
 
-  /** The name of an organ's kind of label "kind", or what it is. */
+  /** The label "kind" or "class" of an organ; "ground" for the ground, "" without labels. */
   kindOf(organ) {
-    const kinds = this.json.organs.labels.kind;
+    const kinds = this.json.organs.labels.kind ?? this.json.organs.labels.class;
     return this.isGround[organ] ? "ground" : kinds?.of[organ] >= 0 ? kinds.values[kinds.of[organ]] : "";
   }
 

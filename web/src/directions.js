@@ -4,7 +4,7 @@
 import { Vector3 } from "three";
 import { svg } from "./dom.js";
 
-const kSteps = 48; // of the horizon
+const kSteps = 96; // of the horizon
 
 /** The mean of unit vectors as a unit vector; null for none. */
 export function meanDirection(vectors) {
@@ -33,9 +33,10 @@ export class Directions {
   /**
    * @param window  the SceneWindow
    * @param path  unit vectors towards the sun through the day  @param hours  of each time step
+   * @param covered  {left, bottom}: the lower right corner of the legend
    * @param sun  of the shown time, null for none  @param lamps  positions
    */
-  draw(window, { path, hours, sun, lamps }) {
+  draw(window, { path, hours, sun, lamps }, covered) {
     this.clear();
     const { base, radius } = frameOf(window);
     const back = window.camera.position.clone().sub(base).setZ(0);
@@ -43,7 +44,7 @@ export class Directions {
     const layerOf = (point) => this.layers[point.clone().sub(base).dot(back) > 0 ? 1 : 0];
     const line = (points, kind) => this.#line(points.map((point) => [layerOf(point), window.project(point)]), kind);
     line(Array.from({ length: kSteps + 1 }, (_, i) => at([Math.cos((2 * Math.PI * i) / kSteps), Math.sin((2 * Math.PI * i) / kSteps), 0])), "ring");
-    this.#winds(window, at, layerOf);
+    this.#winds(window, at, layerOf, covered);
     if (path.length > 1) {
       line(path.map((v) => at(v)), "path");
       hours.forEach((v) => this.#disc(layerOf(at(v)), window.project(at(v)), 2, "dot"));
@@ -61,12 +62,15 @@ export class Directions {
     }
   }
 
-  #winds(window, at, layerOf) {
+  /** Letters, but for those behind the legend. */
+  #winds(window, at, layerOf, covered) {
     const [x, y] = window.run.json.north;
     for (const [letter, v] of [["N", [x, y, 0]], ["E", [y, -x, 0]], ["S", [-x, -y, 0]], ["W", [-y, x, 0]]]) {
       const point = at(v, 1.1);
       const [left, top] = window.project(point);
-      layerOf(point).append(svg("text", { x: left, y: top, class: letter === "N" ? "wind north" : "wind" }, letter));
+      if (left > covered.left || top > covered.bottom) {
+        layerOf(point).append(svg("text", { x: left, y: top, class: letter === "N" ? "wind north" : "wind" }, letter));
+      }
     }
   }
 

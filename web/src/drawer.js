@@ -40,25 +40,25 @@ export class Drawer {
     }
   }
 
-  #tell(what) {
+  #notify(what) {
     this.parts.forEach((part) => part[what]?.());
   }
 
   draw() {
     byId("shown").textContent = this.page.shownWords();
-    this.#tell("draw");
+    this.#notify("draw");
   }
 
   mark() {
-    this.#tell("mark");
+    this.#notify("mark");
   }
 
   print() {
-    this.#tell("print");
+    this.#notify("print");
   }
 
   time() {
-    this.#tell("time");
+    this.#notify("time");
   }
 
   fold() {
@@ -69,6 +69,6 @@ export class Drawer {
     const tab = this.tabs.has(state.tab) ? state.tab : "charts";
     markChosen(byId("drawer-tabs"), this.tabs.get(tab), "aria-selected");
     kTabs.forEach(([key, , panel]) => (byId(panel).hidden = key !== tab));
-    this.#tell("fold");
+    this.#notify("fold");
   }
 }

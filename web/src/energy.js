@@ -1,4 +1,4 @@
-// Where the light goes: what stands above all.
+// Where the light goes: the number above all.
 
 import { plainUnit, unitText } from "./format.js";
 
@@ -29,10 +29,10 @@ function summedBudget(page, entry, band) {
     }
     Object.keys(sum).forEach((key) => (sum[key] += own[key] * head.seconds));
   }
-  if (!all || all.mean === null || !(sum.plants > 0)) {
+  if (!all || all.mean === null) {
     return null;
   }
-  const factor = all.mean / sum.plants;
+  const factor = sum.plants > 0 ? all.mean / sum.plants : 0;
   return {
     unit: run.json.head.sum_units?.[band]?.flux ?? "", plants: all.mean, plantsError: all.standard_error ?? NaN,
     ground: sum.ground * factor, sky: sum.sky * factor,
@@ -62,12 +62,14 @@ export function lightBudget(page, entry, band) {
   }
   const incoming = found.plants + found.ground + found.sky;
   const { unit, factor } = plainUnit(found.unit);
+  const isLarge = unit === "J" && found.plants * factor > 1e4;
   const area = cellArea(run);
   const isPerGround = area > 0 && /^(W|umol s-1|mol|MJ|J|kJ)$/.test(unit) && run.json.unit === "m";
-  const by = isPerGround ? 1 / area : factor;
-  const perGround = { "umol s-1": "umol m-2 s-1" }[unit] ?? `${unit} m-2`;
+  const by = (isPerGround ? 1 / area : factor) * (isLarge ? 1e-6 : 1);
+  const own = isLarge ? "MJ" : unit;
+  const perGround = { "umol s-1": "umol m-2 s-1" }[own] ?? `${own} m-2`;
   return {
-    plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : unit), isPerGround,
+    plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround,
     parts: incoming > 0 ? [["plants", "Plants"], ["ground", "Ground"], ["sky", "Back to the sky"]]
       .map(([key, name]) => ({ key, name, part: Math.max(0, found[key]) / incoming })).filter(({ key, part }) => key !== "ground" || part > 0) : [],
   };

@@ -6,8 +6,8 @@ import { plain, withUnit } from "./format.js";
 import { kClasses } from "./classes.js";
 import { field, section } from "./panel.js";
 
-const kMostChips = 12; // values of a label as chips
-const kMostListed = 200; // values in a list at a time
+const kMaxChips = 12; // values of a label as chips
+const kMaxListed = 200; // values in a list at a time
 const kFirstLabels = 3; // labels that are not folded away
 
 const letters = new Intl.Collator(undefined, { numeric: true });
@@ -39,7 +39,7 @@ export class FilterSection {
     label.of.forEach((value) => value >= 0 && ++counts[value]);
     const inOrder = [...label.values.keys()].sort((a, b) => letters.compare(label.values[a], label.values[b]));
     const values = inOrder.map((i) => ({ value: label.values[i], count: counts[i] }));
-    return field(name, values.length <= kMostChips ? this.#chips(key, values) : this.#list(key, values));
+    return field(name, values.length <= kMaxChips ? this.#chips(key, values) : this.#list(key, values));
   }
 
   #toggle(key, value) {
@@ -67,7 +67,7 @@ export class FilterSection {
     const fill = () => {
       const text = input.value.trim().toLowerCase();
       const chosen = this.page.state.labels[key] ?? [];
-      const found = values.filter(({ value }) => chosen.includes(value) || (text && value.toLowerCase().includes(text))).slice(0, kMostListed);
+      const found = values.filter(({ value }) => chosen.includes(value) || (text && value.toLowerCase().includes(text))).slice(0, kMaxListed);
       const before = this.drawers;
       this.drawers = [];
       list.replaceChildren(...(found.length > 0 ? [this.#chips(key, found)] : text ? [make("span", { class: "soft" }, "No value has these letters.")] : []));

@@ -115,6 +115,7 @@ export class Find {
   #choose(organ) {
     this.close();
     this.input.value = "";
+    byId("canvas").focus();
     this.go(organ);
   }
 }

@@ -13,8 +13,8 @@ function grouped(text) {
 }
 
 /** A number rounded to a power of ten. */
-function rounded(value, place) {
-  return grouped(place >= 0 ? String(Math.round(value / 10 ** place) * 10 ** place) : value.toFixed(-place));
+function rounded(value, digit) {
+  return grouped(digit >= 0 ? String(Math.round(value / 10 ** digit) * 10 ** digit) : value.toFixed(-digit));
 }
 
 /** Whether a number is written with a power of ten. */
@@ -40,21 +40,21 @@ export const counted = (count) => String(Math.round(count)).replace(/\B(?=(\d{3}
 export const many = (count, noun) => `${counted(count)} ${noun}${count === 1 ? "" : "s"}`;
 
 /** The power of ten of the last digit that an error supports: two digits if it begins with 1. */
-function lastPlace(error) {
+function lastDigit(error) {
   const power = Math.floor(Math.log10(error));
   return error / 10 ** power < 1.95 ? power - 1 : power;
 }
 
-/** Two numbers to the same place, as texts. */
+/** Two numbers to the same digit, as texts. */
 function alike(mean, error) {
   const size = Math.abs(mean);
   if (!isFar(size)) {
-    const place = Math.max(lastPlace(error), -9);
-    return [rounded(mean, place), rounded(error, place)];
+    const digit = Math.max(lastDigit(error), -9);
+    return [rounded(mean, digit), rounded(error, digit)];
   }
   const power = Math.floor(Math.log10(size));
-  const place = Math.min(0, lastPlace(error) - power);
-  const [one, other] = [mean, error].map((x) => rounded(x / 10 ** power, place));
+  const digit = Math.min(0, lastDigit(error) - power);
+  const [one, other] = [mean, error].map((x) => rounded(x / 10 ** power, digit));
   return [`(${one}`, `${other}) × 10${raised(power)}`];
 }
 
@@ -82,9 +82,9 @@ export function interval(low, high, error) {
   if (!Number.isFinite(low)) {
     return "";
   }
-  const place = error > 0 ? lastPlace(error) : 0;
-  const isPlain = error > 0 && place > -9 && !isFar(Math.abs(low)) && !isFar(Math.abs(high));
-  return [low, high].map((end) => (isPlain ? rounded(end, place) : plain(end, 3))).join(" – ");
+  const digit = error > 0 ? lastDigit(error) : 0;
+  const isPlain = error > 0 && digit > -9 && !isFar(Math.abs(low)) && !isFar(Math.abs(high));
+  return [low, high].map((end) => (isPlain ? rounded(end, digit) : plain(end, 3))).join(" – ");
 }
 
 /** "32.75 ± 0.02" */
@@ -110,6 +110,10 @@ export function unitText(unit) {
 export function plainUnit(unit) {
   if (unit === "J m-2") {
     return { unit: "MJ m-2", factor: 1e-6 };
+  }
+  const power = /^1e(-?\d+) (.*)$/.exec(unit);
+  if (power) {
+    return { unit: power[2], factor: 10 ** Number(power[1]) };
   }
   const kLengths = { mm: 1e-3, cm: 1e-2, dm: 0.1, km: 1e3 };
   const found = /^(.*?) ?m-2(.*) (mm|cm|dm|km|m)2$/.exec(unit);

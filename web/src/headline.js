@@ -7,7 +7,7 @@ import { estimate, kUnknownText, percent } from "./format.js";
 /** "32.75 ± 0.02 mol m⁻²" in sizes */
 export function numberNode(mean, error, unit, high) {
   const text = estimate(mean, error, high);
-  return make("p", { class: "number" }, text.value, text.error && make("span", { class: "error" }, ` ± ${text.error}`),
+  return make("p", { class: "number" }, text.value, text.error && make("span", { class: "error" }, `\u00a0±\u00a0${text.error}`),
     unit && text.value !== kUnknownText && make("span", { class: "unit" }, ` ${unit}`));
 }
 

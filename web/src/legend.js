@@ -25,7 +25,10 @@ function knownWords({ values, classes, isShown, run }) {
   const half = weightedQuantile(parts, new Uint8Array(parts.length).fill(1), 0.5);
   const worst = endsOf(parts).high;
   if (!Number.isFinite(half)) {
-    return "No errors are known";
+    return values.mean.some((mean) => mean > 0) ? "No errors are known" : "No light at this time";
+  }
+  if (half > 0.5) {
+    return "Most organs are known to no better than 50 %: more paths are needed";
   }
   const count = parts.reduce((sum, part) => sum + (Number.isFinite(part) ? 1 : 0), 0);
   return count === 1 ? `Known to ${percent(half, 1)}` : `Half of the organs are known to ${percent(half, 1)} or better, the worst to ${worst > 0.5 ? "no better than 50 %" : percent(worst, 1)}`;
@@ -49,7 +52,7 @@ export class Legend {
       make("h2", { id: "legend-title", title: run.json.columns[page.column].quantity }, title), make("p", { class: "note", id: "legend-note" }, note),
       ...(isError ? [this.#classes()] : [this.#scale(), ...this.#quality()]));
     this.mark();
-    page.tell("legend");
+    page.notify("legend");
   }
 
   #classes() {
@@ -70,13 +73,13 @@ export class Legend {
     const bar = make("div", { id: "legend-bar" });
     const stops = page.map.map((rgb) => `rgb(${rgb.join(",")})`).join(",");
     bar.style.backgroundImage = `linear-gradient(to ${this.isFlat.matches ? "right" : "top"},${stops})`;
-    const place = (node, value) => {
+    const position = (node, value) => {
       node.style[this.isFlat.matches ? "left" : "bottom"] = `${100 * partOf(value, scale)}%`;
       return node;
     };
-    this.place = place;
+    this.position = position;
     const highest = endsOf(page.values.mean).high;
-    const marks = ticksOf(scale, 4).map((value) => place(make("span", { class: "tick" }, plain(value)), value));
+    const marks = ticksOf(scale, 4).map((value) => position(make("span", { class: "tick" }, plain(value)), value));
     const over = highest > scale.high * (1 + 1e-6) && make("span", { class: "over" }, `▲ up to ${plain(highest, 2)}`);
     return make("div", { id: "legend-scale" }, bar, marks, over, this.arrows, page.state.show === "value" && [this.#end(1), this.#end(0)]);
   }
@@ -130,11 +133,11 @@ export class Legend {
   /** Arrows at the values of organs that are pinned or pointed at. */
   mark() {
     const { page } = this;
-    if (page.state.show === "error" || !page.values || !this.place) {
+    if (page.state.show === "error" || !page.values || !this.position) {
       return;
     }
     const arrow = (organ, color) => {
-      const node = this.place(make("i", { class: "arrow" }), page.values.mean[organ]);
+      const node = this.position(make("i", { class: "arrow" }), page.values.mean[organ]);
       if (color) {
         node.style[this.isFlat.matches ? "borderTopColor" : "borderLeftColor"] = color;
       }

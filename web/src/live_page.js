@@ -6,9 +6,9 @@ import { Follower, LiveRun } from "./live.js";
 import { Timeline } from "./timeline.js";
 
 const root = document.documentElement;
-const kShort = 10000; // milliseconds for which the end of a run is told
+const kShort = 10000; // milliseconds for which the end of a run is shown
 
-function tellProgress(words, fraction, isDone) {
+function showProgress(words, fraction, isDone) {
   const pill = byId("progress");
   pill.className = "pill";
   pill.hidden = !words;
@@ -75,9 +75,9 @@ export async function followRun(openGraphics, buildPage) {
     await page.replace(run ?? page.run, timeline, key);
     root.dataset.frame = frames[at]?.number ?? "";
   };
-  const follower = new Follower(live, show, tellProgress);
+  const follower = new Follower(live, show, showProgress);
   root.dataset.state = "waiting";
-  tellProgress("Waiting for the first light", -1);
+  showProgress("Waiting for the first light", -1);
   await follower.follow();
   root.dataset.ended = "yes";
 }

@@ -62,7 +62,7 @@ function openGraphics() {
   try {
     return { renderer: makeRenderer(byId("canvas")) };
   } catch (error) {
-    return { fault: error.message };
+    return { reason: error.message };
   }
 }
 
@@ -99,22 +99,22 @@ function listen(page, stage, strip, find) {
     if (stage) {
       byId("printed").src = stage.window.picture(1).toDataURL(); // the canvas is cleared by then
     }
-    page.tell("print");
+    page.notify("print");
   });
 }
 
 /** Builds the page around a result. @param graphics  result of openGraphics() */
 export async function buildPage(run, timeline, graphics, live = null) {
   const page = new Page(run, timeline, readAddress(location.hash), live);
-  const theme = new Theme(() => page.state.theme, () => page.values && page.tell("look"));
+  const theme = new Theme(() => page.state.theme, () => page.values && page.notify("options"));
   const stage = graphics.renderer ? new Stage(page, graphics.renderer) : null;
   if (!stage) {
     document.body.dataset.scene = "off";
-    notice(`This browser can't show the scene: it has no WebGL 2 (${graphics.fault}). All numbers are below.`);
+    notice(`This browser can't show the scene: it has no WebGL 2 (${graphics.reason}). All numbers are below.`);
     Object.assign(page.state, { tab: "table", drawer: true });
   }
   const strip = new Strip(page, byId("time"));
-  const look = (organ) => stage?.window.zoomTo(organ);
+  const zoom = (organ) => stage?.window.zoomTo(organ);
   const find = new Find(page, (organ) => {
     page.pins.includes(organ) || page.pin(organ);
     stage?.lookAt(organ);
@@ -122,7 +122,7 @@ export async function buildPage(run, timeline, graphics, live = null) {
   byId("hint").textContent = matchMedia("(pointer: coarse)").matches ? "Tap an organ to read and pin it" : "Point at an organ to read it, click to pin it";
   byId("hint").hidden = false;
   page.parts = [theme, new Head(page), new Panel(page, byId("panel"), (azimuth, elevation) => stage?.lookFrom(azimuth, elevation)), ...(stage ? [stage, new Legend(page, byId("legend"))] : []),
-    new Drawer(page), strip, new Cards(page, byId("cards"), look), find, ...(stage ? [new SkyDisc(page, byId("disc"), () => stage.window.view)] : [])];
+    new Drawer(page), strip, new Cards(page, byId("cards"), zoom), find, ...(stage ? [new SkyDisc(page, byId("disc"), () => stage.window.view)] : [])];
   find.scene();
   new SaveMenu(page, stage?.window);
   listen(page, stage, strip, find);

@@ -18,7 +18,7 @@ function columnsOf(page) {
   const isDifference = page.state.show === "difference";
   return {
     organ: { title: "Organ", of: (i) => i, up: true, text: null },
-    kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) },
+    ...(run.json.organs.labels.kind || run.json.organs.labels.class ? { kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) } } : {}),
     area: { title: "Area", of: (i) => areas[i], text: (i) => areaText(areas[i], unit), isNumber: true },
     height: { title: unit ? `Height, ${unit}` : "Height", of: (i) => heights[i], text: (i) => plain(heights[i]), isNumber: true },
     value: { title: `${run.columnName(page.column)}${page.unit && `, ${page.unit}`}`, of: (i) => mean[i], text: (i) => withError(mean[i], error[i], isDifference ? undefined : high[i]), isNumber: true },

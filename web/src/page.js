@@ -1,4 +1,4 @@
-// What the page shows: the choices of the user, the numbers that follow from them, and who draws them.
+// What the page shows: the choices of the user, the numbers that follow from them, and the parts that draw them.
 
 import { kClasses, classColor, classesOf } from "./classes.js";
 import { byId } from "./dom.js";
@@ -107,9 +107,9 @@ export class Page {
     if (isOnly("pins")) {
       this.mark();
     } else if (isOnly("panel", "drawer", "tab", "theme", "view")) {
-      this.tell("fold");
+      this.notify("fold");
     } else if (isOnly("directions", "dome", "shading", "beside", "cut", "cutAt")) {
-      this.tell("look");
+      this.notify("options");
     } else if (keys.some((key) => ["quantity", "band", "time"].includes(key)) || keys.includes("show")) {
       return this.update();
     } else {
@@ -118,7 +118,7 @@ export class Page {
     return Promise.resolve();
   }
 
-  tell(what) {
+  notify(what) {
     this.parts.forEach((part) => part[what]?.());
   }
 
@@ -139,7 +139,7 @@ export class Page {
     this.#checkChoices();
     if (isNewScene) {
       this.hovered = null;
-      this.tell("scene");
+      this.notify("scene");
     }
     await this.update();
   }
@@ -159,7 +159,7 @@ export class Page {
     this.values = (state.show === "difference" ? difference : values) ?? { mean: none(), error: none(), low: none(), high: none() };
     await this.#findScale();
     this.paint();
-    this.tell("time");
+    this.notify("time");
   }
 
   /** What the scale spans: one time, or all of them. */
@@ -205,7 +205,7 @@ export class Page {
     this.classes = classesOf(values, run.shape.areas);
     this.isShown = organsPassing(run, values.mean, this.classes, state);
     this.colors = this.#colors();
-    this.tell("draw");
+    this.notify("draw");
     this.mark();
   }
 
@@ -226,7 +226,7 @@ export class Page {
 
   /** Shows what is pinned and pointed at. */
   mark() {
-    this.tell("mark");
+    this.notify("mark");
   }
 
   hover(organ) {
@@ -262,7 +262,7 @@ export class Page {
     this.set(noFilters());
   }
 
-  /** Words to be read out. */
+  /** Has a text read out. */
   say(text) {
     byId("said").textContent = text;
   }

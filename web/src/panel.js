@@ -8,7 +8,7 @@ import { plain, withUnit } from "./format.js";
 import { Headline } from "./headline.js";
 
 const kViews = [["Oblique", 200, 14], ["Front", 180, 0], ["Right", 90, 0], ["Back", 0, 0], ["Left", 270, 0], ["Top", 180, 90]];
-const kMostButtons = 4; // bands as buttons
+const kMaxButtons = 4; // bands as buttons
 
 /** A section that folds, and remembers it as long as the browser lets it. */
 export function section(title, isOpen, ...children) {
@@ -81,7 +81,7 @@ export class Panel {
     if (this.bandsShown !== bands.join()) {
       this.bandsShown = bands.join();
       const choose = (band) => page.set({ band, values: null, ends: null });
-      if (bands.length <= kMostButtons) {
+      if (bands.length <= kMaxButtons) {
         this.bands = new Choice("Band", bands.map((band) => [band, band]), choose);
       } else {
         const list = make("select", { "aria-label": "Band", onchange: () => choose(list.value) }, bands.map((band) => make("option", { value: band }, band)));
@@ -127,11 +127,11 @@ export class Panel {
     this.log.node.hidden = state.show !== "value" || !page.suitsLog;
     this.log.set(state.isLog);
     this.filters.draw();
-    this.look();
+    this.options();
   }
 
   /** Shows the choices of the view. */
-  look() {
+  options() {
     const { state, run } = this.page;
     Object.entries(this.checks).forEach(([key, check]) => check.set(state[key]));
     this.cut.set(state.cut);

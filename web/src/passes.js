@@ -170,7 +170,7 @@ function organMaterial(defines, uniforms) {
   });
 }
 
-/** The number of an organ as it stands in the texture of numbers. */
+/** The number of an organ as the texture of numbers has it. */
 function numberColor(organ) {
   const number = organ + 1;
   return new Vector3(number & 255, (number >> 8) & 255, (number >> 16) & 255).divideScalar(255);

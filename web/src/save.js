@@ -26,7 +26,7 @@ async function layerPicture(layer) {
   return picture;
 }
 
-/** Draws the legend as it stands in the page. */
+/** Draws the legend as the page has it. */
 function drawLegend(pen, page) {
   const { left, top } = byId("stage").getBoundingClientRect();
   const font = getComputedStyle(document.body).fontFamily;

@@ -31,7 +31,7 @@ export class SkyDisc {
     parent.append(this.canvas, this.svg, this.text);
   }
 
-  /** Where a unit vector stands on the map: azimuth around, height inwards. */
+  /** The point of a unit vector on the map: azimuth around, height inwards. */
   #at([x, y, z]) {
     const [nx, ny] = this.page.run.json.north;
     const azimuth = Math.atan2(x * ny - y * nx, x * nx + y * ny);
@@ -59,7 +59,7 @@ export class SkyDisc {
     this.turned();
   }
 
-  look() {
+  options() {
     this.draw();
   }
 
@@ -94,7 +94,7 @@ export class SkyDisc {
     pen.putImageData(image, 0, 0);
   }
 
-  /** A mark on the rim from where one looks. */
+  /** A mark on the rim at the direction of the camera. */
   turned() {
     this.eye?.setAttribute("transform", `translate(${kMiddle} ${kMiddle}) rotate(${this.viewOf().azimuth.toFixed(1)})`);
   }

@@ -33,6 +33,7 @@ export class Stage {
     this.page = page;
     this.window = new SceneWindow(renderer, page.run, () => this.#moved());
     this.directions = new Directions(byId("behind"), byId("before"));
+    this.covered = { left: 0, bottom: 0 };
     this.lights = { path: [], hours: [], sun: null, lamps: [] };
     this.#listen();
     if (page.state.view) {
@@ -49,11 +50,11 @@ export class Stage {
     const { page } = this;
     byId("nothing").hidden = page.isShown.includes(1);
     this.lights = lightsOf(page);
-    this.look();
+    this.options();
   }
 
   /** Choices of the view. */
-  look() {
+  options() {
     const { state, run } = this.page;
     if (this.besideShown !== state.beside) {
       this.besideShown = state.beside;
@@ -104,21 +105,23 @@ export class Stage {
     this.window.mark([...hovered, ...pins].slice(0, kMaxMarks));
     this.#placeBadges();
     byId("hint").hidden = page.pins.length > 0 || page.state.beside;
-    requestAnimationFrame(() => this.#fit()); // cards may stand over the scene
+    requestAnimationFrame(() => this.#fit()); // cards may cover the scene
   }
 
   legend() {
     this.#fit();
   }
 
-  /** What covers the scene: legend, sky, cards. */
+  /** Fits the plants beside or below what covers the scene: legend, sky, cards. */
   #fit() {
     const [stage, legend, disc, cards] = ["stage", "legend", "disc", "cards"].map((id) => byId(id).getBoundingClientRect());
-    const isFlat = legend.width > 0.6 * stage.width;
-    const insets = {
-      left: isFlat ? 0 : legend.right - stage.left, top: isFlat ? legend.bottom - stage.top : 12,
-      right: Math.max(12, disc.width > 0 ? stage.right - disc.left : 0, cards.width > 0 ? stage.right - cards.left : 0), bottom: 16,
-    };
+    const over = (box) => (box.width > 0 && box.left < stage.right - 1 ? box : { left: stage.right, bottom: stage.top });
+    const right = [over(disc), over(cards)];
+    const beside = { left: legend.right - stage.left, top: 12, right: Math.max(12, ...right.map(({ left }) => stage.right - left)), bottom: 16 };
+    const below = { left: 12, top: Math.max(legend.bottom, ...right.map(({ bottom }) => bottom)) - stage.top, right: 12, bottom: 16 };
+    const free = ({ left, top, right: end, bottom }) => Math.min(stage.width - left - end, stage.height - top - bottom);
+    const insets = free(below) > free(beside) ? below : beside;
+    this.covered = { left: legend.right - stage.left, bottom: legend.bottom - stage.top };
     const text = JSON.stringify(insets);
     if (this.fitted !== text) {
       this.fitted = text;
@@ -131,12 +134,12 @@ export class Stage {
       return;
     }
     if (this.page.state.directions && !this.page.state.beside) {
-      this.directions.draw(this.window, this.lights);
+      this.directions.draw(this.window, this.lights, this.covered);
     } else {
       this.directions.clear();
     }
     this.#placeBadges();
-    this.page.tell("turned");
+    this.page.notify("turned");
   }
 
   #placeBadges() {

@@ -22,13 +22,17 @@ export function addressOf(state, start = kStart) {
   return pairs.map((pair) => pair.map(encodeURIComponent).join("=")).join("&");
 }
 
-/** Whether a value from an address can stand for a choice. */
-function fits(value, usual) {
-  if (usual === null) {
-    return value === null || typeof value === "object" || typeof value === "number";
-  }
-  return typeof value === typeof usual && Array.isArray(value) === Array.isArray(usual) && value !== null;
-}
+const isNumber = (x) => typeof x === "number" && Number.isFinite(x);
+const isPair = (x) => Array.isArray(x) && x.length === 2 && x.every(isNumber);
+const isTable = (x, fits) => typeof x === "object" && x !== null && !Array.isArray(x) && Object.values(x).every(fits);
+const isList = (x) => Array.isArray(x) && x.every((one) => typeof one === "string");
+/** Tests of choices whose type alone says too little. */
+const kTests = {
+  ends: isPair, values: isPair, layer: isPair, labels: (x) => isTable(x, isList), ranges: (x) => isTable(x, isPair),
+  errorClass: (x) => Number.isInteger(x) && x >= 0 && x < 7, pins: (x) => Array.isArray(x) && x.every((one) => ["string", "number"].includes(typeof one)),
+  view: (x) => isTable(x, (one) => isNumber(one) || Array.isArray(one)) && [x.azimuth, x.elevation, x.distance].every(isNumber) && x.distance > 0 &&
+    Array.isArray(x.target) && x.target.length === 3 && x.target.every(isNumber),
+};
 
 /** The choices in an address; what can't be read is left out. */
 export function readAddress(text, start = kStart) {
@@ -37,7 +41,8 @@ export function readAddress(text, start = kStart) {
     try {
       const [key, value] = pair.split("=").map(decodeURIComponent);
       const read = typeof start[key] === "string" ? value : JSON.parse(value);
-      if (key in start && fits(read, start[key])) {
+      const isRight = kTests[key] ?? ((x) => typeof x === typeof start[key]);
+      if (key in start && isRight(read)) {
         found[key] = read;
       }
     } catch {

@@ -6,7 +6,7 @@ import { allPlants } from "./energy.js";
 import { clockText, withError, withUnit } from "./format.js";
 import { kPins } from "./page.js";
 
-const kMostBars = 200; // then an area
+const kMaxBars = 200; // then an area
 const kEvery = 700; // milliseconds a time, when played
 
 const icon = (path) => svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, svg("path", { d: path }));
@@ -74,7 +74,7 @@ export class Strip {
     this.#fillPeriods();
     const kind = this.#periodOf(entry);
     this.choice?.set(kind);
-    const { title, note } = timeline.titleOf(entry);
+    const { title, note } = timeline.titleOf(entry, (step) => page.lightOf(step));
     this.now.replaceChildren(make("b", { id: "time-title" }, title), make("span", {}, note));
     this.button.hidden = this.isStill.matches || timeline.steps.length < 2;
     this.strip.dataset.sum = kind === "step" ? "no" : "yes";
@@ -111,11 +111,11 @@ export class Strip {
     strip.setAttribute("aria-valuemin", "0");
     strip.setAttribute("aria-valuemax", String(timeline.all.length - 1));
     strip.setAttribute("aria-valuenow", String(at));
-    strip.setAttribute("aria-valuetext", `${timeline.titleOf(entry).title}${mean}`);
+    strip.setAttribute("aria-valuetext", `${timeline.titleOf(entry, (step) => page.lightOf(step)).title}${mean}`);
   }
 
-  /** {from, to}: the place of each step on the axis, from 0 to 1. */
-  #places() {
+  /** {from, to}: the span of each step on the axis, from 0 to 1. */
+  #spans() {
     const { hasClock } = this.page.timeline;
     const n = this.steps.length;
     return this.steps.map(({ start, hours }, i) => (hasClock ? { from: start / 24, to: Math.min(1, (start + Math.max(hours, 0.25)) / 24) } : { from: i / n, to: (i + 1) / n }));
@@ -127,32 +127,32 @@ export class Strip {
     const hasDays = page.timeline.days.length > 1;
     const [top, high] = hasDays ? [20, 44] : [2, 44];
     const node = svg("svg", { width, height: top + high + 18, "aria-hidden": "true" });
-    const places = this.#places();
+    const spans = this.#spans();
     const lights = steps.map((step) => page.lightOf(step));
     const most = Math.max(...lights.filter(Number.isFinite), 1e-30);
     const y = (light) => top + high - Math.max(1, (high * light) / most);
     if (page.timeline.hasClock) {
-      this.#addNight(node, places, width, top, high);
+      this.#addNight(node, spans, width, top, high);
     }
-    steps.length > kMostBars ? this.#addArea(node, places, lights, width, y, top + high) : this.#addSteps(node, places, lights, width, y, top + high);
+    steps.length > kMaxBars ? this.#addArea(node, spans, lights, width, y, top + high) : this.#addSteps(node, spans, lights, width, y, top + high);
     node.append(svg("line", { class: "base", x1: 0, x2: width, y1: top + high, y2: top + high }));
-    this.#addTicks(node, places, width, top + high + 13);
+    this.#addTicks(node, spans, width, top + high + 13);
     if (hasDays) {
       this.#addDays(node, width);
     }
     this.isFolded = !page.state.drawer;
     this.pinsShown = page.state.pins.join();
     if (this.isFolded) {
-      this.#addPins(node, places, width, top, high);
+      this.#addPins(node, spans, width, top, high);
     }
     strip.replaceChildren(node);
-    Object.assign(this, { places, width, top });
+    Object.assign(this, { spans, width, top });
   }
 
   /** Hours without a step: the night, or what is still to come. */
-  #addNight(node, places, width, top, high) {
+  #addNight(node, spans, width, top, high) {
     let at = 0;
-    for (const { from, to } of [...places, { from: 1, to: 1 }]) {
+    for (const { from, to } of [...spans, { from: 1, to: 1 }]) {
       if (from - at > 0.02) {
         const isToCome = this.page.live && from === 1;
         node.append(svg("rect", { class: isToCome ? "unknown" : "night", x: at * width, width: (from - at) * width - 1, y: isToCome ? top + high - 4 : top, height: isToCome ? 4 : high, rx: 2 }));
@@ -164,11 +164,11 @@ export class Strip {
     }
   }
 
-  #addSteps(node, places, lights, width, y, bottom) {
+  #addSteps(node, spans, lights, width, y, bottom) {
     const { entry } = this.page;
     this.steps.forEach((step, i) => {
-      const x = places[i].from * width + 0.5;
-      const wide = Math.max(1.5, (places[i].to - places[i].from) * width - 1);
+      const x = spans[i].from * width + 0.5;
+      const wide = Math.max(1.5, (spans[i].to - spans[i].from) * width - 1);
       const isKnown = Number.isFinite(lights[i]);
       if (step === entry || step.key === entry.key) {
         node.append(svg("rect", { class: "frame", x: x - 1, width: wide + 2, y: 1, height: bottom, rx: 3 }));
@@ -178,16 +178,16 @@ export class Strip {
     });
   }
 
-  #addArea(node, places, lights, width, y, bottom) {
-    const points = this.steps.flatMap((_, i) => [`${places[i].from * width},${y(lights[i] || 0)}`, `${places[i].to * width},${y(lights[i] || 0)}`]);
+  #addArea(node, spans, lights, width, y, bottom) {
+    const points = this.steps.flatMap((_, i) => [`${spans[i].from * width},${y(lights[i] || 0)}`, `${spans[i].to * width},${y(lights[i] || 0)}`]);
     node.append(svg("polygon", { class: "step", points: [`0,${bottom}`, ...points, `${width},${bottom}`].join(" ") }));
     const at = this.steps.indexOf(this.page.entry);
     if (at >= 0) {
-      node.append(svg("rect", { class: "frame", x: places[at].from * width - 2, width: 4, y: 1, height: bottom }));
+      node.append(svg("rect", { class: "frame", x: spans[at].from * width - 2, width: 4, y: 1, height: bottom }));
     }
   }
 
-  #addTicks(node, places, width, y) {
+  #addTicks(node, spans, width, y) {
     const text = (x, words, anchor = "middle") => node.append(svg("text", { x, y, "text-anchor": anchor }, words));
     if (this.page.timeline.hasClock) {
       const step = width > 700 ? 3 : 6;
@@ -198,7 +198,7 @@ export class Strip {
     }
     const widest = Math.max(...this.steps.map(({ short }) => short.length)) * 7 + 16;
     const every = Math.max(1, Math.ceil((this.steps.length * widest) / width));
-    this.steps.forEach(({ short }, i) => i % every === 0 && text(((places[i].from + places[i].to) / 2) * width, short.slice(0, Math.floor(width / 8))));
+    this.steps.forEach(({ short }, i) => i % every === 0 && text(((spans[i].from + spans[i].to) / 2) * width, short.slice(0, Math.floor(width / 8))));
   }
 
   /** A row of day sums above the hours. */
@@ -214,13 +214,13 @@ export class Strip {
     });
   }
 
-  async #addPins(node, places, width, top, high) {
+  async #addPins(node, spans, width, top, high) {
     const { page } = this;
     const times = this.steps.map(({ index }) => index);
     for (const [i, organ] of page.pins.entries()) {
       const course = (await page.courseOf(times, page.column, organ)).map((one) => one?.mean ?? NaN);
       const most = Math.max(...course.filter(Number.isFinite), 1e-30);
-      const points = course.flatMap((mean, k) => (Number.isFinite(mean) ? [`${((places[k].from + places[k].to) / 2) * width},${top + high - (high * mean) / most}`] : []));
+      const points = course.flatMap((mean, k) => (Number.isFinite(mean) ? [`${((spans[k].from + spans[k].to) / 2) * width},${top + high - (high * mean) / most}`] : []));
       node.append(svg("polyline", { class: "pin", stroke: kPins[i], points: points.join(" ") }));
     }
   }
@@ -236,7 +236,7 @@ export class Strip {
         return;
       }
       const distance = ({ from, to }) => Math.max(from - part, part - to, 0);
-      const nearest = this.places.reduce((best, place, i) => (distance(place) < distance(this.places[best]) ? i : best), 0);
+      const nearest = this.spans.reduce((best, span, i) => (distance(span) < distance(this.spans[best]) ? i : best), 0);
       this.page.goTo(this.steps[nearest]);
     };
     strip.addEventListener("pointerdown", (event) => {

@@ -64,10 +64,10 @@ export class Timeline {
     return this.hasClock && this.dates.length > 1 ? this.steps.filter((step) => step.date === date) : this.steps;
   }
 
-  /** The title of an entry and what stands below it. */
-  titleOf(entry) {
+  /** The title of an entry, and a note on it. @param lightOf  the light of a step */
+  titleOf(entry, lightOf) {
     if (entry === this.total) {
-      const hours = this.steps.reduce((sum, { hours: own }) => sum + own, 0);
+      const hours = this.steps.reduce((sum, step) => sum + (lightOf(step) > 0 ? step.hours : 0), 0);
       const lit = hours > 0 ? `, ${Math.round(hours * 10) / 10} h of light` : "";
       return { title: entry.name, note: this.days.length > 1 ? `${this.days.length} days${lit}` : `${this.days[0]?.name ?? ""}${lit}`.replace(/^, /, "") };
     }
@@ -80,7 +80,7 @@ export class Timeline {
     return { title: entry.short, note: `${entry.hours > 0 ? "mean of the time" : "at this instant"}, ${dateText(entry.date)}` };
   }
 
-  /** Words for the legend: "sum of the day", "13:00 – 14:00". */
+  /** A text for the legend: "sum of the day", "13:00 – 14:00". */
   wordsOf(entry) {
     return entry === this.total ? entry.name.toLowerCase() : this.days.includes(entry) ? `sum of ${entry.name}` : entry.name;
   }
