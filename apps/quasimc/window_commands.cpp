@@ -18,7 +18,7 @@
 namespace {
 
 struct WindowArguments {
-    std::string file, output;
+    std::string file, output, minus;
     std::size_t point = 0, port = 0;
 };
 
@@ -28,15 +28,35 @@ struct WindowRun {
     quasimc::WindowData data;
 };
 
-WindowRun read_window_run(const WindowArguments& arguments) {
-    ShownRun shown = read_shown_run(arguments.file, arguments.point);
+ShownRun read_result(const std::string& path, std::size_t point) {
+    ShownRun shown = read_shown_run(path, point);
     if (shown.result_text.empty()) {
         throw quasimc::InputError(
-            {{arguments.file, "is not a result", "",
+            {{path, "is not a result", "",
               "write one with quasimc run --json; quasimc show draws a scene without light"}});
     }
-    quasimc::WindowData data =
-        quasimc::make_window_data(shown.run, shown.result_text, arguments.file);
+    return shown;
+}
+
+Flag minus_flag(std::string& target) {
+    return {
+        .name = "--minus",
+        .target = &target,
+        .summary = "JSON result whose values are subtracted; the page then shows differences",
+        .type_name = "FILE"};
+}
+
+WindowRun read_window_run(const WindowArguments& arguments) {
+    ShownRun shown = read_result(arguments.file, arguments.point);
+    const quasimc::ReadResult result{shown.run, shown.result_text, arguments.file};
+    if (arguments.minus.empty()) {
+        quasimc::WindowData data = quasimc::make_window_data(result);
+        return {std::move(shown.inputs), std::move(data)};
+    }
+    const ShownRun other = read_result(arguments.minus, arguments.point);
+    const quasimc::ReadResult minus{other.run, other.result_text, arguments.minus};
+    quasimc::WindowData data = quasimc::make_window_data(result, &minus);
+    shown.inputs.insert(shown.inputs.end(), other.inputs.begin(), other.inputs.end());
     return {std::move(shown.inputs), std::move(data)};
 }
 
@@ -86,6 +106,7 @@ Command report_command() {
           .summary = "HTML file to write, - for standard output",
           .required = true,
           .type_name = "FILE"},
+         minus_flag(arguments->minus),
          point_flag(arguments->point)},
         [arguments] { return report(*arguments); }};
 }
@@ -101,6 +122,7 @@ Command view_command() {
           .summary = "port of 127.0.0.1 (0: any that is free)",
           .range = std::pair(0.0, 65535.0),
           .default_text = "0"},
+         minus_flag(arguments->minus),
          point_flag(arguments->point)},
         [arguments] { return view(*arguments); }};
 }

@@ -1,5 +1,6 @@
 #include "window/window_data.h"
 
+#include <optional>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "quasimc/error.h"
 #include "resultio/json_parts.h"
 #include "resultio/read_rows.h"
+#include "window/window_difference.h"
 #include "window/window_parts.h"
 #include "window/window_shape.h"
 
@@ -27,21 +29,32 @@ const Sources& lights_at(const RunFile& run, const RowsPosition& position) {
     return kNone;
 }
 
-/// A time step, with the index of the values of every column, -1 where there are none.
-Json add_time(WindowData& data, const RunFile& run, PlacedRows rows) {
+/// The indices of the values of columns, which are added; -1 where there are none.
+std::vector<int> add_values(WindowData& data, std::size_t organs, RowColumns columns) {
+    std::vector<int> indices;
+    for (std::vector<Estimate>& column : columns) {
+        indices.push_back(column.empty() ? -1 : static_cast<int>(data.values.size()));
+        if (!column.empty()) {
+            column.resize(organs, kUnknownEstimate);
+            data.values.push_back(window_values(column));
+        }
+    }
+    return indices;
+}
+
+/// A time step, with the index of the values of every column.
+Json add_time(
+    WindowData& data, const RunFile& run, const WindowDifference* difference, PlacedRows rows) {
     Json time = {
         {"part", rows.position.part},
         {"index", rows.position.index},
         {"label", rows.position.label}};
     time.update(json_lights(lights_at(run, rows.position), window_middle(run.scene)));
-    std::vector<int> indices;
-    for (std::vector<Estimate>& column : rows.columns) {
-        indices.push_back(column.empty() ? -1 : static_cast<int>(data.values.size()));
-        if (!column.empty()) {
-            column.resize(run.scene.organs().size(), kUnknownEstimate);
-            data.values.push_back(window_values(column));
-        }
+    if (difference != nullptr) {
+        time["minus"] = add_values(
+            data, run.scene.organs().size(), difference->of(rows.position, rows.columns));
     }
+    std::vector<int> indices = add_values(data, run.scene.organs().size(), std::move(rows.columns));
     time["values"] = indices;
     data.value_index.push_back(std::move(indices));
     return time;
@@ -81,34 +94,35 @@ std::string WindowData::course(std::size_t column, std::size_t organ) const {
     return bytes;
 }
 
-WindowData make_window_data(
-    const RunFile& run, const std::string& result_text, const std::string& path) {
+WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
+    const RunFile& run = result.run;
     const Scene& scene = run.scene;
     const std::vector<WindowColumn> columns =
         window_columns(scene.bands(), scene.length_unit(), run.spec.ratios);
-    RowsQuery query{.rest = RowsQuery::Rest::all};
-    for (const WindowColumn& column : columns) {
-        query.columns.push_back(column.path);
-    }
-    if (run.sweep) {
-        query.point = run.point;
+    const RowsQuery query = window_query(run, columns);
+    std::optional<WindowDifference> difference;
+    if (minus != nullptr) {
+        difference.emplace(run.scene, columns, *minus);
     }
     WindowData data;
     data.shape = window_shape(scene);
     Json times = Json::array();
-    Node head = read_rows(result_text, path, query, [&](PlacedRows rows) {
-        times.push_back(add_time(data, run, std::move(rows)));
+    Node head = read_rows(result.text, result.path, query, [&](PlacedRows rows) {
+        times.push_back(add_time(data, run, difference ? &*difference : nullptr, std::move(rows)));
     });
-    head = only_point(std::move(head), query.point, path);
+    head = only_point(std::move(head), query.point, result.path);
     if (data.values.empty()) {
         throw InputError(
-            {{path, "contains no light of organs", "the run did not write it, or was not completed",
-              "check [output] in the run file"}});
+            {{result.path, "contains no light of organs",
+              "the run did not write it, or was not completed", "check [output] in the run file"}});
     }
     Json all = json_window_scene(scene, columns);
     all["title"] = run.title.empty() ? run.path : run.title;
     all["head"] = json_value(head);
     all["times"] = std::move(times);
+    if (difference) {
+        all["minus"] = difference->json();
+    }
     data.json = json_text(all);
     return data;
 }

@@ -25,10 +25,18 @@ struct WindowData {
     [[nodiscard]] std::size_t bytes() const;
 };
 
-/// @param result_text  JSON result
-/// @param path         path of the result, for messages
-/// @throws InputError  if the result has no light of organs
+/// A result, as it was read.
+struct ReadResult {
+    const RunFile& run;
+    const std::string& text;  ///< JSON
+    const std::string& path;  ///< for messages
+};
+
+/// @param minus  a result that is subtracted in the mode "difference" of the page; null: none.
+///     Times are matched by their labels, organs by their ids.
+/// @throws InputError  if a result has no light of organs, or the results have no time and no organ
+///     in common
 [[nodiscard]] WindowData make_window_data(
-    const RunFile& run, const std::string& result_text, const std::string& path);
+    const ReadResult& result, const ReadResult* minus = nullptr);
 
 }  // namespace quasimc

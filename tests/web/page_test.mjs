@@ -292,7 +292,7 @@ async function checkWithoutWebGl(address) {
     await page.getByRole("tab", { name: "Run and warnings" }).click();
     assert.ok(await page.locator("#report table").count() > 3);
     await page.getByRole("tab", { name: "Charts" }).click();
-    assert.ok(await page.locator("#histogram .hit").count() > 0);
+    await page.waitForSelector("#histogram .hit", { state: "attached" });
   } finally {
     await browser.close();
   }

@@ -13,7 +13,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { estimate, interval, plain, unitText } from "../../web/src/format.js";
-import { pixelsOf } from "./pixels.mjs";
+import { countPixels, pixelsOf } from "./pixels.mjs";
 
 const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
 const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
@@ -238,6 +238,32 @@ async function checkReading(page) {
   assert.ok(errors.length > 30 && median < 0.03, `${errors.length} points, median ${median}`);
 }
 
+/** Another result taken away: the difference of each organ, grey where its error is larger. */
+async function checkDifference(page, result) {
+  const makeOther = (name, change) => {
+    writeFileSync(path.join(folder, `${name}.toml`), change(runFile().replace("day.json", `${name}.json`)));
+    run("run", `${name}.toml`, "--quiet");
+    run("report", "day.json", "--minus", `${name}.json`, "-o", `${name}.html`);
+    return JSON.parse(readFileSync(path.join(folder, `${name}.json`)));
+  };
+  const grey = async (name) => {
+    await page.goto(`${pathToFileURL(path.join(folder, `${name}.html`)).href}#show=difference&pins=["12"]&directions=false`);
+    await page.waitForSelector("html[data-state=ready]");
+    await page.waitForTimeout(800);
+    return countPixels(await scenePixels(page), (red, green, blue) => Math.abs(red - 196) < 14 && Math.abs(green - 201) < 14 && Math.abs(blue - 198) < 14);
+  };
+  const bright = makeOther("bright", (text) => text.replace("reflectance = 0.1", "reflectance = 0.5"));
+  const clear = await grey("bright");
+  assert.match(await page.locator("#legend-title").textContent(), /^Minus “A plant of twelve leaves”: Absorbed per area/);
+  const shown = Number(/^[\d.]+/.exec(await page.locator("#cards p.number").textContent())[0]) * 1e6;
+  const [one, other] = [result, bright].map(({ total }) => total.organs[11].absorbed_flux_density.PAR);
+  const error = Math.hypot(one.standard_error, other.standard_error);
+  assert.ok(Math.abs(shown - (one.mean - other.mean)) < 0.6 * error + 1e-3 * shown, `${shown}: ${one.mean} - ${other.mean}`);
+  makeOther("again", (text) => text.replace("paths = 2048", "paths = 2048\nseed = 2"));
+  const unclear = await grey("again");
+  assert.ok(unclear > 3000 && clear < 0.2 * unclear, `grey pixels: ${clear} and ${unclear}`);
+}
+
 /** Contrast of all pairs of tokens that meet, WCAG 2.2 AA. */
 async function checkTokens(page) {
   const kPairs = [["ink", "panel", 4.5], ["ink", "stage", 4.5], ["ink", "stage2", 4.5], ["ink", "hover", 4.5], ["soft", "panel", 4.5], ["soft", "stage", 4.5], ["soft", "stage2", 4.5], ["soft", "hover", 4.5],
@@ -294,6 +320,7 @@ try {
   await checkSaved(page, result);
   await checkReading(page);
   await checkTokens(page);
+  await checkDifference(page, result);
   assert.deepEqual(faults, []);
 } finally {
   await browser.close();

@@ -34,7 +34,8 @@ export function organsPassing(run, numbers, classes, state) {
   const { heights } = run.shape;
   const shown = new Uint8Array(run.count);
   for (let organ = 0; organ < run.count; ++organ) {
-    shown[organ] = (state.ground || !run.isGround[organ]) && tests.every((passes) => passes(organ)) &&
+    const isKnown = state.show !== "difference" || Number.isFinite(numbers[organ]);
+    shown[organ] = isKnown && (state.ground || !run.isGround[organ]) && tests.every((passes) => passes(organ)) &&
       isWithin(heights[organ], state.layer) && isWithin(numbers[organ], state.values) &&
       (state.errorClass === null || classes[organ] === state.errorClass) ? 1 : 0;
   }

@@ -45,7 +45,7 @@ export class Legend {
     const { state, run, timeline, entry } = page;
     const time = entry.name ? ` · ${timeline.wordsOf(entry)}` : "";
     const isError = state.show === "error";
-    const title = isError ? "How well it is known" : `${state.show === "difference" ? `${run.json.minus.title}: ` : ""}${run.columnName(page.column)}`;
+    const title = isError ? "How well it is known" : `${state.show === "difference" ? `Minus “${run.json.minus.title}”: ` : ""}${run.columnName(page.column)}`;
     const note = isError ? `standard error, % of the value${time}` : `${page.unit}${time}`.replace(/^ · /, "");
     this.arrows = make("div");
     this.parent.replaceChildren(

@@ -91,7 +91,9 @@ export class Page {
   /** "70 of 77 organs shown" */
   shownWords() {
     const count = this.isShown.reduce((sum, one) => sum + one, 0);
-    return `${counted(count)} of ${many(this.run.count, "organ")} shown`;
+    const { only_first: first, only_other: other } = this.run.json.minus ?? {};
+    const alone = this.state.show === "difference" && first + other > 0 ? `, ${first + other} in one result only` : "";
+    return `${counted(count)} of ${many(this.run.count, "organ")} shown${alone}`;
   }
 
   get pins() {

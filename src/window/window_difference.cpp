@@ -1,0 +1,92 @@
+#include "window/window_difference.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <unordered_map>
+
+#include <nlohmann/json.hpp>
+
+#include "quasimc/error.h"
+#include "resultio/json_parts.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+Estimate difference_of(const Estimate& a, const Estimate& b) {
+    constexpr double kNormal95 = 1.959964;  // of the normal distribution
+    const double mean = a.mean - b.mean;
+    const double error = std::hypot(a.standard_error, b.standard_error);
+    return {mean, error, mean - kNormal95 * error, mean + kNormal95 * error};
+}
+
+}  // namespace
+
+RowsQuery window_query(const RunFile& run, const std::vector<WindowColumn>& columns) {
+    RowsQuery query{.rest = RowsQuery::Rest::all};
+    for (const WindowColumn& column : columns) {
+        query.columns.push_back(column.path);
+    }
+    if (run.sweep) {
+        query.point = run.point;
+    }
+    return query;
+}
+
+WindowDifference::WindowDifference(
+    const Scene& scene, const std::vector<WindowColumn>& columns, const ReadResult& minus)
+    : title_(minus.run.title.empty() ? minus.run.path : minus.run.title) {
+    std::unordered_map<std::int64_t, std::size_t> known;
+    for (const Organ& organ : minus.run.scene.organs()) {
+        known.emplace(organ.id, known.size());
+    }
+    only_other_ = known.size();
+    for (const Organ& organ : scene.organs()) {
+        const auto found = known.find(organ.id);
+        const bool is_in_both = found != known.end();
+        index_.push_back(is_in_both ? found->second : kNone);
+        only_other_ -= is_in_both ? 1 : 0;
+        only_first_ += is_in_both ? 0 : 1;
+    }
+    if (only_first_ == index_.size()) {
+        throw InputError(
+            {{minus.path, "has no organ of the first result", "organs are matched by their ids",
+              "choose a result of the same plants"}});
+    }
+    read_rows(minus.text, minus.path, window_query(minus.run, columns), [this](PlacedRows rows) {
+        others_[{rows.position.part, rows.position.label}] = std::move(rows.columns);
+    });
+}
+
+RowColumns WindowDifference::of(const RowsPosition& position, const RowColumns& first) const {
+    RowColumns all(first.size());
+    const auto found = others_.find({position.part, position.label});
+    if (found == others_.end()) {
+        return all;
+    }
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        const std::vector<Estimate>& other = found->second[i];
+        if (first[i].empty() || other.empty()) {
+            continue;
+        }
+        for (std::size_t organ = 0; organ < first[i].size(); ++organ) {
+            const std::size_t index = index_[organ];
+            all[i].push_back(
+                index < other.size() ? difference_of(first[i][organ], other[index])
+                                     : kUnknownEstimate);
+        }
+    }
+    return all;
+}
+
+Json WindowDifference::json() const {
+    return {
+        {"title", title_},
+        {"errors", "Errors are those of two independent results."},
+        {"only_first", only_first_},
+        {"only_other", only_other_}};
+}
+
+}  // namespace quasimc
