@@ -122,7 +122,7 @@ export async function buildPage(run, timeline, graphics, live = null) {
   byId("hint").textContent = matchMedia("(pointer: coarse)").matches ? "Tap an organ to read and pin it" : "Point at an organ to read it, click to pin it";
   byId("hint").hidden = false;
   page.parts = [theme, new Head(page), new Panel(page, byId("panel"), (azimuth, elevation) => stage?.lookFrom(azimuth, elevation)), ...(stage ? [stage, new Legend(page, byId("legend"))] : []),
-    new Drawer(page), strip, new Cards(page, byId("cards"), zoom), find, ...(stage ? [new SkyDisc(page, byId("disc"), () => stage.window.view)] : [])];
+    new Drawer(page), strip, new Cards(page, byId("cards"), zoom), find, ...(stage ? [new SkyDisc(page, byId("disc"), () => stage.window.orbit.view)] : [])];
   find.scene();
   new SaveMenu(page, stage?.window);
   listen(page, stage, strip, find);

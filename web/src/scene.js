@@ -1,14 +1,11 @@
-// The scene in three dimensions: camera, input, and when it is drawn.
+// The scene in three dimensions: what is drawn, and when.
 
-import { MathUtils, Mesh, PerspectiveCamera, Scene, Vector2, Vector3, WebGLRenderer } from "three";
-import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Mesh, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { FrameBudget } from "./budget.js";
-import { boundsOf, fitCamera, pointsOf } from "./camera.js";
+import { boundsOf, pointsOf } from "./camera.js";
+import { Orbit } from "./orbit.js";
 import { OrganColors, Passes } from "./passes.js";
 import { OrganGeometry } from "./shape.js";
-
-const kOpening = 35; // degrees, upward
-const kRadians = Math.PI / 180;
 
 /** Whether the CPU renders instead of a GPU. */
 export function isSoftware(gl) {
@@ -43,26 +40,18 @@ export class SceneWindow {
   constructor(renderer, run, onView) {
     Object.assign(this, { renderer, run, onView, canvas: renderer.domElement, isAsked: false });
     this.isQuickAllowed = isSoftware(renderer.getContext());
-    this.insets = { left: 0, top: 0, right: 0, bottom: 0 };
-    this.direction = { azimuth: 200, elevation: 14 };
-    this.isFitted = true; // until someone turns it
     this.shading = 0;
     this.backdrop = null; // a scene behind all others
     this.scene = new Scene();
     this.passes = new Passes(renderer);
-    this.camera = new PerspectiveCamera(kOpening, 1, 0.1, 100);
-    this.camera.up.set(0, 0, 1);
     this.budget = new FrameBudget(renderer.getContext(), () => this.changed());
-    this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.addEventListener("start", () => (this.isFitted = false));
-    this.controls.addEventListener("change", () => {
+    this.#addTriangles();
+    this.orbit = new Orbit(this.canvas, this, () => {
       this.budget.moved();
       this.changed();
     });
-    this.#addTriangles();
     new ResizeObserver(() => this.#resize()).observe(this.canvas.parentElement);
     this.#resize();
-    this.fit();
     this.#handOver();
   }
 
@@ -81,6 +70,7 @@ export class SceneWindow {
     this.organs = new OrganGeometry(run.shape, run.isGround);
     this.light = new OrganColors(run.count);
     this.plant = null;
+    this.north = run.json.north;
     this.points = pointsOf(run.shape, run.isGround);
     this.bounds = boundsOf(this.points.plants);
     this.low = new Vector3(...run.json.low);
@@ -92,19 +82,13 @@ export class SceneWindow {
     this.scene.add(this.mesh);
   }
 
-  /** Sets another scene of the same run. The camera stays, if someone turned it. */
+  /** Sets another scene of the same run. */
   setScene(run) {
     const moved = new Vector3(...this.run.json.middle).sub(new Vector3(...run.json.middle));
     this.run = run;
     this.light.dispose();
     this.#addTriangles();
-    if (this.isFitted) {
-      this.fit();
-    } else {
-      this.controls.target.add(moved);
-      this.camera.position.add(moved);
-      this.controls.update();
-    }
+    this.orbit.setExtent(this, moved);
     this.changed();
   }
 
@@ -121,8 +105,7 @@ export class SceneWindow {
     this.plant = colors ? new OrganColors(this.run.count) : null;
     this.plant?.write(colors);
     if (isOther) {
-      this.#setAspect();
-      this.refit();
+      this.orbit.setSize(this.#width, this.canvas.clientHeight);
     }
     this.changed();
   }
@@ -146,13 +129,6 @@ export class SceneWindow {
     this.changed(false);
   }
 
-  /** Sets what covers the canvas, CSS pixels from its sides; the scene is fitted into the rest. */
-  setInsets(insets) {
-    this.insets = insets;
-    this.#setAspect();
-    this.refit();
-  }
-
   /** Clips to dot(normal, p) <= offset; null: no clipping. */
   cut(normal, offset) {
     this.passes.uniforms.cut.value.set(...(normal ? [...normal, offset] : [0, 0, 0, 1]));
@@ -160,101 +136,17 @@ export class SceneWindow {
     this.changed();
   }
 
-  /** Shows the plants from an azimuth, clockwise from north, and an elevation, degrees. */
-  viewFrom(azimuth, elevation) {
-    this.direction = { azimuth, elevation };
-    this.fit();
+  get camera() {
+    return this.orbit.camera;
   }
 
-  /** The unit vector from the scene to a camera in a direction. */
-  #towards({ azimuth, elevation }) {
-    const north = new Vector3(...this.run.json.north);
-    const east = new Vector3(north.y, -north.x, 0);
-    const high = MathUtils.clamp(elevation, -89.99, 89.99) * kRadians;
-    const flat = north.multiplyScalar(Math.cos(azimuth * kRadians)).addScaledVector(east, Math.sin(azimuth * kRadians));
-    return flat.multiplyScalar(Math.cos(high)).add(new Vector3(0, 0, Math.sin(high)));
-  }
-
-  /** The azimuth and the elevation of the camera, degrees, its target and distance. */
-  get view() {
-    const from = this.camera.position.clone().sub(this.controls.target);
-    const [nx, ny] = this.run.json.north;
-    const azimuth = Math.atan2(from.x * ny - from.y * nx, from.x * nx + from.y * ny) / kRadians;
-    const elevation = Math.atan2(from.z, Math.hypot(from.x, from.y)) / kRadians;
-    return {
-      azimuth: (azimuth + 360) % 360, elevation, distance: from.length(), target: this.controls.target.toArray(),
-      isFitted: this.isFitted,
-    };
-  }
-
-  /** Sets the camera to a view. */
-  set view({ azimuth, elevation, distance, target }) {
-    this.isFitted = false;
-    this.#stand(this.#towards({ azimuth, elevation }), new Vector3(...target), distance);
-  }
-
-  #stand(towards, target, distance) {
-    this.controls.target.copy(target);
-    this.camera.position.copy(target).addScaledVector(towards, distance);
-    this.controls.update();
-    this.budget.moved();
-    this.changed();
-  }
-
-  /** Fits the plants into the free part of the canvas, as seen from the last chosen direction. */
-  fit() {
-    this.isFitted = true;
-    const towards = this.#towards(this.direction);
-    const { target, distance } = fitCamera(this.points.all, towards, this.#opening());
-    this.#stand(towards, target, distance);
-  }
-
-  /** Fits again, unless someone has turned the scene. */
-  refit() {
-    if (this.isFitted) {
-      this.fit();
-    }
-  }
-
-  /** Moves organs into the middle, and nearer, from the same direction. */
+  /** Shows an organ nearer. */
   zoomTo(organ) {
     const { first, vertices } = this.run.shape;
-    const points = [];
-    for (let i = first[organ]; i < first[organ + 1]; ++i) {
-      points.push(new Vector3().fromArray(vertices, 3 * i));
-    }
+    const points = Array.from({ length: first[organ + 1] - first[organ] }, (_, i) => new Vector3().fromArray(vertices, 3 * (first[organ] + i)));
     if (points.length > 0) {
-      const { target, distance } = fitCamera(points, this.#towards(this.view), this.#opening().map((x) => x / 3));
-      this.isFitted = false;
-      this.#stand(this.#towards(this.view), target, distance);
+      this.orbit.zoomTo(points);
     }
-  }
-
-  /** Turns by angles in degrees, and zooms in by a factor. */
-  turn(around, up, nearer = 1) {
-    const { azimuth, elevation, distance, target } = this.view;
-    this.view = {
-      azimuth: azimuth - around, elevation: MathUtils.clamp(elevation + up, -89.9, 89.9), distance: distance / nearer, target,
-    };
-  }
-
-  /** The free rectangle of one view, CSS pixels. */
-  #free() {
-    const { left, top, right, bottom } = this.insets;
-    const [width, height] = [this.#width, this.canvas.clientHeight];
-    const fits = width - left - right > 0.35 * width && height - top - bottom > 0.35 * height;
-    const used = fits && this.#views.length === 1 ? this.insets : { left: 0, top: 0, right: 0, bottom: 0 };
-    return {
-      width: Math.max(1, width - used.left - used.right), height: Math.max(1, height - used.top - used.bottom),
-      x: (used.left - used.right) / 2, y: (used.top - used.bottom) / 2,
-    };
-  }
-
-  /** Tangents of half the free angles. */
-  #opening() {
-    const { width, height } = this.#free();
-    const perPixel = Math.tan((kOpening * kRadians) / 2) / (Math.max(1, this.canvas.clientHeight) / 2);
-    return [(perPixel * width) / 2, (perPixel * height) / 2];
   }
 
   /** To be called after changes. @param moves  whether the visible organ of a pixel may have changed */
@@ -275,7 +167,7 @@ export class SceneWindow {
     const isQuick = this.isQuickAllowed && budget.isMoving;
     renderer.setRenderTarget(null);
     renderer.clear();
-    this.#setRange();
+    this.orbit.setRange();
     this.#drawBackdrop();
     this.organs.drawFraction(budget.share);
     if (isQuick) {
@@ -295,14 +187,6 @@ export class SceneWindow {
     passes.edges.shading.value = this.shading;
     renderer.setViewport(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     passes.drawEdges(this.camera, renderer.getPixelRatio());
-  }
-
-  #setRange() {
-    const far = this.camera.position.distanceTo(this.controls.target);
-    const around = this.controls.target.clone().sub(this.low.clone().add(this.high).multiplyScalar(0.5)).length();
-    this.camera.near = Math.max(far - 1.05 * (this.radius + around), far / 500);
-    this.camera.far = far + 3 * (this.radius + around);
-    this.camera.updateProjectionMatrix();
   }
 
   #drawBackdrop() {
@@ -355,14 +239,6 @@ export class SceneWindow {
     return Math.floor(this.canvas.clientWidth / (this.plant ? 2 : 1));
   }
 
-  #setAspect() {
-    const [width, height] = [Math.max(1, this.#width), Math.max(1, this.canvas.clientHeight)];
-    const { x, y } = this.#free();
-    this.camera.aspect = width / height;
-    this.camera.setViewOffset(width, height, -x, -y, width, height);
-    this.canvas.dataset.shift = `${x},${y}`;
-  }
-
   #resize() {
     const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
     const known = this.renderer.getSize(new Vector2());
@@ -370,8 +246,7 @@ export class SceneWindow {
       this.renderer.setSize(width, height, false); // which clears the canvas
       const ratio = this.renderer.getPixelRatio();
       this.passes.setSize(Math.floor(width * ratio), Math.floor(height * ratio));
-      this.#setAspect();
-      this.refit();
+      this.orbit.setSize(this.#width, height);
       if (this.hasDrawn) {
         this.draw();
       }
@@ -408,7 +283,7 @@ export class SceneWindow {
   organAt(x, y) {
     if (this.isPictureOld) {
       this.organs.drawFraction(1);
-      this.#setRange();
+      this.orbit.setRange();
       this.#drawOrgans(this.passes.full, this.passes.target);
       this.isPictureOld = false;
     }

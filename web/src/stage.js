@@ -37,9 +37,9 @@ export class Stage {
     this.lights = { path: [], hours: [], sun: null, lamps: [] };
     this.#listen();
     if (page.state.view) {
-      this.window.view = page.state.view;
+      this.window.orbit.view = page.state.view;
     }
-    this.window.controls.addEventListener("end", () => this.keepView());
+    this.window.orbit.controls.addEventListener("end", () => this.keepView());
   }
 
   scene() {
@@ -125,7 +125,7 @@ export class Stage {
     const text = JSON.stringify(insets);
     if (this.fitted !== text) {
       this.fitted = text;
-      this.window.setInsets(insets);
+      this.window.orbit.setInsets(insets);
     }
   }
 
@@ -165,41 +165,41 @@ export class Stage {
   }
 
   keepView() {
-    const { azimuth, elevation, distance, target, isFitted } = this.window.view;
+    const { isFitted, view: { azimuth, elevation, distance, target } } = this.window.orbit;
     const round = (x) => Number(x.toPrecision(6));
     this.page.set({ view: isFitted ? null : { azimuth: round(azimuth), elevation: round(elevation), distance: round(distance), target: target.map(round) } });
   }
 
   lookFrom(azimuth, elevation) {
-    this.window.viewFrom(azimuth, elevation);
+    this.window.orbit.viewFrom(azimuth, elevation);
     const isUsual = azimuth === 200 && elevation === 14;
     this.page.set({ view: null });
     if (!isUsual) {
-      const { distance, target } = this.window.view;
+      const { distance, target } = this.window.orbit.view;
       this.page.set({ view: { azimuth, elevation, distance, target } });
     }
   }
 
   fit() {
-    this.window.fit();
+    this.window.orbit.fit();
     this.keepView();
   }
 
   /** Turns so that an organ is seen, unless it is. */
   lookAt(organ) {
-    const middle = this.#middleOf(organ).sub(this.window.controls.target);
-    const { azimuth, elevation, distance, target } = this.window.view;
+    const middle = this.#middleOf(organ).sub(this.window.orbit.controls.target);
+    const { azimuth, elevation, distance, target } = this.window.orbit.view;
     const [nx, ny] = this.page.run.json.north;
     const towards = (Math.atan2(middle.x * ny - middle.y * nx, middle.x * nx + middle.y * ny) * 180) / Math.PI;
     const away = Math.abs(((towards - azimuth + 540) % 360) - 180);
     if (away > 90 && middle.length() > 0.1 * this.window.radius) {
-      this.window.view = { azimuth: towards, elevation: Math.max(elevation, 14), distance, target };
+      this.window.orbit.view = { azimuth: towards, elevation: Math.max(elevation, 14), distance, target };
       this.keepView();
     }
   }
 
   turn(around, up, nearer) {
-    this.window.turn(around, up, nearer);
+    this.window.orbit.turn(around, up, nearer);
     this.keepView();
   }
 

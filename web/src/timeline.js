@@ -77,7 +77,7 @@ export class Timeline {
     if (entry.start === null || entry.start === undefined) {
       return { title: entry.name, note: "" };
     }
-    return { title: entry.short, note: `${entry.hours > 0 ? "mean of the time" : "at this instant"}, ${dateText(entry.date)}` };
+    return { title: entry.short, note: `${entry.hours === 0 ? "at this instant" : entry.hours === 1 ? "mean of the hour" : "mean"}, ${dateText(entry.date)}` };
   }
 
   /** A text for the legend: "sum of the day", "13:00 – 14:00". */
