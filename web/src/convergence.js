@@ -7,7 +7,7 @@ import { startPlot } from "./plot.js";
 /** The median and the worst error after each round, per cent, both axes logarithmic. */
 export function drawConvergence(parent, rounds) {
   const known = rounds.filter((round) => round.median_error > 0 && round.worst_error > 0);
-  if (known.length < 2 || parent.clientWidth === 0) {
+  if (known.length < 2) {
     return;
   }
   const log = Math.log10;

@@ -65,7 +65,13 @@ export async function followRun(openGraphics, buildPage) {
   const graphics = openGraphics();
   const live = await opening;
   let page = null;
+  let shown = "";
   const show = async (run, at, frames) => {
+    const news = JSON.stringify([frames, at, follower.isFollowing]);
+    if (run === null && news === shown) {
+      return; // nothing is drawn where nothing has changed
+    }
+    shown = news;
     const timeline = Timeline.ofFrames(frames);
     const key = timeline.steps[at]?.key ?? "";
     if (page === null) {

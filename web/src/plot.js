@@ -5,14 +5,16 @@ import { plain } from "./format.js";
 import { ticks } from "./numbers.js";
 import { roving } from "./choice.js";
 
+const kUsual = [440, 180]; // of charts that are not in the document yet
+
 /**
  * An empty chart as large as its parent.
  * @param x, y  {low, high, ticks: count or list, format}; no ticks: no labels
  * @returns {node, x, y, box}: functions from numbers to pixels, and the ends of the plane
  */
 export function startPlot(parent, label, { x, y, left = 44 }) {
-  const width = Math.max(120, parent.clientWidth);
-  const height = Math.max(80, parent.clientHeight);
+  const width = Math.max(120, parent.clientWidth || kUsual[0]);
+  const height = Math.max(80, parent.clientHeight || kUsual[1]);
   const box = { left, right: width - 6, top: 10, bottom: height - 20 };
   const node = svg("svg", { width, height, role: "group", "aria-label": label });
   const toX = (v) => box.left + ((v - x.low) / (x.high - x.low || 1)) * (box.right - box.left);

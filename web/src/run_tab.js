@@ -62,7 +62,7 @@ function convergenceParts(rounds) {
   const rows = rounds.map((round) => [{ number: counted(round.paths) }, { number: plain(round.seconds) },
     ...[round.median_error, round.worst_error, round.fraction_at_target].map((part) => ({ number: percent(part) }))]);
   const chart = make("div", { id: "convergence" });
-  setTimeout(() => drawConvergence(chart, rounds)); // once it has a size
+  drawConvergence(chart, rounds);
   return [chart, table("Relative standard errors of the flux absorbed by organs", ["paths", "seconds", "median", "largest", "at the target"], rows)];
 }
 
