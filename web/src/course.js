@@ -96,12 +96,13 @@ export class Course {
     }
   }
 
-  #addMean({ node, x, y }, at, all) {
+  #addMean({ node, x, y, box }, at, all) {
     const points = all.flatMap((found, i) => (found ? [[x(at[i]), y(found.mean)]] : []));
     node.append(svg("polyline", { class: "mean", points: points.map((point) => point.join()).join(" ") }));
     if (points.length > 0) {
       const name = quantityName(this.page.run.json.columns[this.page.column]);
-      node.append(svg("text", { x: points[0][0], y: 8, "text-anchor": "start" }, "all plants, dashed", svg("title", {}, name)));
+      const isRight = points[0][0] > (box.left + box.right) / 2;
+      node.append(svg("text", { x: points[0][0], y: 8, "text-anchor": isRight ? "end" : "start" }, "all plants, dashed", svg("title", {}, name)));
     }
   }
 

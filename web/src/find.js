@@ -37,7 +37,7 @@ export class Find {
     this.list = byId("hits");
     this.input.addEventListener("input", () => this.#search());
     this.input.addEventListener("focus", () => this.#search());
-    this.input.addEventListener("blur", () => setTimeout(() => this.close(), 150));
+    this.input.addEventListener("blur", () => this.close());
     this.input.addEventListener("keydown", (event) => this.#key(event));
     byId("find-button").addEventListener("click", () => this.open());
   }

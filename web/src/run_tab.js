@@ -79,6 +79,12 @@ function completedWords({ paths, replicates, time_steps: steps, time_steps_reque
   ].join("; ");
 }
 
+/** "site: latitude 52 deg" as a name and a text. @param usual  the name of texts without one */
+function named(text, usual) {
+  const at = text.indexOf(": ");
+  return at > 0 && at < 20 ? [text.slice(0, at), text.slice(at + 2)] : [usual, text];
+}
+
 function aboutRun(run, now) {
   const { head } = run.json;
   const { organs, triangles, length_unit: unit } = head.scene ?? {};
@@ -87,7 +93,7 @@ function aboutRun(run, now) {
     ["scene", `${many(organs ?? run.count, "organ")}, ${many(triangles ?? run.shape.triangles, "triangle")}${unit ? `, lengths in ${unit}` : ""}`],
     ...(head.sources ?? []).map((source) => ["source", source]),
     ...(head.point ? [["point", words(head.point)]] : []),
-    ...[head.time ?? []].flat().map((text) => ["time steps", words(text)]),
+    ...[head.time ?? []].flat().map((text) => named(words(text), "time steps")),
     ...(method ? [["method", `${method.used}${method.reason ? `: ${method.reason}` : ""}`]] : []),
     ["completed", completedWords(now.completed ?? head.completed ?? {})],
     ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (p = ${plain(now.audit.p_value)})`]] : []),
