@@ -1,5 +1,6 @@
 #include "window/window_data.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -60,6 +61,14 @@ Json add_time(
     return time;
 }
 
+/// Whether any time has a column in both results.
+bool has_difference(const Json& times) {
+    return std::any_of(times.begin(), times.end(), [](const Json& time) {
+        const Json& columns = time["minus"];
+        return std::any_of(columns.begin(), columns.end(), [](const Json& i) { return i >= 0; });
+    });
+}
+
 }  // namespace
 
 std::size_t WindowData::bytes() const {
@@ -115,6 +124,11 @@ WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
         throw InputError(
             {{result.path, "contains no light of organs",
               "the run did not write it, or was not completed", "check [output] in the run file"}});
+    }
+    if (difference && !has_difference(times)) {
+        throw InputError(
+            {{minus->path, "has no time or no quantity of the first result",
+              "times are matched by their labels", "choose results of the same times and bands"}});
     }
     Json all = json_window_scene(scene, columns);
     all["title"] = run.title.empty() ? run.path : run.title;

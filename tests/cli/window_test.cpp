@@ -60,6 +60,28 @@ TEST_F(WindowCommand, WritesReports) {
     expect_fault({"report", "out.json", "-o", "q.html"}, "leaves.tri");
 }
 
+TEST_F(WindowCommand, WritesDifferencesOfResults) {
+    if (!has_page()) {
+        GTEST_SKIP() << "built without the viewer";
+    }
+    const auto report = [](const std::string& minus) {
+        return std::vector<std::string>{"report", "out.json", "-o", "p.html", "--minus", minus};
+    };
+    EXPECT_EQ(run(report("out.json")).status, 0);
+    EXPECT_NE(folder_.read("p.html").find("\"minus\""), std::string::npos);
+    expect_fault(report("run.toml"), "run.toml: is not a result");
+    expect_fault(report("none.json"), "none.json");
+    std::string other = folder_.read("run.toml");
+    const std::string file = "file = \"leaves.tri\"";
+    ASSERT_NE(other.find(file), std::string::npos);
+    other.replace(other.find(file), file.size(), file + "\nfirst_id = 900");
+    folder_.write("other.toml", other);
+    ASSERT_EQ(run({"run", "other.toml", "--json", "other.json"}).status, 0);
+    EXPECT_EQ(run(report("other.json")).status, 0);
+    const std::string html = folder_.read("p.html");
+    EXPECT_NE(html.find("\"only_first\":2,\"only_other\":2"), std::string::npos);
+}
+
 TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
     if (!has_page()) {
         GTEST_SKIP() << "built without the viewer";

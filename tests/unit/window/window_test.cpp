@@ -367,7 +367,8 @@ TEST(Page, ReportsHoldNoMarkupOfTheData) {
     EXPECT_NE(html.find(R"({"title":"\u003c/script>\u003cscript>"})"), std::string::npos);
     EXPECT_NE(html.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
     EXPECT_EQ(html.find("<!--"), html.npos) << "a mark is left";
-    EXPECT_NE(html.find("<meta name=\"viewport\""), html.npos) << "phones would show it as on a desk";
+    EXPECT_NE(html.find("<meta name=\"viewport\""), html.npos)
+        << "phones would show it as on a desk";
     EXPECT_NE(html.find("id=\"values-1\">c2Vjb25k</script>"), std::string::npos);
 }
 
