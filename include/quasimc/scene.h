@@ -233,6 +233,7 @@ struct GroundSpec {
     Mesh triangles = {};  ///< a given surface instead, the file's axes
     std::string name = "ground";
     std::string where = "ground";
+    bool measured = true;  ///< Organ::measured
 };
 
 /// Builds and checks a scene. Nothing is repaired silently; all errors are reported at once.

@@ -97,10 +97,23 @@ struct Sections {
     UnitOrigin unit_origin = UnitOrigin::assumed;
 };
 
-void read_geometry_sections(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+/// @param add_organs  adds organs after those of the file; may be empty
+void read_geometry_sections(
+    TableReader& top, RunFileContext& context, const AddOrgans& add_organs, SceneBuilder& builder) {
+    if (context.meshes != nullptr) {
+        context.meshes->start_point();
+    }
+    std::optional<GroundSpec> ground = read_ground(top, context);
+    context.ground = ground ? &*ground : nullptr;
     read_organs(top, context, builder);
     read_geometry(top, context, builder);
-    read_ground(top, context, builder);
+    if (add_organs) {
+        add_organs(builder);
+    }
+    context.ground = nullptr;
+    if (ground) {
+        builder.set_ground(std::move(*ground));
+    }
     read_cell(top, context, builder);
 }
 
@@ -117,7 +130,8 @@ RunFileContext read_context(TableReader& top, InputFiles& files) {
         .sun = {},
         .length_unit = top.text("length_unit").value_or("m"),
         .has_time = top.any("time") != nullptr,
-        .meshes = nullptr};
+        .meshes = nullptr,
+        .ground = nullptr};
 }
 
 UnitOrigin unit_origin(TableReader& top) {
@@ -147,7 +161,7 @@ Sections read_sections(
     if (known.same != nullptr) {
         pass_over(top, {"organ", "geometry", "ground", "cell"});
     } else {
-        read_geometry_sections(top, context, builder);
+        read_geometry_sections(top, context, {}, builder);
     }
     read_detectors(top, builder);
     sections.output =
@@ -239,13 +253,7 @@ SceneBuilder read_builder(
     RunFileContext context = read_context(top, files);
     SceneBuilder builder = begin_scene(context);
     read_materials(top, context, builder);
-    read_organs(top, context, builder);
-    read_geometry(top, context, builder);
-    if (add_organs) {
-        add_organs(builder);
-    }
-    read_ground(top, context, builder);
-    read_cell(top, context, builder);
+    read_geometry_sections(top, context, add_organs, builder);
     read_detectors(top, builder);
     refuse_options_at_the_top(top);
     top.finish();

@@ -9,23 +9,15 @@
 
 #include "base/text.h"
 #include "meshio/file_axes.h"
+#include "runfile/copies.h"
 #include "runfile/file_materials.h"
+#include "runfile/geometry_organs.h"
 #include "runfile/run_file_sections.h"
 
 namespace quasimc {
 namespace {
 
 constexpr std::array<std::string_view, 3> kOrganWords{"each", "groups", "one"};
-
-/// The keys of a [[geometry]] table for the organs of its file.
-struct GeometryKeys {
-    std::string file, name, organs;
-    Labels labels;
-    std::optional<std::int64_t> first_id;
-    std::optional<Affine> transform;
-    /// Transforms of copies, after `transform`; empty: one copy without a transform.
-    std::vector<Affine> copies;
-};
 
 std::map<std::string, std::string> read_material_map(TableReader& table) {
     std::map<std::string, std::string> result;
@@ -49,168 +41,11 @@ std::map<std::string, std::string> read_material_map(TableReader& table) {
     return result;
 }
 
-/// Adds the organs of a file to the builder.
-class OrganAdder {
-  public:
-    OrganAdder(const GeometryKeys& keys, const FoundMaterials& materials, SceneBuilder& builder)
-        : keys_(keys), materials_(materials), builder_(builder) {}
-
-    void add(MeshFile file) {
-        line_word_ = file.line_word;
-        if (keys_.organs == "each") {
-            add_each_triangle(file);
-            return;
-        }
-        if (keys_.organs == "one" && !keys_.copies.empty()) {
-            file.groups = {merged(std::move(file.groups))};
-        }
-        std::vector<Mesh> meshes = file.take_meshes();
-        if (keys_.copies.empty()) {
-            add_organs(file.groups, [&](std::size_t part) {
-                return OrganPart{"", std::move(meshes[part]), {}, {}};
-            });
-            return;
-        }
-        std::vector<std::shared_ptr<const Mesh>> shared;
-        shared.reserve(meshes.size());
-        for (Mesh& mesh : meshes) {
-            shared.push_back(std::make_shared<const Mesh>(std::move(mesh)));
-        }
-        for (const Affine& copy : keys_.copies) {
-            ++copy_;
-            add_organs(file.groups, [&](std::size_t part) {
-                return OrganPart{"", {}, shared[part], copy};
-            });
-        }
-    }
-
-  private:
-    /// Merges groups into one with one part per material, as few large meshes are faster to copy.
-    static MeshGroup merged(std::vector<MeshGroup> groups) {
-        MeshGroup all;
-        for (MeshGroup& group : groups) {
-            for (MeshPart& part : group.parts) {
-                const auto known = std::find_if(
-                    all.parts.begin(), all.parts.end(),
-                    [&](const MeshPart& other) { return other.material == part.material; });
-                if (known == all.parts.end()) {
-                    all.parts.push_back(std::move(part));
-                    continue;
-                }
-                known->faces.insert(known->faces.end(), part.faces.begin(), part.faces.end());
-                known->lines.insert(known->lines.end(), part.lines.begin(), part.lines.end());
-            }
-        }
-        return all;
-    }
-
-    void add_each_triangle(const MeshFile& file) {
-        const std::vector<Affine> once(1);
-        for (const Affine& copy : keys_.copies.empty() ? once : keys_.copies) {
-            for (const MeshGroup& group : file.groups) {
-                for (const MeshPart& part : group.parts) {
-                    add_triangles(file, group.labels, part, copy);
-                }
-            }
-        }
-    }
-
-    void add_triangles(
-        const MeshFile& file, const Labels& labels, const MeshPart& part, const Affine& copy) {
-        const std::string material = materials_.at(part.material);
-        for (std::size_t i = 0; i < part.faces.size(); ++i) {
-            ++count_;
-            OrganSpec organ =
-                make_organ({}, keys_.name.empty() ? "" : fmt::format("{} {}", keys_.name, count_));
-            add_labels(labels, organ);
-            organ.where = where(part.lines[i]);
-            std::vector<Triangle> triangle{file.triangle(part, i)};
-            if (!keys_.copies.empty()) {
-                move_triangles(copy, triangle);
-            }
-            organ.parts.push_back({material, triangle});
-            builder_.add_organ(std::move(organ));
-        }
-    }
-
-    /// @param make_part  makes a part by its index over all groups
-    template <typename MakePart>
-    void add_organs(const std::vector<MeshGroup>& groups, const MakePart& make_part) {
-        std::size_t number = 0;
-        const auto add_parts = [&](const MeshGroup& group, OrganSpec& organ) {
-            for (const MeshPart& part : group.parts) {
-                organ.parts.push_back(make_part(number++));
-                organ.parts.back().material = materials_.at(part.material);
-            }
-        };
-        if (keys_.organs == "one") {
-            ++count_;
-            OrganSpec organ = make_organ({}, name_of(""));
-            organ.where = keys_.file;
-            for (const MeshGroup& group : groups) {
-                add_parts(group, organ);
-            }
-            builder_.add_organ(std::move(organ));
-            return;
-        }
-        for (const MeshGroup& group : groups) {
-            ++count_;
-            OrganSpec organ = make_organ(group.id, name_of(group.name));
-            organ.where = where(group.parts.front().lines.front());
-            add_labels(group.labels, organ);
-            add_parts(group, organ);
-            builder_.add_organ(std::move(organ));
-        }
-    }
-
-    /// The given name, the number of the copy if there are several, and the name in the file.
-    [[nodiscard]] std::string name_of(const std::string& group) const {
-        std::string name = keys_.name;
-        if (!keys_.copies.empty()) {
-            name = fmt::format("{} {}", name.empty() ? "copy" : name, copy_);
-        }
-        return name + (name.empty() || group.empty() ? "" : " ") + group;
-    }
-
-    /// An organ without parts, with the id in the file, unless the run file numbers organs or there
-    /// are copies.
-    [[nodiscard]] OrganSpec make_organ(std::optional<std::int64_t> id, std::string name) const {
-        OrganSpec organ;
-        organ.id = keys_.first_id         ? std::optional(*keys_.first_id + count_ - 1)
-                   : keys_.copies.empty() ? id
-                                          : std::nullopt;
-        organ.name = std::move(name);
-        organ.labels = keys_.labels;
-        return organ;
-    }
-
-    /// Adds the labels of the file, except those that the run file gives.
-    void add_labels(const Labels& labels, OrganSpec& organ) const {
-        for (const auto& label : labels) {
-            const auto is_same = [&](const auto& given) { return given.first == label.first; };
-            if (std::none_of(keys_.labels.begin(), keys_.labels.end(), is_same)) {
-                organ.labels.push_back(label);
-            }
-        }
-    }
-
-    [[nodiscard]] std::string where(std::uint32_t line) const {
-        return line_word_ == "line" ? fmt::format("{}:{}", keys_.file, line)
-                                    : fmt::format("{}: {} {}", keys_.file, line_word_, line);
-    }
-
-    const GeometryKeys& keys_;
-    std::string_view line_word_;
-    const FoundMaterials& materials_;
-    SceneBuilder& builder_;
-    std::int64_t count_ = 0, copy_ = 0;
-};
-
-/// A table and the file that it names.
+/// A table and the files that it names.
 struct Geometry {
     TableReader table;
     GeometryKeys keys;
-    GeometryFile file;
+    std::vector<GeometryFile> files;
 };
 
 /// Warns of a scale that is correct only if plants are in the unit of their positions.
@@ -225,40 +60,90 @@ void warn_of_second_scale(const Affine& transform, const NamedMesh& named, Table
     }
 }
 
+/// The names of files, each once. @returns the index of the file of each name
+std::vector<std::size_t> make_unique(std::vector<std::string>& names) {
+    std::vector<std::string> unique;
+    std::vector<std::size_t> indices;
+    for (std::string& name : names) {
+        const auto known = std::find(unique.begin(), unique.end(), name);
+        indices.push_back(static_cast<std::size_t>(known - unique.begin()));
+        if (known == unique.end()) {
+            unique.push_back(std::move(name));
+        }
+    }
+    names = std::move(unique);
+    return indices;
+}
+
+/// Reads `at` with the texts that may have placeholders: sets the copies, and the names of their
+/// files, each once.
+void read_file_copies(
+    TableReader& table,
+    const std::string& name,
+    RunFileContext& context,
+    GeometryKeys& keys,
+    std::vector<std::string>& files) {
+    const Labels labels = read_labels(table);
+    const auto copies = read_copies(table, name.empty() ? files.front() : name, context);
+    keys.has_copies = table.any("at") != nullptr;
+    if (!copies) {
+        keys.copies = {{.name = name, .labels = labels}};
+        return;
+    }
+    CopyTexts texts(table, *copies);
+    std::vector<std::string> file_of_copy = texts.fill("file", files.front());
+    std::vector<Labels> labels_of_copy = texts.labels(labels);
+    std::vector<std::string> name_of_copy = texts.names(name, "copy");
+    if (file_of_copy.empty() || name_of_copy.empty()) {
+        return;
+    }
+    files = std::move(file_of_copy);
+    const std::vector<std::size_t> file_index = make_unique(files);
+    for (std::size_t i = 0; i < copies->size(); ++i) {
+        keys.copies.push_back(
+            {std::move(name_of_copy[i]), std::move(labels_of_copy[i]), (*copies)[i].transform,
+             file_index[i]});
+    }
+}
+
+/// Moves the vertices of a file by the `transform` of its table.
+void transform_file(const std::optional<Affine>& transform, NamedMesh& named, TableReader& table) {
+    if (transform) {
+        warn_of_second_scale(*transform, named, table);
+        move_points(*transform, named.mesh.vertices);
+    }
+}
+
 /// Reads one table; empty after a fault.
 std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     constexpr Range kFirstId{-1e15, 1e15};
     TableReader table(node, "geometry", *context.reporter);
     GeometryKeys keys;
-    keys.name = table.text("name").value_or("");
-    keys.labels = read_labels(table);
-    GeometryFile file;
-    file.keys = {table.text("material"), read_material_map(table)};
+    const std::string name = table.text("name").value_or("");
+    const MaterialKeys materials{table.text("material"), read_material_map(table)};
     keys.first_id = table.integer("first_id", kFirstId);
-    keys.transform = read_transform(table);
-    keys.copies = read_copies(table, context.orientation).value_or(std::vector<Affine>());
+    keys.measured = table.boolean("measured").value_or(true);
+    const std::optional<Affine> transform = read_transform(table);
+    std::vector<std::string> files{table.required("file", table.text("file")).value_or("")};
+    read_file_copies(table, name, context, keys, files);
     const std::optional<std::string> organs = table.choice("organs", kOrganWords);
-    std::optional<NamedMesh> named = read_named_mesh(table, context);
+    std::vector<NamedMesh> named = read_named_meshes(table, files, context);
     table.finish();
-    if (!named || table.failed()) {
+    if (named.empty() || table.failed()) {
         return std::nullopt;
     }
-    keys.file = file.name = named->file;
-    keys.organs = organs.value_or(std::string(named->format->organs));
-    if (keys.transform) {
-        warn_of_second_scale(*keys.transform, *named, table);
-        move_points(*keys.transform, named->mesh.vertices);
+    keys.organs = organs.value_or(std::string(named.front().format->organs));
+    std::vector<GeometryFile> read;
+    for (NamedMesh& each : named) {
+        transform_file(transform, each, table);
+        read.push_back({each.file, std::move(each.mesh), materials});
     }
-    file.mesh = std::move(named->mesh);
-    return Geometry{std::move(table), std::move(keys), std::move(file)};
+    return Geometry{std::move(table), std::move(keys), std::move(read)};
 }
 
 }  // namespace
 
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
-    if (context.meshes != nullptr) {
-        context.meshes->start_point();
-    }
     std::vector<Geometry> all;
     for (const Node* node : top.tables("geometry")) {
         if (std::optional<Geometry> geometry = read_one(*node, context)) {
@@ -269,11 +154,17 @@ void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& buil
     // matter.
     FileMaterials materials(context);
     for (const Geometry& geometry : all) {
-        materials.note(geometry.file);
+        for (const GeometryFile& file : geometry.files) {
+            materials.note(file);
+        }
     }
     for (Geometry& geometry : all) {
-        const FoundMaterials found = materials.find(geometry.file, geometry.table, builder);
-        OrganAdder(geometry.keys, found, builder).add(std::move(geometry.file.mesh));
+        std::vector<FileOfTable> files;
+        for (GeometryFile& file : geometry.files) {
+            FoundMaterials found = materials.find(file, geometry.table, builder);
+            files.push_back({file.name, std::move(file.mesh), std::move(found)});
+        }
+        add_geometry(geometry.keys, std::move(files), builder);
     }
     materials.warn_of_unmatched(top.reporter());
 }

@@ -117,16 +117,32 @@ std::optional<double> read_plant_unit(TableReader& table, const FormatEntry* for
 
 std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context) {
     const std::optional<std::string> file = table.required("file", table.text("file"));
-    const FormatEntry* format = read_format(table, file.value_or(""));
+    std::vector<NamedMesh> read =
+        read_named_meshes(table, std::vector<std::string>{file.value_or("")}, context);
+    return file && !read.empty() ? std::optional(std::move(read.front())) : std::nullopt;
+}
+
+std::vector<NamedMesh> read_named_meshes(
+    TableReader& table, const std::vector<std::string>& files, RunFileContext& context) {
+    const FormatEntry* format = read_format(table, files.front());
     const std::optional<double> plant_metres = read_plant_unit(table, format);
-    if (file && file->empty()) {
+    const Node* node = table.any("file");
+    if (node != nullptr && node->as<std::string>() != nullptr && files.front().empty()) {
         table.fault_at("file", "file is empty", "give the name of a file");
     }
-    if (!file || format == nullptr) {
-        return std::nullopt;
+    std::vector<NamedMesh> meshes;
+    for (const std::string& file : files) {
+        const FormatEntry* own = file == files.front() ? format : read_format(table, file);
+        if (own == nullptr || file.empty()) {
+            return {};
+        }
+        std::optional<MeshFile> mesh = read_bytes(table, file, *own, plant_metres, context);
+        if (!mesh) {
+            return {};
+        }
+        meshes.push_back({file, own, std::move(*mesh)});
     }
-    std::optional<MeshFile> mesh = read_bytes(table, *file, *format, plant_metres, context);
-    return mesh ? std::optional<NamedMesh>({*file, format, std::move(*mesh)}) : std::nullopt;
+    return meshes;
 }
 
 }  // namespace quasimc

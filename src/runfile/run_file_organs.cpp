@@ -1,11 +1,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "runfile/copies.h"
 #include "runfile/run_file_sections.h"
 
 namespace quasimc {
@@ -25,17 +27,6 @@ std::optional<Range> read_horizontal_range(TableReader& table, std::string_view 
     return node ? table.interval_at(key, *node, TableReader::kFinite) : std::nullopt;
 }
 
-/// Rotation by `angle` about the unit vector `k` (Rodrigues).
-std::array<Vec3, 3> rotation(const Vec3& k, double angle) {
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    const double d = 1 - c;
-    return {
-        Vec3{c + d * k.x * k.x, d * k.x * k.y - s * k.z, d * k.x * k.z + s * k.y},
-        Vec3{d * k.y * k.x + s * k.z, c + d * k.y * k.y, d * k.y * k.z - s * k.x},
-        Vec3{d * k.z * k.x - s * k.y, d * k.z * k.y + s * k.x, c + d * k.z * k.z}};
-}
-
 std::array<Vec3, 3> read_rotation(const Node& node, TableReader& parent) {
     TableReader table(node, parent.what() + ": rotate", parent.reporter());
     const auto axis = table.required("axis", table.vector("axis"));
@@ -50,6 +41,31 @@ std::array<Vec3, 3> read_rotation(const Node& node, TableReader& parent) {
         return Affine{}.rows;
     }
     return rotation(normalized(*axis / size), *degrees * std::numbers::pi / 180);
+}
+
+/// Adds an organ for each copy, all with the same triangles.
+void add_copies(
+    TableReader& table,
+    const OrganSpec& organ,
+    const std::vector<Copy>& copies,
+    std::vector<Triangle> triangles,
+    SceneBuilder& builder) {
+    CopyTexts texts(table, copies);
+    const std::vector<Labels> labels = texts.labels(organ.labels);
+    const std::vector<std::string> names = texts.names(organ.name, "");
+    if (table.failed()) {
+        triangles = {kSubstitute};
+    }
+    const auto shared = std::make_shared<const Mesh>(triangles);
+    for (std::size_t i = 0; i < copies.size(); ++i) {
+        OrganSpec copy = organ;
+        copy.id = organ.id ? std::optional(*organ.id + static_cast<std::int64_t>(i)) : std::nullopt;
+        copy.name = i < names.size() ? names[i] : "";
+        copy.labels = labels[i];
+        copy.parts.front().shared = shared;
+        copy.parts.front().transform = copies[i].transform;
+        builder.add_organ(std::move(copy));
+    }
 }
 
 void read_organ(const Node& node, RunFileContext& context, SceneBuilder& builder) {
@@ -71,12 +87,20 @@ void read_organ(const Node& node, RunFileContext& context, SceneBuilder& builder
     if (const auto transform = read_transform(table)) {
         move_triangles(*transform, triangles);
     }
+    const auto copies = read_copies(
+        table, organ.name.empty() ? table.text("shape").value_or("") : organ.name, context);
     table.finish();
-    if (material) {
-        organ.parts.push_back(
-            {*material, table.failed() ? std::vector{kSubstitute} : std::move(triangles)});
-        builder.add_organ(std::move(organ));
+    if (!material) {
+        return;
     }
+    organ.parts.push_back({*material, {}});
+    if (copies) {
+        add_copies(table, organ, *copies, std::move(triangles), builder);
+        return;
+    }
+    organ.parts.front().triangles =
+        table.failed() ? std::vector{kSubstitute} : std::move(triangles);
+    builder.add_organ(std::move(organ));
 }
 
 /// The rectangle of a ground, horizontal axes of the world; empty if it is absent.
@@ -96,6 +120,17 @@ std::optional<std::array<double, 4>> read_extent(
 }
 
 }  // namespace
+
+/// Rodrigues' formula.
+std::array<Vec3, 3> rotation(const Vec3& k, double angle) {
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    const double d = 1 - c;
+    return {
+        Vec3{c + d * k.x * k.x, d * k.x * k.y - s * k.z, d * k.x * k.z + s * k.y},
+        Vec3{d * k.y * k.x + s * k.z, c + d * k.y * k.y, d * k.y * k.z - s * k.x},
+        Vec3{d * k.z * k.x - s * k.y, d * k.z * k.y + s * k.x, c + d * k.z * k.z}};
+}
 
 Labels read_labels(TableReader& table) {
     Labels labels;
@@ -186,16 +221,17 @@ Mesh read_surface(TableReader& table, RunFileContext& context) {
 
 }  // namespace
 
-void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+std::optional<GroundSpec> read_ground(TableReader& top, RunFileContext& context) {
     const Node* node = top.any("ground");
     if (node == nullptr) {
-        return;
+        return std::nullopt;
     }
     TableReader table(*node, "ground", *context.reporter);
     GroundSpec ground;
     ground.where = table.where();
     ground.name = table.text("name").value_or(ground.name);
     ground.material = table.required("material", table.text("material")).value_or("");
+    ground.measured = table.boolean("measured").value_or(true);
     if (table.any("file") != nullptr) {
         ground.triangles = read_surface(table, context);
     } else {
@@ -203,9 +239,7 @@ void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builde
         ground.extent = read_extent(table, context.orientation);
     }
     table.finish();
-    if (!table.failed()) {
-        builder.set_ground(std::move(ground));
-    }
+    return table.failed() ? std::nullopt : std::optional(std::move(ground));
 }
 
 void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& builder) {

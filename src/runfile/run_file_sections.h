@@ -46,8 +46,9 @@ struct RunFileContext {
     std::optional<Site> site;         ///< [site]
     std::optional<SunSpec> sun;       ///< sun of the first source of type "sun"
     std::string length_unit = "m";
-    bool has_time = false;        ///< whether there is a [time]
-    MeshCache* meshes = nullptr;  ///< cache of parsed files; or null
+    bool has_time = false;               ///< whether there is a [time]
+    MeshCache* meshes = nullptr;         ///< cache of parsed files; or null
+    const GroundSpec* ground = nullptr;  ///< [ground], for heights above it; or null
 };
 
 // run_file_sun.cpp
@@ -146,21 +147,19 @@ struct SpectralOptics {
 
 // run_file_organs.cpp
 void read_organs(TableReader& top, RunFileContext& context, SceneBuilder& builder);
-void read_ground(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+/// Empty if it is absent, or after a fault.
+[[nodiscard]] std::optional<GroundSpec> read_ground(TableReader& top, RunFileContext& context);
 void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& builder);
 [[nodiscard]] Labels read_labels(TableReader& table);
 /// Reads `transform`, p -> translate + rotate (scale p); empty if it is absent.
 [[nodiscard]] std::optional<Affine> read_transform(TableReader& table);
+/// Rotation by `angle` (radians, counter-clockwise) about the unit vector `axis`.
+[[nodiscard]] std::array<Vec3, 3> rotation(const Vec3& axis, double angle);
 void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
 void move_points(const Affine& transform, std::vector<Vec3>& points);
 
 // run_file_geometry.cpp
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);
-
-// run_file_copies.cpp
-/// Reads `at`: the transforms of copies of a geometry. Empty if it is absent, or after a fault.
-[[nodiscard]] std::optional<std::vector<Affine>> read_copies(
-    TableReader& table, const Orientation& orientation);
 
 // run_file_mesh.cpp
 /// The geometry in the file that a table names.
@@ -171,5 +170,9 @@ struct NamedMesh {
 };
 /// Reads the file that a table names by `file` and `format`; empty after a fault.
 [[nodiscard]] std::optional<NamedMesh> read_named_mesh(TableReader& table, RunFileContext& context);
+/// Reads files of a table, each once, in the format of its `format` or extension; empty after a
+/// fault. @param files  at least one
+[[nodiscard]] std::vector<NamedMesh> read_named_meshes(
+    TableReader& table, const std::vector<std::string>& files, RunFileContext& context);
 
 }  // namespace quasimc

@@ -80,6 +80,8 @@ struct SkyShapeSpec {
     TableReader& table, const std::string& name, const RunFileContext& context);
 [[nodiscard]] std::optional<NotedSource> read_uniform_sky(
     TableReader& table, const std::string& name, const RunFileContext& context);
+// run_file_lamp_copies.cpp: the tables of the copies of a lamp with `at`; empty after a fault
+[[nodiscard]] std::vector<Node> lamp_tables(const Node& source, RunFileContext& context);
 // run_file_lamps.cpp: all types of lamps
 [[nodiscard]] std::optional<NotedSource> read_lamp(
     TableReader& table, const std::string& name, const RunFileContext& context);

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -78,6 +80,13 @@ std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext
     return hours;
 }
 
+const KindReader* find_reader(std::string_view type) {
+    const auto* kind = std::find_if(
+        kKindReaders.begin(), kKindReaders.end(),
+        [&](const KindReader& reader) { return reader.name == type; });
+    return kind == kKindReaders.end() ? nullptr : kind;
+}
+
 std::optional<NotedSource> read_source(const Node& node, const RunFileContext& context) {
     TableReader table(node, "source", *context.reporter);
     const std::optional<std::string> type =
@@ -87,10 +96,8 @@ std::optional<NotedSource> read_source(const Node& node, const RunFileContext& c
     if (!type) {
         return std::nullopt;  // the type of the keys is unknown
     }
-    const auto* kind = std::find_if(
-        kKindReaders.begin(), kKindReaders.end(),
-        [&](const KindReader& reader) { return reader.name == *type; });
-    EXPECT(kind != kKindReaders.end());
+    const KindReader* kind = find_reader(*type);
+    EXPECT(kind != nullptr);
     std::optional<NotedSource> source = kind->read(table, name, context);
     const std::optional<DailyHours> hours = read_on_hours(table, context);
     if (source && hours) {
@@ -101,28 +108,63 @@ std::optional<NotedSource> read_source(const Node& node, const RunFileContext& c
     return source;
 }
 
-bool is_sun(const Node& source) {
+std::string_view type_of(const Node& source) {
     const Node* type = source.find("type");
     const auto* text = type == nullptr ? nullptr : type->as<std::string>();
-    return text != nullptr && *text == "sun";
+    return text == nullptr ? std::string_view() : std::string_view(*text);
+}
+
+/// The tables of all sources; of a lamp with `at`, one for each copy.
+std::vector<Node> tables_of_sources(TableReader& top, RunFileContext& context) {
+    std::vector<Node> tables;
+    for (const Node* table : top.tables("source")) {
+        const KindReader* kind = find_reader(type_of(*table));
+        if (table->find("at") == nullptr || kind == nullptr) {
+            tables.push_back(*table);
+        } else if (kind->read == read_lamp) {
+            std::vector<Node> copies = lamp_tables(*table, context);
+            std::move(copies.begin(), copies.end(), std::back_inserter(tables));
+        } else {
+            TableReader(*table, fmt::format("source of type '{}'", kind->name), top.reporter())
+                .fault_at("at", "at is for lamps", "suns and skies have no position");
+        }
+    }
+    return tables;
+}
+
+/// Reads sources in the given order; after one with faults, other copies of its table are left out.
+void read_in_order(
+    const std::vector<Node>& tables,
+    const std::vector<std::size_t>& order,
+    RunFileContext& context,
+    std::vector<std::optional<NotedSource>>& sources) {
+    std::set<std::uint32_t> failed;  // lines of tables
+    for (const std::size_t i : order) {
+        if (tables[i].line != 0 && failed.contains(tables[i].line)) {
+            continue;
+        }
+        const std::size_t before = context.reporter->faults.size();
+        sources[i] = read_source(tables[i], context);
+        if (context.reporter->faults.size() > before) {
+            failed.insert(tables[i].line);
+        }
+        if (sources[i] && !context.sun) {
+            context.sun = sources[i]->sun;
+        }
+    }
 }
 
 }  // namespace
 
 SourceList read_sources(TableReader& top, RunFileContext& context) {
-    const std::vector<const Node*> tables = top.tables("source");
+    const std::vector<Node> tables = tables_of_sources(top, context);
     // Suns first, as skies depend on them.
     std::vector<std::size_t> order(tables.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_partition(
-        order.begin(), order.end(), [&](std::size_t i) { return is_sun(*tables[i]); });
+        order.begin(), order.end(), [&](std::size_t i) { return type_of(tables[i]) == "sun"; });
     std::vector<std::optional<NotedSource>> sources(tables.size());
-    for (const std::size_t i : order) {
-        sources[i] = read_source(*tables[i], context);
-        if (sources[i] && !context.sun) {
-            context.sun = sources[i]->sun;
-        }
-    }
+    read_in_order(tables, order, context, sources);
     SourceList list;
     for (std::optional<NotedSource>& source : sources) {
         if (source) {
@@ -132,7 +174,7 @@ SourceList read_sources(TableReader& top, RunFileContext& context) {
         }
     }
     const bool has_files = read_light_files(top, context, list);
-    if (tables.empty() && !has_files && top.any("time") == nullptr) {
+    if (top.any("source") == nullptr && !has_files && top.any("time") == nullptr) {
         top.fault("no source of light is given", "", "add a [[source]] or [time]");
     }
     return list;

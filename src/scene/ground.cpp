@@ -125,6 +125,7 @@ OrganSpec make_ground_organ(
     OrganSpec organ;
     organ.name = ground.name.empty() ? "ground" : ground.name;
     organ.where = ground.where;
+    organ.measured = ground.measured;
     Mesh triangles = ground.triangles.empty()
                          ? Mesh(horizontal_ground(ground, cell, organs, faults))
                          : std::move(ground.triangles);

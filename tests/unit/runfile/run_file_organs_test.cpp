@@ -231,8 +231,7 @@ TEST(GeometryKeys, CopiesTurnAboutTheAxisThatIsUp) {
 }
 
 TEST(GeometryKeys, FaultyCopiesAreNamed) {
-    for (const char* const at :
-         {"[]", "5", "[5]", "[[1, 2]]", "[[1, 2, 3, 4, 0]]", "[[1, 2, 'x']]"}) {
+    for (const char* const at : {"[]", "5", "[5]", "[[1]]", "[[1, 2, 3, 4, 0]]", "[[1, 2, 'x']]"}) {
         const auto faults = faults_of(
             with_geometry(std::string("file = 'a.tri'\nmaterial = 'leaf'\nat = ") + at + "\n")
                 .text(),
