@@ -53,6 +53,9 @@ struct MeshGroup {
     std::optional<std::int64_t> id;  ///< if the file gives one
     std::vector<MeshPart> parts;
     Labels labels = {};  ///< its other attributes in the file
+    /// The names of the objects that contain it, from the outermost, and its own, joined by '/';
+    /// "": its name alone.
+    std::string path = {};
 
     /// Returns the part with a material; adds it if there is none.
     MeshPart& part(const std::string& material);

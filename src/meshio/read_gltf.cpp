@@ -33,7 +33,7 @@ class GltfSceneReader {
         const Affine top = from_y_up(context_.up, context_.units_per_metre());
         std::vector<Open> open;
         for (auto root = document_.roots.rbegin(); root != document_.roots.rend(); ++root) {
-            open.push_back({*root, top, ""});
+            open.push_back({*root, top, "", ""});
         }
         while (!open.empty() && !context_.reporter.is_full()) {
             const Open above = std::move(open.back());
@@ -44,8 +44,9 @@ class GltfSceneReader {
                 add_organ(above, transform);
             }
             const std::string& parent = node.name.empty() ? above.parent : node.name;
+            const std::string path = node.name.empty() ? above.path : above.path + node.name + "/";
             for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
-                open.push_back({*child, transform, parent});
+                open.push_back({*child, transform, parent, path});
             }
         }
         finish();
@@ -58,6 +59,7 @@ class GltfSceneReader {
         std::size_t node;
         Affine transform;    ///< transform of its parent
         std::string parent;  ///< name of the nearest ancestor that has one
+        std::string path;    ///< names of all ancestors, each followed by '/'
     };
 
     void add_organ(const Open& open, const Affine& transform) {
@@ -74,6 +76,7 @@ class GltfSceneReader {
         if (group.parts.empty()) {
             return;
         }
+        group.path = open.path + group.name;
         group.labels = node.labels;
         add_label("parent", open.parent, group);
         add_label("mesh", mesh.name, group);

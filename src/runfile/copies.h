@@ -22,7 +22,7 @@ struct CopyRow {
     double scale = 1;
     /// Keys other than those above, in their order; texts, if they are from a file.
     Node::Table others = {};
-    std::uint32_t line = 0;  ///< of the run file, or of the file of copies
+    std::uint32_t line = 0;  ///< in the run file or the file of copies
 };
 
 /// A copy: its row, its numbers and its transform.

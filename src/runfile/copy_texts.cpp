@@ -14,7 +14,7 @@ struct TextPiece {
     bool is_key = false;
 };
 
-/// The pieces of a text. Braces without an end are texts.
+/// The pieces of a text. An unmatched brace is text.
 std::vector<TextPiece> pieces_of(std::string_view text) {
     std::vector<TextPiece> pieces;
     while (!text.empty()) {

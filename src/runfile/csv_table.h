@@ -19,7 +19,7 @@ struct CsvTable {
     };
     std::string file;
     std::uint32_t header_line = 0;
-    std::vector<std::string> names = {};  ///< of the columns, unique
+    std::vector<std::string> names = {};  ///< unique names of the columns
     std::vector<Row> rows = {};
 
     /// The index of a column; empty if there is none.

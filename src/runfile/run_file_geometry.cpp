@@ -12,6 +12,7 @@
 #include "runfile/copies.h"
 #include "runfile/file_materials.h"
 #include "runfile/geometry_organs.h"
+#include "runfile/labels_from.h"
 #include "runfile/run_file_sections.h"
 
 namespace quasimc {
@@ -114,6 +115,22 @@ void transform_file(const std::optional<Affine>& transform, NamedMesh& named, Ta
     }
 }
 
+/// Sets labels by the names in the files, unless they are organs as a whole.
+void set_labels_of_groups(
+    const LabelsFrom& labels_from,
+    const std::optional<std::string>& organs,
+    std::vector<NamedMesh>& named,
+    TableReader& table) {
+    if (organs == "one") {
+        table.fault_at(
+            "labels_from", "labels_from with organs = \"one\"",
+            "names belong to the groups of a file, and the file is one organ",
+            "remove one of them");
+    } else if (!named.empty()) {
+        set_labels_from(labels_from, named, table);
+    }
+}
+
 /// Reads one table; empty after a fault.
 std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     constexpr Range kFirstId{-1e15, 1e15};
@@ -122,12 +139,20 @@ std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     const std::string name = table.text("name").value_or("");
     const MaterialKeys materials{table.text("material"), read_material_map(table)};
     keys.first_id = table.integer("first_id", kFirstId);
+    if (!name.empty()) {
+        table.rename(fmt::format("geometry '{}'", name));
+    }
     keys.measured = table.boolean("measured").value_or(true);
     const std::optional<Affine> transform = read_transform(table);
     std::vector<std::string> files{table.required("file", table.text("file")).value_or("")};
     read_file_copies(table, name, context, keys, files);
     const std::optional<std::string> organs = table.choice("organs", kOrganWords);
+    const std::optional<LabelsFrom> labels_from = read_labels_from(table, *context.files);
     std::vector<NamedMesh> named = read_named_meshes(table, files, context);
+    if (labels_from) {
+        check_keys(*labels_from, keys.copies, table);
+        set_labels_of_groups(*labels_from, organs, named, table);
+    }
     table.finish();
     if (named.empty() || table.failed()) {
         return std::nullopt;

@@ -49,7 +49,7 @@ class WhereExpression {
     struct Clause {
         enum class Kind { any_of, all_of, negation, comparison };
         Kind kind = Kind::comparison;
-        std::vector<Clause> parts = {};  ///< of any_of, all_of; the one of a negation
+        std::vector<Clause> parts = {};  ///< joined conditions; a negation has one
         Comparison comparison = Comparison::equal;
         Operand left = {};
         std::vector<Operand> right = {};  ///< a comparison holds if it does for one of these

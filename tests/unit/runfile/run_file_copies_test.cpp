@@ -253,9 +253,9 @@ TEST(Copies, FaultsSayWhatToDo) {
         const auto faults = faults_of(copied_file(bad.keys + "\n").text(), files);
         EXPECT_TRUE(mentions(faults, bad.problem)) << bad.keys << ::testing::PrintToString(faults);
     }
-    const std::string left_out =
+    const std::string without_empty =
         "at = { file = 'plot.csv', where = 'scale > 0', columns = { x = 'X', y = 'Y' } }\n";
-    EXPECT_TRUE(faults_of(copied_file(left_out).text(), files).empty());
+    EXPECT_TRUE(faults_of(copied_file(without_empty).text(), files).empty());
 }
 
 TEST(Copies, ACopyNeedsItsFile) {
