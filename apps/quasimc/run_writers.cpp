@@ -81,6 +81,10 @@ std::vector<RequestedOutput> requested_outputs(
         }
     });
     faults.throw_if_any();
+    for (const quasimc::TableSpec& table : run.output.tables) {
+        requested.push_back(
+            {{table.file, fmt::format("{}: table", table.location)}, quasimc::make_table, &table});
+    }
     return requested;
 }
 
@@ -106,8 +110,9 @@ RunWriters::RunWriters(
     const std::vector<RequestedOutput>& requested)
     : files_(paths_of(requested, arguments.checkpoint), inputs_of(arguments, first)),
       summary_(first) {
-    for (const auto& [file, make] : requested) {
-        outputs_.push_back(make({first, files_.sink(outputs_.size()), file.path, file.where}));
+    for (const auto& [file, make, table] : requested) {
+        outputs_.push_back(
+            make({first, files_.sink(outputs_.size()), file.path, file.where, table}));
     }
     if (arguments.from.empty()) {
         return;

@@ -42,6 +42,7 @@ struct RunArguments {
 struct RequestedOutput {
     quasimc::OutputPath file;
     quasimc::MakeOutput* make;
+    const quasimc::TableSpec* table = nullptr;  ///< the [[table]] that requests it
 };
 
 /// Writes the results of the runs of a sweep, one after the other, to all requested files, and

@@ -29,7 +29,8 @@ inline constexpr std::string_view kAllOrgans = "all", kLayer = "layer";
 
 /// Groups of organs.
 struct GroupSpec {
-    /// Keys of labels: each value of "plant" is a group, each pair of values of "plant+kind".
+    /// Keys of labels: each value of "plant" is a group, each pair of values of "plant+kind"; with
+    /// a condition: "plant where height > 1.2"; with a name: "top: plant where height > 1.2".
     std::vector<std::string> labels = {};
     /// Layers of equal height, from the ground (or the lowest point of the organs) to the highest
     /// point of the organs; 0: none.
@@ -55,7 +56,7 @@ struct Question {
 struct OrganGroup {
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-    std::string by;  ///< kAllOrgans, kLayer, or the requested key of labels
+    std::string by;  ///< kAllOrgans, kLayer, or the request: its name, or its text
     std::string
         value;  ///< value of the label ("1+leaf" for two), or number of the layer, from 1 below
     std::vector<std::uint32_t> organs = {};  ///< indices in the scene's list, ascending
@@ -67,7 +68,16 @@ struct OrganGroup {
     /// its organs (leaf area, where all are leaves) per horizontal area; and that of the organs of
     /// this layer and those above.
     double plant_area_index = kNone, cumulative_plant_area_index = kNone;
+    /// The keys of the group with their values; none for all organs.
+    std::vector<std::pair<std::string, std::string>> labels = {};
 };
+
+/// The flux that a group absorbs as a fraction of other light.
+enum class GroupShare {
+    incident,  ///< share of the light on the horizontal (CanopyFractions::incident)
+    absorbed,  ///< share of the flux that the group of all organs absorbs
+};
+inline constexpr std::size_t kGroupShares = 2;
 
 /// The groups of a scene: all organs first, then those of labels in the order in which values first
 /// appear, then layers from below.
@@ -160,7 +170,13 @@ struct GroupResults {
     /// sources.
     std::vector<Estimate> sunlit_fraction, sunlit_area;
     std::vector<Estimate> ratio_values;  ///< [group * ratios + i], as Result::ratio_values
+    /// [(group * kGroupShares + share) * bands + band]; see share(). Empty in sums over times.
+    std::vector<Estimate> shares = {};
 
+    /// Unknown without light, or without horizontal area.
+    [[nodiscard]] Estimate share(std::size_t group, GroupShare share, std::size_t band) const {
+        return shares[(group * kGroupShares + static_cast<std::size_t>(share)) * bands + band];
+    }
     [[nodiscard]] Estimate at(std::size_t group, Quantity q, std::size_t band) const {
         return values[(group * kQuantities + static_cast<std::size_t>(q)) * bands + band];
     }

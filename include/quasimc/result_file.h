@@ -46,10 +46,6 @@ class OutputWriter : public RunListener {
     }
 };
 
-/// The contents of the rows of a table.
-enum class CsvRows { organs, groups };
-enum class CsvTimes { time_steps, days };
-
 /// Writes a table of organs or groups, by times or, for runs with [time], by sums over days
 /// (docs/reference/csv.md): comment lines that begin with '#', one header line, one row per organ
 /// or group and time or day.

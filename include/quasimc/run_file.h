@@ -55,6 +55,28 @@ struct TimeSeries {
     CumulativeSky cumulative_sky = CumulativeSky::none;
 };
 
+/// The contents of the rows of a table.
+enum class CsvRows { organs, groups, detectors };
+enum class CsvTimes { time_steps, days };
+/// One row for each organ or group, or for each of its numbers.
+enum class CsvForm { wide, narrow };
+/// The numbers of an estimate that are written.
+enum class CsvStatistic { mean, standard_error, ci95_low, ci95_high };
+
+/// A table: [[table]] of a run file.
+struct TableSpec {
+    std::string file;  ///< resolved path; "-" is standard output
+    CsvRows rows = CsvRows::organs;
+    CsvTimes times = CsvTimes::time_steps;
+    CsvForm form = CsvForm::wide;
+    std::string where = {};  ///< condition on organs or groups; "": all
+    std::vector<std::string> quantities = {}, bands = {};  ///< names; empty: all
+    std::vector<CsvStatistic> statistics = {
+        CsvStatistic::mean, CsvStatistic::standard_error, CsvStatistic::ci95_high};
+    int digits = 17;            ///< significant; 17: the shortest exact text
+    std::string location = {};  ///< in the run file, for messages
+};
+
 /// The output files, and their contents.
 struct OutputSpec {
     /// The path of each requested output, by its key in [output]: "csv", "json" (`quasimc list
@@ -68,6 +90,7 @@ struct OutputSpec {
     bool include_night = false;           ///< includes times without light
     /// Only times that begin within these clock hours, [first, second).
     std::optional<std::array<double, 2>> time_of_day = {};
+    std::vector<TableSpec> tables = {};  ///< [[table]]
 };
 
 /// An option given outside the run file.

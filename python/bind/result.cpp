@@ -123,7 +123,8 @@ void report_all(std::vector<Estimate>& estimates) {
 
 void report_groups(GroupResults& groups) {
     for (std::vector<Estimate>* estimates :
-         {&groups.values, &groups.sunlit_fraction, &groups.sunlit_area, &groups.ratio_values}) {
+         {&groups.values, &groups.sunlit_fraction, &groups.sunlit_area, &groups.ratio_values,
+          &groups.shares}) {
         report_all(*estimates);
     }
 }
@@ -163,6 +164,11 @@ py::object groups_dict(const GroupResults& results, py::handle owner) {
         py::dict row;
         row["by"] = group.by;
         row["value"] = group.value;
+        py::dict labels;
+        for (const auto& [key, value] : group.labels) {
+            labels[py::str(key)] = py::str(value);
+        }
+        row["labels"] = labels;
         row["organs"] =
             py::array_t<std::uint32_t>(signed_size(group.organs.size()), group.organs.data());
         row["area"] = group.area;
@@ -183,6 +189,10 @@ py::object groups_dict(const GroupResults& results, py::handle owner) {
         estimates_view(results.sunlit_area, {signed_size(results.sunlit_area.size())}, owner);
     all["ratios"] =
         estimates_view(results.ratio_values, {count, signed_size(results.ratios)}, owner);
+    if (!results.shares.empty()) {
+        all["shares"] = estimates_view(
+            results.shares, {count, signed_size(kGroupShares), signed_size(results.bands)}, owner);
+    }
     return all;
 }
 

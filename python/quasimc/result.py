@@ -88,14 +88,19 @@ class Selection(_Light):
 class Groups(_Light):
     """Sums over organs (`groups`, `layers` of a run), with the errors of the sums.
 
-    The first group is all organs. Indexed like a result.
+    The first group is all organs. Indexed like a result; results of a time, not sums over times, also
+    have "fraction_incident" (absorbed flux over the light on the horizontal) and "fraction_absorbed"
+    (over the absorbed flux of all measured organs).
 
     Attributes
     ----------
     groups : list of dict
-        For each group: by, value, organs (indices in the result), area; for layers also height_min,
-        height_max, plant_area_index and cumulative_plant_area_index.
+        For each group: by, value, labels (dict), organs (indices in the result), area; for layers also
+        height_min, height_max, plant_area_index and cumulative_plant_area_index.
     """
+
+    #: Fractions of other light, in the order of the core.
+    _SHARES = ("fraction_incident", "fraction_absorbed")
 
     def __init__(self, core, organs, ratio_names=(), factors=None):
         values = core["values"] if factors is None else core["values"] * factors
@@ -105,6 +110,18 @@ class Groups(_Light):
         self._sunlit_area = core["sunlit_area"]
         self._ratios = core["ratios"]
         self._ratio_names = list(ratio_names)
+        self._shares = core.get("shares")
+
+    def keys(self):
+        """Names of the quantities."""
+        return [*super().keys(), *(() if self._shares is None else self._SHARES)]
+
+    def __getitem__(self, quantity):
+        if self._shares is None or quantity not in self._SHARES:
+            return super().__getitem__(quantity)
+        units = ("",) * len(self._of.bands)
+        shares = self._shares[:, self._SHARES.index(quantity)]
+        return Estimates(shares, quantity, units, self._of.bands)
 
     @property
     def ratios(self):
@@ -116,8 +133,8 @@ class Groups(_Light):
 
         by, value, organs (their number), area, height_min, height_max, plant_area_index,
         cumulative_plant_area_index, ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``,
-        sunlit_fraction and sunlit_area where there are directional sources, and ``ratio_<ratio>``.
-        The fractions of the canopy are in `Result.canopy`.
+        sunlit_fraction and sunlit_area where there are directional sources, ``ratio_<ratio>``,
+        ``fraction_incident_<band>`` and ``fraction_absorbed_<band>``. The fractions of the canopy are in `Result.canopy`.
         """
         import pandas
 
@@ -134,6 +151,9 @@ class Groups(_Light):
             columns.update(_estimate_columns("sunlit_area", area))
         for name, estimates in self.ratios.items():
             columns.update(_estimate_columns(f"ratio_{name}", estimates))
+        for band in self._of.bands if self._shares is not None else ():
+            for name in self._SHARES:
+                columns.update(_estimate_columns(f"{name}_{band}", self[name][band]))
         return pandas.DataFrame(columns)
 
 

@@ -377,7 +377,7 @@ class Scene:
         material : str
         **keys
             Keys of the shape (corners, base, length, ...), and id, name, labels, measured,
-            transform, field_of_view_deg.
+            transform, at, field_of_view_deg.
         """
         return self._add("organ", {"shape": shape, "material": material, **keys})
 
@@ -389,7 +389,8 @@ class Scene:
         file : str or path
             Relative to the current folder (for a loaded scene: to the folder of its file).
         **keys
-            format, organs, material, materials, name, labels, first_id, transform, at, plant_unit.
+            format, organs, material, materials, name, labels, labels_from, measured, first_id,
+            transform, at, plant_unit.
         """
         return self._add("geometry", {"file": self._path(file), **keys})
 
@@ -412,7 +413,7 @@ class Scene:
         return self
 
     def set_ground(self, material, **keys):
-        """Sets the ground: material; height, x, y, name, or file of a surface.
+        """Sets the ground: material; height, x, y, name, measured, or file of a surface.
 
         The path of a file is used as in `add_file`.
         """

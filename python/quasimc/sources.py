@@ -159,7 +159,8 @@ def lamp(
         different units, give the flux of each band in its unit, and 0 for the others.
     **keys
         Geometry and distribution, in the length unit: position, aim, along, length, width, radius,
-        cone_deg, soft_from_deg, exponent, file, opening; for a line ``from_`` and ``to``.
+        cone_deg, soft_from_deg, exponent, file, opening; for a line ``from_`` and ``to``; ``at`` for
+        copies.
     """
     if "from_" in keys:
         keys["from"] = keys.pop("from_")

@@ -180,7 +180,8 @@ std::vector<Option> rows_of_results() {
             ListDomain{"BAND:BAND"}),
         plain_option(
             {"groups", "",
-             "sum results over organs with equal labels, \"plant\" or \"plant+kind\""},
+             "sum results over organs with equal labels, \"plant\" or \"plant+kind\"; with a "
+             "condition, \"plant where height > 1\""},
             &RunSpec::groups, ListDomain{"LABEL"}),
         integer_option(
             {"layers", "",

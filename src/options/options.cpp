@@ -181,11 +181,30 @@ std::string method_name(Method from) {
 
 namespace {
 
+/// The end of the first item of a list: its comma, outside quotes and brackets.
+std::size_t end_of_item(std::string_view text) {
+    char quote = '\0';
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = text[i];
+        if (quote != '\0') {
+            quote = c == quote ? '\0' : quote;
+        } else if (c == '\'' || c == '"') {
+            quote = c;
+        } else if (c == '[' || c == ']') {
+            depth += c == '[' ? 1 : -1;
+        } else if (c == ',' && depth <= 0) {
+            return i;
+        }
+    }
+    return text.size();
+}
+
 /// The items between commas.
 std::vector<std::string> split_list(std::string_view text) {
     std::vector<std::string> words;
     while (!text.empty()) {
-        const std::size_t end = std::min(text.find(','), text.size());
+        const std::size_t end = end_of_item(text);
         words.emplace_back(trimmed(text.substr(0, end)));
         text.remove_prefix(std::min(end + 1, text.size()));
     }

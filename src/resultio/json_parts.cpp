@@ -4,7 +4,7 @@
 
 #include "options/options.h"
 #include "quasimc/version.h"
-#include "resultio/fraction_table.h"
+#include "results/fraction_table.h"
 #include "results/units.h"
 
 namespace quasimc {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "resultio/json_parts.h"
+#include "results/fraction_table.h"
 
 namespace quasimc {
 namespace {
@@ -62,6 +63,20 @@ void append_ratios(
         append_estimate(row, names.ratios[i], light.ratio(index, i));
     }
     row += '}';
+}
+
+/// The shares of a group by band; none in sums over times.
+void append_shares(
+    std::string& row, const GroupResults& groups, std::size_t index, const JsonNames& names) {
+    for (std::size_t i = 0; !groups.shares.empty() && i < share_table().size(); ++i) {
+        const ShareEntry entry = share_table()[i];
+        append_key(row, fmt::format("\"{}\"", entry.name));
+        row += '{';
+        for (const std::size_t b : names.columns.bands) {
+            append_estimate(row, names.bands[b], groups.share(index, entry.share, b));
+        }
+        row += '}';
+    }
 }
 
 /// The text of an object to which members are added.
@@ -142,6 +157,7 @@ std::string json_group(const GroupResults& groups, std::size_t index, const Json
     if (!groups.ratio_values.empty()) {
         append_ratios(row, groups, index, names);
     }
+    append_shares(row, groups, index, names);
     return row + "}";
 }
 

@@ -10,8 +10,8 @@
 #include "quasimc/run_file.h"
 #include "resultio/csv_parts.h"
 #include "resultio/describe_series.h"
-#include "resultio/fraction_table.h"
 #include "resultio/output_input.h"
+#include "results/fraction_table.h"
 #include "runfile/written.h"
 #include "text/line_scanner.h"
 
@@ -37,9 +37,12 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
         columns.push_back("ratio_" + ratio);
     }
     for (std::size_t i = 0; rows == CsvRows::groups && i < written.bands.size(); ++i) {
+        const std::string& band = run.scene.bands()[written.bands[i]].name;
+        for (const ShareEntry& entry : share_table()) {
+            columns.push_back(fmt::format("{}_{}", entry.name, band));
+        }
         for (const FractionEntry& entry : fraction_table()) {
-            columns.push_back(
-                fmt::format("{}_{}", entry.name, run.scene.bands()[written.bands[i]].name));
+            columns.push_back(fmt::format("{}_{}", entry.name, band));
         }
     }
     return columns;
@@ -60,6 +63,10 @@ std::string time_step_columns(const RunFile& run, CsvRows rows) {
         out += fmt::format(
             "# column ratio_{} [1]: ratio of incident light, both sides of the {}\n",
             one_line(ratio), is_of_groups ? "organs" : "organ");
+    }
+    for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {
+        out += fmt::format(
+            "# column {}_BAND [1]: {}\n", share_table()[i].name, share_table()[i].summary);
     }
     for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
         out += fmt::format(
@@ -89,11 +96,14 @@ void append_traits(
     }
 }
 
-/// The fractions of the canopy, which the group of all organs has.
+/// The shares of a group, and the fractions of the canopy, which the group of all organs has.
 void append_fractions(
     std::string& out, const WrittenColumns& written, const Result& result, std::size_t group) {
     const bool has_fractions = group == 0 && !result.canopy.empty();
     for (const std::size_t b : written.bands) {
+        for (const ShareEntry& entry : share_table()) {
+            append_csv(out, share_or_unknown(result.groups, group, entry.share, b));
+        }
         for (const FractionEntry& entry : fraction_table()) {
             append_csv(out, has_fractions ? result.canopy[b].*entry.part : kUnknownEstimate);
         }

@@ -67,19 +67,29 @@ class FractionMaker {
 
 }  // namespace
 
+std::vector<std::vector<double>> horizontal_flux(
+    const BandFlows& flows, const Scene& scene, const EvaluationSpec& spec) {
+    const bool infinite = is_infinite(scene);
+    const bool is_known =
+        infinite || (find_ground(scene) != nullptr && !spec.horizontal_irradiance.empty());
+    std::vector<std::vector<double>> incident(is_known ? flows.size() : 0);
+    for (std::size_t b = 0; b < incident.size(); ++b) {
+        for (const Flows& one : flows[b]) {
+            incident[b].push_back(
+                infinite ? one.emitted : spec.horizontal_irradiance[b] * horizontal_area(scene));
+        }
+    }
+    return incident;
+}
+
 std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     const Organ* ground = find_ground(scene);
     const bool infinite = is_infinite(scene);
-    const bool is_known = infinite || (ground != nullptr && !spec.horizontal_irradiance.empty());
-    std::vector<CanopyFractions> fractions(is_known ? flows.size() : 0);
+    std::vector<std::vector<double>> incident = horizontal_flux(flows, scene, spec);
+    std::vector<CanopyFractions> fractions(incident.size());
     for (std::size_t b = 0; b < fractions.size(); ++b) {
-        std::vector<double> incident;
-        for (const Flows& one : flows[b]) {
-            incident.push_back(
-                infinite ? one.emitted : spec.horizontal_irradiance[b] * horizontal_area(scene));
-        }
-        const FractionMaker maker(flows[b], std::move(incident));
+        const FractionMaker maker(flows[b], std::move(incident[b]));
         CanopyFractions& own = fractions[b];
         own = {
             infinite ? sums->emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,

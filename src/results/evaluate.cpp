@@ -175,8 +175,8 @@ Result evaluate_sums(
     result.names = scene.names();
     result.ratios = spec.ratios.size();
     // Values that need the sums of many organs come before the sums are released.
-    result.groups = evaluate_groups(sums, scene, spec);
     const BandFlows flows = read_flows(sums, scene);
+    result.groups = evaluate_groups(sums, scene, spec, horizontal_flux(flows, scene, spec));
     result.budget = evaluate_budget(flows);
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);

@@ -19,12 +19,44 @@ struct GroupSums {
     std::vector<double> sunlit;   ///< [replicate], area
 };
 
+/// The share of a flux in a whole, both per replicate. A flux without contributions has the limits
+/// of its estimate.
+Estimate share_of(
+    const std::vector<double>& flux, const Estimate& estimate, const std::vector<double>& whole) {
+    const double mean = whole.empty() ? 0 : estimate_mean(whole).mean;
+    if (!(mean > 0)) {
+        return kUnknownEstimate;
+    }
+    const bool is_zero = std::all_of(flux.begin(), flux.end(), [](double x) { return x == 0; });
+    return is_zero ? scaled(estimate, 1 / mean) : not_negative(estimate_ratio(flux, whole));
+}
+
 /// Turns the sums of groups into estimates.
 class GroupEvaluator {
   public:
     GroupEvaluator(
-        const Sums& sums, const Scene& scene, const EvaluationSpec& spec, GroupResults& results)
-        : sums_(sums), reader_(sums), scene_(scene), spec_(spec), results_(results) {}
+        const Sums& sums,
+        const Scene& scene,
+        const EvaluationSpec& spec,
+        const std::vector<std::vector<double>>& incident,
+        GroupResults& results)
+        : sums_(sums),
+          reader_(sums),
+          scene_(scene),
+          spec_(spec),
+          incident_(incident),
+          results_(results) {}
+
+    /// Sets the denominators of shares. @param all  sums of the group of all organs
+    void set_all(const GroupSums& all) {
+        const std::size_t replicates = sums_->replicates.size();
+        absorbed_by_all_.assign(results_.bands, std::vector<double>(replicates));
+        for (std::size_t b = 0; b < results_.bands; ++b) {
+            for (std::size_t r = 0; r < replicates; ++r) {
+                absorbed_by_all_[b][r] = absorbed(all.light[b * replicates + r]);
+            }
+        }
+    }
 
     [[nodiscard]] GroupSums empty() const {
         const std::size_t replicates = sums_->replicates.size();
@@ -90,6 +122,25 @@ class GroupEvaluator {
         return all;
     }
 
+    /// The flux that a group absorbs in a replicate.
+    static double absorbed(const Incident& in) {
+        return quantities_of(in, 1)[static_cast<std::size_t>(Quantity::absorbed_flux)];
+    }
+
+    /// Shares of a band, replicate by replicate. @param flux  that the group absorbs
+    void evaluate_shares(
+        std::size_t group, std::size_t band, const std::vector<double>& flux) const {
+        const Estimate estimate = results_.at(group, Quantity::absorbed_flux, band);
+        const auto put = [&](GroupShare share, const std::vector<double>& whole) {
+            const auto index = static_cast<std::size_t>(share);
+            results_.shares[(group * kGroupShares + index) * results_.bands + band] =
+                share == GroupShare::absorbed ? not_above(share_of(flux, estimate, whole), 1)
+                                              : share_of(flux, estimate, whole);
+        };
+        put(GroupShare::incident, incident_.empty() ? std::vector<double>() : incident_[band]);
+        put(GroupShare::absorbed, absorbed_by_all_[band]);
+    }
+
     /// @returns the light that falls on both sides, per replicate
     std::vector<double> evaluate_band(
         std::size_t group,
@@ -112,6 +163,7 @@ class GroupEvaluator {
             results_.values[(group * kQuantities + q) * results_.bands + band] =
                 contributions.estimate(entry, per_area, samples[q]);
         }
+        evaluate_shares(group, band, samples[static_cast<std::size_t>(Quantity::absorbed_flux)]);
         return incident;
     }
 
@@ -119,6 +171,8 @@ class GroupEvaluator {
     SumReader reader_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
+    const std::vector<std::vector<double>>& incident_;
+    std::vector<std::vector<double>> absorbed_by_all_;  // [band][replicate]
     GroupResults& results_;
 };
 
@@ -131,19 +185,24 @@ GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t
     const std::size_t count = results.groups.size();
     results.values.resize(count * kQuantities * results.bands);
     results.ratio_values.resize(count * ratios);
+    results.shares.resize(count * kGroupShares * results.bands, kUnknownEstimate);
     return results;
 }
 
 }  // namespace
 
-GroupResults evaluate_groups(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+GroupResults evaluate_groups(
+    const Sums& sums,
+    const Scene& scene,
+    const EvaluationSpec& spec,
+    const std::vector<std::vector<double>>& incident) {
     GroupResults results = empty_groups(scene, spec.groups, spec.ratios.size());
     const std::size_t count = results.groups.size();
     if (sums->units.sunlit_area > 0) {
         results.sunlit_fraction.resize(count);
         results.sunlit_area.resize(count);
     }
-    const GroupEvaluator evaluator(sums, scene, spec, results);
+    GroupEvaluator evaluator(sums, scene, spec, incident, results);
     const std::size_t replicates = sums->replicates.size();
     for (std::size_t first = 0; first < count; first += kGroupsPerBatch) {
         const std::size_t batch = std::min(kGroupsPerBatch, count - first);
@@ -153,6 +212,9 @@ GroupResults evaluate_groups(const Sums& sums, const Scene& scene, const Evaluat
             evaluator.sum_up(
                 first + i, static_cast<std::uint32_t>(block % replicates), of_groups[i]);
         });
+        if (first == 0) {
+            evaluator.set_all(of_groups.front());
+        }
         parallel_blocks(batch, spec.threads, [&](std::uint64_t i, unsigned) {
             evaluator.evaluate(first + i, of_groups[i]);
         });

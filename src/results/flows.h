@@ -23,6 +23,11 @@ using BandFlows = std::vector<std::vector<Flows>>;
 /// The energy budget of each band.
 [[nodiscard]] std::vector<BandBudget> evaluate_budget(const BandFlows& flows);
 
+/// Flux on the horizontal area of the cell or ground, [band][replicate]: what an infinite scene
+/// emits, or the irradiance of the sources; empty if it is unknown.
+[[nodiscard]] std::vector<std::vector<double>> horizontal_flux(
+    const BandFlows& flows, const Scene& scene, const EvaluationSpec& spec);
+
 /// The fractions of each band (Result::canopy).
 [[nodiscard]] std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,53 +15,45 @@
 
 #include "base/text.h"
 #include "base/vec3.h"
+#include "results/group_request.h"
+#include "results/organ_height.h"
+#include "results/organ_values.h"
 
 namespace quasimc {
 namespace {
 
-/// Whether an organ's light is summed with that of others.
-bool is_counted(const Organ& organ) {
-    return organ.measured && !organ.is_ground;
+constexpr std::string_view kMaterial = "material";
+
+bool is_among(std::string_view name, const std::vector<std::string_view>& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Whether an organ is part of the canopy, and so of layers.
-bool is_plant(const Scene& scene, const Organ& organ) {
-    return is_counted(organ) && !is_sensor(scene, organ);
+/// The value of a key by which groups are formed: a label, the layer or the material.
+std::optional<std::string> key_value(
+    const OrganValues& values, const Organ& organ, std::string_view key) {
+    const bool is_key = find_label(organ, key) != nullptr || key == kLayer || key == kMaterial;
+    std::optional<WhereValue> value = is_key ? values.value(organ, key) : std::nullopt;
+    return value ? std::optional(std::move(value->text)) : std::nullopt;
 }
 
-const std::string* label_of(const Organ& organ, std::string_view key) {
-    const auto found = std::find_if(
-        organ.labels.begin(), organ.labels.end(), [&](const auto& l) { return l.first == key; });
-    return found == organ.labels.end() ? nullptr : &found->second;
-}
-
-/// The keys that "plant+kind" joins. A key that itself contains '+' is a single key.
-std::vector<std::string_view> joined_keys(
-    std::string_view text, const std::vector<std::string_view>& known) {
-    std::vector<std::string_view> keys;
-    if (std::find(known.begin(), known.end(), text) != known.end()) {
-        return {text};
-    }
-    while (true) {
-        const std::size_t end = std::min(text.find('+'), text.size());
-        keys.push_back(text.substr(0, end));
-        if (end == text.size()) {
-            return keys;
-        }
-        text.remove_prefix(end + 1);
-    }
-}
-
-/// The values of an organ's labels, joined; nothing if it lacks one of them.
-std::optional<std::string> joined_values(
-    const Organ& organ, const std::vector<std::string_view>& keys) {
-    std::string text;
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-        const std::string* value = label_of(organ, keys[i]);
-        if (value == nullptr) {
+/// The values of an organ's keys; empty if it lacks one of them.
+std::optional<Labels> values_of_keys(
+    const OrganValues& values, const Organ& organ, const std::vector<std::string>& keys) {
+    Labels labels;
+    for (const std::string& key : keys) {
+        std::optional<std::string> value = key_value(values, organ, key);
+        if (!value) {
             return std::nullopt;
         }
-        text += (i == 0 ? "" : "+") + *value;
+        labels.emplace_back(key, std::move(*value));
+    }
+    return labels;
+}
+
+std::string joined_values(const Labels& labels) {
+    std::string text;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        text += (i == 0 ? "" : "+") + labels[i].second;
     }
     return text;
 }
@@ -81,74 +74,28 @@ OrganGroup group_of_all(const Scene& scene) {
     return all;
 }
 
-void add_groups_of_labels(
+void add_requested(
     const Scene& scene,
-    const std::string& by,
-    const std::vector<std::string_view>& keys,
+    const OrganValues& values,
+    const GroupRequest& request,
     std::vector<OrganGroup>& groups) {
     std::unordered_map<std::string, std::size_t> known;
     for (std::uint32_t i = 0; i < scene.organs().size(); ++i) {
         const Organ& organ = scene.organs()[i];
-        const auto value = is_counted(organ) ? joined_values(organ, keys) : std::nullopt;
-        if (!value) {
+        if (!is_counted(organ) || (request.where && !values.holds(*request.where, organ))) {
             continue;
         }
-        const auto [found, is_new] = known.try_emplace(*value, groups.size());
+        std::optional<Labels> labels = values_of_keys(values, organ, request.keys);
+        if (!labels) {
+            continue;
+        }
+        const std::string value = joined_values(*labels);
+        const auto [found, is_new] = known.try_emplace(value, groups.size());
         if (is_new) {
-            groups.push_back({.by = by, .value = *value});
+            groups.push_back({.by = request.by, .value = value, .labels = std::move(*labels)});
         }
         add_to_group(groups[found->second], scene, i);
     }
-}
-
-/// Height of an organ.
-struct OrganHeight {
-    double centroid = 0;  ///< of its area
-    double low = std::numeric_limits<double>::infinity();
-    double high = -std::numeric_limits<double>::infinity();
-};
-
-OrganHeight height_of(const Scene& scene, const Organ& organ) {
-    OrganHeight height;
-    double area_sum = 0;
-    double time_step = 0;
-    double plain = 0;  // for an organ of no area
-    for (std::uint32_t i = 0; i < organ.triangle_count; ++i) {
-        const Triangle triangle = data_of(scene).triangles()[std::size_t{organ.first_triangle} + i];
-        const auto& [a, b, c] = triangle;
-        const double middle = (a.z + b.z + c.z) / 3;
-        const double own = area(triangle);
-        area_sum += own;
-        time_step += own * middle;
-        plain += middle / organ.triangle_count;
-        height.low = std::min({height.low, a.z, b.z, c.z});
-        height.high = std::max({height.high, a.z, b.z, c.z});
-    }
-    height.centroid = area_sum > 0 ? time_step / area_sum : plain;
-    return height;
-}
-
-/// The boundaries of layers of equal height; they do not ascend where the organs have no height.
-std::vector<double> equal_layers(const Scene& scene, std::uint32_t layers) {
-    OrganHeight all;
-    for (const Organ& organ : scene.organs()) {
-        if (!organ.is_ground && !is_plant(scene, organ)) {
-            continue;
-        }
-        const OrganHeight own = height_of(scene, organ);
-        all.low = std::min(all.low, organ.is_ground ? own.centroid : own.low);
-        all.high = std::max(all.high, organ.is_ground ? all.high : own.high);
-    }
-    std::vector<double> heights;
-    for (std::uint32_t i = 0; i <= layers; ++i) {
-        const double part = static_cast<double>(i) / layers;
-        heights.push_back(i == layers ? all.high : all.low + part * (all.high - all.low));
-    }
-    return heights;
-}
-
-std::vector<double> heights_of_layers(const Scene& scene, const GroupSpec& spec) {
-    return spec.layers > 0 ? equal_layers(scene, spec.layers) : spec.layer_heights;
 }
 
 void add_layers(
@@ -160,6 +107,7 @@ void add_layers(
     for (std::size_t i = 0; i < layers.size(); ++i) {
         layers[i].by = kLayer;
         layers[i].value = std::to_string(i + 1);
+        layers[i].labels = {{std::string(kLayer), layers[i].value}};
         layers[i].height_min = heights[i];
         layers[i].height_max = heights[i + 1];
     }
@@ -168,10 +116,8 @@ void add_layers(
         if (!is_plant(scene, organ)) {
             continue;
         }
-        const double z = height_of(scene, organ).centroid;
-        if (heights.front() <= z && z <= heights.back()) {
-            const auto above = std::upper_bound(heights.begin() + 1, heights.end() - 1, z);
-            add_to_group(layers[static_cast<std::size_t>(above - heights.begin()) - 1], scene, i);
+        if (const auto layer = layer_at(heights, height_of(scene, organ).centroid)) {
+            add_to_group(layers[*layer], scene, i);
         }
     }
     const double ground = horizontal_area(scene);
@@ -186,17 +132,72 @@ void add_layers(
         std::make_move_iterator(layers.end()));
 }
 
-void check_labels(const Scene& scene, const GroupSpec& spec, Faults& faults) {
-    const std::vector<std::string_view> known = label_keys(scene);
+void check_keys_of_group(
+    const GroupRequest& request,
+    const std::vector<std::string_view>& known,
+    bool has_layer_label,
+    Faults& faults) {
+    if (request.keys == std::vector{std::string(kLayer)} && !request.where && !has_layer_label) {
+        faults.add(
+            {"groups", "'layer' is a group already", "layers and layer_heights form groups",
+             "remove it"});
+        return;
+    }
+    for (const std::string& key : request.keys) {
+        if (is_among(key, known) || key == kMaterial) {
+            continue;
+        }
+        if (key == kLayer) {
+            faults.add(
+                {"groups", "there are no layers", "layer is the number of a layer",
+                 "give layers or layer_heights"});
+            continue;
+        }
+        faults.add(
+            {"groups", fmt::format("no organ has a label '{}'", key),
+             known.empty() ? "no organ has any label"
+                           : "groups are formed by the values of a label",
+             known.empty() ? "give organs labels = { plant = 1 }" : did_you_mean(key, known)});
+    }
+}
+
+/// Checks that a name is not that of other groups.
+void check_name_of_group(
+    const GroupRequest& request,
+    const std::string& text,
+    std::map<std::string, std::string>& texts,
+    Faults& faults) {
+    const auto [known, is_new] = texts.try_emplace(request.by, text);
+    const bool is_reserved =
+        request.by != text && (request.by == kAllOrgans || request.by == kLayer);
+    if (is_reserved || (!is_new && known->second != text)) {
+        faults.add(
+            {"groups", fmt::format("other groups have the name '{}'", request.by),
+             "their rows could not be distinguished", "use another name"});
+    }
+}
+
+void check_requests(const Scene& scene, const GroupSpec& spec, Faults& faults) {
+    std::vector<std::string_view> known = label_keys(scene);
+    const OrganValues values(scene, spec);
+    const bool has_layer_label = is_among(kLayer, known);
+    if (is_among(kLayer, values.names())) {
+        known.push_back(kLayer);
+    }
+    std::map<std::string, std::string> texts;  // by name
     for (const std::string& text : spec.labels) {
-        for (const std::string_view key : joined_keys(text, known)) {
-            if (std::find(known.begin(), known.end(), key) == known.end()) {
-                faults.add(
-                    {"groups", fmt::format("no organ has a label '{}'", key),
-                     known.empty() ? "no organ has any label"
-                                   : "groups are formed by the values of a label",
-                     known.empty() ? "give organs labels = { plant = 1 }"
-                                   : did_you_mean(key, known)});
+        try {
+            const GroupRequest request = parse_group(text, known);
+            check_name_of_group(request, text, texts, faults);
+            check_keys_of_group(request, known, has_layer_label, faults);
+            if (request.where) {
+                request.where->check_names(values.names(), "label");
+            }
+        } catch (const InputError& error) {
+            for (Fault fault : error.faults()) {
+                fault.problem = fmt::format("where: {}", fault.problem);
+                fault.where = "groups";
+                faults.add(std::move(fault));
             }
         }
     }
@@ -228,7 +229,7 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
         }
     }
     if (spec.layers > 0) {
-        const std::vector<double> equal = equal_layers(scene, spec.layers);
+        const std::vector<double> equal = layer_boundaries(scene, spec);
         if (!(equal.front() < equal.back())) {
             faults.add(
                 {"layers",
@@ -264,7 +265,7 @@ std::vector<std::string_view> label_keys(const Scene& scene) {
 }
 
 void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults) {
-    check_labels(scene, spec, faults);
+    check_requests(scene, spec, faults);
     check_layers(scene, spec, faults);
 }
 
@@ -272,10 +273,11 @@ std::vector<OrganGroup> make_groups(const Scene& scene, const GroupSpec& spec) {
     std::vector<OrganGroup> groups;
     groups.push_back(group_of_all(scene));
     const std::vector<std::string_view> known = label_keys(scene);
+    const OrganValues values(scene, spec);
     for (const std::string& text : spec.labels) {
-        add_groups_of_labels(scene, text, joined_keys(text, known), groups);
+        add_requested(scene, values, parse_group(text, known), groups);
     }
-    add_layers(scene, heights_of_layers(scene, spec), groups);
+    add_layers(scene, layer_boundaries(scene, spec), groups);
     return groups;
 }
 

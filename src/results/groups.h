@@ -21,8 +21,12 @@ namespace quasimc {
 void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults);
 
 /// The light of the groups that EvaluationSpec::groups asks for, as part of evaluate().
+/// @param incident  [band][replicate]: flux on the horizontal; empty if it is unknown
 [[nodiscard]] GroupResults evaluate_groups(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+    const Sums& sums,
+    const Scene& scene,
+    const EvaluationSpec& spec,
+    const std::vector<std::vector<double>>& incident);
 /// Groups of a scene without light: zeros, and ratios that are NaN.
 [[nodiscard]] GroupResults zero_groups(
     const Scene& scene, const GroupSpec& spec, std::size_t ratios);

@@ -37,6 +37,8 @@ struct OutputKey {
 using MakeOutput = std::unique_ptr<OutputWriter>(const OutputInput& input);
 MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_detectors,
     make_picture, make_vtp, make_ply, make_glb, make_netcdf, make_json;
+/// Makes the writer of OutputInput::table.
+MakeOutput make_table;
 // (tools/new.py declares an output above this line)
 
 /// Calls take(key, make) for each output, in the order in which files get their names: the complete

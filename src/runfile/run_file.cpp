@@ -166,6 +166,7 @@ Sections read_sections(
     read_detectors(top, builder);
     sections.output =
         read_output(top, files, context.bands);  // after all sections that it refers to
+    read_tables(top, files, context.bands, sections.output);
     refuse_options_at_the_top(top);
     top.finish();
     if (!top.reporter().faults.empty()) {
@@ -248,7 +249,7 @@ void refuse_sweep(TableReader& top) {
 SceneBuilder read_builder(
     const Node& document, InputFiles& files, const AddOrgans& add_organs, Reporter& reporter) {
     TableReader top(document, "", reporter);
-    pass_over(top, {"title", "run", "source", "light_file", "output"});
+    pass_over(top, {"title", "run", "source", "light_file", "output", "table"});
     refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     SceneBuilder builder = begin_scene(context);
@@ -377,7 +378,7 @@ RunFile read_run_document(
     }
     throw_in_order(reporter);
     std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings), lint_of(sections));
-    return {
+    RunFile run{
         name,
         std::move(sections.title),
         std::move(*sections.scene),
@@ -390,6 +391,9 @@ RunFile read_run_document(
         std::move(sections.sources.notes),
         std::move(warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
+    check_tables(run, reporter);
+    throw_in_order(reporter);
+    return run;
 }
 
 SceneOfRun read_scene_document(

@@ -5,6 +5,7 @@
 #include "base/checks.h"
 #include "base/text.h"
 #include "options/options.h"
+#include "results/group_request.h"
 #include "runfile/run_file_sections.h"
 
 namespace quasimc {
@@ -69,6 +70,35 @@ Node option_node(const OptionValue& value) {
     return {std::get<std::string>(value)};
 }
 
+/// The text of a group that is written as a table { name, by, where }.
+std::string read_group(const Node& node, Reporter& reporter) {
+    TableReader group(node, "[run]: groups", reporter);
+    const std::string name = group.text("name").value_or("");
+    const std::string by = group.text("by").value_or("");
+    const std::string where = group.text("where").value_or("");
+    group.finish();
+    if (name.find(':') != std::string::npos || name.find(" where ") != std::string::npos) {
+        group.fault_at("name", fmt::format("the name '{}' has ':' or 'where'", name));
+    }
+    if (by.empty() && where.empty() && !group.failed()) {
+        group.fault("a group has neither by nor where", "", "give by = \"plant\"");
+    }
+    return group_text(name, by, where);
+}
+
+/// A list whose tables are groups, as a list of texts.
+Node with_group_texts(const Node& node, Reporter& reporter) {
+    Node result = node;
+    if (auto* list = std::get_if<Node::List>(&result.value)) {
+        for (Node& item : *list) {
+            if (item.as<Node::Table>() != nullptr) {
+                item.value = read_group(item, reporter);
+            }
+        }
+    }
+    return result;
+}
+
 /// Reads one option.
 void read_option(TableReader& table, const Option& option, RunOptions& options) {
     const Node* given = table.any(option.key);
@@ -76,7 +106,12 @@ void read_option(TableReader& table, const Option& option, RunOptions& options) 
         return;
     }
     options.locations[option.key] = table.reporter().where(given->line);
-    std::optional<OptionValue> value = option_value(*given);
+    const std::size_t before = table.reporter().faults.size();
+    std::optional<OptionValue> value =
+        option_value(option.key == "groups" ? with_group_texts(*given, table.reporter()) : *given);
+    if (table.reporter().faults.size() > before) {
+        return;
+    }
     if (!value) {
         table.fault_at(
             *given, fmt::format("{}: it is {}", option.key, given->type_name()),

@@ -16,27 +16,6 @@
 namespace quasimc {
 namespace {
 
-std::optional<std::string> read_path(
-    TableReader& table, std::string_view key, const InputFiles& files) {
-    const std::optional<std::string> path = table.text(key);
-    if (path && (path->empty() || path->find('\0') != std::string::npos)) {
-        table.fault_at(key, fmt::format("{} is empty", key), "give the name of a file");
-        return std::nullopt;
-    }
-    if (!path) {
-        return std::nullopt;
-    }
-    std::string resolved = files.resolved(*path).string();
-    const FileIdentity file = identity_of(resolved, STDOUT_FILENO);
-    if (const InputFile* input = input_at(file, files.files())) {
-        table.fault_at(
-            key, fmt::format("{} = '{}' is an input of this run", key, *path),
-            input->path == *path ? "" : fmt::format("read as '{}'", input->path),
-            "name another file");
-    }
-    return resolved;
-}
-
 /// Reports a key whose table the run file lacks.
 void check_need(
     TableReader& table, TableReader& top, std::string_view key, const OutputNeed& need) {
@@ -52,7 +31,7 @@ std::map<std::string, std::string, std::less<>> read_paths(
     std::map<std::string, std::string, std::less<>> paths;
     std::vector<std::string_view> read;
     for (const OutputKey& key : output_keys()) {
-        const std::optional<std::string> path = read_path(table, key.name, files);
+        const std::optional<std::string> path = read_output_path(table, key.name, files);
         if (!path) {
             continue;
         }
@@ -110,6 +89,27 @@ void check_cumulative_sky(TableReader& table, TableReader& top, const OutputSpec
 }
 
 }  // namespace
+
+std::optional<std::string> read_output_path(
+    TableReader& table, std::string_view key, const InputFiles& files) {
+    const std::optional<std::string> path = table.text(key);
+    if (path && (path->empty() || path->find('\0') != std::string::npos)) {
+        table.fault_at(key, fmt::format("{} is empty", key), "give the name of a file");
+        return std::nullopt;
+    }
+    if (!path) {
+        return std::nullopt;
+    }
+    std::string resolved = files.resolved(*path).string();
+    const FileIdentity file = identity_of(resolved, STDOUT_FILENO);
+    if (const InputFile* input = input_at(file, files.files())) {
+        table.fault_at(
+            key, fmt::format("{} = '{}' is an input of this run", key, *path),
+            input->path == *path ? "" : fmt::format("read as '{}'", input->path),
+            "name another file");
+    }
+    return resolved;
+}
 
 std::vector<OutputKey> output_keys() {
     std::vector<OutputKey> keys;

@@ -89,6 +89,17 @@ void add_run_faults(const Faults& found, const RunOptions& options, Reporter& re
 [[nodiscard]] OutputSpec read_output(
     TableReader& top, const InputFiles& files, const std::vector<Band>& bands);
 
+/// Reads the path of an output file, which is no input; empty if it is absent, or after a fault.
+[[nodiscard]] std::optional<std::string> read_output_path(
+    TableReader& table, std::string_view key, const InputFiles& files);
+
+// run_file_tables.cpp
+/// Reads [[table]] after [output].
+void read_tables(
+    TableReader& top, const InputFiles& files, const std::vector<Band>& bands, OutputSpec& output);
+/// Checks the conditions of tables.
+void check_tables(const RunFile& run, Reporter& reporter);
+
 // run_file_detectors.cpp
 void read_detectors(TableReader& top, SceneBuilder& builder);
 

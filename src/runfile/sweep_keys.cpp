@@ -9,9 +9,9 @@ namespace quasimc {
 namespace {
 
 /// Keys at the top of a file that are common to all points.
-constexpr std::array<std::string_view, 10> kOfAllPoints{
-    "title",       "bands",           "band",   "up",     "north",
-    "length_unit", "irradiance_unit", "format", "output", "detector"};
+constexpr std::array<std::string_view, 11> kOfAllPoints{
+    "title",           "bands",  "band",   "up",       "north", "length_unit",
+    "irradiance_unit", "format", "output", "detector", "table"};
 /// Options that determine the rows and columns of outputs, or that concern all points together.
 constexpr std::array<std::string_view, 6> kFixedOptions{"groups",      "layers", "layer_heights",
                                                         "max_seconds", "ratios", "threads"};

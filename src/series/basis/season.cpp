@@ -31,6 +31,7 @@ GroupResults without_fractions(GroupResults groups) {
     groups.sunlit_fraction.clear();
     groups.sunlit_area.clear();
     groups.ratio_values.clear();
+    groups.shares.clear();
     groups.ratios = 0;
     return groups;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "geometry/shapes/shapes.h"
@@ -99,6 +100,45 @@ TEST(Groups, TakeAKeyThatHasAPlusInItForOneKey) {
     EXPECT_EQ(groups[1].organs.size(), 6U);
 }
 
+std::vector<std::string> names_of_groups(const GroupSpec& spec) {
+    std::vector<std::string> names;
+    for (const OrganGroup& group : make_groups(make_two_plants(), spec)) {
+        names.push_back(fmt::format("{} {} {}", group.by, group.value, group.organs.size()));
+    }
+    return names;
+}
+
+TEST(Groups, AreSelectedByConditionsAndHaveNames) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(
+        names_of_groups({.labels = {"plant where kind == 'leaf'"}}),
+        (Names{"all  8", "plant where kind == 'leaf' b 3", "plant where kind == 'leaf' a 3"}));
+    EXPECT_EQ(
+        names_of_groups({.labels = {"low: kind where height < 0.1 and area > 0"}}),
+        (Names{"all  8", "low stem 2"}));
+    EXPECT_EQ(
+        names_of_groups({.labels = {"sensors: where material == 'sensor'", "where id in [1, 2]"}}),
+        (Names{"all  8", "sensors  1", "where id in [1, 2]  2"}));
+    EXPECT_EQ(
+        names_of_groups({.labels = {"material"}}),
+        (Names{"all  8", "material leaf 8", "material sensor 1"}));
+}
+
+TEST(Groups, JoinLabelsWithLayers) {
+    const Scene scene = make_two_plants();
+    const auto groups =
+        make_groups(scene, {.labels = {"kind+layer"}, .layer_heights = {-.4, .3, .5, 1}});
+    double area = 0;
+    for (const OrganGroup& group : groups) {
+        area += group.by == "kind+layer" ? group.area : 0;
+        if (group.by == "kind+layer" && group.value == "stem+1") {
+            EXPECT_EQ(group.organs, (std::vector<std::uint32_t>{6, 7}));
+            EXPECT_EQ(group.labels, (Labels{{"kind", "stem"}, {"layer", "1"}}));
+        }
+    }
+    EXPECT_NEAR(area, groups[0].area, 1e-12) << "sensors are in no layer";
+}
+
 /// Horizontal squares of 1 and of 0.25, and a vertical one from 0 to 1, in a cell of 2.
 Scene make_stories() {
     SceneBuilder builder = make_builder();
@@ -176,6 +216,34 @@ TEST(GroupFaults, NameTheLabelThatNoOrganHas) {
             "you mean 'kind'?"}));
 }
 
+TEST(GroupFaults, SayWhatIsWrongInConditions) {
+    const std::vector<std::pair<std::string, std::string>> table{
+        {"plant where kimd == 'leaf'",
+         "groups: where: unknown label 'kimd' in \"kimd == 'leaf'\" (labels are plant, kind, "
+         "leaf+age, id, name, material, area, height); did you mean 'kind'?"},
+        {"plant where kind = 'leaf'", "'=' sets nothing here; compare with '=='"},
+        {"kind+layer", "there are no layers"},
+        {"all: kind where area > 0", "other groups have the name 'all'"},
+        {"plant+", "no organ has a label ''"},
+        {"", "no organ has a label ''"}};
+    for (const auto& [text, problem] : table) {
+        Faults faults;
+        check_groups(make_two_plants(), {.labels = {text}}, faults);
+        ASSERT_EQ(faults.size(), 1U) << text;
+        EXPECT_NE(faults.all()[0].text().find(problem), std::string::npos)
+            << faults.all()[0].text();
+    }
+    Faults twice;
+    check_groups(
+        make_two_plants(), {.labels = {"a: plant where area > 0", "a: kind where area > 0"}},
+        twice);
+    EXPECT_EQ(twice.size(), 1U);
+    Faults faults;
+    check_groups(make_two_plants(), {.labels = {"layer"}, .layers = 2}, faults);
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(faults.all()[0].text().find("'layer' is a group already"), std::string::npos);
+}
+
 TEST(GroupFaults, IncludeHeightsThatDoNotAscend) {
     RunSpec spec = spec_of(Method::light_tracing, 64);
     spec.layer_heights = {0, 2, 1};
@@ -228,6 +296,29 @@ TEST_P(GroupsOfRuns, AreTheSumsOfTheirOrgans) {
         }
         EXPECT_NEAR(groups.sunlit_area[g].mean, sunlit, 1e-12);
         EXPECT_NEAR(groups.sunlit_fraction[g].mean * group.area, sunlit, 1e-12);
+    }
+}
+
+/// Shares of disjoint groups add up, and have the errors of quotients: the whole has none.
+TEST_P(GroupsOfRuns, HaveSharesOfLight) {
+    const Scene scene = make_two_plants();
+    const Result result = run(scene, day_light(), grouped_spec(GetParam()));
+    const GroupResults& groups = result.groups;
+    for (std::size_t b = 0; b < 2; ++b) {
+        const Estimate all = groups.share(0, GroupShare::absorbed, b);
+        EXPECT_NEAR(all.mean, 1, 1e-12);
+        EXPECT_LT(all.standard_error, 1e-12);
+        double absorbed = 0, incident = 0;
+        for (const std::size_t g : {6, 7, 8, 9}) {  // plant+kind
+            absorbed += groups.share(g, GroupShare::absorbed, b).mean;
+            incident += groups.share(g, GroupShare::incident, b).mean;
+            EXPECT_GT(groups.share(g, GroupShare::absorbed, b).standard_error, 0);
+        }
+        EXPECT_NEAR(absorbed, 1, 1e-12);
+        const Estimate whole = groups.share(0, GroupShare::incident, b);
+        EXPECT_NEAR(incident, whole.mean, 1e-12);
+        const double flux = groups.at(0, Quantity::absorbed_flux, b).mean;
+        EXPECT_NEAR(whole.mean, flux / result.canopy[b].incident, 1e-9 * whole.mean);
     }
 }
 

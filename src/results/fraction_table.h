@@ -4,8 +4,32 @@
 #include <string_view>
 
 #include "quasimc/result.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
+
+/// One row of the table of shares of groups.
+struct ShareEntry {
+    std::string_view name;     ///< "fraction_incident"
+    std::string_view summary;  ///< one line for the manual
+    GroupShare share;
+};
+
+/// The shares of groups, in the order in which they are written.
+[[nodiscard]] constexpr std::array<ShareEntry, kGroupShares> share_table() {
+    return {{
+        {"fraction_incident",
+         "absorbed flux / light on the horizontal, above a ground or in a cell",
+         GroupShare::incident},
+        {"fraction_absorbed", "absorbed flux / that of all measured organs", GroupShare::absorbed},
+    }};
+}
+
+/// A share of a group; unknown in results without shares, such as sums over times.
+[[nodiscard]] inline Estimate share_or_unknown(
+    const GroupResults& groups, std::size_t group, GroupShare share, std::size_t band) {
+    return groups.shares.empty() ? kUnknownEstimate : groups.share(group, share, band);
+}
 
 /// One row of the table of fractions.
 struct FractionEntry {

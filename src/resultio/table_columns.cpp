@@ -1,0 +1,158 @@
+#include "resultio/table_columns.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "resultio/describe_series.h"
+#include "results/fraction_table.h"
+#include "results/units.h"
+
+namespace quasimc {
+namespace {
+
+bool is_selected(const std::vector<std::string>& names, std::string_view name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Estimate value_at(const std::vector<Estimate>& values, std::size_t row) {
+    return values.empty() ? kUnknownEstimate : values[row];
+}
+
+/// Collects the columns of a table.
+class ColumnList {
+  public:
+    ColumnList(const RunFile& run, const TableSpec& table)
+        : run_(run), table_(table), is_of_groups_(table.rows == CsvRows::groups) {}
+
+    std::vector<TableColumn> make() {
+        const std::vector<Band>& bands = run_.scene.bands();
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            if (is_selected(table_.bands, bands[b].name)) {
+                add_light(b);
+            }
+        }
+        if (table_.times == CsvTimes::time_steps) {
+            add_traits();
+        }
+        for (std::size_t b = 0; is_of_groups_ && b < bands.size(); ++b) {
+            const bool is_step = table_.times == CsvTimes::time_steps;
+            if (is_step && is_selected(table_.bands, bands[b].name)) {
+                add_fractions(b);
+            }
+        }
+        return std::move(columns_);
+    }
+
+  private:
+    using At = std::function<Estimate(const RowLight& light, std::size_t row)>;
+
+    void add(
+        std::string_view quantity,
+        std::string band,
+        std::string unit,
+        std::string_view summary,
+        At at) {
+        columns_.push_back(
+            {std::string(quantity), std::move(band), std::move(unit), std::string(summary),
+             std::move(at)});
+    }
+
+    void add_light(std::size_t b) {
+        const Band& band = run_.scene.bands()[b];
+        for (const QuantityEntry& entry : quantity_table()) {
+            if (!is_selected(table_.quantities, entry.name)) {
+                continue;
+            }
+            const Quantity q = entry.quantity;
+            const bool of_groups = is_of_groups_;
+            add(entry.name, band.name, unit(unit_of(entry, band, run_.scene.length_unit())),
+                entry.summary, [q, b, of_groups](const RowLight& light, std::size_t row) {
+                    if (light.sum != nullptr) {
+                        return of_groups ? light.sum->groups.at(row, q, b)
+                                         : light.sum->at(row, q, b);
+                    }
+                    return of_groups ? light.result->groups.at(row, q, b)
+                                     : light.result->at(row, q, b);
+                });
+        }
+    }
+
+    /// The unit of a quantity, summed over time in a table of days.
+    [[nodiscard]] std::string unit(const std::string& of_rate) const {
+        if (table_.times == CsvTimes::time_steps) {
+            return of_rate;
+        }
+        const bool is_period = run_.series && run_.series->cumulative_sky == CumulativeSky::period;
+        return summed_unit(of_rate).name + (is_period ? "" : " d-1");
+    }
+
+    void add_traits() {
+        const bool of_groups = is_of_groups_;
+        if (is_selected(table_.quantities, "sunlit_fraction")) {
+            add("sunlit_fraction", "", "1",
+                "fraction of the area lit directly by directional sources",
+                [of_groups](const RowLight& light, std::size_t row) {
+                    return value_at(
+                        of_groups ? light.result->groups.sunlit_fraction
+                                  : light.result->sunlit_fraction,
+                        row);
+                });
+        }
+        if (of_groups && is_selected(table_.quantities, "sunlit_area")) {
+            add("sunlit_area", "", run_.scene.length_unit() + "2", "sunlit_fraction times the area",
+                [](const RowLight& light, std::size_t row) {
+                    return value_at(light.result->groups.sunlit_area, row);
+                });
+        }
+        for (std::size_t i = 0; i < run_.spec.ratios.size(); ++i) {
+            if (!is_selected(table_.quantities, "ratios")) {
+                break;
+            }
+            add("ratio_" + run_.spec.ratios[i], "", "1", "ratio of incident light, both sides",
+                [of_groups, i](const RowLight& light, std::size_t row) {
+                    return of_groups ? light.result->groups.ratio(row, i)
+                                     : light.result->ratio(row, i);
+                });
+        }
+    }
+
+    void add_fractions(std::size_t b) {
+        const std::string& band = run_.scene.bands()[b].name;
+        for (const ShareEntry& entry : share_table()) {
+            if (is_selected(table_.quantities, entry.name)) {
+                const GroupShare share = entry.share;
+                add(entry.name, band, "1", entry.summary,
+                    [share, b](const RowLight& light, std::size_t row) {
+                        return share_or_unknown(light.result->groups, row, share, b);
+                    });
+            }
+        }
+        for (const FractionEntry& entry : fraction_table()) {
+            if (is_selected(table_.quantities, entry.name)) {
+                const auto part = entry.part;
+                add(entry.name, band, "1",
+                    fmt::format("{}; only in the row of all organs", entry.summary),
+                    [part, b](const RowLight& light, std::size_t row) {
+                        const bool is_known = row == 0 && !light.result->canopy.empty();
+                        return is_known ? light.result->canopy[b].*part : kUnknownEstimate;
+                    });
+            }
+        }
+    }
+
+    const RunFile& run_;
+    const TableSpec& table_;
+    bool is_of_groups_;
+    std::vector<TableColumn> columns_;
+};
+
+}  // namespace
+
+std::vector<TableColumn> table_columns(const RunFile& run, const TableSpec& table) {
+    return ColumnList(run, table).make();
+}
+
+}  // namespace quasimc

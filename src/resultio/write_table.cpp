@@ -1,0 +1,299 @@
+// The tables of [[table]]: docs/reference/csv.md.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/text.h"
+#include "resultio/csv_parts.h"
+#include "resultio/describe_series.h"
+#include "resultio/output_input.h"
+#include "resultio/table_columns.h"
+#include "runfile/table_rows.h"
+#include "text/line_scanner.h"
+
+namespace quasimc {
+namespace {
+
+constexpr std::size_t kTablePiece = 1 << 16;
+
+/// A statistic of estimates: its column in narrow tables, and the end of those in wide ones.
+struct StatisticWords {
+    CsvStatistic statistic;
+    std::string_view narrow, suffix, summary;
+};
+constexpr std::array kStatistics{
+    StatisticWords{CsvStatistic::mean, "value", "", "the estimate"},
+    StatisticWords{
+        CsvStatistic::standard_error, "se", "_se",
+        "standard error; empty where it is unknown (no light sampled)"},
+    StatisticWords{
+        CsvStatistic::ci95_low, "ci95_low", "_ci95_low",
+        "lower end of the 95 % confidence interval"},
+    StatisticWords{
+        CsvStatistic::ci95_high, "ci95_high", "_ci95_high",
+        "upper end of the 95 % confidence interval; an upper limit where no light was sampled"}};
+
+const StatisticWords& words_of(CsvStatistic statistic) {
+    return *std::find_if(kStatistics.begin(), kStatistics.end(), [&](const StatisticWords& words) {
+        return words.statistic == statistic;
+    });
+}
+
+double part_of(const Estimate& e, CsvStatistic statistic) {
+    switch (statistic) {
+        case CsvStatistic::mean:
+            return e.mean;
+        case CsvStatistic::standard_error:
+            return e.standard_error;
+        case CsvStatistic::ci95_low:
+            return e.ci95_low;
+        case CsvStatistic::ci95_high:
+            return e.ci95_high;
+    }
+    return e.mean;
+}
+
+/// Writes a table of organs or groups.
+class TableWriter final : public OutputWriter {
+  public:
+    TableWriter(const RunFile& run, const TableSpec& table, TextSink sink)
+        : run_(&run), table_(table), sink_(std::move(sink)) {
+        begin_run();
+        labels_ = is_of_groups() ? group_keys(run) : label_columns(run.scene);
+        if (table_.times == CsvTimes::days) {
+            write_head(nullptr);
+        }
+    }
+
+    void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
+        run_ = &run;
+        begin_run();
+    }
+    [[nodiscard]] bool wants(SeriesPart part) const override {
+        return part == (table_.times == CsvTimes::days ? SeriesPart::days : SeriesPart::time_steps);
+    }
+
+    void on_time_step(const TimeStepResult& step) override {
+        if (table_.times == CsvTimes::days) {
+            return;
+        }
+        if (!std::exchange(has_head_, true)) {
+            write_head(&step.result);
+        }
+        if (!is_written(*run_, step.time_step, step.result)) {
+            return;
+        }
+        const std::string time = run_->series ? run_->series->notes[step.time_step].time + "," : "";
+        write_rows(csv_point_fields(*run_) + time, {&step.result, nullptr}, step.result.groups);
+    }
+
+    void on_day(std::size_t day, const SeriesSum& raw) override {
+        if (table_.times != CsvTimes::days) {
+            return;
+        }
+        const SeriesSum sum = in_summed_units(*run_, raw);
+        const std::string first = fmt::format(
+            "{}{},{},", csv_point_fields(*run_), run_->series->days[day], shortest(sum.seconds));
+        write_rows(first, {nullptr, &sum}, sum.groups);
+    }
+
+  private:
+    [[nodiscard]] bool is_of_groups() const { return table_.rows == CsvRows::groups; }
+    [[nodiscard]] bool is_narrow() const { return table_.form == CsvForm::narrow; }
+
+    /// Sets what depends on the point of a sweep.
+    void begin_run() {
+        columns_ = table_columns(*run_, table_);
+        rows_ = TableRows(*run_, table_);
+    }
+
+    /// @param result  first time step; null in a table of days
+    void write_head(const Result* result) {
+        const RunFile& run = *run_;
+        std::vector<std::string> names = csv_point_names(run);
+        std::string times;
+        if (result == nullptr) {
+            times =
+                "# column date: day of the sum, or first and last day\n# column seconds: duration "
+                "of the time steps that were summed\n";
+            names.insert(names.end(), {"date", "seconds"});
+        } else if (run.series) {
+            times = "# column time: beginning of the time step; values are means over it\n";
+            names.emplace_back("time");
+        }
+        const bool is_single = result != nullptr && !run.series;
+        sink_(
+            csv_origin(run, is_of_groups() ? "table of groups" : "table of organs") +
+            (run.series ? series_comments(run) : "") +
+            (is_single ? csv_result_comments(run, *result) : ""));
+        sink_(csv_point_columns(run) + times + comments());
+        add_names(names);
+        sink_(fmt::format("{}\n", fmt::join(names, ",")));
+    }
+
+    [[nodiscard]] std::string comments() const {
+        std::string out;
+        if (!table_.where.empty()) {
+            out += "# where: " + one_line(table_.where) + "\n";
+        }
+        for (const TableColumn& column : columns_) {
+            const std::string name =
+                is_narrow() && !column.band.empty()
+                    ? fmt::format("quantity {} in {}", column.quantity, column.band)
+                : is_narrow() ? "quantity " + column.quantity
+                              : "column " + column.name();
+            out += "# " + one_line(fmt::format("{} [{}]: {}", name, column.unit, column.summary)) +
+                   "\n";
+        }
+        for (const CsvStatistic statistic : table_.statistics) {
+            const StatisticWords& words = words_of(statistic);
+            if (is_narrow() || !words.suffix.empty()) {
+                out += fmt::format(
+                    "# column {}{}: {}\n", is_narrow() ? "" : "...",
+                    is_narrow() ? words.narrow : words.suffix, words.summary);
+            }
+        }
+        return out;
+    }
+
+    /// Adds the names of the columns after those of point and time.
+    void add_names(std::vector<std::string>& names) const {
+        std::vector<std::string> own{"id", "name"};
+        if (is_of_groups()) {
+            own = {"by", "value_of", "organs"};
+        }
+        own.emplace_back("area");
+        std::vector<std::string> numbers;
+        if (is_narrow()) {
+            numbers = {"quantity", "band", "unit"};
+        }
+        for (std::size_t c = 0; c < (is_narrow() ? 1 : columns_.size()); ++c) {
+            for (const CsvStatistic statistic : table_.statistics) {
+                const StatisticWords& words = words_of(statistic);
+                numbers.push_back(
+                    is_narrow() ? std::string(words.narrow)
+                                : columns_[c].name() + std::string(words.suffix));
+            }
+        }
+        std::vector<std::string> taken = names;
+        taken.insert(taken.end(), own.begin(), own.end());
+        taken.insert(taken.end(), numbers.begin(), numbers.end());
+        for (const std::string& label : labels_) {
+            const bool clashes = std::find(taken.begin(), taken.end(), label) != taken.end();
+            own.push_back(clashes ? "label_" + label : label);
+        }
+        own.insert(own.end(), numbers.begin(), numbers.end());
+        std::for_each(names.begin(), names.end(), [](auto& name) { name = csv_field(name); });
+        std::transform(own.begin(), own.end(), std::back_inserter(names), csv_field);
+    }
+
+    void write_rows(const std::string& first, const RowLight& light, const GroupResults& groups) {
+        const std::size_t count =
+            is_of_groups() ? groups.groups.size() : run_->scene.organs().size();
+        std::string out;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (!(is_of_groups() ? rows_.has(groups.groups[i]) : rows_.has_organ(i))) {
+                continue;
+            }
+            const std::string start =
+                first + (is_of_groups() ? begin_group(groups.groups[i]) : begin_organ(i));
+            is_narrow() ? append_narrow(out, start, light, i) : append_wide(out, start, light, i);
+            if (out.size() >= kTablePiece) {
+                sink_(out);
+                out.clear();
+            }
+        }
+        sink_(out);
+    }
+
+    [[nodiscard]] std::string begin_organ(std::size_t i) const {
+        const Organ& organ = run_->scene.organs()[i];
+        std::string out = fmt::format("{},{}", organ.id, csv_field(organ.name));
+        append_number(out, organ.area);
+        return out + fields_of_labels(organ.labels);
+    }
+
+    [[nodiscard]] std::string begin_group(const OrganGroup& group) const {
+        std::string out = fmt::format(
+            "{},{},{}", csv_field(group.by), csv_field(group.value), group.organs.size());
+        append_number(out, group.area);
+        return out + fields_of_labels(group.labels);
+    }
+
+    [[nodiscard]] std::string fields_of_labels(const Labels& labels) const {
+        std::string out;
+        for (const std::string& key : labels_) {
+            const auto found = std::find_if(
+                labels.begin(), labels.end(), [&](const auto& l) { return l.first == key; });
+            out += ',' + (found == labels.end() ? "" : csv_field(found->second));
+        }
+        return out;
+    }
+
+    void append_wide(
+        std::string& out, const std::string& start, const RowLight& light, std::size_t i) const {
+        out += start;
+        for (const TableColumn& column : columns_) {
+            append_estimate(out, column.at(light, i));
+        }
+        out += '\n';
+    }
+
+    void append_narrow(
+        std::string& out, const std::string& start, const RowLight& light, std::size_t i) const {
+        for (const TableColumn& column : columns_) {
+            const Estimate estimate = column.at(light, i);
+            if (std::isnan(estimate.mean) && std::isnan(estimate.ci95_high)) {
+                continue;  // a group without this quantity, an organ that is not measured
+            }
+            out += fmt::format(
+                "{},{},{},{}", start, csv_field(column.quantity), csv_field(column.band),
+                csv_field(column.unit));
+            append_estimate(out, estimate);
+            out += '\n';
+        }
+    }
+
+    void append_estimate(std::string& out, const Estimate& estimate) const {
+        const Estimate e = reported(estimate);
+        for (const CsvStatistic statistic : table_.statistics) {
+            append_number(out, part_of(e, statistic));
+        }
+    }
+
+    void append_number(std::string& out, double value) const {
+        constexpr int kAllDigits = 17;
+        if (table_.digits >= kAllDigits) {
+            append_csv(out, value);
+            return;
+        }
+        out += ',';
+        if (std::isfinite(value)) {
+            fmt::format_to(std::back_inserter(out), "{:.{}g}", value, table_.digits);
+        }
+    }
+
+    const RunFile* run_;
+    TableSpec table_;
+    TextSink sink_;
+    std::vector<TableColumn> columns_;
+    TableRows rows_;
+    std::vector<std::string> labels_;  // columns of labels
+    bool has_head_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<OutputWriter> make_table(const OutputInput& input) {
+    if (input.table->rows == CsvRows::detectors) {
+        return make_detectors(input);
+    }
+    return std::make_unique<TableWriter>(input.run, *input.table, input.sink);
+}
+
+}  // namespace quasimc

@@ -1,0 +1,155 @@
+// Reads [[table]]: output tables in CSV.
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "runfile/run_file_sections.h"
+#include "runfile/table_rows.h"
+
+namespace quasimc {
+namespace {
+
+template <typename Enum, std::size_t kCount>
+using NamesOf = std::array<std::pair<std::string_view, Enum>, kCount>;
+
+constexpr NamesOf<CsvRows, 3> kRows{
+    {{"organs", CsvRows::organs}, {"groups", CsvRows::groups}, {"detectors", CsvRows::detectors}}};
+constexpr NamesOf<CsvTimes, 2> kTimes{{{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}}};
+constexpr NamesOf<CsvForm, 2> kForms{{{"wide", CsvForm::wide}, {"long", CsvForm::narrow}}};
+constexpr NamesOf<CsvStatistic, 4> kStatisticNames{
+    {{"mean", CsvStatistic::mean},
+     {"se", CsvStatistic::standard_error},
+     {"ci95_low", CsvStatistic::ci95_low},
+     {"ci95_high", CsvStatistic::ci95_high}}};
+
+template <typename Names>
+std::vector<std::string_view> first_of(const Names& names) {
+    std::vector<std::string_view> all;
+    for (const auto& each : names) {
+        all.push_back(each.first);
+    }
+    return all;
+}
+
+/// Reads a choice; the first by default.
+template <typename Names>
+auto read_choice_of(TableReader& table, std::string_view key, const Names& names) {
+    const std::vector<std::string_view> known = first_of(names);
+    const std::optional<std::string> given = table.choice(key, known);
+    const auto found = std::find_if(
+        names.begin(), names.end(), [&](const auto& each) { return given == each.first; });
+    return (found == names.end() ? names.front() : *found).second;
+}
+
+void check_list(
+    TableReader& table,
+    std::string_view key,
+    const std::vector<std::string>& names,
+    const std::vector<std::string_view>& known) {
+    for (const std::string& name : names) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            table.fault_at(
+                key, fmt::format("{}: there is no '{}' in such a table", key, name), "",
+                did_you_mean(name, known));
+        }
+    }
+}
+
+void read_statistics(TableReader& table, TableSpec& spec) {
+    const auto names = table.texts("statistics");
+    if (!names) {
+        return;
+    }
+    check_list(table, "statistics", *names, first_of(kStatisticNames));
+    spec.statistics.clear();
+    for (const auto& [name, statistic] : kStatisticNames) {
+        if (std::find(names->begin(), names->end(), name) != names->end()) {
+            spec.statistics.push_back(statistic);
+        }
+    }
+    if (names->empty()) {
+        table.fault_at("statistics", "statistics is empty", "", "give \"mean\"");
+    }
+}
+
+/// Refuses keys that the table of detectors has no use for.
+void check_detectors_table(TableReader& table, TableReader& top) {
+    for (const std::string_view key :
+         {"per", "form", "where", "quantities", "bands", "statistics", "digits"}) {
+        if (table.any(key) != nullptr) {
+            table.fault_at(
+                key, fmt::format("{} in a table of detectors", key),
+                "it always has a row for each detector, bin and band", "remove it");
+        }
+    }
+    if (top.any("detector") == nullptr) {
+        table.fault_at("rows", "rows = \"detectors\" without [[detector]]");
+    }
+}
+
+TableSpec read_table(
+    const Node& node, TableReader& top, const InputFiles& files, const std::vector<Band>& bands) {
+    constexpr Range kDigits{1, 17};
+    TableReader table(node, "table", top.reporter());
+    const std::optional<std::string> file = read_output_path(table, "file", files);
+    TableSpec spec{.file = table.required("file", file).value_or("")};
+    spec.location = table.where();
+    if (!spec.file.empty()) {
+        table.rename(fmt::format("table '{}'", *table.text("file")));
+    }
+    spec.rows = read_choice_of(table, "rows", kRows);
+    spec.times = read_choice_of(table, "per", kTimes);
+    spec.form = read_choice_of(table, "form", kForms);
+    spec.quantities = table.texts("quantities").value_or(std::vector<std::string>{});
+    spec.bands = table.texts("bands").value_or(std::vector<std::string>{});
+    spec.digits = static_cast<int>(table.integer("digits", kDigits).value_or(spec.digits));
+    spec.where = table.text("where").value_or("");
+    read_statistics(table, spec);
+    if (spec.rows == CsvRows::detectors) {
+        check_detectors_table(table, top);
+    }
+    check_list(table, "quantities", spec.quantities, table_quantities(spec.rows, spec.times));
+    check_list(table, "bands", spec.bands, names_in(bands));
+    if (spec.times == CsvTimes::days && top.any("time") == nullptr) {
+        table.fault_at("per", "per = \"day\" without [time]", "daily sums need [time]");
+    }
+    table.finish();
+    return spec;
+}
+
+}  // namespace
+
+void read_tables(
+    TableReader& top, const InputFiles& files, const std::vector<Band>& bands, OutputSpec& output) {
+    for (const Node* node : top.tables("table")) {
+        TableSpec table = read_table(*node, top, files, bands);
+        const auto has_path = [&](const auto& other) { return other.file == table.file; };
+        const auto is_same = [&](const auto& other) { return other.second == table.file; };
+        if (!table.file.empty() &&
+            (std::any_of(output.tables.begin(), output.tables.end(), has_path) ||
+             std::any_of(output.files.begin(), output.files.end(), is_same))) {
+            TableReader(*node, "table", top.reporter())
+                .fault_at("file", fmt::format("{} is the file of another output", table.file));
+        }
+        output.tables.push_back(std::move(table));
+    }
+}
+
+void check_tables(const RunFile& run, Reporter& reporter) {
+    for (const TableSpec& table : run.output.tables) {
+        try {
+            const TableRows rows(run, table);
+        } catch (const InputError& error) {
+            for (const Fault& fault : error.faults()) {
+                reporter.faults.add(
+                    {table.location, "where: " + fault.problem, fault.why, fault.suggestion});
+            }
+        }
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "quasimc/run_file.h"
+#include "results/organ_values.h"
+#include "text/where_expression.h"
+
+namespace quasimc {
+
+/// Selects the rows of a table by its `where`.
+class TableRows {
+  public:
+    TableRows() = default;
+    /// @param run  must outlive this
+    /// @throws InputError  if the condition has an error or unknown names; its location is "where"
+    TableRows(const RunFile& run, const TableSpec& table);
+
+    /// Whether the organ with an index has a row.
+    [[nodiscard]] bool has_organ(std::size_t organ) const {
+        return organs_.empty() || organs_[organ];
+    }
+    [[nodiscard]] bool has(const OrganGroup& group) const;
+
+  private:
+    std::optional<WhereExpression> where_;  // of groups
+    std::vector<bool> organs_;              // empty: all
+};
+
+/// The keys of the groups of a run, each once, in their order; without "layer" of layers.
+[[nodiscard]] std::vector<std::string> group_keys(const RunFile& run);
+
+/// The names of the quantities that a table can have.
+[[nodiscard]] std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times);
+
+}  // namespace quasimc

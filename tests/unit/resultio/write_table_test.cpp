@@ -1,0 +1,199 @@
+// The tables of [[table]].
+
+#include <gtest/gtest.h>
+
+#include "quasimc/run.h"
+#include "resultio/output_input.h"
+#include "text/line_scanner.h"
+#include "unit/runfile/io_testing.h"
+
+namespace quasimc::test {
+namespace {
+
+const std::string kTable = "[[table]]\nfile = 'table.csv'\n";
+
+/// Two leaves of two plants and a stem over a ground.
+RunText tabulated(const std::string& table, const std::string& rest = "") {
+    RunText text;
+    text.top = "bands = ['R', 'FR']\n";
+    text.run = "[run]\npaths = 64\nratios = ['R:FR']\ngroups = ['plant', 'plant+kind']\n";
+    const auto organ = [](const std::string& labels, int height) {
+        return "[[organ]]\nmaterial = 'leaf'\nlabels = " + labels +
+               "\nshape = 'triangle'\ncorners = [[0, 0, " + std::to_string(height) + "], [2, 0, " +
+               std::to_string(height) + "], [0, 2, " + std::to_string(height) + "]]\n";
+    };
+    text.organs = organ("{ plant = 1, kind = 'leaf' }", 1) +
+                  organ("{ plant = 2, kind = 'leaf', value = 'x' }", 2) +
+                  organ("{ plant = 2, kind = 'stem' }", 3);
+    text.rest = "[ground]\nmaterial = 'leaf'\nx = [-1, 3]\ny = [-1, 3]\n" + rest + kTable + table;
+    return text;
+}
+
+std::vector<std::string> rows_of(const std::string& text) {
+    std::vector<std::string> rows;
+    LineScanner scanner(text);
+    while (scanner.next()) {
+        if (!scanner.line().starts_with('#')) {
+            rows.emplace_back(scanner.line());
+        }
+    }
+    return rows;
+}
+
+/// The text of the first table.
+std::string written_table(const RunText& text) {
+    const RunFile run = read_text(text.text());
+    std::string out;
+    const TextSink sink = [&](std::string_view piece) { out += piece; };
+    const TableSpec& table = run.output.tables.at(0);
+    const auto writer = make_table({run, sink, table.file, table.location, &table});
+    const Result result = quasimc::run(run.scene, run.sources, run.spec);
+    writer->on_time_step({0, result});
+    writer->finish({});
+    return out;
+}
+
+TEST(Tables, HaveTheirFileBesideTheRunFile) {
+    const RunFile run = read_text(tabulated("rows = 'groups'\n").text());
+    ASSERT_EQ(run.output.tables.size(), 1U);
+    EXPECT_EQ(run.output.tables[0].file, "/run/table.csv");
+    EXPECT_EQ(run.output.tables[0].rows, CsvRows::groups);
+}
+
+TEST(Tables, OfOrgansHaveTheQuantitiesAndStatisticsThatAreRequested) {
+    const auto rows = rows_of(written_table(
+        tabulated("quantities = ['absorbed_flux', 'ratios']\nbands = ['FR']\n"
+                  "statistics = ['mean', 'ci95_low']\nwhere = \"plant == 2 and height > 1.5\"\n")));
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(
+        rows[0],
+        "id,name,area,plant,kind,value,absorbed_flux_FR,absorbed_flux_FR_ci95_low,ratio_R:FR,"
+        "ratio_R:FR_ci95_low");
+    EXPECT_TRUE(rows[1].starts_with("2,organ 2,2,2,leaf,x,")) << rows[1];
+    EXPECT_TRUE(rows[2].starts_with("3,organ 3,2,2,stem,,2,1.99")) << rows[2];
+}
+
+TEST(Tables, OfGroupsHaveColumnsOfTheirKeysAndShares) {
+    const auto rows = rows_of(written_table(
+        tabulated("rows = 'groups'\nwhere = \"by == 'plant+kind' and plant in [1, 2]\"\n"
+                  "quantities = ['fraction_absorbed']\nbands = ['R']\nstatistics = ['mean']\n")));
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0], "by,value_of,organs,area,plant,kind,fraction_absorbed_R");
+    // The light comes from above: the stem has all of it.
+    EXPECT_EQ(rows[1], "plant+kind,1+leaf,1,2,1,leaf,0");
+    EXPECT_EQ(rows[3], "plant+kind,2+stem,1,2,2,stem,1");
+}
+
+TEST(Tables, InLongFormHaveARowForEachNumber) {
+    const auto rows = rows_of(written_table(
+        tabulated("form = 'long'\nquantities = ['incident_upper', 'sunlit_fraction']\ndigits = 3\n"
+                  "statistics = ['mean', 'ci95_high']\nwhere = \"kind == 'stem'\"\n")));
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0], "id,name,area,plant,kind,label_value,quantity,band,unit,value,ci95_high");
+    EXPECT_EQ(rows[1], "3,organ 3,2,2,stem,,incident_upper,R,W m-2,1,1");
+    EXPECT_EQ(rows[2], "3,organ 3,2,2,stem,,incident_upper,FR,W m-2,1,1");
+    EXPECT_EQ(rows[3], "3,organ 3,2,2,stem,,sunlit_fraction,,1,1,1");
+}
+
+/// A wide table of groups has the numbers of groups_csv.
+TEST(Tables, HaveTheNumbersOfTheShortForm) {
+    const RunText text = tabulated("rows = 'groups'\n");
+    const RunFile run = read_text(text.text());
+    const Result result = quasimc::run(run.scene, run.sources, run.spec);
+    std::string out;
+    CsvWriter groups(
+        run, [&](std::string_view piece) { out += piece; }, CsvRows::groups);
+    groups.on_time_step({0, result});
+    const auto with = rows_of(written_table(text)), without = rows_of(out);
+    ASSERT_EQ(with.size(), without.size());
+    const std::string light = "absorbed_flux_R,";
+    const auto columns_from = [](const std::string& row, std::size_t column) {
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < column; ++i) {
+            at = row.find(',', at) + 1;
+        }
+        return row.substr(at);
+    };
+    for (std::size_t i = 0; i < with.size(); ++i) {
+        EXPECT_EQ(columns_from(with[i], 6).substr(0, 2000), columns_from(without[i], 8)) << i;
+    }
+}
+
+TEST(Tables, DaysHaveDatesAndSums) {
+    const RunText text = tabulated(
+        "rows = 'groups'\nper = 'day'\nform = 'long'\nquantities = ['absorbed_flux']\n",
+        "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\nday = '2024-06-21'\n"
+        "utc_offset_hours = 1\nhours = [11, 13]\n");
+    const RunFile run = read_text(text.text());
+    std::string out;
+    const TableSpec& table = run.output.tables.at(0);
+    const auto writer =
+        make_table({run, [&](std::string_view piece) { out += piece; }, table.file, "", &table});
+    EXPECT_TRUE(writer->wants(SeriesPart::days));
+    EXPECT_FALSE(writer->wants(SeriesPart::time_steps));
+    const auto rows = rows_of(out);
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(
+        rows[0],
+        "date,seconds,by,value_of,organs,area,plant,kind,quantity,band,unit,value,se,ci95_high");
+}
+
+TEST(Tables, FaultsSayWhatToDo) {
+    const std::vector<std::pair<std::string, std::string>> table{
+        {"rows = 'group'\n", "rows: 'group' is not one of organs, groups, detectors"},
+        {"form = 'short'\n", "form: 'short' is not one of wide, long"},
+        {"per = 'day'\n", "per = \"day\" without [time]"},
+        {"quantities = ['absorbed_fluxx']\n",
+         "quantities: there is no 'absorbed_fluxx' in such a table; did you mean 'absorbed_flux'?"},
+        {"quantities = ['sunlit_area']\n", "there is no 'sunlit_area' in such a table"},
+        {"bands = ['B']\n", "bands: there is no 'B'"},
+        {"statistics = ['median']\n", "statistics: there is no 'median'"},
+        {"statistics = []\n", "statistics is empty"},
+        {"digits = 0\n", "digits is 0 (it must be 1 to 17)"},
+        {"where = \"kimd == 'leaf'\"\n",
+         "where: unknown label 'kimd' in \"kimd == 'leaf'\" (labels are plant, kind, value, id, "
+         "name, material, area, height); did you mean 'kind'?"},
+        {"where = \"kind = 'leaf'\"\n",
+         "where: \"kind = 'leaf'\": '=' sets nothing here; compare with '=='"},
+        {"rows = 'groups'\nwhere = \"name == 'a'\"\n", "where: unknown label 'name'"},
+        {"rows = 'detectors'\n", "rows = \"detectors\" without [[detector]]"},
+        {"rows = 'detectors'\ndigits = 3\n", "digits in a table of detectors"},
+        {"sums = true\n", "unknown key 'sums'"},
+        {kTable, "table.csv is the file of another output"},
+        {"[output]\ncsv = 'table.csv'\n", "table.csv is the file of another output"}};
+    for (const auto& [keys, problem] : table) {
+        const auto faults = faults_of(tabulated(keys).text());
+        EXPECT_TRUE(mentions(faults, problem)) << keys << ::testing::PrintToString(faults);
+    }
+    RunText nameless = tabulated("");
+    nameless.rest += "[[table]]\n";
+    EXPECT_TRUE(mentions(faults_of(nameless.text()), "table: file is missing"));
+}
+
+TEST(GroupKeys, AreWrittenAsTablesToo) {
+    RunText text = tabulated("");
+    text.run =
+        "[run]\ngroups = ['plant', { name = 'top', by = 'plant', where = \"height > 1.5\" }, "
+        "{ where = 'plant in [1, 2]' }]\n";
+    EXPECT_EQ(
+        read_text(text.text()).spec.groups,
+        (std::vector<std::string>{
+            "plant", "top: plant where height > 1.5", "where plant in [1, 2]"}));
+    EXPECT_EQ(
+        read_text(tabulated("").text(), {}, {{"groups", "plant, kind where plant in [1, 2]", "-"}})
+            .spec.groups,
+        (std::vector<std::string>{"plant", "kind where plant in [1, 2]"}));
+    for (const auto& [group, problem] : std::vector<std::pair<std::string, std::string>>{
+             {"{ name = 'a' }", "a group has neither by nor where"},
+             {"{ name = 'a:b', by = 'plant' }", "the name 'a:b' has ':' or 'where'"},
+             {"{ by = 3 }", "by is an integer"},
+             {"{ by = 'plant', were = 'x' }", "unknown key 'were'"},
+             {"{ by = 'plant', where = \"kimd == 3\" }", "unknown label 'kimd'"}}) {
+        text.run = "[run]\ngroups = [" + group + "]\n";
+        const auto faults = faults_of(text.text());
+        EXPECT_TRUE(mentions(faults, problem)) << group << ::testing::PrintToString(faults);
+    }
+}
+
+}  // namespace
+}  // namespace quasimc::test
