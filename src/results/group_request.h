@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "text/where_expression.h"
+#include "results/where_expression.h"
 
 namespace quasimc {
 

@@ -7,7 +7,7 @@
 
 #include "quasimc/result.h"
 #include "scene/scene.h"
-#include "text/where_expression.h"
+#include "results/where_expression.h"
 
 namespace quasimc {
 

@@ -2,6 +2,7 @@
 
 // Copies: the rows of `at`, by which an organ, a file or a lamp is repeated.
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,8 +11,8 @@
 
 #include "quasimc/mesh.h"
 #include "quasimc/scene.h"
+#include "results/where_expression.h"
 #include "runfile/run_file_sections.h"
-#include "text/where_expression.h"
 
 namespace quasimc {
 
@@ -38,6 +39,9 @@ struct Copy {
 [[nodiscard]] std::optional<std::vector<Copy>> read_copies(
     TableReader& table, std::string_view name, RunFileContext& context);
 
+/// run_file_copy_table.cpp: reads `at` as a table in a file; empty after a fault.
+[[nodiscard]] std::vector<CopyRow> read_copy_table(TableReader& keys, RunFileContext& context);
+
 /// The rows of a regular array.
 struct CopyArray {
     std::vector<CopyRow> rows;  ///< along `along` first
@@ -46,6 +50,8 @@ struct CopyArray {
 /// run_file_array.cpp: reads `at` as a regular array; empty after a fault.
 [[nodiscard]] std::optional<CopyArray> read_array(TableReader& array, std::string_view name);
 
+/// The keys of the horizontal axes, which a row must have.
+[[nodiscard]] std::array<std::string_view, 2> horizontal_keys(UpAxis up);
 /// run_file_copies.cpp: the number of a row that a key sets; null for other keys.
 [[nodiscard]] double* number_of_row(CopyRow& row, std::string_view key);
 

@@ -9,11 +9,9 @@
 
 #include "base/angles.h"
 #include "base/text.h"
+#include "results/where_expression.h"
 #include "runfile/copies.h"
-#include "runfile/csv_table.h"
 #include "runfile/ground_height.h"
-#include "text/numbers.h"
-#include "text/where_expression.h"
 
 namespace quasimc {
 namespace {
@@ -21,12 +19,6 @@ namespace {
 constexpr std::string_view kKey = "at";
 constexpr std::array<std::string_view, 7> kNumbers{"x",        "y",        "z",    "heading_deg",
                                                    "tilt_deg", "roll_deg", "scale"};
-
-/// The keys of the horizontal axes, which a row must have.
-std::array<std::string_view, 2> required_axes(UpAxis up) {
-    return up == UpAxis::z ? std::array<std::string_view, 2>{"x", "y"}
-                           : std::array<std::string_view, 2>{"x", "z"};
-}
 
 /// p -> linear * p in z-up axes.
 using Linear = std::array<Vec3, 3>;
@@ -85,7 +77,7 @@ class CopyReader {
             read_list(node, *list);
         } else if (node.as<Node::Table>() != nullptr) {
             TableReader keys(node, table_.what() + ": at", table_.reporter());
-            keys.any("file") != nullptr ? read_file(keys) : read_regular(keys);
+            keys.any("file") != nullptr ? read_table(keys) : read_regular(keys);
             above_ground_ = keys.boolean("above_ground").value_or(false);
             keys.finish();
         } else {
@@ -137,7 +129,7 @@ class CopyReader {
             return;
         }
         CopyRow row{.line = node.line};
-        const auto axes = required_axes(context_.orientation.up());
+        const auto axes = horizontal_keys(context_.orientation.up());
         constexpr std::array<std::string_view, kMost> kKeys{"x", "y", "z", "heading_deg", "scale"};
         for (std::size_t i = 0; i < list->size(); ++i) {
             const auto number = table_.real_at(kKey, (*list)[i], TableReader::kFinite);
@@ -160,7 +152,7 @@ class CopyReader {
                 *number = *given;
             }
         }
-        for (const std::string_view axis : required_axes(context_.orientation.up())) {
+        for (const std::string_view axis : horizontal_keys(context_.orientation.up())) {
             if (node.find(axis) == nullptr) {
                 keys.missing(axis);
             }
@@ -170,156 +162,11 @@ class CopyReader {
         }
     }
 
-    // A file.
-
-    void read_file(TableReader& keys) {
-        const std::optional<std::string> file = keys.text("file");
-        const std::map<std::string, std::string> columns = read_columns(keys);
-        const std::optional<WhereExpression> where = read_where(keys, "where");
-        const auto table = file ? read_csv_table(keys, *file, *context_.files) : std::nullopt;
-        if (!table || keys.failed()) {
-            return;
-        }
-        Reporter reporter{table->file, {}, {}};
-        const std::vector<std::string> names = names_of_columns(*table, columns, reporter);
-        if (where && reporter.faults.empty()) {
-            check_where(*where, names, keys);
-        }
-        for (const CsvTable::Row& row : table->rows) {
-            if (reporter.faults.empty() || !reporter.is_full()) {
-                read_file_row(row, names, where, reporter);
-            }
-        }
-        if (copies_.empty() && reporter.faults.empty() && !keys.failed()) {
-            keys.fault_at("where", "where fits no row of " + table->file);
-        }
-        table_.reporter().add(reporter);
-    }
-
-    static void check_where(
-        const WhereExpression& where, const std::vector<std::string>& names, TableReader& keys) {
-        try {
-            where.check_names(std::vector<std::string_view>(names.begin(), names.end()), "column");
-        } catch (const InputError& error) {
-            for (const Fault& fault : error.faults()) {
-                keys.fault_at("where", "where: " + fault.problem, fault.why, fault.suggestion);
-            }
+    void read_table(TableReader& keys) {
+        for (CopyRow& row : read_copy_table(keys, context_)) {
+            add(std::move(row));
         }
     }
-
-    /// `columns`: the names in the file by ours.
-    static std::map<std::string, std::string> read_columns(TableReader& keys) {
-        std::map<std::string, std::string> columns;
-        const Node* node = keys.any("columns");
-        const auto* members = node != nullptr ? node->as<Node::Table>() : nullptr;
-        if (node != nullptr && members == nullptr) {
-            keys.fault_at(
-                *node, fmt::format("columns is {}", node->type_name()),
-                "it must be a table: columns = { x = \"name of the column\" }");
-        }
-        for (std::size_t i = 0; members != nullptr && i < members->size(); ++i) {
-            const Member& member = (*members)[i];
-            if (const auto* text = member.node.as<std::string>()) {
-                columns[*text] = member.key;
-            } else {
-                keys.fault_at(
-                    member.node,
-                    fmt::format("columns.{} is {}", member.key, member.node.type_name()),
-                    "it must be the name of a column");
-            }
-        }
-        return columns;
-    }
-
-    /// Our names of the columns of a file.
-    [[nodiscard]] std::vector<std::string> names_of_columns(
-        const CsvTable& table,
-        const std::map<std::string, std::string>& columns,
-        Reporter& reporter) const {
-        const std::vector<std::string_view> in_file(table.names.begin(), table.names.end());
-        for (const auto& [name, ours] : columns) {
-            if (!table.column(name)) {
-                reporter.fault(
-                    table.header_line, fmt::format("there is no column '{}'", name),
-                    fmt::format("columns are {}", joined(in_file, ", ")),
-                    near_word_text(name, in_file));
-            }
-        }
-        std::vector<std::string> names = table.names;
-        for (std::string& name : names) {
-            if (const auto renamed = columns.find(name); renamed != columns.end()) {
-                name = renamed->second;
-            }
-        }
-        for (const std::string_view axis : required_axes(context_.orientation.up())) {
-            const bool is_there = std::find(names.begin(), names.end(), axis) != names.end();
-            const bool is_named = std::any_of(
-                columns.begin(), columns.end(), [&](const auto& c) { return c.second == axis; });
-            if (!is_there && !is_named) {
-                reporter.fault(
-                    table.header_line, fmt::format("there is no column '{}'", axis),
-                    fmt::format("columns are {}", joined(in_file, ", ")), suggested_columns(table));
-            }
-        }
-        return names;
-    }
-
-    /// "say which: columns = { x = "X", y = "Y" }".
-    [[nodiscard]] std::string suggested_columns(const CsvTable& table) const {
-        std::string text;
-        for (const std::string_view axis : required_axes(context_.orientation.up())) {
-            const auto same = std::find_if(
-                table.names.begin(), table.names.end(),
-                [&](const std::string& name) { return lower_case(name) == axis; });
-            text += fmt::format(
-                "{}{} = \"{}\"", text.empty() ? "" : ", ", axis,
-                same == table.names.end() ? "..." : *same);
-        }
-        return fmt::format("say which: columns = {{ {} }}", text);
-    }
-
-    void read_file_row(
-        const CsvTable::Row& fields,
-        const std::vector<std::string>& names,
-        const std::optional<WhereExpression>& where,
-        Reporter& reporter) {
-        const auto value_of = [&](std::string_view name) -> std::optional<WhereValue> {
-            const auto found = std::find(names.begin(), names.end(), name);
-            const auto& field = fields.fields[static_cast<std::size_t>(found - names.begin())];
-            return found == names.end() || field.empty()
-                       ? std::nullopt
-                       : std::optional(WhereValue::of_text(field));
-        };
-        if (where && reporter.faults.empty() && !where->holds(value_of)) {
-            return;
-        }
-        CopyRow row{.line = fields.line};
-        for (std::size_t c = 0; c < names.size(); ++c) {
-            const std::string& field = fields.fields[c];
-            double* number = number_of_row(row, names[c]);
-            if (number == nullptr) {
-                row.others.push_back({names[c], 0, Node{field, 0}});
-                continue;
-            }
-            const std::optional<double> value = parse_real(field);
-            if (!value || !std::isfinite(*value)) {
-                reporter.fault(
-                    fields.line, fmt::format("{} is '{}'", names[c], field),
-                    "it must be a finite number");
-                return;
-            }
-            *number = *value;
-        }
-        if (!(row.scale > 0)) {
-            reporter.fault(
-                fields.line, fmt::format("scale is {}", shortest(row.scale)), "it must be above 0",
-                "a copy without a size can be left out by where");
-            return;
-        }
-        add(std::move(row));
-    }
-
-    // An array.
 
     void read_regular(TableReader& keys) {
         std::optional<CopyArray> array = read_array(keys, name_);
@@ -379,6 +226,11 @@ class CopyReader {
 };
 
 }  // namespace
+
+std::array<std::string_view, 2> horizontal_keys(UpAxis up) {
+    return up == UpAxis::z ? std::array<std::string_view, 2>{"x", "y"}
+                           : std::array<std::string_view, 2>{"x", "z"};
+}
 
 double* number_of_row(CopyRow& row, std::string_view key) {
     const std::array<double*, kNumbers.size()> numbers{

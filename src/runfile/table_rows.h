@@ -7,7 +7,7 @@
 
 #include "quasimc/run_file.h"
 #include "results/organ_values.h"
-#include "text/where_expression.h"
+#include "results/where_expression.h"
 
 namespace quasimc {
 

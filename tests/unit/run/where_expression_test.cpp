@@ -1,4 +1,4 @@
-#include "text/where_expression.h"
+#include "results/where_expression.h"
 
 #include <map>
 #include <string>

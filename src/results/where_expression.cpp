@@ -1,7 +1,8 @@
-#include "text/where_expression.h"
+#include "results/where_expression.h"
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -9,8 +10,6 @@
 
 #include "base/text.h"
 #include "quasimc/error.h"
-#include "text/document.h"
-#include "text/numbers.h"
 
 namespace quasimc {
 namespace {
@@ -18,6 +17,8 @@ namespace {
 using Clause = WhereExpression::Clause;
 using Comparison = WhereExpression::Comparison;
 using Operand = WhereExpression::Operand;
+
+constexpr int kMaxDepth = 64;
 
 constexpr std::array<std::pair<std::string_view, Comparison>, 6> kComparisons{{
     {"==", Comparison::equal},
@@ -27,6 +28,16 @@ constexpr std::array<std::pair<std::string_view, Comparison>, 6> kComparisons{{
     {"<", Comparison::less},
     {">", Comparison::more},
 }};
+
+/// All of a text as a finite number; empty if it is none. Independent of the locale.
+std::optional<double> finite_number(std::string_view text) {
+    text.remove_prefix(text.starts_with('+') ? 1 : 0);
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [last, error] = std::from_chars(text.data(), end, number);
+    const bool is_whole = error == std::errc() && last == end && !text.empty();
+    return is_whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
+}
 
 bool is_digit(char c) {
     return '0' <= c && c <= '9';
@@ -70,8 +81,8 @@ class WhereParser {
     Clause all_of() { return joined_clauses(Clause::Kind::all_of, "and"); }
 
     Clause negation() {
-        if (++depth_ > kDeepestNesting) {
-            refuse("it is nested too deeply", fmt::format("{} levels at most", kDeepestNesting));
+        if (++depth_ > kMaxDepth) {
+            refuse("it is nested too deeply", fmt::format("{} levels at most", kMaxDepth));
         }
         Clause clause = take_keyword("not")
                             ? Clause{.kind = Clause::Kind::negation, .parts = {negation()}}
@@ -153,8 +164,8 @@ class WhereParser {
         };
         const auto end = std::find_if_not(rest_.begin(), rest_.end(), is_of_number);
         const std::string_view word(rest_.begin(), end);
-        const std::optional<double> number = parse_real(word);
-        if (!number || !std::isfinite(*number)) {
+        const std::optional<double> number = finite_number(word);
+        if (!number) {
             refuse(
                 fmt::format("'{}' is no number", word), "", "put texts in quotes: kind == 'leaf'");
         }
@@ -264,10 +275,7 @@ void add_names(const Clause& clause, std::vector<std::string>& names) {
 }  // namespace
 
 WhereValue WhereValue::of_text(std::string text) {
-    std::optional<double> number = parse_real(text);
-    if (number && !std::isfinite(*number)) {
-        number = std::nullopt;
-    }
+    const std::optional<double> number = finite_number(text);
     return {std::move(text), number};
 }
 
