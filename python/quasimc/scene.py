@@ -379,7 +379,7 @@ class Scene:
             Keys of the shape (corners, base, length, ...), and id, name, labels, measured,
             transform, at, field_of_view_deg.
         """
-        return self._add("organ", {"shape": shape, "material": material, **keys})
+        return self._add("organ", {"shape": shape, "material": material, **self._with_paths(keys)})
 
     def add_file(self, file, **keys):
         """Adds organs from a geometry file (tri, OBJ, PLY, ...).
@@ -392,7 +392,7 @@ class Scene:
             format, organs, material, materials, name, labels, labels_from, measured, first_id,
             transform, at, plant_unit.
         """
-        return self._add("geometry", {"file": self._path(file), **keys})
+        return self._add("geometry", {"file": self._path(file), **self._with_paths(keys)})
 
     def add_detector(self, type, **keys):
         """Adds a detector, which sorts light that organs do not report (docs/reference/detectors.md)."""
@@ -434,6 +434,15 @@ class Scene:
     def _path(self, file):
         """A path as it is kept: what it means does not change with the current folder."""
         return os.fspath(file) if self._folder is not None else os.path.abspath(file)
+
+    def _with_paths(self, keys):
+        """The keys with the paths of tables of copies and of labels as they are kept."""
+        tables = {
+            key: {**value, "file": self._path(value["file"])}
+            for key, value in keys.items()
+            if key in ("at", "labels_from") and isinstance(value, Mapping) and "file" in value
+        }
+        return {**keys, **tables}
 
     def _add(self, key, table):
         table = plain(table)

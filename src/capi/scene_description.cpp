@@ -78,7 +78,7 @@ void join(Node::Table& into, Node::Table from) {
 
 /// The part of a scene that a key at the top of a run file belongs to.
 quasimc_part part_of(std::string_view key) {
-    constexpr std::array<std::pair<std::string_view, quasimc_part>, 22> kParts{
+    constexpr std::array<std::pair<std::string_view, quasimc_part>, 23> kParts{
         {{"bands", QUASIMC_BANDS},
          {"band", QUASIMC_BANDS},
          {"material", QUASIMC_MATERIALS},
@@ -100,7 +100,8 @@ quasimc_part part_of(std::string_view key) {
          {"north", QUASIMC_OTHER},
          {"length_unit", QUASIMC_OTHER},
          {"irradiance_unit", QUASIMC_OTHER},
-         {"output", QUASIMC_OTHER}}};
+         {"output", QUASIMC_OTHER},
+         {"table", QUASIMC_OTHER}}};
     const auto found = std::find_if(
         kParts.begin(), kParts.end(), [&](const auto& row) { return row.first == key; });
     return found == kParts.end() ? QUASIMC_UNKNOWN_KEYS : found->second;

@@ -421,7 +421,7 @@ LightOfRun read_light_document(
     TableReader top(document, "", reporter);
     pass_over(
         top, {"title", "material", "material_file", "organ", "geometry", "ground", "cell",
-              "detector", "output"});
+              "detector", "output", "table"});
     refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     Sections sections;

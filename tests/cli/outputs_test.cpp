@@ -40,6 +40,27 @@ TEST_F(OutputsTest, AreWrittenByTheirFlags) {
     EXPECT_GE(written, 9U);
 }
 
+/// A repeated result does not write them again, as other outputs.
+TEST_F(OutputsTest, AreTablesOfTheRunFile) {
+    folder_.write(
+        "tables.toml", folder_.read("bare.toml") +
+                           "[[table]]\nfile = \"long.csv\"\nform = \"long\"\n"
+                           "[[table]]\nfile = \"-\"\nrows = \"groups\"\nquantities = "
+                           "[\"absorbed_flux\"]\nstatistics = [\"mean\"]\n");
+    const Outcome outcome = run({"run", "-q", "tables.toml", "--json", "result.json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("\nby,value_of,organs,area,absorbed_flux_"), std::string::npos);
+    EXPECT_NE(folder_.read("long.csv").find(",quantity,band,unit,value,se,"), std::string::npos);
+    folder_.write("long.csv", "mine");
+    const Outcome again = run({"run", "-q", "--repeat", "result.json"});
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_EQ(folder_.read("long.csv"), "mine");
+    folder_.write("wrong.toml", folder_.read("bare.toml") + "[[table]]\nfile = \"leaves.tri\"\n");
+    const Outcome wrong = run({"run", "-q", "wrong.toml"});
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_NE(wrong.err.find("is an input of this run"), std::string::npos) << wrong.err;
+}
+
 TEST_F(OutputsTest, AreNeverInputs) {
     make_links();
     const std::string leaves = folder_.read("leaves.tri");

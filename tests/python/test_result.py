@@ -197,12 +197,17 @@ def test_the_table_of_groups_has_the_columns_of_csv(result):
         "by", "value", "organs", "area", "height_min", "height_max", "plant_area_index",
         "cumulative_plant_area_index",
     ]  # fmt: skip
-    last = list(frame.columns[-9:])
+    last = list(frame.columns[-21:])
+    shares = [
+        f"fraction_{of}_{band}" for band in ("PAR", "NIR") for of in ("incident", "absorbed")
+    ]
     assert last == [
         f"{name}{end}"
-        for name in ("sunlit_fraction", "sunlit_area", "ratio_PAR:NIR")
+        for name in ("sunlit_fraction", "sunlit_area", "ratio_PAR:NIR", *shares)
         for end in ("", "_se", "_ci95_high")
     ]
+    absorbed = frame["absorbed_flux_PAR"]
+    assert np.allclose(frame["fraction_absorbed_PAR"], absorbed / absorbed[0])
     assert np.allclose(frame["sunlit_area"], frame["sunlit_fraction"] * frame["area"])
     layers = frame[frame["by"] == "layer"]
     assert layers["cumulative_plant_area_index"].iloc[0] == pytest.approx(

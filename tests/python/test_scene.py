@@ -398,3 +398,58 @@ def test_numbers_of_meshes_are_not_given_twice():
     scene.remove("a")
     with pytest.raises(quasimc.InputError, match="mesh 3: "):
         scene.add_mesh(TRIANGLE, [[0, 1, 3]], material="leaf")
+
+
+def test_files_organs_and_lamps_have_copies(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "plot.csv").write_text("x,y,tree\n0,0,7\n3,0,8\n")
+    (tmp_path / "trees.obj").write_text(
+        "v 0 0 1\nv 1 0 1\nv 0 1 1\no layer1\ng leaf1\nf 1 2 3\no layer2\ng leaf1\nf 3 2 1\n"
+    )
+    scene = scene_of_material()
+    scene.add_file(
+        "trees.obj",
+        material="leaf",
+        at={"file": "plot.csv"},
+        labels_from="layer{layer}",
+        measured=False,
+    )
+    scene.add_organ(
+        "disk",
+        material="leaf",
+        center=[0, 0, 2],
+        normal=[0, 0, 1],
+        radius=0.2,
+        at=[{"x": 0, "y": 0, "tilt_deg": 90, "row": 1}, {"x": np.float64(2), "y": 5, "row": 2}],
+    )
+    monkeypatch.chdir("/")
+    organs = scene.organs
+    assert len(organs.ids) == 6
+    assert organs.labels["row"] == ["1", "2", "", "", "", ""]
+    assert organs.labels["tree"] == ["", "", "7", "7", "8", "8"]
+    assert organs.labels["layer"] == ["", "", "1", "2", "1", "2"]
+    lamp = quasimc.lamp(
+        "point",
+        name="hps",
+        power=4,
+        at={"start": [0, 0, 5], "along": [4, 0, 0], "counts": 2},
+    )
+    result = scene.run(
+        [lamp],
+        **FEW,
+        groups=["row+layer", {"name": "top", "by": "row", "where": "height > 1.5 and row in [1, 2]"}],
+        layer_heights=[0, 3],
+    )
+    groups = [(g["by"], g["labels"]) for g in result.groups.groups]
+    assert ("top", {"row": "2"}) in groups
+    shares = result.groups["fraction_absorbed"]["PAR"].mean
+    assert shares[0] == pytest.approx(1)
+    # The first disk is tilted about the origin, and so is not high.
+    second = groups.index(("row+layer", {"row": "2", "layer": "1"}))
+    top = groups.index(("top", {"row": "2"}))
+    assert 0.3 < shares[top] < 0.9
+    assert shares[top] == pytest.approx(shares[second])
+    frame = result.groups.to_pandas()
+    assert "fraction_incident_PAR_se" in frame
+    with pytest.raises(quasimc.InputError, match="unknown label 'rov'"):
+        scene.run([lamp], **FEW, groups=["row where rov == 1"])
