@@ -87,10 +87,17 @@ class FlowReader {
             std::all_of(all.begin(), all.end(), [](const Organ& organ) { return organ.measured; });
         if (!is_all) {
             flows.organs = flows.ground = std::numeric_limits<double>::quiet_NaN();
+            flows.on_ground = is_ground_known() ? flows.on_ground : flows.ground;
         }
         flows.escaped = flows.emitted - flows.organs - flows.ground;
         flows.escaped_scattered = std::numeric_limits<double>::quiet_NaN();
         return flows;
+    }
+
+    /// Whether the light on the ground, if there is one, was computed.
+    [[nodiscard]] bool is_ground_known() const {
+        const Organ& last = scene_.organs().back();
+        return !last.is_ground || last.measured;
     }
 
     [[nodiscard]] Flows with_escaped(const ExactBins& bins, std::size_t band, Flows flows) const {

@@ -139,6 +139,29 @@ TEST(Groups, JoinLabelsWithLayers) {
     EXPECT_NEAR(area, groups[0].area, 1e-12) << "sensors are in no layer";
 }
 
+/// The light on a ground that is not measured is unknown with paths from organs, and not 0.
+TEST(Groups, HaveSharesWithoutAMeasuredGround) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(diffuse("leaf", .3, .2));
+    builder.add_organ(organ("", "leaf", floor_of(0, 1, 0, 1, 1)));
+    builder.add_organ(organ("", "leaf", floor_of(1, 2, 0, 1, 2)));
+    GroundSpec soil = ground("leaf");
+    soil.measured = false;
+    builder.set_ground(soil);
+    builder.set_cell(
+        {.along_x = true, .along_y = true, .low_x = 0, .low_y = 0, .size_x = 3, .size_y = 3});
+    const Scene scene = std::move(builder).build();
+    EXPECT_FALSE(scene.organs().back().measured);
+    const Result some = run(scene, {sky({1})}, spec_of(Method::from_organs, 1024));
+    EXPECT_TRUE(std::isnan(some.canopy[0].transmittance.mean));
+    EXPECT_TRUE(std::isnan(some.at(2, Quantity::absorbed_flux, 0).mean));
+    const Result all = run(scene, {sky({1})}, spec_of(Method::light_tracing, 1024));
+    EXPECT_GT(all.canopy[0].transmittance.mean, 0.5);
+    EXPECT_NEAR(
+        some.groups.share(0, GroupShare::incident, 0).mean,
+        all.groups.share(0, GroupShare::incident, 0).mean, 0.01);
+}
+
 /// Horizontal squares of 1 and of 0.25, and a vertical one from 0 to 1, in a cell of 2.
 Scene make_stories() {
     SceneBuilder builder = make_builder();
