@@ -170,7 +170,7 @@ struct GroupResults {
     /// sources.
     std::vector<Estimate> sunlit_fraction, sunlit_area;
     std::vector<Estimate> ratio_values;  ///< [group * ratios + i], as Result::ratio_values
-    /// [(group * kGroupShares + share) * bands + band]; see share(). Empty in sums over times.
+    /// [(group * kGroupShares + share) * bands + band]; see share(). Over times: of the sums.
     std::vector<Estimate> shares = {};
 
     /// Unknown without light, or without horizontal area.

@@ -88,9 +88,8 @@ class Selection(_Light):
 class Groups(_Light):
     """Sums over organs (`groups`, `layers` of a run), with the errors of the sums.
 
-    The first group is all organs. Indexed like a result; results of a time, not sums over times, also
-    have "fraction_incident" (absorbed flux over the light on the horizontal) and "fraction_absorbed"
-    (over the absorbed flux of all measured organs).
+    The first group is all organs. Indexed like a result, and by "fraction_incident" (absorbed flux over
+    the light on the horizontal) and "fraction_absorbed" (over that of all measured organs).
 
     Attributes
     ----------
@@ -134,7 +133,8 @@ class Groups(_Light):
         by, value, organs (their number), area, height_min, height_max, plant_area_index,
         cumulative_plant_area_index, ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``,
         sunlit_fraction and sunlit_area where there are directional sources, ``ratio_<ratio>``,
-        ``fraction_incident_<band>`` and ``fraction_absorbed_<band>``. The fractions of the canopy are in `Result.canopy`.
+        ``fraction_incident_<band>`` and ``fraction_absorbed_<band>``. The fractions of the canopy are
+        in `Result.canopy`.
         """
         import pandas
 

@@ -38,8 +38,8 @@ class ColumnList {
             add_traits();
         }
         for (std::size_t b = 0; is_of_groups_ && b < bands.size(); ++b) {
-            const bool is_step = table_.times == CsvTimes::time_steps;
-            if (is_step && is_selected(table_.bands, bands[b].name)) {
+            if (is_selected(table_.bands, bands[b].name)) {
+                add_shares(b);
                 add_fractions(b);
             }
         }
@@ -119,17 +119,26 @@ class ColumnList {
         }
     }
 
-    void add_fractions(std::size_t b) {
+    void add_shares(std::size_t b) {
         const std::string& band = run_.scene.bands()[b].name;
         for (const ShareEntry& entry : share_table()) {
             if (is_selected(table_.quantities, entry.name)) {
                 const GroupShare share = entry.share;
                 add(entry.name, band, "1", entry.summary,
                     [share, b](const RowLight& light, std::size_t row) {
-                        return share_or_unknown(light.result->groups, row, share, b);
+                        const GroupResults& groups =
+                            light.sum != nullptr ? light.sum->groups : light.result->groups;
+                        return share_or_unknown(groups, row, share, b);
                     });
             }
         }
+    }
+
+    void add_fractions(std::size_t b) {
+        if (table_.times == CsvTimes::days) {
+            return;
+        }
+        const std::string& band = run_.scene.bands()[b].name;
         for (const FractionEntry& entry : fraction_table()) {
             if (is_selected(table_.quantities, entry.name)) {
                 const auto part = entry.part;

@@ -25,6 +25,12 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
     const WrittenColumns written = written_columns(run);
     std::vector<std::string> columns = light_columns_of(run, written);
     if (times == CsvTimes::days) {
+        for (std::size_t i = 0; rows == CsvRows::groups && i < written.bands.size(); ++i) {
+            for (const ShareEntry& entry : share_table()) {
+                columns.push_back(
+                    fmt::format("{}_{}", entry.name, run.scene.bands()[written.bands[i]].name));
+            }
+        }
         return columns;
     }
     if (written.has_sunlit) {
@@ -48,6 +54,15 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
     return columns;
 }
 
+/// The comments on the shares of groups.
+std::string share_columns() {
+    std::string out;
+    for (const ShareEntry& entry : share_table()) {
+        out += fmt::format("# column {}_BAND [1]: {}\n", entry.name, entry.summary);
+    }
+    return out;
+}
+
 /// The comments on the columns of time steps that days lack.
 std::string time_step_columns(const RunFile& run, CsvRows rows) {
     const bool is_of_groups = rows == CsvRows::groups;
@@ -63,10 +78,6 @@ std::string time_step_columns(const RunFile& run, CsvRows rows) {
         out += fmt::format(
             "# column ratio_{} [1]: ratio of incident light, both sides of the {}\n",
             one_line(ratio), is_of_groups ? "organs" : "organ");
-    }
-    for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {
-        out += fmt::format(
-            "# column {}_BAND [1]: {}\n", share_table()[i].name, share_table()[i].summary);
     }
     for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
         out += fmt::format(
@@ -96,14 +107,20 @@ void append_traits(
     }
 }
 
+/// The shares of a group.
+void append_shares(
+    std::string& out, const GroupResults& groups, std::size_t group, std::size_t band) {
+    for (const ShareEntry& entry : share_table()) {
+        append_csv(out, share_or_unknown(groups, group, entry.share, band));
+    }
+}
+
 /// The shares of a group, and the fractions of the canopy, which the group of all organs has.
 void append_fractions(
     std::string& out, const WrittenColumns& written, const Result& result, std::size_t group) {
     const bool has_fractions = group == 0 && !result.canopy.empty();
     for (const std::size_t b : written.bands) {
-        for (const ShareEntry& entry : share_table()) {
-            append_csv(out, share_or_unknown(result.groups, group, entry.share, b));
-        }
+        append_shares(out, result.groups, group, b);
         for (const FractionEntry& entry : fraction_table()) {
             append_csv(out, has_fractions ? result.canopy[b].*entry.part : kUnknownEstimate);
         }
@@ -147,7 +164,8 @@ void CsvWriter::write_head(const Result* result) {
     sink_(csv_point_columns(run) + times);
     sink_(is_of_organs ? csv_organ_columns(run) : csv_group_columns(run));
     sink_(csv_light_columns(run, result == nullptr ? LightAmount::sum : LightAmount::rate));
-    sink_((result == nullptr ? "" : time_step_columns(run, rows_)) + csv_error_columns());
+    sink_(result == nullptr ? "" : time_step_columns(run, rows_));
+    sink_((is_of_organs ? "" : share_columns()) + csv_error_columns());
     const std::vector<std::string> columns = estimate_columns(run, rows_, times_);
     sink_(
         is_of_organs ? csv_organ_header(first, labels_, columns)
@@ -212,8 +230,14 @@ void CsvWriter::on_day(std::size_t day, const SeriesSum& raw) {
         fmt::format(
             "{}{},{},", csv_point_fields(*run_), run_->series->days[day], shortest(sum.seconds)),
         sum.groups.groups, [&](std::string& out, std::size_t i) {
-            rows_ == CsvRows::organs ? append_light(out, written, sum, i)
-                                     : append_light(out, written, sum.groups, i);
+            if (rows_ == CsvRows::organs) {
+                append_light(out, written, sum, i);
+                return;
+            }
+            append_light(out, written, sum.groups, i);
+            for (const std::size_t b : written.bands) {
+                append_shares(out, sum.groups, i, b);
+            }
         });
 }
 

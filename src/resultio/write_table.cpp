@@ -1,6 +1,7 @@
 // The tables of [[table]]: docs/reference/csv.md.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -22,25 +23,25 @@ namespace {
 constexpr std::size_t kTablePiece = 1 << 16;
 
 /// A statistic of estimates: its column in narrow tables, and the end of those in wide ones.
-struct StatisticWords {
+struct StatisticRow {
     CsvStatistic statistic;
     std::string_view narrow, suffix, summary;
 };
 constexpr std::array kStatistics{
-    StatisticWords{CsvStatistic::mean, "value", "", "the estimate"},
-    StatisticWords{
+    StatisticRow{CsvStatistic::mean, "value", "", "the estimate"},
+    StatisticRow{
         CsvStatistic::standard_error, "se", "_se",
         "standard error; empty where it is unknown (no light sampled)"},
-    StatisticWords{
+    StatisticRow{
         CsvStatistic::ci95_low, "ci95_low", "_ci95_low",
         "lower end of the 95 % confidence interval"},
-    StatisticWords{
+    StatisticRow{
         CsvStatistic::ci95_high, "ci95_high", "_ci95_high",
         "upper end of the 95 % confidence interval; an upper limit where no light was sampled"}};
 
-const StatisticWords& words_of(CsvStatistic statistic) {
-    return *std::find_if(kStatistics.begin(), kStatistics.end(), [&](const StatisticWords& words) {
-        return words.statistic == statistic;
+const StatisticRow& row_of(CsvStatistic statistic) {
+    return *std::find_if(kStatistics.begin(), kStatistics.end(), [&](const StatisticRow& row) {
+        return row.statistic == statistic;
     });
 }
 
@@ -151,11 +152,11 @@ class TableWriter final : public OutputWriter {
                    "\n";
         }
         for (const CsvStatistic statistic : table_.statistics) {
-            const StatisticWords& words = words_of(statistic);
-            if (is_narrow() || !words.suffix.empty()) {
+            const StatisticRow& row = row_of(statistic);
+            if (is_narrow() || !row.suffix.empty()) {
                 out += fmt::format(
                     "# column {}{}: {}\n", is_narrow() ? "" : "...",
-                    is_narrow() ? words.narrow : words.suffix, words.summary);
+                    is_narrow() ? row.narrow : row.suffix, row.summary);
             }
         }
         return out;
@@ -174,10 +175,10 @@ class TableWriter final : public OutputWriter {
         }
         for (std::size_t c = 0; c < (is_narrow() ? 1 : columns_.size()); ++c) {
             for (const CsvStatistic statistic : table_.statistics) {
-                const StatisticWords& words = words_of(statistic);
+                const StatisticRow& row = row_of(statistic);
                 numbers.push_back(
-                    is_narrow() ? std::string(words.narrow)
-                                : columns_[c].name() + std::string(words.suffix));
+                    is_narrow() ? std::string(row.narrow)
+                                : columns_[c].name() + std::string(row.suffix));
             }
         }
         std::vector<std::string> taken = names;

@@ -17,7 +17,7 @@ namespace quasimc {
 
 /// Height of an organ.
 struct OrganHeight {
-    double centroid = 0;  ///< of its area; of its triangles, if it has no area
+    double centroid = 0;  ///< mean over its area, or over its triangles if it has no area
     double low = std::numeric_limits<double>::infinity();
     double high = -std::numeric_limits<double>::infinity();
 };

@@ -87,8 +87,10 @@ void read_file_copies(
     const Labels labels = read_labels(table);
     const auto copies = read_copies(table, name.empty() ? files.front() : name, context);
     keys.has_copies = table.any("at") != nullptr;
-    if (!copies) {
+    if (!keys.has_copies) {
         keys.copies = {{.name = name, .labels = labels}};
+    }
+    if (!copies) {
         return;
     }
     CopyTexts texts(table, *copies);
@@ -148,7 +150,14 @@ std::optional<Geometry> read_one(const Node& node, RunFileContext& context) {
     read_file_copies(table, name, context, keys, files);
     const std::optional<std::string> organs = table.choice("organs", kOrganWords);
     const std::optional<LabelsFrom> labels_from = read_labels_from(table, *context.files);
-    std::vector<NamedMesh> named = read_named_meshes(table, files, context);
+    std::vector<NamedMesh> named;
+    if (keys.copies.empty() && !placeholders_of(files.front()).empty()) {
+        // The names of the files are unknown.
+        static_cast<void>(table.any("format"));
+        static_cast<void>(table.any("plant_unit"));
+    } else {
+        named = read_named_meshes(table, files, context);
+    }
     if (labels_from) {
         check_keys(*labels_from, keys.copies, table);
         set_labels_of_groups(*labels_from, organs, named, table);

@@ -64,15 +64,16 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     for (const QuantityEntry& entry : quantity_table()) {
         names.push_back(entry.name);
     }
+    const bool is_of_groups = rows == CsvRows::groups;
+    for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {
+        names.push_back(share_table()[i].name);
+    }
     if (times == CsvTimes::days) {
         return names;
     }
     names.insert(names.end(), {"sunlit_fraction", "ratios"});
-    if (rows == CsvRows::groups) {
+    if (is_of_groups) {
         names.emplace_back("sunlit_area");
-        for (const ShareEntry& entry : share_table()) {
-            names.push_back(entry.name);
-        }
         for (const FractionEntry& entry : fraction_table()) {
             names.push_back(entry.name);
         }

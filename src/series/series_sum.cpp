@@ -36,6 +36,56 @@ void SeriesAdder::add(const Result& result, double weight) {
     const double freedom = std::max(1.0, static_cast<double>(result.replicates) - 1);
     add_all(result.values, weight, freedom, cells_);
     add_all(result.groups.values, weight, freedom, group_cells_);
+    add_shares(result, weight, freedom);
+}
+
+void SeriesAdder::add_shares(const Result& result, double weight, double freedom) {
+    const GroupResults& groups = result.groups;
+    shares_.resize(groups.shares.size());
+    for (std::size_t i = 0; i < shares_.size(); ++i) {
+        const std::size_t band = i % groups.bands;
+        const bool is_of_incident =
+            i / groups.bands % kGroupShares == static_cast<std::size_t>(GroupShare::incident);
+        const Estimate absorbed = groups.at(0, Quantity::absorbed_flux, band);
+        const double whole = !is_of_incident         ? absorbed.mean
+                             : result.canopy.empty() ? kNan
+                                                     : result.canopy[band].incident;
+        if (whole == 0) {
+            continue;
+        }
+        const Estimate& share = groups.shares[i];
+        Quotient& sum = shares_[i];
+        sum.part += weight * whole * share.mean;
+        sum.whole += weight * whole;
+        if (std::isfinite(share.standard_error)) {
+            const double error = weight * whole * share.standard_error;
+            const double of_whole = is_of_incident ? 0 : weight * absorbed.standard_error;
+            sum.variance += error * error;
+            sum.spread += error * error * error * error / freedom;
+            for (std::size_t k = 0; k < sum.of_whole.size(); ++k) {
+                sum.of_whole[k] += of_whole * of_whole * std::pow(share.mean, k);
+            }
+        } else if (std::isfinite(share.ci95_high)) {
+            sum.unseen += weight * whole * share.ci95_high;
+        } else {
+            sum.is_unknown = true;
+        }
+    }
+}
+
+Estimate SeriesAdder::estimate_of_quotient(const Quotient& quotient) {
+    const double whole = quotient.whole;
+    if (quotient.is_unknown || !(whole > 0)) {
+        return kUnknownEstimate;
+    }
+    const double share = quotient.part / whole;
+    const auto& [zero, one, two] = quotient.of_whole;
+    const double differing = std::max(0.0, two - 2 * share * one + share * share * zero);
+    return estimate_of(
+        {.mean = share,
+         .variance = (quotient.variance + differing) / (whole * whole),
+         .spread = quotient.spread / (whole * whole * whole * whole),
+         .unseen = quotient.unseen / whole});
 }
 
 Estimate SeriesAdder::estimate_of(const Cell& cell) {
@@ -62,6 +112,9 @@ SeriesSum SeriesAdder::sum(
     if (!groups.values.empty()) {
         std::transform(
             group_cells_.begin(), group_cells_.end(), sum.groups.values.begin(), estimate_of);
+        sum.groups.shares.assign(groups.groups.size() * kGroupShares * bands, kUnknownEstimate);
+        std::transform(
+            shares_.begin(), shares_.end(), sum.groups.shares.begin(), estimate_of_quotient);
     }
     return sum;
 }

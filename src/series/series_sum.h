@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -32,11 +33,27 @@ class SeriesAdder {
     };
     using Cells = std::vector<Cell>;
 
+    /// Sum of one share of a group: the quotient of sums of amounts, part and whole.
+    struct Quotient {
+        double part = 0, whole = 0;
+        /// Sums of (whole x error of the share)^2, and of its square / degrees of freedom.
+        double variance = 0, spread = 0;
+        double unseen = 0;  ///< as in Cell, times the whole
+        /// Sums of (error of the whole)^2 x share^k: for shares that differ between times.
+        std::array<double, 3> of_whole{};
+        bool is_unknown = false;
+    };
+
     static void add_all(
         const std::vector<Estimate>& values, double weight, double freedom, Cells& cells);
+    void add_shares(const Result& result, double weight, double freedom);
     [[nodiscard]] static Estimate estimate_of(const Cell& cell);
+    /// The error follows from the delta method: var(sum of part - R whole) / whole^2, with the
+    /// share of a time independent of its whole.
+    [[nodiscard]] static Estimate estimate_of_quotient(const Quotient& quotient);
 
-    Cells cells_, group_cells_;  // of organs, of groups
+    Cells cells_, group_cells_;     // of organs, of groups
+    std::vector<Quotient> shares_;  // as GroupResults::shares
     double seconds_ = 0;
 };
 

@@ -26,12 +26,11 @@ constexpr double kShareOfBasis = 0.5;
 /// Memory and number of time steps that are combined together.
 constexpr double kStepBatchBytes = 256e6, kMaxStepsInBatch = 16;
 
-/// Groups in the form of SeriesSum.
+/// Groups in the form of SeriesSum. Their shares are quotients of sums, as the light is.
 GroupResults without_fractions(GroupResults groups) {
     groups.sunlit_fraction.clear();
     groups.sunlit_area.clear();
     groups.ratio_values.clear();
-    groups.shares.clear();
     groups.ratios = 0;
     return groups;
 }

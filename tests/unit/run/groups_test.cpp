@@ -490,5 +490,47 @@ TEST(GroupSums, OfADayAreThoseOfItsOrgansWithErrorsOfTheirOwn) {
     EXPECT_EQ(results[3].groups.groups[1].organs.size(), 2U);
 }
 
+/// Shares of a day are quotients of its sums; those of one time step are that step's.
+TEST(GroupSums, OfADayHaveSharesOfTheSums) {
+    const Scene scene = make_two_plants();
+    const std::vector<TimeStep> times{
+        {"morning", {sun(70, {1, 2}), sky({.2, .1})}, "a", 3600, 0},
+        {"noon", {sun(20, {4, 6}), sky({.5, .2})}, "b", 3600, 0},
+        {"night", {}, "", 3600, 0},
+        {"next", {sun(20, {4, 6}), sky({.5, .2})}, "b", 1800, 1}};
+    std::vector<Result> results;
+    std::vector<SeriesSum> days;
+    Listening events;
+    events.time_step = [&](std::size_t, const Result& result, std::size_t) {
+        results.push_back(result);
+    };
+    events.day = [&](std::size_t, const SeriesSum& sum) { days.push_back(sum); };
+    run_series(scene, times, grouped_spec(Method::light_tracing), {.listeners = {&events}});
+    ASSERT_EQ(days.size(), 2U);
+    for (std::size_t g = 0; g < results[0].groups.groups.size(); ++g) {
+        for (std::size_t b = 0; b < 2; ++b) {
+            const auto flux = [&](std::size_t group) {
+                return days[0].groups.at(group, Quantity::absorbed_flux, b).mean;
+            };
+            const double light =
+                3600 * (results[0].canopy[b].incident + results[1].canopy[b].incident);
+            const Estimate absorbed = days[0].groups.share(g, GroupShare::absorbed, b);
+            const Estimate incident = days[0].groups.share(g, GroupShare::incident, b);
+            EXPECT_NEAR(absorbed.mean, flux(g) / flux(0), 1e-12);
+            EXPECT_NEAR(incident.mean, flux(g) / light, 1e-12);
+            const Estimate next = days[1].groups.share(g, GroupShare::absorbed, b);
+            const Estimate step = results[3].groups.share(g, GroupShare::absorbed, b);
+            EXPECT_NEAR(next.mean, step.mean, 1e-12);
+            EXPECT_NEAR(next.standard_error, step.standard_error, 1e-12);
+        }
+    }
+    // The larger amount of light at noon determines the error.
+    const auto error_of = [](const GroupResults& groups) {
+        return groups.share(1, GroupShare::absorbed, 0).standard_error;
+    };
+    EXPECT_GT(error_of(days[0].groups), 0.3 * error_of(results[1].groups));
+    EXPECT_LT(error_of(days[0].groups), error_of(results[0].groups) + error_of(results[1].groups));
+}
+
 }  // namespace
 }  // namespace quasimc::test

@@ -258,6 +258,15 @@ TEST(Copies, FaultsSayWhatToDo) {
     EXPECT_TRUE(faults_of(copied_file(without_empty).text(), files).empty());
 }
 
+TEST(Copies, AFaultInAtIsNoFaultOfFiles) {
+    RunText text =
+        copied_file("format = 'tri'\nat = [{ x = 0, y = 0, type = 1 }, { x = 1, y = 0 }]\n");
+    text.organs.replace(text.organs.find("a.tri"), 5, "{type}.tri");
+    const auto faults = faults_of(text.text(), {{"1.tri", kTriangle}});
+    EXPECT_EQ(faults.size(), 1U) << ::testing::PrintToString(faults);
+    EXPECT_TRUE(mentions(faults, "file: copy 2 has no 'type' (it has copy)"));
+}
+
 TEST(Copies, ACopyNeedsItsFile) {
     RunText text = copied_file("at = [{ x = 0, y = 0, type = 1 }, { x = 1, y = 0, type = 2 }]\n");
     text.organs.replace(text.organs.find("a.tri"), 5, "{type}.tri");
