@@ -277,7 +277,7 @@ std::vector<OrganGroup> make_groups(const Scene& scene, const GroupSpec& spec) {
     for (const std::string& text : spec.labels) {
         add_requested(scene, values, parse_group(text, known), groups);
     }
-    add_layers(scene, layer_boundaries(scene, spec), groups);
+    add_layers(scene, values.boundaries(), groups);
     return groups;
 }
 

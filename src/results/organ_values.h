@@ -22,6 +22,8 @@ class OrganValues {
     /// The value of an organ; empty if it has none.
     [[nodiscard]] std::optional<WhereValue> value(const Organ& organ, std::string_view name) const;
     [[nodiscard]] bool holds(const WhereExpression& where, const Organ& organ) const;
+    /// layer_boundaries()
+    [[nodiscard]] const std::vector<double>& boundaries() const { return boundaries_; }
     /// All names, labels first.
     [[nodiscard]] std::vector<std::string_view> names() const;
 

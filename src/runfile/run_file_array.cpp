@@ -121,10 +121,10 @@ std::optional<CopyArray> read_array(TableReader& array, std::string_view name) {
     }
     for (std::int64_t k = 0; k < n * m; ++k) {
         CopyRow row{.line = array.line()};
-        const auto i = static_cast<double>(k % n), j = static_cast<double>(k / n);
-        row.position = *start + ((i + 0.5) / static_cast<double>(n)) * *along;
+        const std::int64_t i = k % n, j = k / n;
+        row.position = *start + ((static_cast<double>(i) + 0.5) / static_cast<double>(n)) * *along;
         if (across) {
-            row.position += ((j + 0.5) / static_cast<double>(m)) * *across;
+            row.position += ((static_cast<double>(j) + 0.5) / static_cast<double>(m)) * *across;
         }
         for (const Member& width : spread) {
             *number_of_row(row, width.key) +=

@@ -216,6 +216,7 @@ void set_labels_from(const LabelsFrom& from, std::vector<NamedMesh>& files, Tabl
         }
     }
     std::vector<Labels*> all;
+    all.reserve(found.size());
     for (auto& [group, labels] : found) {
         all.push_back(&labels);
     }
