@@ -29,6 +29,7 @@ constexpr NamesOf<CsvStatistic, 4> kStatisticNames{
 template <typename Names>
 std::vector<std::string_view> first_of(const Names& names) {
     std::vector<std::string_view> all;
+    all.reserve(names.size());
     for (const auto& each : names) {
         all.push_back(each.first);
     }
