@@ -93,7 +93,7 @@ class LightOnScene final : public quasimc::OutputWriter {
 
 /// The default of `quasimc show`: the absorbed flux density in the first band.
 quasimc::WrittenColumns drawn_columns(const quasimc::RunFile& /*run*/) {
-    return {.quantities = {quasimc::quantity_table()[1]}, .bands = {0}};
+    return {.quantities = {quasimc::quantity_table()[1]}, .bands = {0}, .origins = {}};
 }
 
 void draw_picture(

@@ -231,8 +231,8 @@ int64_t quasimc_quantity_count(void);
 const char* quasimc_quantity_name(int64_t quantity);
 
 /** A number of every organ.
- *  @param quantity  a name of quasimc_quantity_name(); "sunlit_fraction"; or a requested ratio,
- *         "R:FR"
+ *  @param quantity  a name of quasimc_quantity_name(), with "_from_sun" for the part that came from
+ *         that origin, if the run has origins; "sunlit_fraction"; or a requested ratio, "R:FR"
  *  @param band  its name; NULL for the latter two
  *  @param statistic  "mean", "standard_error", or "ci95_low" and "ci95_high", the ends of the 95 %
  * interval, which contains the mean and only physically possible values

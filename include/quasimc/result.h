@@ -235,6 +235,8 @@ struct RoundErrors {
     double fraction_at_target = 0;
 };
 
+struct OriginLight;
+
 /// Means are original estimates: reported() gives those for files, tables and pictures.
 struct Result {
     std::size_t bands = 0;
@@ -254,6 +256,9 @@ struct Result {
     std::vector<CanopyFractions> canopy;  ///< per band; empty without ground or periodic cell
     bool escaped_by_difference = false;
     std::vector<DetectorResult> detectors;  ///< in the order of Scene::detectors()
+    /// The light of each origin (RunSpec::origins) alone: all of the above except ratios and sunlit
+    /// fractions. Their means add up to those of all light, to rounding.
+    std::vector<OriginLight> origins;
 
     ChosenMethod chosen;
     std::optional<Audit> audit;  ///< if RunSpec::audit requests one
@@ -293,6 +298,12 @@ struct Result {
     /// @throws InputError  if there is no such organ
     [[nodiscard]] OrganLight organ(std::int64_t id) const&;
     OrganLight organ(std::int64_t id) const&& = delete;
+};
+
+/// The light of an origin.
+struct OriginLight {
+    std::string name;
+    Result light;  ///< without origins, and data of the run
 };
 
 /// A band, given by its name or its index.
@@ -350,6 +361,12 @@ class OrganLight {
     std::size_t index_;
 };
 
+/// The sources of an origin of light, as EvaluationSpec has those of all.
+struct OriginSources {
+    std::vector<double> horizontal_irradiance = {};
+    Sources sources = {};
+};
+
 /// Options of the evaluation of sums.
 struct EvaluationSpec {
     std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
@@ -361,7 +378,8 @@ struct EvaluationSpec {
     /// Sources of the light: no interval exceeds their largest possible contribution. Empty:
     /// unknown.
     Sources sources = {};
-    unsigned threads = 1;  ///< never changes a number
+    std::vector<OriginSources> origins = {};  ///< in the order of the sums; empty: unknown
+    unsigned threads = 1;                     ///< never changes a number
 };
 
 /// Estimates of each organ, ratio and band from the sums of a run, with errors from the replicates:

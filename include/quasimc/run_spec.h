@@ -114,6 +114,11 @@ struct RunSpec {
     /// Pairs of band names, "R:FR": ratio of the light on an organ (both sides).
     std::vector<std::string> ratios = {};
 
+    /// Origins whose light is reported apart too: "sun", "sky", "lamps", or patterns of names of
+    /// sources, in which `*` means any characters. A source belongs to the first that fits;
+    /// what fits none is "other". Empty: none.
+    std::vector<std::string> origins = {};
+
     // Groups of organs (GroupSpec): for each value of these labels, and in these layers.
     std::vector<std::string> groups = {};
     std::uint32_t layers = 0;

@@ -25,6 +25,8 @@ struct TimeStep {
     std::size_t day = 0;  ///< index of its day; not less than that of the previous time step
 };
 
+struct OriginSum;
+
 /// Light summed over the time steps of a day, or of all days: irradiance unit x s, and flux x s.
 struct SeriesSum {
     std::size_t bands = 0;
@@ -34,10 +36,17 @@ struct SeriesSum {
     std::vector<Estimate> values;
     /// Sums of groups of organs, without sunlit areas and ratios.
     GroupResults groups = {};
+    std::vector<OriginSum> origins;  ///< each origin alone, as Result::origins
 
     [[nodiscard]] Estimate at(std::size_t organ, Quantity q, std::size_t band) const {
         return values[(organ * kQuantities + static_cast<std::size_t>(q)) * bands + band];
     }
+};
+
+/// The part of a sum that came from an origin.
+struct OriginSum {
+    std::string name;
+    SeriesSum light;  ///< without origins
 };
 
 /// Sums of the paths of a run, traced elsewhere.

@@ -134,6 +134,9 @@ void report_groups(GroupResults& groups) {
 SeriesSum reported_sum(SeriesSum sum) {
     report_all(sum.values);
     report_groups(sum.groups);
+    for (OriginSum& origin : sum.origins) {
+        origin.light = reported_sum(std::move(origin.light));
+    }
     return sum;
 }
 
@@ -143,6 +146,10 @@ std::shared_ptr<Result> reported_result(Result result) {
         report_all(*estimates);
     }
     report_groups(result.groups);
+    for (OriginLight& origin : result.origins) {
+        report_all(origin.light.values);
+        report_groups(origin.light.groups);
+    }
     for (DetectorResult& detector : result.detectors) {
         report_all(detector.values);
     }
@@ -224,6 +231,11 @@ void bind_result(py::module_& module) {
             "groups",
             [](const py::object& self) {
                 return groups_dict(self.cast<const Result&>().groups, self);
+            })
+        .def_property_readonly(
+            "origins",
+            [](const py::object& self) {
+                return origins_dict(self.cast<const Result&>().origins, self);
             })
         .def_property_readonly("detectors", &detectors_of)
         .def_property_readonly("budget", &budget_of)

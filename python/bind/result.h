@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 #include "bind.h"
 #include "quasimc/result.h"
@@ -20,5 +22,25 @@ namespace quasimc::python {
 
 /// The light of groups, owned by `owner`.
 [[nodiscard]] py::object groups_dict(const GroupResults& groups, py::handle owner);
+
+/// The light by quantity and band of each origin, and that of its groups, owned by `owner`: a dict
+/// by name.
+/// @param origins  of a Result or a SeriesSum
+template <typename Origins>
+[[nodiscard]] py::dict origins_dict(const Origins& origins, py::handle owner) {
+    py::dict all;
+    for (const auto& origin : origins) {
+        const std::size_t row = kQuantities * std::max<std::size_t>(origin.light.bands, 1);
+        py::dict light;
+        light["values"] = estimates_view(
+            origin.light.values,
+            {static_cast<py::ssize_t>(origin.light.values.size() / row),
+             static_cast<py::ssize_t>(kQuantities), static_cast<py::ssize_t>(origin.light.bands)},
+            owner);
+        light["groups"] = groups_dict(origin.light.groups, owner);
+        all[py::str(origin.name)] = light;
+    }
+    return all;
+}
 
 }  // namespace quasimc::python

@@ -97,6 +97,7 @@ py::list days_of(const py::object& self) {
         day["seconds"] = all.sums[i].seconds;
         day["values"] = view_of_sum(all.sums[i], organs_of(all.sums[i]), self);
         day["groups"] = groups_dict(all.sums[i].groups, self);
+        day["origins"] = origins_dict(all.sums[i].origins, self);
         days.append(day);
     }
     return days;
@@ -133,6 +134,11 @@ void bind_series(py::module_& module) {
             [](const py::object& self) {
                 const auto& total = self.cast<const SeriesHandle&>().summary.total;
                 return view_of_sum(total, organs_of(total), self);
+            })
+        .def_property_readonly(
+            "total_origins",
+            [](const py::object& self) {
+                return origins_dict(self.cast<const SeriesHandle&>().summary.total.origins, self);
             })
         .def_property_readonly(
             "total_groups",

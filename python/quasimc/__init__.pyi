@@ -116,8 +116,14 @@ class Estimates:
     unit: Any
     bands: tuple[str, ...]
     def __init__(
-        self, values: Array, name: str, unit: str | tuple[str, ...], bands: Sequence[str] = ()
+        self,
+        values: Array,
+        name: str,
+        unit: str | tuple[str, ...],
+        bands: Sequence[str] = (),
+        origins: Mapping[str, Array] | None = None,
     ) -> None: ...
+    def origin(self, name: str) -> Estimates: ...
     @property
     def mean(self) -> Array: ...
     @property
@@ -166,6 +172,8 @@ class Organs:
     def __len__(self) -> int: ...
 
 class _Light:
+    @property
+    def origins(self) -> tuple[str, ...]: ...
     def __getitem__(self, quantity: str) -> Estimates: ...
     def keys(self) -> list[str]: ...
     def __iter__(self) -> Iterator[str]: ...
@@ -183,6 +191,7 @@ class Groups(_Light):
         organs: Organs,
         ratio_names: Iterable[str] = (),
         factors: Array | None = None,
+        origins: Mapping[str, Any] | None = None,
     ) -> None: ...
     def keys(self) -> list[str]: ...
     @property
@@ -193,7 +202,12 @@ class Sums(_Light):
     seconds: float
     groups: Groups | None
     def __init__(
-        self, values: Array, seconds: float, organs: Organs, groups: Any = None
+        self,
+        values: Array,
+        seconds: float,
+        organs: Organs,
+        groups: Any = None,
+        origins: Mapping[str, Any] | None = None,
     ) -> None: ...
     def to_pandas(self) -> Any: ...
 
@@ -382,6 +396,7 @@ class Scene:
         time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
+        origins: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -417,6 +432,7 @@ class Scene:
         time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
+        origins: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -452,6 +468,7 @@ class Scene:
         time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
+        origins: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -486,6 +503,7 @@ class Scene:
         time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
+        origins: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -549,6 +567,7 @@ class GrowthSession:
         time_method: str = ...,
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
+        origins: Sequence[str] = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -604,6 +623,7 @@ def grow(
     time_method: str = ...,
     ratios: Sequence[str] = ...,
     groups: Sequence[str] = ...,
+    origins: Sequence[str] = ...,
     layers: int = ...,
     layer_heights: Sequence[float] = ...,
     direct_light: str = ...,

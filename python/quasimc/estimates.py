@@ -21,13 +21,25 @@ class Estimates:
         Names of the bands; empty for one band or none.
     """
 
-    __slots__ = ("_values", "name", "unit", "bands")
+    __slots__ = ("_values", "_origins", "name", "unit", "bands")
 
-    def __init__(self, values, name, unit, bands=()):
+    def __init__(self, values, name, unit, bands=(), origins=None):
         self._values = values
+        self._origins = origins or {}
         self.name = name
         self.unit = unit
         self.bands = tuple(bands)
+
+    def origin(self, name):
+        """Returns the part that came from an origin of a run with `origins`: Estimates.
+
+        The means of all origins add up to those of all light, but for means that are moved to a
+        physical bound. Raises KeyError if there is no such origin.
+        """
+        if name not in self._origins:
+            known = ", ".join(self._origins) or "none; run with origins"
+            raise KeyError(f"there is no origin {name!r}; there are: {known}")
+        return Estimates(self._origins[name], f"{self.name}_from_{name}", self.unit, self.bands)
 
     @property
     def mean(self):
@@ -60,7 +72,8 @@ class Estimates:
             known = ", ".join(self.bands) or "none"
             raise KeyError(f"there is no band {band!r}; there are: {known}")
         i = self.bands.index(band)
-        return Estimates(self._values[..., i, :], self.name, self.unit[i])
+        origins = {name: values[..., i, :] for name, values in self._origins.items()}
+        return Estimates(self._values[..., i, :], self.name, self.unit[i], origins=origins)
 
     def __len__(self):
         return len(self._values)

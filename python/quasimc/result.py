@@ -23,11 +23,13 @@ class _Light:
 
     ``light["absorbed_flux"]["PAR"]`` are the `Estimates` of a quantity in one band;
     ``light["absorbed_flux"]`` those of all bands (last axis). "absorbed" is short for
-    "absorbed_flux".
+    "absorbed_flux". Of a run with `origins`, ``light["absorbed_flux"]["PAR"].origin("sun")`` is the
+    part that came from one of them.
     """
 
-    def __init__(self, values, sunlit, organs, time=None):
+    def __init__(self, values, sunlit, organs, time=None, origins=None):
         self._values = values
+        self._origins = origins or {}
         self._sunlit = sunlit
         self._of = organs
         self._time = time
@@ -47,7 +49,13 @@ class _Light:
             return Estimates(self._sunlit, name, "")
         number = list(_core.quantities()).index(name)
         units = tuple(self._unit(name, unit) for unit in self._of.units)
-        return Estimates(self._values[:, number], name, units, self._of.bands)
+        origins = {of: values[:, number] for of, values in self._origins.items()}
+        return Estimates(self._values[:, number], name, units, self._of.bands, origins)
+
+    @property
+    def origins(self):
+        """Names of the origins whose light is known apart: tuple of str."""
+        return tuple(self._origins)
 
     def keys(self):
         """Names of the quantities; with directional sources also sunlit_fraction (not for sums)."""
@@ -67,6 +75,11 @@ class _Light:
             for quantity in _core.quantities():
                 estimates = self[quantity][band]
                 columns.update(_estimate_columns(f"{quantity}_{band}", estimates))
+        for origin in self.origins:
+            for band in self._of.bands:
+                for quantity in _core.quantities():
+                    estimates = self[quantity][band].origin(origin)
+                    columns.update(_estimate_columns(f"{quantity}_{band}_from_{origin}", estimates))
         return columns
 
 
@@ -82,7 +95,8 @@ class Selection(_Light):
         indices = [result.organs.index_of(organ) for organ in ids]
         self.ids = result.organs.ids[indices].tolist()
         sunlit = result._sunlit[indices] if len(result._sunlit) else result._sunlit
-        super().__init__(result._values[indices], sunlit, result.organs)
+        origins = {name: values[indices] for name, values in result._origins.items()}
+        super().__init__(result._values[indices], sunlit, result.organs, origins=origins)
 
 
 class Groups(_Light):
@@ -101,10 +115,12 @@ class Groups(_Light):
     #: Fractions of other light, in the order of the core.
     _SHARES = ("fraction_incident", "fraction_absorbed")
 
-    def __init__(self, core, organs, ratio_names=(), factors=None):
-        values = core["values"] if factors is None else core["values"] * factors
-        time = None if factors is None else "sum"
-        super().__init__(values, core["sunlit_fraction"], organs, time)
+    def __init__(self, core, organs, ratio_names=(), factors=None, origins=None):
+        factors, time = (1, None) if factors is None else (factors, "sum")
+        parts = {
+            name: light["groups"]["values"] * factors for name, light in (origins or {}).items()
+        }
+        super().__init__(core["values"] * factors, core["sunlit_fraction"], organs, time, parts)
         self.groups = core["groups"]
         self._sunlit_area = core["sunlit_area"]
         self._ratios = core["ratios"]
@@ -194,7 +210,8 @@ class Result(_Light):
     """
 
     def __init__(self, core, organs, warnings=(), sources=(), ratio_names=()):
-        super().__init__(core.values, core.sunlit_fraction, organs)
+        origins = {name: light["values"] for name, light in core.origins.items()}
+        super().__init__(core.values, core.sunlit_fraction, organs, origins=origins)
         self._core = core
         self.organs = organs
         self.warnings = list(warnings)
@@ -216,7 +233,9 @@ class Result(_Light):
     @cached_property
     def groups(self):
         """Sums over organs: Groups; the first is all organs."""
-        return Groups(self._core.groups, self.organs, self._ratio_names)
+        return Groups(
+            self._core.groups, self.organs, self._ratio_names, origins=self._core.origins
+        )
 
     @cached_property
     def budget(self):
@@ -413,13 +432,18 @@ class Series:
     @cached_property
     def days(self):
         return {
-            day["date"]: Sums(day["values"], day["seconds"], self.organs, day["groups"])
+            day["date"]: Sums(
+                day["values"], day["seconds"], self.organs, day["groups"], day["origins"]
+            )
             for day in self._core.days
         }
 
     @cached_property
     def total(self):
-        return Sums(self._core.total, self.total_seconds, self.organs, self._core.total_groups)
+        return Sums(
+            self._core.total, self.total_seconds, self.organs, self._core.total_groups,
+            self._core.total_origins,
+        )
 
     def __len__(self):
         return len(self.times)
@@ -470,11 +494,16 @@ class Sums(_Light):
         Sums over organs with their errors, as for a result.
     """
 
-    def __init__(self, values, seconds, organs, groups=None):
+    def __init__(self, values, seconds, organs, groups=None, origins=None):
         factors = np.array([_core.summed_unit(unit)[1] for unit in organs.units])[:, None]
-        super().__init__(values * factors, None, organs, time="sum")
+        parts = {name: light["values"] * factors for name, light in (origins or {}).items()}
+        super().__init__(values * factors, None, organs, time="sum", origins=parts)
         self.seconds = seconds
-        self.groups = None if groups is None else Groups(groups, organs, factors=factors)
+        self.groups = (
+            None
+            if groups is None
+            else Groups(groups, organs, factors=factors, origins=origins)
+        )
 
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each organ, indexed by id; columns as for a result."""

@@ -64,7 +64,8 @@ Rows rows_of_organs(const Result& result) {
     return {result.values, result.sunlit_fraction, result.ratio_values, result.organs()};
 }
 
-Rows rows_of_groups(const GroupResults& groups) {
+Rows rows_of_groups(const Result& result) {
+    const GroupResults& groups = result.groups;
     return {groups.values, groups.sunlit_fraction, groups.ratio_values, groups.groups.size()};
 }
 
@@ -74,9 +75,30 @@ struct Column {
     std::size_t stride;
 };
 
+/// The part of a quantity's name that names an origin: "absorbed_flux_from_sun".
+constexpr std::string_view kFrom = "_from_";
+
+/// The light of the origin that a quantity names, or null.
+const Result* origin_of(const Result& result, std::string_view quantity) {
+    const auto names_it = [&](const OriginLight& origin) {
+        return quantity.ends_with(std::string(kFrom) + origin.name);
+    };
+    const auto found = std::ranges::find_if(result.origins, names_it);
+    return found == result.origins.end() ? nullptr : &found->light;
+}
+
+/// @param rows_of  the rows of a Result
 Column column_of(
-    const quasimc_result& result, const Rows& rows, const char* quantity, const char* band) {
-    const std::string name = text_of(quantity, "quantity");
+    const quasimc_result& result,
+    Rows (*rows_of)(const Result&),
+    const char* quantity,
+    const char* band) {
+    std::string name = text_of(quantity, "quantity");
+    const Result* origin = origin_of(result.result, name);
+    if (origin != nullptr) {
+        name.resize(name.find(kFrom));
+    }
+    const Rows rows = rows_of(origin != nullptr ? *origin : result.result);
     for (const QuantityEntry& entry : quantity_table()) {
         if (entry.name == name) {
             const std::size_t bands = result.result.bands;
@@ -85,11 +107,11 @@ Column column_of(
                 rows.values.data() + number * bands + band_of(result, band), kQuantities * bands};
         }
     }
-    if (name == "sunlit_fraction" && rows.sunlit.size() == rows.count) {
+    if (origin == nullptr && name == "sunlit_fraction" && rows.sunlit.size() == rows.count) {
         return {rows.sunlit.data(), 1};
     }
     const auto ratio = std::find(result.ratios.begin(), result.ratios.end(), name);
-    if (ratio == result.ratios.end()) {
+    if (origin != nullptr || ratio == result.ratios.end()) {
         throw Misuse(fmt::format("the result has no quantity '{}'", name));
     }
     return {rows.ratios.data() + (ratio - result.ratios.begin()), result.ratios.size()};
@@ -281,8 +303,8 @@ int quasimc_result_get(
     int64_t count) {
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
-        const Rows rows = rows_of_organs(all.result);
-        copy_rows(column_of(all, rows, quantity, band), rows.count, statistic, values, count);
+        const std::size_t rows = rows_of_organs(all.result).count;
+        copy_rows(column_of(all, rows_of_organs, quantity, band), rows, statistic, values, count);
     });
 }
 
@@ -298,7 +320,7 @@ int quasimc_result_get_organ(
         if (!organ) {
             throw Misuse(fmt::format("no organ has the id {}", id));
         }
-        const Column column = column_of(all, rows_of_organs(all.result), quantity, band);
+        const Column column = column_of(all, rows_of_organs, quantity, band);
         copy_estimate(column.first[*organ * column.stride], values);
     });
 }
@@ -307,8 +329,7 @@ int quasimc_result_get_total(
     const quasimc_result* result, const char* quantity, const char* band, double* values) {
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
-        const Rows rows = rows_of_groups(all.result.groups);
-        copy_estimate(*column_of(all, rows, quantity, band).first, values);
+        copy_estimate(*column_of(all, rows_of_groups, quantity, band).first, values);
     });
 }
 
@@ -344,8 +365,8 @@ int quasimc_result_get_groups(
     int64_t count) {
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
-        const Rows rows = rows_of_groups(all.result.groups);
-        copy_rows(column_of(all, rows, quantity, band), rows.count, statistic, values, count);
+        const std::size_t rows = rows_of_groups(all.result).count;
+        copy_rows(column_of(all, rows_of_groups, quantity, band), rows, statistic, values, count);
     });
 }
 

@@ -19,6 +19,10 @@ const NetcdfAttributes kTimeAttributes{
     {"units", "seconds since 1970-01-01 00:00:00 UTC"},
     {"calendar", "standard"}};
 
+/// The name and the words of light of one origin.
+constexpr const char* kByOrigin = "_by_origin";
+constexpr const char* kOfOrigin = ", of an origin";
+
 /// Chunks of about ten thousand numbers: a few times of a small scene, or a part of a large one.
 std::vector<std::size_t> chunk_of(const std::vector<std::size_t>& sizes) {
     constexpr std::size_t kNumbers = 1 << 15;
@@ -70,8 +74,8 @@ std::string NetcdfLayout::free_name(std::string_view wish) {
 }
 
 void NetcdfLayout::define_axes() {
-    names_ = {"time",       "time_bounds", "time_text", "day",    "organ",
-              "organ_name", "area",        "band",      "bounds", "ratio"};
+    names_ = {"time", "time_bounds", "time_text", "day",   "organ", "organ_name",
+              "area", "band",        "bounds",    "ratio", "origin"};
     for (const NetcdfSweep::Axis& axis : sweep_.axes()) {
         axis_names_.push_back(free_name(axis.name));
         points_.push_back(file_.add_dimension(axis_names_.back(), axis.size));
@@ -89,6 +93,13 @@ void NetcdfLayout::define_axes() {
         file_.put(
             file_.add_variable("band", NetcdfType::text, {*band_}, {{"long_name", "waveband"}}),
             names);
+    }
+    if (!columns.origins.empty()) {
+        origin_ = file_.add_dimension("origin", columns.origins.size());
+        file_.put(
+            file_.add_variable(
+                "origin", NetcdfType::text, {*origin_}, {{"long_name", "origin of the light"}}),
+            columns.origins);
     }
     if (!run_.spec.ratios.empty()) {
         ratio_ = file_.add_dimension("ratio", run_.spec.ratios.size());
@@ -280,6 +291,7 @@ void NetcdfLayout::define_light() {
     const Axis time = time_axis(), band = band_axis();
     const Axis day{day_, run_.series ? std::max<std::size_t>(run_.series->days.size(), 1) : 1};
     const Axis ratio{ratio_, run_.spec.ratios.size()};
+    const Axis origin{origin_, columns.origins.size()};
     const Axis organ{organ_, run_.scene.organs().size()};
     const auto define = [&](const std::string& name, const std::string& unit,
                             const std::string& summary, const std::vector<Axis>& axes) {
@@ -290,11 +302,22 @@ void NetcdfLayout::define_light() {
         for (const QuantityEntry& entry : columns.quantities) {
             const std::string unit = unit_of(entry, first, run_.scene.length_unit());
             const std::string name = std::string(entry.name) + list.suffix;
-            light.push_back(define(name, unit, std::string(entry.summary), {time, band, organ}));
-            if (run_.series) {
-                days.push_back(define(
-                    name + "_day_sum", summed_unit(unit).name,
-                    std::string(entry.summary) + ", summed", {day, band, organ}));
+            const std::string summary(entry.summary);
+            light.push_back(define(name, unit, summary, {time, band, organ}));
+            if (origin_) {
+                light_by_origin.push_back(define(
+                    name + kByOrigin, unit, summary + kOfOrigin, {time, origin, band, organ}));
+            }
+            if (!run_.series) {
+                continue;
+            }
+            const std::string summed = summed_unit(unit).name;
+            days.push_back(
+                define(name + "_day_sum", summed, summary + ", summed", {day, band, organ}));
+            if (origin_) {
+                days_by_origin.push_back(define(
+                    name + "_day_sum" + kByOrigin, summed, summary + kOfOrigin + ", summed",
+                    {day, origin, band, organ}));
             }
         }
     }

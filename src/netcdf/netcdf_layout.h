@@ -33,6 +33,8 @@ class NetcdfLayout {
     const std::vector<NetcdfBands> bands;
     std::vector<NetcdfEstimates> light;  ///< [bands * quantities + quantity]
     std::vector<NetcdfEstimates> days;   ///< daily sums, same order; empty without [time]
+    /// The same with an axis of origins; empty if light is not kept apart.
+    std::vector<NetcdfEstimates> light_by_origin, days_by_origin;
     std::optional<NetcdfEstimates> sunlit, ratios;
     std::vector<std::vector<NetcdfEstimates>> detectors;  ///< [detector][list of bands]
 
@@ -77,7 +79,7 @@ class NetcdfLayout {
     std::vector<std::size_t> rows_;        // time steps in the file
     std::vector<int> points_;              // dimensions of the sweep
     std::vector<std::string> axis_names_;  // names of `points_`
-    std::optional<int> time_, day_, band_, ratio_;
+    std::optional<int> time_, day_, band_, ratio_, origin_;
     int organ_ = 0, area_ = 0;
 };
 

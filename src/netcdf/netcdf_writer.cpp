@@ -39,6 +39,7 @@ class NetcdfLight final : public NetcdfWriter {
             start.push_back(*row);
         }
         put_light(layout_.light, start, result);
+        put_origins(layout_.light_by_origin, start, result);
         const std::size_t organs = run_->scene.organs().size();
         if (layout_.sunlit && !result.sunlit_fraction.empty()) {
             put(*layout_.sunlit, start, {organs}, [&](std::size_t organ) -> const Estimate& {
@@ -65,6 +66,7 @@ class NetcdfLight final : public NetcdfWriter {
         std::vector<std::size_t> start = layout_.indices_of(*run_);
         start.push_back(day);
         put_light(layout_.days, start, sum);
+        put_origins(layout_.days_by_origin, start, sum);
     }
 
     void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
@@ -119,6 +121,19 @@ class NetcdfLight final : public NetcdfWriter {
                     return light.at(i % organs, entry.quantity, list.bands[i / organs]);
                 });
             }
+        }
+    }
+
+    /// @param light  a Result or a SeriesSum
+    template <typename Light>
+    void put_origins(
+        const std::vector<NetcdfEstimates>& variables,
+        const std::vector<std::size_t>& start,
+        const Light& light) {
+        for (std::size_t i = 0; i < light.origins.size(); ++i) {
+            std::vector<std::size_t> own = start;
+            own.push_back(i);
+            put_light(variables, own, light.origins[i].light);
         }
     }
 

@@ -183,6 +183,10 @@ std::vector<Option> rows_of_results() {
              "sum results over organs with equal labels, \"plant\" or \"plant+kind\"; with a "
              "condition, \"plant where height > 1\""},
             &RunSpec::groups, ListDomain{"LABEL"}),
+        plain_option(
+            {"origins", "",
+             "report light by where it came from too: sun, sky, lamps, or names of sources with *"},
+            &RunSpec::origins, ListDomain{"ORIGIN"}),
         integer_option(
             {"layers", "",
              "sum results in this many layers of equal height, from the ground to the top "

@@ -64,7 +64,8 @@ TeamOrder TeamHelper::help_time_step(
     const ChosenMethod chosen = plan_run({scene, sources, spec, *sampler, caster_});
     const RunSpec planned = planned_spec(spec, {.method = chosen.method});
     const PreparedScene prepared(
-        scene, sources, planned.start_area, caster_.caster_for(scene, planned.accelerator, {}), {});
+        scene, sources, planned.start_area, caster_.caster_for(scene, planned.accelerator, {}), {},
+        planned.origins);
     const TeamOrder first = order;
     StopByTeam stop(team);
     RoundSolver solver(prepared, *sampler, planned, stop.token(), {.team = &team});

@@ -203,8 +203,13 @@ std::string csv_result_comments(const RunFile& run, const Result& result) {
 
 std::string csv_light_columns(const RunFile& run, LightAmount amount) {
     const WrittenColumns columns = written_columns(run);
-    const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
     std::string out;
+    if (!columns.origins.empty()) {
+        out +=
+            "# columns ..._from_ORIGIN: the part of the light that came from that origin, direct "
+            "or scattered\n";
+    }
+    const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
     for (const std::size_t b : columns.bands) {
         const Band& band = run.scene.bands()[b];
         for (const QuantityEntry& entry : columns.quantities) {

@@ -49,6 +49,21 @@ void append_light(
     }
 }
 
+/// The light of an organ or of a group from each origin, column by column.
+/// @param origins  of a Result or a SeriesSum
+/// @param light_of  the Result, GroupResults or SeriesSum of one of them
+template <typename Origins, typename LightOf>
+void append_origins(
+    std::string& out,
+    const WrittenColumns& columns,
+    const Origins& origins,
+    const LightOf& light_of,
+    std::size_t index) {
+    for (const auto& origin : origins) {
+        append_light(out, columns, light_of(origin), index);
+    }
+}
+
 /// How light is counted: as it shines, or summed over the times of a day or a period.
 enum class LightAmount { rate, sum };
 /// The comments on the columns of light.

@@ -1,6 +1,7 @@
 #include "resultio/describe_series.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -81,6 +82,9 @@ SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
     std::vector<double> factors;
     for (const Band& band : run.scene.bands()) {
         factors.push_back(summed_unit(band.unit).factor);
+    }
+    for (OriginSum& origin : sum.origins) {
+        origin.light = in_summed_units(run, std::move(origin.light));
     }
     for (std::vector<Estimate>* values : {&sum.values, &sum.groups.values}) {
         for (std::size_t i = 0; i < values->size(); ++i) {

@@ -49,7 +49,15 @@ struct JsonNames {
 /// An organ with its sums, in the units of the sum.
 [[nodiscard]] std::string json_organ(
     const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names);
+/// The groups of an origin of light.
+struct OriginGroups {
+    std::string_view name;
+    const GroupResults* groups;
+};
 [[nodiscard]] std::string json_group(
-    const GroupResults& groups, std::size_t index, const JsonNames& names);
+    const GroupResults& groups,
+    std::size_t index,
+    const JsonNames& names,
+    const std::vector<OriginGroups>& origins = {});
 
 }  // namespace quasimc

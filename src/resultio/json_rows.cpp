@@ -53,6 +53,29 @@ void append_quantities(
     }
 }
 
+/// The estimates of every origin of light, if there are any.
+/// @param light_of  the light of an origin: a Result, a SeriesSum or a GroupResults
+template <typename Origins, typename LightOf>
+void append_origins(
+    std::string& row,
+    const Origins& origins,
+    const LightOf& light_of,
+    std::size_t index,
+    const JsonNames& names) {
+    if (origins.empty()) {
+        return;
+    }
+    append_key(row, R"("origins")");
+    row += '{';
+    for (const auto& origin : origins) {
+        append_key(row, json_text(origin.name));
+        row += '{';
+        append_quantities(row, light_of(origin), index, names);
+        row += '}';
+    }
+    row += '}';
+}
+
 /// @param light  a Result or a GroupResults
 template <typename Light>
 void append_ratios(
@@ -125,6 +148,9 @@ std::string json_organ(
         append_estimate(row, R"("sunlit_fraction")", result.sunlit_fraction[index]);
     }
     append_ratios(row, result, index, names);
+    append_origins(
+        row, result.origins, [](const OriginLight& o) -> const Result& { return o.light; }, index,
+        names);
     return row + "}";
 }
 
@@ -132,10 +158,17 @@ std::string json_organ(
     const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names) {
     std::string row = begin_organ(organ);
     append_quantities(row, sum, index, names);
+    append_origins(
+        row, sum.origins, [](const OriginSum& o) -> const SeriesSum& { return o.light; }, index,
+        names);
     return row + "}";
 }
 
-std::string json_group(const GroupResults& groups, std::size_t index, const JsonNames& names) {
+std::string json_group(
+    const GroupResults& groups,
+    std::size_t index,
+    const JsonNames& names,
+    const std::vector<OriginGroups>& origins) {
     const OrganGroup& group = groups.groups[index];
     Json object = {
         {"by", group.by},
@@ -158,6 +191,9 @@ std::string json_group(const GroupResults& groups, std::size_t index, const Json
         append_ratios(row, groups, index, names);
     }
     append_shares(row, groups, index, names);
+    append_origins(
+        row, origins, [](const OriginGroups& o) -> const GroupResults& { return *o.groups; }, index,
+        names);
     return row + "}";
 }
 

@@ -211,9 +211,15 @@ void CsvWriter::on_time_step(const TimeStepResult& step) {
         csv_point_fields(*run_) + time, result.groups.groups, [&](std::string& out, std::size_t i) {
             if (rows_ == CsvRows::organs) {
                 append_light(out, written, result, i);
+                append_origins(
+                    out, written, result.origins,
+                    [](const OriginLight& o) -> const Result& { return o.light; }, i);
                 append_traits(out, written, result, i);
             } else {
                 append_light(out, written, result.groups, i);
+                append_origins(
+                    out, written, result.origins,
+                    [](const OriginLight& o) -> const GroupResults& { return o.light.groups; }, i);
                 append_traits(out, written, result.groups, i);
                 append_fractions(out, written, result, i);
             }
@@ -232,9 +238,15 @@ void CsvWriter::on_day(std::size_t day, const SeriesSum& raw) {
         sum.groups.groups, [&](std::string& out, std::size_t i) {
             if (rows_ == CsvRows::organs) {
                 append_light(out, written, sum, i);
+                append_origins(
+                    out, written, sum.origins,
+                    [](const OriginSum& o) -> const SeriesSum& { return o.light; }, i);
                 return;
             }
             append_light(out, written, sum.groups, i);
+            append_origins(
+                out, written, sum.origins,
+                [](const OriginSum& o) -> const GroupResults& { return o.light.groups; }, i);
             for (const std::size_t b : written.bands) {
                 append_shares(out, sum.groups, i, b);
             }

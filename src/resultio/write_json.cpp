@@ -48,14 +48,21 @@ Json time_step_head(const TimeStepNotes& notes) {
     return head;
 }
 
-void write_groups(JsonLines& json, const RunFile& run, const GroupResults& groups) {
+/// @param light  a Result or a SeriesSum
+template <typename Light>
+void write_groups(JsonLines& json, const RunFile& run, const Light& light) {
+    const GroupResults& groups = light.groups;
     if (groups.groups.empty()) {
         return;
+    }
+    std::vector<OriginGroups> origins;
+    for (const auto& origin : light.origins) {
+        origins.push_back({origin.name, &origin.light.groups});
     }
     const JsonNames names = json_names(run, written_columns(run));
     json.begin('[', "groups");
     for (std::size_t i = 0; i < groups.groups.size(); ++i) {
-        json.line(json_group(groups, i, names));
+        json.line(json_group(groups, i, names, origins));
     }
     json.end(']');
 }
@@ -66,7 +73,7 @@ void write_sum(JsonLines& json, const RunFile& run, const SeriesSum& raw) {
     const JsonNames names = json_names(run, written_columns(run));
     const std::vector<Organ>& organs = run.scene.organs();
     json.members({{"seconds", sum.seconds}});
-    write_groups(json, run, sum.groups);
+    write_groups(json, run, sum);
     json.begin('[', "organs");
     for (std::size_t i = 0; i < organs.size(); ++i) {
         json.line(json_organ(organs[i], sum, i, names));
@@ -170,7 +177,7 @@ void JsonWriter::State::next_run(const RunFile& run, const SeriesSummary& summar
 
 void JsonWriter::State::write_light(const Result& result) {
     json_.members(json_light(*run_, result));
-    write_groups(json_, *run_, result.groups);
+    write_groups(json_, *run_, result);
     json_.begin('[', "organs");
     write_organs(result, true);
     json_.end(']');

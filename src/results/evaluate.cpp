@@ -15,6 +15,7 @@
 #include "results/groups.h"
 #include "results/organ_blocks.h"
 #include "results/totals.h"
+#include "sums/origin_sums.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
@@ -191,13 +192,34 @@ Result evaluate_sums(
     return result;
 }
 
+/// Evaluates sums of all origins together, and of each of them.
+Result evaluate_with_origins(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    Result result = evaluate(of_all_origins(sums), scene, spec);
+    for (std::size_t i = 0; i < sums->origins.size(); ++i) {
+        const OriginSources known = spec.origins.empty() ? OriginSources{} : spec.origins[i];
+        EvaluationSpec own = spec;
+        own.ratios.clear();
+        own.horizontal_irradiance = known.horizontal_irradiance;
+        own.sources = known.sources;
+        own.origins.clear();
+        result.origins.push_back({sums->origins[i].name, evaluate(of_origin(sums, i), scene, own)});
+    }
+    return result;
+}
+
 }  // namespace
 
 Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    if (!sums->origins.empty()) {
+        return evaluate_with_origins(sums, scene, spec);
+    }
     return evaluate_sums(sums, scene, spec, [](std::size_t, std::size_t) {});
 }
 
 Result evaluate(Sums&& sums, const Scene& scene, const EvaluationSpec& spec) {
+    if (!sums->origins.empty()) {
+        return evaluate_with_origins(sums, scene, spec);
+    }
     Sums own = std::move(sums);
     return evaluate_sums(own, scene, spec, [&](std::size_t first, std::size_t last) {
         const std::vector<Organ>& organs = scene.organs();

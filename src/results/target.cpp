@@ -9,6 +9,7 @@
 #include "results/evaluate.h"
 #include "results/organ_blocks.h"
 #include "results/question.h"
+#include "sums/origin_sums.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
@@ -115,6 +116,9 @@ double quantile(std::vector<double> errors, double fraction) {
 
 ErrorsSoFar errors_so_far(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec, const TargetLevel& target) {
+    if (!sums->origins.empty()) {
+        return errors_so_far(of_all_origins(sums), scene, spec, target);
+    }
     std::vector<double> relative;
     double reached = 1, largest = 0;
     for (const AskedLight& asked : asked_light(scene, spec)) {
@@ -140,6 +144,9 @@ ErrorsSoFar errors_so_far(
 }
 
 double pooled_error(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    if (!sums->origins.empty()) {
+        return pooled_error(of_all_origins(sums), scene, spec);
+    }
     double worst = 0;
     bool has_light = false;
     for (const AskedLight& asked : asked_light(scene, spec)) {

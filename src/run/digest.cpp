@@ -95,6 +95,14 @@ void add_sources(const PreparedScene& prepared, Mixer& mixer) {
         mixer.add(light.source->spectrum());
         mixer.add(model_of(*light.source).parameters());
     }
+    for (const std::string& origin : prepared.lights().origins()) {
+        mixer.add(std::string_view(origin));
+    }
+    for (std::size_t i = 0; i < prepared.lights().size(); ++i) {
+        if (prepared.lights().origin_count() > 1) {
+            mixer.add(std::uint64_t{prepared.lights()[i].origin});
+        }
+    }
 }
 
 void add_detectors(const Scene& scene, Mixer& mixer) {

@@ -7,6 +7,7 @@
 
 #include "base/memory_need.h"
 #include "base/parallel.h"
+#include "light/source_origins.h"
 #include "results/evaluate.h"
 #include "results/question.h"
 #include "run/rounds.h"
@@ -42,6 +43,10 @@ Result make_big_result(SomeSums&& sums, const Scene& scene, const EvaluationSpec
 }  // namespace
 
 EvaluationSpec evaluation_of(const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    std::vector<OriginSources> origins;
+    for (const Sources& own : sources_by_origin(sources, spec.origins)) {
+        origins.push_back({horizontal_irradiance_of(scene, own), own});
+    }
     return {
         .ratios = ratio_bands(scene, spec),
         .direct_light = spec.direct_light,
@@ -49,6 +54,7 @@ EvaluationSpec evaluation_of(const Scene& scene, const Sources& sources, const R
         .question = question_of(scene, spec),
         .horizontal_irradiance = horizontal_irradiance_of(scene, sources),
         .sources = sources,
+        .origins = std::move(origins),
         .threads = thread_count(spec.threads)};
 }
 

@@ -150,7 +150,8 @@ ChosenMethod plan_run(const PlanInput& input) {
     if (const std::string why = why_untried(input, methods.size()); !why.empty()) {
         return {methods.front(), why};
     }
-    const PreparedScene prepared(input.scene, input.sources, spec.start_area, caster, input.stop);
+    const PreparedScene prepared(
+        input.scene, input.sources, spec.start_area, caster, input.stop, spec.origins);
     if (prepared.lights().empty()) {
         return {methods.front(), "no light"};
     }

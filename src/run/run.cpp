@@ -13,6 +13,7 @@
 #include "base/process_time.h"
 #include "base/stop.h"
 #include "base/text.h"
+#include "light/source_origins.h"
 #include "results/evaluate.h"
 #include "run/digest.h"
 #include "run/evaluation_of.h"
@@ -128,7 +129,8 @@ Result Simulator::State::run(
         order_to_prepare(control.origin, role.time_step, spec);
         ChosenMethod chosen =
             plan_run({scene, sources, spec, sampler_for(spec.sampler), caster_, early.token()});
-        const RunSpec planned = planned_spec(spec, {.method = chosen.method});
+        RunSpec planned = planned_spec(spec, {.method = chosen.method});
+        planned.origins = complete_origins(sources, spec.origins);
         Result result =
             trace({scene, sources, planned, control, work, deadline, role, start}, early);
         if (result.stop == StopReason::no_light) {
@@ -167,7 +169,8 @@ Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     std::optional<PreparedScene> prepared;
     prepared.emplace(
         in.scene, in.sources, in.spec.start_area,
-        caster_.caster_for(in.scene, in.spec.accelerator, early.token()), early.token());
+        caster_.caster_for(in.scene, in.spec.accelerator, early.token()), early.token(),
+        in.spec.origins);
     if (prepared->lights().empty()) {
         return unlit_result(in.scene, in.spec);
     }

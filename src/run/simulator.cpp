@@ -1,8 +1,18 @@
 #include "run/simulator.h"
 
+#include "light/source_origins.h"
 #include "samplers/catalogue.h"
 
 namespace quasimc {
+namespace {
+
+void require_origins(const Sources& sources, const RunSpec& spec) {
+    Faults faults;
+    check_origins(sources, spec.origins, faults);
+    faults.throw_if_any();
+}
+
+}  // namespace
 
 Simulator::Simulator() : state_(std::make_unique<State>()) {}
 Simulator::~Simulator() = default;
@@ -11,11 +21,13 @@ Simulator& Simulator::operator=(Simulator&& other) noexcept = default;
 
 Result Simulator::run(
     const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) & {
+    require_origins(sources, spec);
     return state_->run(scene, sources, spec, control, {});
 }
 
 Result Simulator::run(
     const Scene& scene, const Sources& sources, const RunSpec& spec, const RunControl& control) && {
+    require_origins(sources, spec);
     return state_->run(scene, sources, spec, control, {.is_last = true});
 }
 

@@ -54,7 +54,7 @@ Sums Simulator::State::sums(
     check_first_path(sampler_for(spec.sampler), spec, first);
     const PreparedScene prepared(
         scene, sources, planned.start_area,
-        caster_.caster_for(scene, spec.accelerator, control.stop), control.stop);
+        caster_.caster_for(scene, spec.accelerator, control.stop), control.stop, planned.origins);
     Sums sums = empty_sums(prepared, planned);
     sums->digest = digest_of(prepared, planned);
     if (prepared.lights().empty()) {

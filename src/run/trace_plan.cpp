@@ -13,6 +13,7 @@ RunSpec planned_spec(const RunSpec& spec, const TracePlan& plan) {
     planned.roulette_threshold = plan.roulette_threshold.value_or(spec.roulette_threshold);
     if (plan.organs_alone) {
         planned.ratios.clear();
+        planned.origins.clear();
         planned.groups.clear();
         planned.layers = 0;
         planned.layer_heights.clear();

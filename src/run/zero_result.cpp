@@ -36,6 +36,15 @@ Result zero_result(const Scene& scene, const RunSpec& spec) {
     dark.detectors = zero_detectors(scene);
     dark.replicates = spec.replicates;
     dark.chosen.reason = "no source gives light; nothing was computed";
+    if (!spec.origins.empty()) {
+        RunSpec plain = spec;
+        plain.origins.clear();
+        plain.ratios.clear();
+        const Result each = zero_result(scene, plain);
+        for (const std::string& origin : spec.origins) {
+            dark.origins.push_back({origin, each});
+        }
+    }
     return dark;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "light/source_origins.h"
 #include "planner/lint_bundles.h"
 #include "planner/lint_lamps.h"
 #include "planner/lint_wedges.h"
@@ -16,6 +17,7 @@
 #include "scene/build_scene.h"
 #include "scene/fold_warnings.h"
 #include "scene/lint.h"
+#include "series/trace_spec.h"
 #include "text/numbers.h"
 
 namespace quasimc {
@@ -212,10 +214,16 @@ void check_without_light(const Scene& scene, const RunSpec& spec, Faults& faults
     check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
 }
 
+/// The sources of the file, or of all its times.
+Sources all_sources(const Sections& sections) {
+    return sections.series ? sources_of(sections.series->time_steps) : sections.sources.sources;
+}
+
 /// Checks the run with its sources, or those of a time step with light, if any.
 void check_with_sources(
     const Sections& sections, const Scene& scene, Faults& faults, NoLightPolicy no_light_policy) {
     const RunSpec& spec = sections.options.spec;
+    check_origins(all_sources(sections), spec.origins, faults);
     if (!sections.series && no_light_policy == NoLightPolicy::allowed &&
         is_dark(sections.sources.sources)) {
         check_without_light(scene, spec, faults);

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "light/source_origins.h"
+#include "series/trace_spec.h"
 #include "text/numbers.h"
 #include "text/table_reader.h"
 
@@ -46,6 +48,12 @@ double clock_hours(const std::string& time) {
     return hours.value_or(0) + minutes.value_or(0) / kMinutes;
 }
 
+/// The names of the origins of a run's light.
+std::vector<std::string> origins_of(const RunFile& run) {
+    return run.series ? with_origins_of_all(run.spec, run.series->time_steps).origins
+                      : complete_origins(run.sources, run.spec.origins);
+}
+
 }  // namespace
 
 WrittenColumns written_columns(const RunFile& run) {
@@ -62,6 +70,7 @@ WrittenColumns written_columns(const RunFile& run) {
             columns.bands.push_back(b);
         }
     }
+    columns.origins = origins_of(run);
     columns.has_sunlit = is_named(output.quantities, kSunlit);
     columns.is_all = columns.has_sunlit && columns.quantities.size() == kQuantities &&
                      columns.bands.size() == bands.size();
@@ -74,6 +83,7 @@ WrittenColumns all_columns(const RunFile& run) {
     for (std::size_t b = 0; b < run.scene.bands().size(); ++b) {
         columns.bands.push_back(b);
     }
+    columns.origins = origins_of(run);
     return columns;
 }
 
@@ -82,6 +92,12 @@ std::vector<std::string> light_columns_of(const RunFile& run, const WrittenColum
     for (const std::size_t b : columns.bands) {
         for (const QuantityEntry& entry : columns.quantities) {
             names.push_back(fmt::format("{}_{}", entry.name, run.scene.bands()[b].name));
+        }
+    }
+    const std::vector<std::string> all = names;
+    for (const std::string& origin : columns.origins) {
+        for (const std::string& name : all) {
+            names.push_back(fmt::format("{}_from_{}", name, origin));
         }
     }
     return names;

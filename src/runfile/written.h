@@ -16,14 +16,16 @@ namespace quasimc {
 struct WrittenColumns {
     std::vector<QuantityEntry> quantities;
     std::vector<std::size_t> bands;
-    bool has_sunlit = true;  ///< sunlit fractions
-    bool is_all = true;      ///< whether all columns are written
+    std::vector<std::string> origins;  ///< their light is written too
+    bool has_sunlit = true;            ///< sunlit fractions
+    bool is_all = true;                ///< whether all columns are written
 };
 [[nodiscard]] WrittenColumns written_columns(const RunFile& run);
 /// All columns.
 [[nodiscard]] WrittenColumns all_columns(const RunFile& run);
 
-/// "absorbed_flux_PAR", ...: all quantities, band by band.
+/// "absorbed_flux_PAR", ...: all quantities, band by band; then "absorbed_flux_PAR_from_sun", ...:
+/// the same for each origin.
 [[nodiscard]] std::vector<std::string> light_columns_of(
     const RunFile& run, const WrittenColumns& columns);
 

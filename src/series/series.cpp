@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include "base/process_time.h"
+#include "light/source_origins.h"
 #include "results/evaluate.h"
 #include "results/flows.h"
 #include "results/groups.h"
@@ -39,6 +40,14 @@ void check_order(const std::vector<TimeStep>& time_steps) {
                  fmt::format("it belongs to day {}, but follows day {}", own.day, before.day),
                  "a daily sum is formed after its last time step", "sort the time steps by day"});
         }
+    }
+    faults.throw_if_any();
+}
+
+void require_origins(const SeriesInput& input) {
+    Faults faults;
+    if (!input.spec.origins.empty()) {
+        check_origins(sources_of(input.time_steps), input.spec.origins, faults);
     }
     faults.throw_if_any();
 }
@@ -211,7 +220,7 @@ class SeriesRun final : public SeriesSteps {
         if (wants_days_) {
             report_day(in_.control, in_.time_steps[last].day, sum_of(day_));
         }
-        day_ = {};
+        day_ = SeriesAdder(in_.spec.origins);
     }
 
     /// Releases the traces that no time step after `last` needs, once they are in the total.
@@ -236,7 +245,7 @@ class SeriesRun final : public SeriesSteps {
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the computed time step
     std::map<std::size_t, CachedTrace> cached_;
-    SeriesAdder day_, total_;
+    SeriesAdder day_{in_.spec.origins}, total_{in_.spec.origins};
     GroupResults groups_;           // for NoLightPolicy
     std::optional<Result> dark_;    // made when it is first needed
     double least_chance_ = 1;       // over all audits
@@ -246,8 +255,12 @@ class SeriesRun final : public SeriesSteps {
     SeriesSummary summary_;
 };
 
-SeriesSummary run_any(const SeriesInput& input) {
-    check_order(input.time_steps);
+SeriesSummary run_any(const SeriesInput& given) {
+    check_order(given.time_steps);
+    require_origins(given);
+    const RunSpec spec = with_origins_of_all(given.spec, given.time_steps);
+    const SeriesInput input{given.simulator, given.scene,  given.time_steps, spec,
+                            given.control,   given.is_last};
     SeriesSummary summary = input.spec.time_method == TimeMethod::daylight_coefficients
                                 ? run_season(input)
                                 : SeriesRun(input).run();

@@ -31,6 +31,9 @@ Result scaled(const Result& result, double factor) {
             estimate = scaled(estimate, factor);
         }
     }
+    for (OriginLight& origin : copy.origins) {
+        origin.light = scaled(origin.light, factor);
+    }
     if (copy.audit) {
         for (BandAudit& band : copy.audit->bands) {
             band.difference *= factor;

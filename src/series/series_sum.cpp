@@ -32,11 +32,18 @@ void SeriesAdder::add_all(
     }
 }
 
-void SeriesAdder::add(const Result& result, double weight) {
+void SeriesAdder::add_part(const Result& result, double weight, Part& part) {
     const double freedom = std::max(1.0, static_cast<double>(result.replicates) - 1);
-    add_all(result.values, weight, freedom, cells_);
-    add_all(result.groups.values, weight, freedom, group_cells_);
-    add_shares(result, weight, freedom);
+    add_all(result.values, weight, freedom, part.organs);
+    add_all(result.groups.values, weight, freedom, part.groups);
+}
+
+void SeriesAdder::add(const Result& result, double weight) {
+    add_part(result, weight, all_);
+    add_shares(result, weight, std::max(1.0, static_cast<double>(result.replicates) - 1));
+    for (std::size_t i = 0; i < result.origins.size(); ++i) {
+        add_part(result.origins[i].light, weight, origins_[i]);
+    }
 }
 
 void SeriesAdder::add_shares(const Result& result, double weight, double freedom) {
@@ -105,16 +112,30 @@ Estimate SeriesAdder::estimate_of(const Cell& cell) {
     return not_negative({cell.mean, error, cell.mean - half, cell.mean + half + cell.unseen});
 }
 
+/// @param count  of estimates, which are 0 where nothing was added
+std::vector<Estimate> SeriesAdder::estimates_of(const Cells& cells, std::size_t count) {
+    std::vector<Estimate> estimates(count);
+    for (std::size_t i = 0; i < std::min(count, cells.size()); ++i) {
+        estimates[i] = estimate_of(cells[i]);
+    }
+    return estimates;
+}
+
 SeriesSum SeriesAdder::sum(
     std::size_t bands, std::size_t values, const GroupResults& groups) const {
-    SeriesSum sum{bands, seconds_, std::vector<Estimate>(values), groups};
-    std::transform(cells_.begin(), cells_.end(), sum.values.begin(), estimate_of);
+    const auto sum_of = [&](const Part& part) {
+        SeriesSum sum{bands, seconds_, estimates_of(part.organs, values), groups, {}};
+        sum.groups.values = estimates_of(part.groups, groups.values.size());
+        return sum;
+    };
+    SeriesSum sum = sum_of(all_);
     if (!groups.values.empty()) {
-        std::transform(
-            group_cells_.begin(), group_cells_.end(), sum.groups.values.begin(), estimate_of);
         sum.groups.shares.assign(groups.groups.size() * kGroupShares * bands, kUnknownEstimate);
         std::transform(
             shares_.begin(), shares_.end(), sum.groups.shares.begin(), estimate_of_quotient);
+    }
+    for (const Part& part : origins_) {
+        sum.origins.push_back({part.name, sum_of(part)});
     }
     return sum;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -11,6 +12,13 @@ namespace quasimc {
 /// Sums results with independent errors.
 class SeriesAdder {
   public:
+    /// @param origins  of the results
+    explicit SeriesAdder(const std::vector<std::string>& origins = {}) {
+        for (const std::string& origin : origins) {
+            origins_.push_back({origin});
+        }
+    }
+
     /// Adds `weight` times a result. Results of one trace are added once, with the sum of their
     /// weights: their errors are equal.
     void add(const Result& result, double weight);
@@ -52,7 +60,16 @@ class SeriesAdder {
     /// share of a time independent of its whole.
     [[nodiscard]] static Estimate estimate_of_quotient(const Quotient& quotient);
 
-    Cells cells_, group_cells_;     // of organs, of groups
+    /// The sums of all light, or of an origin.
+    struct Part {
+        std::string name;
+        Cells organs = {}, groups = {};
+    };
+    static void add_part(const Result& result, double weight, Part& part);
+    [[nodiscard]] static std::vector<Estimate> estimates_of(const Cells& cells, std::size_t count);
+
+    Part all_;
+    std::vector<Part> origins_;
     std::vector<Quotient> shares_;  // as GroupResults::shares
     double seconds_ = 0;
 };

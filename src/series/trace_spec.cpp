@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "light/source_origins.h"
 #include "run/trace_plan.h"
 #include "samplers/hash.h"
 #include "solvers/run_limits.h"
@@ -17,6 +18,22 @@ std::uint64_t seed_of(std::uint64_t seed, std::uint64_t trace) {
 
 }  // namespace
 
+Sources sources_of(const std::vector<TimeStep>& time_steps) {
+    Sources all;
+    for (const TimeStep& step : time_steps) {
+        all.insert(all.end(), step.sources.begin(), step.sources.end());
+    }
+    return all;
+}
+
+RunSpec with_origins_of_all(const RunSpec& spec, const std::vector<TimeStep>& steps) {
+    RunSpec complete = spec;
+    if (!spec.origins.empty()) {
+        complete.origins = complete_origins(sources_of(steps), spec.origins);
+    }
+    return complete;
+}
+
 std::vector<TimeStepPlan> plan_traces(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
     std::vector<TimeStepPlan> plans = plan_series(time_steps);
@@ -29,10 +46,11 @@ std::vector<TimeStepPlan> plan_traces(
 std::vector<Trace> traces_of(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec) {
     const std::vector<TimeStepPlan> plans = plan_traces(scene, time_steps, spec);
+    const RunSpec complete = with_origins_of_all(spec, time_steps);
     std::vector<Trace> traces;
     for (std::size_t i = 0; i < plans.size(); ++i) {
         if (plans[i].factor > 0 && plans[i].traced == i) {
-            traces.push_back({i, trace_spec(spec, plans[i], traces.size())});
+            traces.push_back({i, trace_spec(complete, plans[i], traces.size())});
         }
     }
     return traces;

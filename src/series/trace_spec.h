@@ -12,6 +12,12 @@ namespace quasimc {
 [[nodiscard]] std::vector<TimeStepPlan> plan_traces(
     const Scene& scene, const std::vector<TimeStep>& time_steps, const RunSpec& spec);
 
+/// The sources of all time steps.
+[[nodiscard]] Sources sources_of(const std::vector<TimeStep>& time_steps);
+
+/// The specification of a series whose time steps all have the same origins of light.
+[[nodiscard]] RunSpec with_origins_of_all(const RunSpec& spec, const std::vector<TimeStep>& steps);
+
 /// A traced time step, and its specification.
 struct Trace {
     std::size_t time_step = 0;

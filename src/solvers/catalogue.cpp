@@ -63,18 +63,42 @@ std::unique_ptr<Solver> make_solver(const SolverInput& input) {
     return entry->make(input);
 }
 
+namespace {
+
+std::vector<SumOrigin> sum_origins(const BoundLights& lights) {
+    std::vector<SumOrigin> origins;
+    for (const std::string& name : lights.origins()) {
+        origins.push_back({name, false, {}, std::vector<double>(lights.flux().size())});
+    }
+    for (std::size_t i = 0; i < lights.size() && !origins.empty(); ++i) {
+        const BoundSource& light = lights[i];
+        SumOrigin& origin = origins[light.origin];
+        origin.has_suns = origin.has_suns || light.source->is_sun();
+        if (std::ranges::find(origin.spectra, light.spectrum) == origin.spectra.end()) {
+            origin.spectra.push_back(light.spectrum);
+        }
+        for (std::size_t b = 0; b < origin.emitted_flux.size(); ++b) {
+            origin.emitted_flux[b] += lights.flux()[b] * light.probability * light.start_weights[b];
+        }
+    }
+    return origins;
+}
+
+}  // namespace
+
 Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     const SolverEntry* entry = find_solver(spec.method);
     EXPECT(entry != nullptr);
     SumMeaning meaning = entry->meaning(prepared, spec);
+    const auto origins = static_cast<std::uint32_t>(prepared.lights().origin_count());
     SumBlocks blocks = light_blocks(
         prepared.lights().spectra().size(), prepared.bands(),
-        !prepared.optics().has_constant_albedos);
+        !prepared.optics().has_constant_albedos, origins);
     blocks.insert(blocks.end(), meaning.blocks.begin(), meaning.blocks.end());
     for (std::size_t i = 0; i < prepared.detectors().size(); ++i) {
         blocks.push_back(detector_block(
             prepared.scene().detectors()[i].name, prepared.detectors()[i]->axis().bins.size(),
-            prepared.bands()));
+            prepared.bands(), origins));
     }
     SumData sums;
     sums.layout = SumLayout(prepared.scene().regions().size(), std::move(blocks));
@@ -88,6 +112,7 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     sums.emitted_flux = prepared.lights().flux();
     sums.measured = meaning.measured;
     sums.escaped = entry->escaped;
+    sums.origins = sum_origins(prepared.lights());
     for (std::uint32_t r = 0; r < spec.replicates; ++r) {
         sums.replicates.emplace_back(sums.layout.bins());
     }

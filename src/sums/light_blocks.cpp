@@ -21,9 +21,10 @@ SideBlocks::SideBlocks(const SumLayout& layout, std::string_view name) {
     }
 }
 
-void declare_sides(const std::string& name, const SumColumns& columns, SumBlocks& blocks) {
+void declare_sides(
+    const std::string& name, const SumColumns& columns, SumBlocks& blocks, std::uint32_t origins) {
     for (const char* side : kSideNames) {
-        blocks.push_back({name + side, Rows::regions, columns});
+        blocks.push_back({name + side, Rows::regions, columns, origins});
     }
 }
 
@@ -33,28 +34,30 @@ ScatteredBlocks::ScatteredBlocks(const SumLayout& layout)
       scattered_out(layout.find("scattered_out")),
       cut_off(layout.find("cut_off")) {}
 
-SumBlocks light_blocks(std::size_t spectra, std::size_t bands, bool sums_absorbed) {
+SumBlocks light_blocks(
+    std::size_t spectra, std::size_t bands, bool sums_absorbed, std::uint32_t origins) {
     const SumColumns by_spectrum = columns_of(Of::spectrum, spectra);
     const SumColumns by_band = columns_of(Of::band, bands);
     SumBlocks blocks;
     declare_sides("direct", by_spectrum, blocks);
-    declare_sides("scattered", by_band, blocks);
+    declare_sides("scattered", by_band, blocks, origins);
     blocks.push_back({"sunlit", Rows::regions, {{Of::area}}});
     if (sums_absorbed) {
-        blocks.push_back({"absorbed_direct", Rows::regions, by_band});
-        blocks.push_back({"absorbed_scattered", Rows::regions, by_band});
+        blocks.push_back({"absorbed_direct", Rows::regions, by_band, origins});
+        blocks.push_back({"absorbed_scattered", Rows::regions, by_band, origins});
     }
     blocks.push_back({"emitted", Rows::run, by_spectrum});
     blocks.push_back({"escaped_direct", Rows::run, by_spectrum});
     for (const char* name : {"escaped_scattered", "scattered_out", "cut_off"}) {
-        blocks.push_back({name, Rows::run, by_band});
+        blocks.push_back({name, Rows::run, by_band, origins});
     }
     blocks.push_back({std::string(kWork), Rows::run, columns_of(Of::number, kWorkUnits)});
     return blocks;
 }
 
-SumBlock detector_block(const std::string& name, std::size_t axis_bins, std::size_t bands) {
-    SumBlock block{kDetector + name, Rows::run, {}};
+SumBlock detector_block(
+    const std::string& name, std::size_t axis_bins, std::size_t bands, std::uint32_t origins) {
+    SumBlock block{kDetector + name, Rows::run, {}, origins};
     for (std::size_t bin = 0; bin < axis_bins; ++bin) {
         for (std::uint32_t b = 0; b < bands; ++b) {
             block.columns.push_back({Of::band, b});
@@ -76,7 +79,7 @@ LightBlocks::LightBlocks(const SumLayout& layout)
       scattered_count_(layout.find(kScatteredCount)) {
     for (const SumBlock& block : layout.blocks()) {
         if (block.name.starts_with(kDetector)) {
-            detectors_.push_back(layout.find(block.name).first);
+            detectors_.push_back(layout.find(block.name));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,11 @@ class SideBlocks {
         std::size_t region, SurfaceSide side, std::size_t column = 0) const {
         return first_[index_of(side)] + region * stride_ + column;
     }
+    /// The first bin of light from an origin.
+    [[nodiscard]] std::size_t of_origin(
+        std::size_t origin, std::size_t region, SurfaceSide side) const {
+        return bin(region, side, origin * columns_);
+    }
 
   private:
     std::array<std::size_t, 2> first_{};
@@ -31,7 +37,11 @@ class SideBlocks {
 };
 
 /// Declares a pair of blocks.
-void declare_sides(const std::string& name, const SumColumns& columns, SumBlocks& blocks);
+void declare_sides(
+    const std::string& name,
+    const SumColumns& columns,
+    SumBlocks& blocks,
+    std::uint32_t origins = 1);
 
 /// The blocks of scattered light: incident on surfaces, escaped, scattered and cut off.
 struct ScatteredBlocks {
@@ -54,15 +64,17 @@ inline constexpr std::string_view kWork = "work";
 /// a band costs memory and time only for scattered light.
 /// @param sums_absorbed  whether absorbed light is summed separately, per band. It follows from
 /// incident light if no albedo depends on the angle.
+/// @param origins  of light: each has its own columns of all that is summed per band. A spectrum
+/// has one origin.
 [[nodiscard]] SumBlocks light_blocks(
-    std::size_t spectra, std::size_t bands, bool sums_absorbed = false);
+    std::size_t spectra, std::size_t bands, bool sums_absorbed = false, std::uint32_t origins = 1);
 
 /// A detector's block has a column for each band, for each of its bins.
 [[nodiscard]] SumBlock detector_block(
-    const std::string& name, std::size_t axis_bins, std::size_t bands);
+    const std::string& name, std::size_t axis_bins, std::size_t bands, std::uint32_t origins = 1);
 
 /// The handles of light_blocks() and of detectors. Functions give the first bin of a row, or that
-/// of a column if they have one as parameter.
+/// of a column or of an origin's columns if they have one as parameter.
 class LightBlocks {
   public:
     explicit LightBlocks(const SumLayout& layout);
@@ -72,28 +84,37 @@ class LightBlocks {
         std::size_t region, SurfaceSide side, std::size_t spectrum) const {
         return direct_.bin(region, side, spectrum);
     }
-    [[nodiscard]] std::size_t scattered(std::size_t region, SurfaceSide side) const {
-        return scattered_.on_surfaces.bin(region, side);
+    [[nodiscard]] std::size_t scattered(
+        std::size_t region, SurfaceSide side, std::size_t origin = 0) const {
+        return scattered_.on_surfaces.of_origin(origin, region, side);
     }
     [[nodiscard]] std::size_t sunlit(std::size_t region) const { return sunlit_.bin(region); }
     [[nodiscard]] bool has_absorbed() const { return absorbed_direct_.exists(); }
-    [[nodiscard]] std::size_t absorbed_direct(std::size_t region) const {
-        return absorbed_direct_.bin(region);
+    [[nodiscard]] std::size_t absorbed_direct(std::size_t region, std::size_t origin = 0) const {
+        return absorbed_direct_.of_origin(origin, region);
     }
-    [[nodiscard]] std::size_t absorbed_scattered(std::size_t region) const {
-        return absorbed_scattered_.bin(region);
+    [[nodiscard]] std::size_t absorbed_scattered(std::size_t region, std::size_t origin = 0) const {
+        return absorbed_scattered_.of_origin(origin, region);
     }
     [[nodiscard]] std::size_t emitted() const { return emitted_.first; }
     [[nodiscard]] std::size_t escaped_direct() const { return escaped_direct_.first; }
-    [[nodiscard]] std::size_t escaped_scattered() const { return scattered_.escaped.first; }
-    [[nodiscard]] std::size_t scattered_out() const { return scattered_.scattered_out.first; }
-    [[nodiscard]] std::size_t cut_off() const { return scattered_.cut_off.first; }
+    [[nodiscard]] std::size_t escaped_scattered(std::size_t origin = 0) const {
+        return scattered_.escaped.of_origin(origin);
+    }
+    [[nodiscard]] std::size_t scattered_out(std::size_t origin = 0) const {
+        return scattered_.scattered_out.of_origin(origin);
+    }
+    [[nodiscard]] std::size_t cut_off(std::size_t origin = 0) const {
+        return scattered_.cut_off.of_origin(origin);
+    }
     [[nodiscard]] std::size_t work(WorkUnit unit) const {
         return work_.bin(0, static_cast<std::size_t>(unit));
     }
     [[nodiscard]] std::size_t scattered_count() const { return scattered_count_.first; }
     /// The first bin of a detector, in the order of their declaration.
-    [[nodiscard]] std::size_t detector(std::size_t index) const { return detectors_[index]; }
+    [[nodiscard]] std::size_t detector(std::size_t index, std::size_t origin = 0) const {
+        return detectors_[index].of_origin(origin);
+    }
 
     [[nodiscard]] const ScatteredBlocks& scattered_blocks() const { return scattered_; }
 
@@ -103,7 +124,7 @@ class LightBlocks {
     ScatteredBlocks scattered_;
     BlockBins sunlit_, absorbed_direct_, absorbed_scattered_, emitted_, escaped_direct_, work_,
         scattered_count_;
-    std::vector<std::size_t> detectors_;
+    std::vector<BlockBins> detectors_;
 };
 
 }  // namespace quasimc

@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x37534D5553434D51;  // "QMCSUMS7", read as a little-endian number
+constexpr std::uint64_t kMark = 0x38534D5553434D51;  // "QMCSUMS8", read as a little-endian number
 
 /// FNV-1a of words of 8 bytes, the last filled up with zeros; high bits are mixed into low ones
 /// after each. Every step can be turned back: bytes that differ in one word have other checksums.
@@ -35,7 +35,11 @@ void visit_column(Visit& visit, ColumnOrConst& column) {
 }
 template <typename Visit, typename BlockOrConst>
 void visit_block(Visit& visit, BlockOrConst& block) {
-    visit(block.name), visit(block.rows), visit(block.columns);
+    visit(block.name), visit(block.rows), visit(block.columns), visit(block.origins);
+}
+template <typename Visit, typename OriginOrConst>
+void visit_origin(Visit& visit, OriginOrConst& origin) {
+    visit(origin.name), visit(origin.has_suns), visit(origin.spectra), visit(origin.emitted_flux);
 }
 template <typename Visit, typename BoundOrConst>
 void visit_bound(Visit& visit, BoundOrConst& bound) {
@@ -72,6 +76,7 @@ class Writer {
     }
     void operator()(const SumColumn& column) { visit_column(*this, column); }
     void operator()(const SumBlock& block) { visit_block(*this, block); }
+    void operator()(const SumOrigin& origin) { visit_origin(*this, origin); }
     void operator()(const ContributionBound& bound) { visit_bound(*this, bound); }
     void operator()(const SamplingStrategy& strategy) { visit_strategy(*this, strategy); }
     void operator()(const ExactBins& bins) {
@@ -117,6 +122,7 @@ class Reader {
     }
     void operator()(SumColumn& column) { visit_column(*this, column); }
     void operator()(SumBlock& block) { visit_block(*this, block); }
+    void operator()(SumOrigin& origin) { visit_origin(*this, origin); }
     void operator()(ContributionBound& bound) { visit_bound(*this, bound); }
     void operator()(SamplingStrategy& strategy) { visit_strategy(*this, strategy); }
     void operator()(ExactBins& bins) {
@@ -157,7 +163,7 @@ void visit_fields(Visit& visit, SumsOrConst& sums) {
     auto& units = sums.units;
     visit(sums.layout), visit(units.flux), visit(units.sunlit_area), visit(units.region_scale);
     visit(sums.bounds), visit(sums.strategies), visit(sums.spectra), visit(sums.emitted_flux);
-    visit(sums.measured), visit(sums.escaped);
+    visit(sums.measured), visit(sums.escaped), visit(sums.origins);
     visit(sums.replicates);
     visit(sums.paths), visit(sums.samples), visit(sums.per_contribution), visit(sums.digest);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +38,15 @@ enum class EscapedLight {
     remainder,  ///< emitted minus absorbed light
 };
 
+/// An origin of light, whose sums are kept apart.
+struct SumOrigin {
+    std::string name;
+    bool has_suns = false;
+    std::vector<std::size_t> spectra;
+    std::vector<double> emitted_flux;  ///< per band, into the scene
+    friend bool operator==(const SumOrigin&, const SumOrigin&) = default;
+};
+
 /// The content of Sums. evaluate() turns it into a Result.
 struct SumData {
     SumLayout layout;
@@ -49,6 +59,7 @@ struct SumData {
     std::vector<double> emitted_flux;          ///< per band, of all sources into the scene
     MeasuredOrgans measured = MeasuredOrgans::all;
     EscapedLight escaped = EscapedLight::summed;
+    std::vector<SumOrigin> origins = {};  ///< empty: light is not kept apart
     std::vector<ExactBins> replicates;
     std::uint64_t paths = 0;  ///< completed, per replicate
     std::uint64_t samples =

@@ -16,7 +16,7 @@ SumLayout::SumLayout(std::size_t regions, SumBlocks blocks)
     : regions_(regions), blocks_(std::move(blocks)) {
     std::size_t of_run = 0;
     for (const SumBlock& block : blocks_) {
-        (block.rows == SumBlock::Rows::regions ? stride_ : of_run) += block.columns.size();
+        (block.rows == SumBlock::Rows::regions ? stride_ : of_run) += block.width();
     }
     bins_ = regions_ * stride_ + of_run;
 }
@@ -29,7 +29,7 @@ BlockBins SumLayout::find(std::string_view name) const {
         if (block.name == name) {
             return {first, has_regions ? stride_ : 0, block.columns.size()};
         }
-        first += block.columns.size();
+        first += block.width();
     }
     return {};
 }

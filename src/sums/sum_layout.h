@@ -29,7 +29,10 @@ struct SumBlock {
     std::string name;
     Rows rows = Rows::regions;
     SumColumns columns;
+    std::uint32_t origins =
+        1;  ///< number of origins of light, for each of which the columns are repeated
 
+    [[nodiscard]] std::size_t width() const { return columns.size() * origins; }
     friend bool operator==(const SumBlock&, const SumBlock&) = default;
 };
 using SumBlocks = std::vector<SumBlock>;
@@ -37,12 +40,16 @@ using SumBlocks = std::vector<SumBlock>;
 /// The location of a block's bins. A block that was not declared has no columns.
 struct BlockBins {
     std::size_t first = 0;
-    std::size_t stride = 0;  ///< bins from one region to the next; 0 for a block of the run
-    std::size_t columns = 0;
+    std::size_t stride = 0;   ///< bins from one region to the next; 0 for a block of the run
+    std::size_t columns = 0;  ///< for each origin
 
     [[nodiscard]] bool exists() const { return columns > 0; }
     [[nodiscard]] std::size_t bin(std::size_t region, std::size_t column = 0) const {
         return first + region * stride + column;
+    }
+    /// The first bin of light from an origin.
+    [[nodiscard]] std::size_t of_origin(std::size_t origin, std::size_t region = 0) const {
+        return bin(region, origin * columns);
     }
 };
 

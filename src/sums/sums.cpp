@@ -28,7 +28,8 @@ void add_replicates(SumData& sums, const SumData& other) {
         sums.layout == other.layout && sums.units == other.units && sums.bounds == other.bounds &&
         sums.strategies == other.strategies && sums.spectra == other.spectra &&
         sums.emitted_flux == other.emitted_flux && sums.measured == other.measured &&
-        sums.escaped == other.escaped && sums.replicates.size() == other.replicates.size() &&
+        sums.escaped == other.escaped && sums.origins == other.origins &&
+        sums.replicates.size() == other.replicates.size() &&
         sums.per_contribution.size() == other.per_contribution.size() &&
         sums.digest == other.digest;
     if (!is_same_run) {
@@ -120,6 +121,7 @@ SumData meaning_of(const SumData& sums) {
         .emitted_flux = sums.emitted_flux,
         .measured = sums.measured,
         .escaped = sums.escaped,
+        .origins = sums.origins,
         .replicates = {},
         .per_contribution = sums.per_contribution};
 }

@@ -17,6 +17,7 @@ struct Arrival {
     SurfaceSide side = SurfaceSide::upper;
     double cosine = 1;  ///< between the light and the normal, >= 0
     LightPart part = LightPart::direct;
+    std::size_t origin = 0;
     double factor = 1;
     std::span<const double> weights;
 };

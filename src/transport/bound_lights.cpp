@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "base/distribution.h"
 #include "base/stop.h"
@@ -66,9 +67,10 @@ BoundLights::BoundLights(
     const Sources& sources,
     const SceneProjection& projection,
     std::size_t bands,
+    std::span<const std::string> origins,
     const std::stop_token& stop) {
     const double world_area = projection.world_area();
-    bind(sources, projection, stop);
+    bind(sources, source_origins(sources, origins), projection, stop);
     flux_ = total_flux(lights_, world_area, bands);
     set_probabilities(lights_, flux_, world_area);
     double suns = 0;
@@ -85,8 +87,13 @@ BoundLights::BoundLights(
 }
 
 void BoundLights::bind(
-    const Sources& sources, const SceneProjection& projection, const std::stop_token& stop) {
-    for (const auto& source : sources) {
+    const Sources& sources,
+    SourceOrigins origins,
+    const SceneProjection& projection,
+    const std::stop_token& stop) {
+    origins_ = std::move(origins.names);
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const auto& source = sources[i];
         throw_if_stopped(stop);
         std::unique_ptr<SourceSampler> source_sampler =
             model_of(*source).make_sampler_in(projection);
@@ -95,6 +102,7 @@ void BoundLights::bind(
         }
         BoundSource& light = lights_.emplace_back();
         light.source = source.get();
+        light.origin = origins_.empty() ? 0 : origins.of_source[i];
         light.source_sampler = std::move(source_sampler);
         if (source->is_lamp()) {
             const Vec3& faces = projection.entry_box().face_area;
@@ -115,10 +123,10 @@ void BoundLights::set_sun(BoundSource& light, double all_suns, double world_area
                      world_area / sun_area_ / radiance;
 }
 
-/// Lights of one kind (sun, sky or lamp) with equal start weights share a spectrum.
+/// Lights of one kind (sun, sky or lamp) and origin with equal start weights share a spectrum.
 void BoundLights::set_spectrum(BoundSource& light) {
     const auto is_alike = [&](const BoundSource& other) {
-        return other.source->is_sun() == light.source->is_sun() &&
+        return other.origin == light.origin && other.source->is_sun() == light.source->is_sun() &&
                other.source->is_lamp() == light.source->is_lamp() &&
                equal_to_rounding(other.start_weights, light.start_weights);
     };

@@ -74,7 +74,7 @@ class ParticleTracer {
             score_direct(prepared_, surface, *path_.light, share * path_.weight, tally_);
             score_sunlit(surface);
         } else {
-            score_scattered(prepared_, surface, share, weights_, tally_);
+            score_scattered(prepared_, surface, path_.light->origin, share, weights_, tally_);
         }
     }
 
@@ -105,7 +105,8 @@ class ParticleTracer {
         }
         for (std::size_t b = 0; b < weights_.size(); ++b) {
             tally_.add_signed(
-                blocks.escaped_scattered() + b, fixed_[b] - to_fixed((1 - part) * weights_[b]));
+                blocks.escaped_scattered(path_.light->origin) + b,
+                fixed_[b] - to_fixed((1 - part) * weights_[b]));
         }
     }
 
@@ -115,7 +116,7 @@ class ParticleTracer {
             set_start_weights(path_, weights_);
         }
         if (depth == rules_.max_depth) {
-            score_cut_off(side, surface.cosine, weights_, tally_);
+            score_cut_off(side, surface.cosine, path_.light->origin, weights_, tally_);
             return false;
         }
         const double u = scatter_number(rules_, path_, depth, ScatterNumber::lobe);
@@ -136,31 +137,33 @@ class ParticleTracer {
         for (std::size_t b = 0; b < weights_.size(); ++b) {
             fixed_[b] = to_fixed(weights_[b]);
         }
-        tally_.add(tally_.blocks().scattered_out(), fixed_);
+        tally_.add(tally_.blocks().scattered_out(path_.light->origin), fixed_);
     }
 
     /// Adds light that has left the scene, or is lost between the layers of a periodic one.
     void score_end(RayEnd end) {
         const LightBlocks& blocks = tally_.blocks();
+        const std::size_t origin = path_.light->origin;
         if (direct_ && end == RayEnd::escaped) {
             tally_.add(blocks.escaped_direct() + path_.light->spectrum, to_fixed(path_.weight));
         } else if (direct_) {
             set_start_weights(path_, weights_);
             for (std::size_t b = 0; b < weights_.size(); ++b) {
-                tally_.add(blocks.cut_off() + b, to_fixed(weights_[b]));
+                tally_.add(blocks.cut_off(origin) + b, to_fixed(weights_[b]));
             }
         } else if (end == RayEnd::escaped) {
-            tally_.add(blocks.escaped_scattered(), fixed_);
+            tally_.add(blocks.escaped_scattered(origin), fixed_);
             score_detectors();
         } else {
-            tally_.add(blocks.cut_off(), fixed_);
+            tally_.add(blocks.cut_off(origin), fixed_);
         }
     }
 
     void score_detectors() {
         const auto& detectors = prepared_.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
-            detectors[i]->on_escape(direction_, fixed_, tally_.blocks().detector(i), tally_);
+            detectors[i]->on_escape(
+                direction_, fixed_, tally_.blocks().detector(i, path_.light->origin), tally_);
         }
     }
 

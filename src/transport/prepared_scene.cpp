@@ -34,11 +34,12 @@ PreparedScene::PreparedScene(
     const Sources& sources,
     StartArea start_area,
     std::shared_ptr<const RayCaster> caster,
-    const std::stop_token& stop)
+    const std::stop_token& stop,
+    std::span<const std::string> origins)
     : scene_(&scene),
       caster_(std::move(caster)),
       projection_(*caster_, start_area),
-      lights_(sources, projection_, scene.bands().size(), stop),
+      lights_(sources, projection_, scene.bands().size(), origins, stop),
       fields_of_view_(scene),
       rounding_(scene, *caster_),
       optics_(optics_of(scene)) {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "detectors/detector.h"
@@ -34,13 +35,15 @@ struct OpticsTraits {
 class PreparedScene {
   public:
     /// @param caster  of the scene's triangles and cell
+    /// @param origins  as RunSpec::origins
     /// @throws StopRequested  if a stop is requested before it is ready
     PreparedScene(
         const Scene& scene,
         const Sources& sources,
         StartArea start_area,
         std::shared_ptr<const RayCaster> caster,
-        const std::stop_token& stop = {});
+        const std::stop_token& stop = {},
+        std::span<const std::string> origins = {});
     ~PreparedScene() = default;
     PreparedScene(const PreparedScene&) = delete;
     PreparedScene& operator=(const PreparedScene&) = delete;

@@ -41,11 +41,15 @@ enum class ScatterNumber : std::uint32_t { lobe, azimuth };
 
 /// Adds the light that a side would scatter beyond the largest depth, which is cut off there.
 inline void score_cut_off(
-    const Side& side, double cosine, std::span<const double> weights, Tally& tally) {
+    const Side& side,
+    double cosine,
+    std::size_t origin,
+    std::span<const double> weights,
+    Tally& tally) {
     for (std::size_t b = 0; b < weights.size(); ++b) {
         const std::int64_t fixed = to_fixed(weights[b] * side.albedo(b, cosine));
-        tally.add(tally.blocks().scattered_out() + b, fixed);
-        tally.add(tally.blocks().cut_off() + b, fixed);
+        tally.add(tally.blocks().scattered_out(origin) + b, fixed);
+        tally.add(tally.blocks().cut_off(origin) + b, fixed);
     }
 }
 

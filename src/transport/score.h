@@ -21,24 +21,28 @@ inline void score_direct(
     const LightBlocks& blocks = tally.blocks();
     tally.add(blocks.direct(at.region, at.side, light.spectrum), to_fixed(amount));
     score_absorbed(
-        prepared, {at.region, at.side, at.cosine, LightPart::direct, amount, light.start_weights},
+        prepared,
+        {at.region, at.side, at.cosine, LightPart::direct, light.origin, amount,
+         light.start_weights},
         tally);
 }
 
-/// Adds scattered light on a surface, per band `factor` times weights[b].
+/// Adds scattered light of an origin on a surface, per band `factor` times weights[b].
 inline void score_scattered(
     const PreparedScene& prepared,
     const Surface& at,
+    std::size_t origin,
     double factor,
     std::span<const double> weights,
     Tally& tally) {
     const LightBlocks& blocks = tally.blocks();
-    const std::size_t bins = blocks.scattered(at.region, at.side);
+    const std::size_t bins = blocks.scattered(at.region, at.side, origin);
     for (std::size_t b = 0; b < weights.size(); ++b) {
         tally.add(bins + b, to_fixed(weights[b] * factor));
     }
     score_absorbed(
-        prepared, {at.region, at.side, at.cosine, LightPart::scattered, factor, weights}, tally);
+        prepared, {at.region, at.side, at.cosine, LightPart::scattered, origin, factor, weights},
+        tally);
 }
 
 }  // namespace quasimc

@@ -304,3 +304,19 @@ def test_means_lie_in_their_intervals():
         for part in ("absorbed_by_organs", "absorbed_by_ground", "escaped"):
             assert parts[part].ci95_low <= parts[part].mean <= parts[part].ci95_high
     assert cut > 0, "a control: some are cut at what is possible"
+
+
+def test_light_by_origin_adds_up_to_the_whole():
+    result = canopy().run(**FEW, origins=["sun", "sky"], groups=["plant"])
+    assert result.origins == ("sun", "sky")
+    for light in (result, result.groups, result.select(result.organs.ids[:3])):
+        whole = light["incident_scattered"]
+        parts = [whole.origin(name) for name in light.origins]
+        assert np.all(parts[0]["PAR"].mean[:2] > 0) and parts[0].unit == whole.unit
+        assert np.allclose(sum(part.mean for part in parts), whole.mean)
+        assert np.array_equal(parts[1]["NIR"].mean, whole["NIR"].origin("sky").mean)
+    assert "absorbed_flux_PAR_from_sky_se" in result.to_pandas()
+    with pytest.raises(KeyError, match="there are: sun, sky"):
+        result["absorbed_flux"]["PAR"].origin("lamps")
+    with pytest.raises(quasimc.InputError, match="no source is called 'lamp'"):
+        canopy().run(**FEW, origins=["lamp"])

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/process_time.h"
+#include "light/source_origins.h"
 #include "run/early_stop.h"
 #include "run/evaluation_of.h"
 #include "run/run_control.h"
@@ -37,7 +38,9 @@ GroupResults without_fractions(GroupResults groups) {
 
 class Season final : public SeriesSteps {
   public:
-    explicit Season(const SeriesInput& input) : in_(input), early_(input.control.stop) {
+    explicit Season(const SeriesInput& input)
+        : in_(input), plain_(input.spec), early_(input.control.stop) {
+        plain_.origins.clear();
         for (const Region& region : in_.scene.regions()) {
             area_ += region.area;
             is_opaque_.push_back(!data_of(in_.scene).material(region).is_transparent());
@@ -48,11 +51,11 @@ class Season final : public SeriesSteps {
 
     SeriesSummary run() {
         prepare();
-        day_.emplace(*basis_, in_.spec.replicates);
-        total_.emplace(*basis_, in_.spec.replicates);
+        day_ = no_light();
+        total_ = no_light();
         walk_series(in_, *this, summary_);
         if (is_requested(SeriesPart::total, in_.control)) {
-            summary_.total = sum_of(*total_);
+            summary_.total = sum_of(total_);
         }
         summary_.seconds = watch_.seconds();
         summary_.solve_seconds = watch_.seconds();
@@ -70,11 +73,25 @@ class Season final : public SeriesSteps {
         double seconds = 0;
     };
 
+    /// By part of the light: all, then each origin.
+    using PeriodOfParts = std::vector<Period>;
+    [[nodiscard]] PeriodOfParts no_light() const {
+        return {parts(), Period(*basis_, in_.spec.replicates)};
+    }
+    [[nodiscard]] std::size_t parts() const { return 1 + in_.spec.origins.size(); }
+    /// The sources of each part of the light of a time step.
+    [[nodiscard]] std::vector<Sources> sources_of_parts(std::size_t i) const {
+        const Sources& all = in_.time_steps[i].sources;
+        std::vector<Sources> parts = sources_by_origin(all, in_.spec.origins);
+        parts.insert(parts.begin(), all);
+        return parts;
+    }
+
     /// Time steps that are combined together: responses are read once for all of them.
     struct Batch {
         std::size_t first = 0, end = 0;
-        std::vector<DaylightCoefficients::Amounts> amounts;
-        std::vector<LightSum> light;
+        std::vector<DaylightCoefficients::Amounts> amounts;  // [time step][part of the light]
+        std::vector<LightSum> light;                         // [time step][part of the light]
         std::vector<std::optional<LightResponse>> suns;
     };
 
@@ -126,7 +143,7 @@ class Season final : public SeriesSteps {
     /// The number of time steps that fit into memory.
     [[nodiscard]] std::size_t batch_size() const {
         const double each = sizeof(double) * static_cast<double>(basis_->layout().bins()) *
-                            static_cast<double>(in_.spec.replicates);
+                            static_cast<double>(in_.spec.replicates * parts());
         return static_cast<std::size_t>(std::clamp(kStepBatchBytes / each, 1.0, kMaxStepsInBatch));
     }
 
@@ -141,8 +158,9 @@ class Season final : public SeriesSteps {
         batch_.suns = suns_->light_of(suns);
         for (std::size_t i = first; i < batch_.end; ++i) {
             const std::optional<LightResponse>& own = batch_.suns[i - first];
-            batch_.amounts.push_back(
-                basis_->amounts_of(in_.time_steps[i].sources, own ? &*own : nullptr));
+            for (const Sources& sources : sources_of_parts(i)) {
+                batch_.amounts.push_back(basis_->amounts_of(sources, own ? &*own : nullptr));
+            }
         }
         basis_->find_light(batch_.amounts, batch_.light);
     }
@@ -160,38 +178,54 @@ class Season final : public SeriesSteps {
                 early_.why(),
                 "stopped before the first time step was complete; there is no result");
         }
-        const TimeStep& step = in_.time_steps[i];
-        const std::size_t at = i - batch_.first;
-        const std::optional<LightResponse>& suns = batch_.suns[at];
-        LightSum& light = batch_.light[at];
-        if (!light.is_dark()) {
-            const LightSum deviations = light.deviations(basis_->errors(), is_opaque_, i);
-            light.add(deviations, 1);
-            day_->suns.add(deviations, step.seconds);
-            total_->suns.add(deviations, step.seconds);
-        }
-        if (suns) {
-            light.add_suns(*suns, 1);
-        }
-        for (Period* period : {&*day_, &*total_}) {
-            for (std::size_t k = 0; k < batch_.amounts[at].size(); ++k) {
-                period->amounts[k] += step.seconds * batch_.amounts[at][k];
-            }
-            if (suns) {
-                period->suns.add_suns(*suns, step.seconds);
-            }
-            period->seconds += step.seconds;
+        const std::vector<Sources> sources = sources_of_parts(i);
+        for (std::size_t part = 0; part < parts(); ++part) {
+            complete(i, part, !shining(sources[part], Shining::suns).empty());
         }
         if (traces_[i] > 0) {
             ++summary_.computed;
             ++summary_.methods[Method::ray_bundles];
         }
         if (is_requested(SeriesPart::time_steps, in_.control)) {
-            report_time_step(in_.control, {i, result_of(light, step.sources), i});
+            const LightSum* light = &batch_.light[(i - batch_.first) * parts()];
+            Result result = result_of(light[0], sources[0], area_);
+            for (std::size_t part = 1; part < parts(); ++part) {
+                result.origins.push_back(
+                    {in_.spec.origins[part - 1], result_of(light[part], sources[part], 0)});
+            }
+            report_time_step(in_.control, {i, std::move(result), i});
         }
         work_.report(
             kShareOfBasis + (1 - kShareOfBasis) * static_cast<double>(i + 1) /
                                 static_cast<double>(in_.time_steps.size()));
+    }
+
+    /// Adds deviations and the direct light of suns to a part of the light of a time step, and the
+    /// part to its day and to the total.
+    void complete(std::size_t i, std::size_t part, bool has_suns) {
+        const double seconds = in_.time_steps[i].seconds;
+        const std::size_t at = i - batch_.first;
+        const DaylightCoefficients::Amounts& amounts = batch_.amounts[at * parts() + part];
+        const std::optional<LightResponse>& suns = batch_.suns[at];
+        LightSum& light = batch_.light[at * parts() + part];
+        if (!light.is_dark()) {
+            const LightSum deviations = light.deviations(basis_->errors(), is_opaque_, i);
+            light.add(deviations, 1);
+            day_[part].suns.add(deviations, seconds);
+            total_[part].suns.add(deviations, seconds);
+        }
+        if (suns && has_suns) {
+            light.add_suns(*suns, 1);
+        }
+        for (Period* period : {&day_[part], &total_[part]}) {
+            for (std::size_t k = 0; k < amounts.size(); ++k) {
+                period->amounts[k] += seconds * amounts[k];
+            }
+            if (suns && has_suns) {
+                period->suns.add_suns(*suns, seconds);
+            }
+            period->seconds += seconds;
+        }
     }
 
     /// The equivalent number of paths for the light of several suns, limited by their pixels.
@@ -203,15 +237,17 @@ class Season final : public SeriesSteps {
     }
 
     /// @param sources  of the time; empty for sums over times
-    [[nodiscard]] Result result_of(const LightSum& light, const Sources& sources) const {
+    /// @param area  that suns may light; 0: sunlit areas are not reported
+    [[nodiscard]] Result result_of(
+        const LightSum& light, const Sources& sources, double area) const {
         if (light.is_dark()) {
-            Result dark = zero_result(in_.scene, in_.spec);
+            Result dark = zero_result(in_.scene, plain_);
             dark.stop = sources.empty() ? StopReason::finished : StopReason::no_light;
             return dark;
         }
         const std::size_t sunny = shining(sources, Shining::suns).size();
-        const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area_ : 0};
-        const EvaluationSpec asked = evaluation_of(in_.scene, sources, in_.spec);
+        const LightSum::Reading reading{paths_of(sunny), sunny > 0 ? area : 0};
+        const EvaluationSpec asked = evaluation_of(in_.scene, sources, plain_);
         Result result = evaluate(light.sums(reading), in_.scene, asked);
         result.chosen = {
             Method::ray_bundles,
@@ -224,22 +260,32 @@ class Season final : public SeriesSteps {
     [[nodiscard]] SeriesSum sum_of(const Period& period) const {
         LightSum light = basis_->light_of(period.amounts);
         light.add(period.suns, 1);
-        Result result = result_of(light, {});
+        Result result = result_of(light, {}, 0);
         return {
             .bands = result.bands,
             .seconds = period.seconds,
             .values = std::move(result.values),
-            .groups = without_fractions(std::move(result.groups))};
+            .groups = without_fractions(std::move(result.groups)),
+            .origins = {}};
+    }
+
+    [[nodiscard]] SeriesSum sum_of(const PeriodOfParts& parts) const {
+        SeriesSum sum = sum_of(parts.front());
+        for (std::size_t part = 1; part < parts.size(); ++part) {
+            sum.origins.push_back({in_.spec.origins[part - 1], sum_of(parts[part])});
+        }
+        return sum;
     }
 
     void finish_day(std::size_t last) override {
         if (is_requested(SeriesPart::days, in_.control)) {
-            report_day(in_.control, in_.time_steps[last].day, sum_of(*day_));
+            report_day(in_.control, in_.time_steps[last].day, sum_of(day_));
         }
-        day_.emplace(*basis_, in_.spec.replicates);
+        day_ = no_light();
     }
 
     const SeriesInput& in_;
+    RunSpec plain_;  // without origins
     EarlyStop early_;
     Stopwatch watch_;
     Work work_ = work_of(in_.control);
@@ -248,7 +294,7 @@ class Season final : public SeriesSteps {
     std::vector<std::uint64_t> traces_;  // by time step; 0: no light
     std::optional<DaylightCoefficients> basis_;
     std::optional<SeasonSuns> suns_;
-    std::optional<Period> day_, total_;
+    PeriodOfParts day_, total_;
     Batch batch_;
     SeriesSummary summary_;
 };

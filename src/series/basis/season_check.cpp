@@ -1,10 +1,12 @@
 // Restrictions of series whose time steps are computed together.
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "light/source_origins.h"
 #include "quasimc/series.h"
 #include "series/basis/daylight_coefficients.h"
 
@@ -73,6 +75,15 @@ void check_together(
     refuse(
         !scene.detectors().empty(), "it is \"daylight_coefficients\", and the scene has detectors",
         "escaping light is not stored by direction", "use time_method = \"independent\"");
+    const auto splits_suns = [&](const TimeStep& step) {
+        return std::ranges::count_if(
+                   sources_by_origin(step.sources, spec.origins),
+                   [](const Sources& own) { return !shining(own, Shining::suns).empty(); }) > 1;
+    };
+    refuse(
+        std::ranges::any_of(time_steps, splits_suns),
+        "it is \"daylight_coefficients\", and origins parts the suns of a time",
+        "their direct light is computed together", "use time_method = \"independent\"");
     check_together_sources(time_steps, faults);
 }
 

@@ -87,7 +87,8 @@ void DirectLightScore::add_absorbed(std::uint32_t region, double along, double a
     const SurfaceSide side = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
     score_absorbed(
         prepared_,
-        {region, side, std::abs(along), LightPart::direct, amount, beam_.light->start_weights},
+        {region, side, std::abs(along), LightPart::direct, beam_.light->origin, amount,
+         beam_.light->start_weights},
         tally_);
 }
 

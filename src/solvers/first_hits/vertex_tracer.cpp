@@ -103,7 +103,7 @@ class VertexTracer {
         const Side& side = prepared_.material(at.region).side(at.side);
         set_start_weights(path, weights);
         if (rules_.max_depth == 1) {
-            score_cut_off(side, at.cosine, weights, tally_);
+            score_cut_off(side, at.cosine, path.light->origin, weights, tally_);
             return std::nullopt;
         }
         return side.scatter(at.normal, path.direction, draw, weights);

@@ -30,7 +30,7 @@ std::uint64_t BackwardPaths::gather(
     GatherScratch& path) const {
     auto& [stream, index, dimension] = numbers;
     std::fill(path.weights.begin(), path.weights.end(), 1.0);
-    std::fill(path.gathered.begin(), path.gathered.end(), 0.0);
+    path.clear_gathered(prepared_.lights().origin_count());
     Vec3 p = point.p;
     std::uint32_t triangle = point.triangle;
     bool by_narrow = false;
@@ -105,8 +105,8 @@ std::uint64_t BackwardPaths::add_vertices(
         if (arrives) {
             prepared_.material(surface.region)
                 .add_reflected(
-                    surface.normal, surface.side, out, wi, 1, path.products, path.gathered,
-                    narrow_from_);
+                    surface.normal, surface.side, out, wi, 1, path.products,
+                    path.gathered_from(vertex.light->origin), narrow_from_);
         }
     }
     return rays;

@@ -215,8 +215,8 @@ class FromOrgans final : public Solver {
             }
             const double factor = part_of_unit_[point.region] * std::abs(cosine);
             score_scattered(
-                prepared_, point.surface(side_facing(cosine), std::abs(cosine)), factor,
-                scratch.path.irradiance, tally);
+                prepared_, point.surface(side_facing(cosine), std::abs(cosine)),
+                vertex.light->origin, factor, scratch.path.irradiance, tally);
         }
         return rays;
     }
@@ -235,9 +235,12 @@ class FromOrgans final : public Solver {
         const std::uint64_t rays = backward_paths_.gather(
             {stream, point.index, dimension + 2}, point, sample.away, scratch.subpath.vertices,
             scratch.path);
-        score_scattered(
-            prepared_, point.surface(sample.side, sample.cosine),
-            sample.factor * part_of_unit_[point.region], scratch.path.gathered, tally);
+        for (std::size_t origin = 0; origin < prepared_.lights().origin_count(); ++origin) {
+            score_scattered(
+                prepared_, point.surface(sample.side, sample.cosine), origin,
+                sample.factor * part_of_unit_[point.region], scratch.path.gathered_from(origin),
+                tally);
+        }
         return rays;
     }
 

@@ -81,7 +81,7 @@ class LightSubpathTracer {
             (class_ == PathClass::from_source ? path_.weight : 1) * rules_.scales[surface.region];
         class_ == PathClass::from_source
             ? score_direct(prepared_, surface, *path_.light, factor, tally_)
-            : score_scattered(prepared_, surface, factor, weights_, tally_);
+            : score_scattered(prepared_, surface, path_.light->origin, factor, weights_, tally_);
     }
 
     /// Samples the direction after the `depth`-th hit. False if none of the light beyond counts.

@@ -150,7 +150,8 @@ std::uint64_t NextEvent::add_light(
     }
     material.add_reflected(
         surface.normal, surface.side, out, -sample.to_light, sample.factor, path.products,
-        path.gathered, sample.light->is_extended() ? kNarrowPeak : narrow_from_);
+        path.gathered_from(sample.light->origin),
+        sample.light->is_extended() ? kNarrowPeak : narrow_from_);
     return 1;
 }
 
@@ -160,7 +161,7 @@ void NextEvent::add_sky(const Vec3& to_light, GatherScratch& path) const {
                                     ? model_of(*light.source).radiance(to_light) * light.probability
                                     : 0;
         for (std::size_t b = 0; radiance > 0 && b < path.weights.size(); ++b) {
-            path.gathered[b] +=
+            path.gathered_from(light.origin)[b] +=
                 path.weights[b] * light.start_weights[b] * radiance * scale_of(light);
         }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/parallel.h"
@@ -34,13 +35,19 @@ struct GatherScratch {
     explicit GatherScratch(std::size_t bands) {
         resize_apart(weights, bands);
         resize_apart(products, bands);
-        resize_apart(gathered, bands);
         resize_apart(irradiance, bands);
     }
-    std::vector<double> weights;   // per band: throughput of the path
-    std::vector<double> gathered;  // per band: radiance sampled so far
+    std::vector<double> weights;  // per band: throughput of the path
+    /// Radiance sampled so far, [origin][band].
+    std::vector<double> gathered;
     std::vector<double> products;
     std::vector<double> irradiance;  // per band: of a connection
+
+    /// Starts with no light of a number of origins.
+    void clear_gathered(std::size_t origins) { gathered.assign(origins * weights.size(), 0); }
+    [[nodiscard]] std::span<double> gathered_from(std::size_t origin) {
+        return std::span(gathered).subspan(origin * weights.size(), weights.size());
+    }
 };
 
 /// Next-event estimation: samples lights from the vertices of a path that runs backwards.

@@ -253,7 +253,8 @@ std::uint64_t LightTracer::shade(
                     blocks.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));
                 score_absorbed(
                     prepared_,
-                    {primitive.region, side, cosine, LightPart::direct, share, light.start_weights},
+                    {primitive.region, side, cosine, LightPart::direct, light.origin, share,
+                     light.start_weights},
                     tally);
             }
             if (share != path.weight && !prepared_.material(primitive.region).is_transparent()) {

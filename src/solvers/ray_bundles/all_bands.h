@@ -13,13 +13,21 @@ class AllBands {
   public:
     /// @param deviations  of the replicate, see SolvedBands::interpolate()
     AllBands(const SolvedBands& bands, std::span<const double> deviations)
-        : bands_(bands), deviations_(deviations), flux_(bands.all()), quanta_(bands.all()) {}
+        : bands_(bands),
+          deviations_(deviations),
+          flux_(bands.origins() * bands.all()),
+          quanta_(bands.origins() * bands.all()) {}
 
     /// @param flux  may be negative, [column]
-    /// @returns by band, until the next call
+    /// @returns [origin][band], until the next call
     const std::vector<std::int64_t>& of(std::span<const double> flux) {
         if (!bands_.are_all()) {
-            bands_.interpolate(flux, deviations_, flux_);
+            const std::size_t columns = flux.size() / bands_.origins();
+            for (std::size_t origin = 0; origin < bands_.origins(); ++origin) {
+                bands_.interpolate(
+                    flux.subspan(origin * columns, columns), deviations_,
+                    std::span(flux_).subspan(origin * bands_.all(), bands_.all()));
+            }
             flux = flux_;
         }
         for (std::size_t b = 0; b < flux.size(); ++b) {

@@ -48,7 +48,7 @@ double bytes_of_bundles(
 
 std::vector<Warning> lint_bundle_memory(
     const Scene& scene, const Sources& sources, const RunSpec& spec, const PatchSize& size) {
-    const std::size_t bands = count_solved_bands(scene, sources);
+    const std::size_t bands = count_solved_bands(scene, sources, spec.origins);
     if (bytes_of_patch_light(size.count, bands) <= kMaxBytesUnasked) {
         return {};
     }
@@ -66,7 +66,8 @@ void check_bundle_memory(
     const double patches = std::max(
         patches_for(spec.paths),
         kMinPatchesOfTriangle * static_cast<double>(scene.triangle_count()));
-    const double bytes = bytes_of_bundles(scene, count_solved_bands(scene, sources), spec, patches);
+    const double bytes =
+        bytes_of_bundles(scene, count_solved_bands(scene, sources, spec.origins), spec, patches);
     const double all = bytes_of_machine();
     if (bytes > all) {
         faults.add(

@@ -114,7 +114,7 @@ class DirectDeposit {
         const DepositedSamples deposited(
             beams_.stream_of(work, 0), work.task.is_picked ? picked_lines_ : work.task.count,
             kLineDensity);
-        const std::vector<double> weights = patches_.bands.select(lit.share.light->start_weights);
+        const std::vector<double> weights = patches_.bands.weights_of(*lit.share.light);
         const std::vector<LitBands> bands = lit_bands(light_, weights);
         const auto visible = lit.strip.for_visible_segments([&](const LineStrip::Line& line) {
             throw_if_stopped(input_.stop);
@@ -186,8 +186,9 @@ class DirectDeposit {
             }
             score(view, beam);
             const double of_pixel = factor * beam.paths * view.image.pixel_area() / beam.area;
+            const std::vector<double> own = patches_.bands.weights_of(*beam.light);
             for (std::size_t c = 0; c < weights.size(); ++c) {
-                weights[c] += of_pixel * beam.light->start_weights[patches_.bands[c]];
+                weights[c] += of_pixel * own[c];
             }
         }
         return weights;
@@ -254,7 +255,7 @@ class DirectDeposit {
         std::vector<std::vector<double>> weights;
         std::vector<std::vector<LitBands>> lit;
         for (const BoundSource& source : prepared_.lights()) {
-            weights.push_back(patches_.bands.select(source.start_weights));
+            weights.push_back(patches_.bands.weights_of(source));
             lit.push_back(lit_bands(light_, weights.back()));
         }
         std::uint64_t rays = 0;
@@ -317,7 +318,9 @@ class DirectDeposit {
             return rays;
         }
         for (std::size_t b = 0; b < prepared_.bands(); ++b) {
-            tally_.add(blocks.cut_off() + b, to_fixed(start.weight * source.start_weights[b]));
+            tally_.add(
+                blocks.cut_off(source.origin) + b,
+                to_fixed(start.weight * source.start_weights[b]));
         }
         return rays;
     }

@@ -255,9 +255,9 @@ class PairTracer {
         // Light that leaves the other side may not be near.
         const bool is_reflected = index_of(lit) == side.side % 2;
         const std::vector<double>& scattered = is_reflected ? optics.reflected : optics.transmitted;
+        weights_ = scene_.bands.weights_of(*in->light);
         for (std::size_t c = 0; c < weights_.size(); ++c) {
-            const double own = in->light->start_weights[scene_.bands[c]];
-            weights_[c] = amount / kRays * own * scattered[c];
+            weights_[c] = amount / kRays * weights_[c] * scattered[c];
         }
         for (int i = 0; i < kRays; ++i) {
             send(pair, side.side % 2 == 0 ? pair.up : -pair.up);

@@ -16,8 +16,9 @@ constexpr double kNegligible = 1e-3;
 
 /// Whether the last order and all further ones are negligible in a pack.
 bool is_negligible(const ScatteredFlux& flux, const PatchLight& light, std::size_t pack) {
-    const BandPack& bands = light.packs()[pack];
-    for (std::size_t b = bands.first; b < bands.first + bands.bands; ++b) {
+    const BandPack& columns = light.packs()[pack];
+    for (std::size_t c = columns.first; c < columns.first + columns.bands; ++c) {
+        const std::size_t b = c % flux.last.size();
         if (flux.last[b] > 0 && !(flux.last[b] * flux.series(b) <= kNegligible * flux.first[b])) {
             return false;
         }
@@ -114,12 +115,34 @@ double* sum_of_pack(double* sum, const PatchScene& scene, const BandPack& pack) 
     return sum + std::size_t{2} * scene.patches.count() * pack.first;
 }
 
+/// Moves on the flux of the bands of scattered packs, which the columns have.
+void update_bands(
+    const PatchLight& light, const std::vector<std::size_t>& packs, ScatteredFlux& flux) {
+    const std::size_t bands = light.bands() / light.scene().bands.origins();
+    std::vector<double> sums(bands);
+    std::vector<bool> is_scattered(bands);
+    for (const std::size_t pack : packs) {
+        const BandPack& columns = light.packs()[pack];
+        for (std::size_t c = columns.first; c < columns.first + columns.bands; ++c) {
+            sums[c % bands] += flux.last_by_column[c];
+            is_scattered[c % bands] = true;
+        }
+    }
+    flux.before.resize(bands);
+    flux.last.resize(bands);
+    for (std::size_t b = 0; b < bands; ++b) {
+        if (is_scattered[b]) {
+            flux.before[b] = flux.last[b];
+            flux.last[b] = sums[b];
+        }
+    }
+}
+
 /// @param sum  receives the exitance of the previous order, or null
 ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, double* sum) {
     PatchLight& light = *irradiance.light;
     ScatteredFlux flux = std::move(before);
-    flux.before.resize(light.bands());
-    flux.last.resize(light.bands());
+    flux.last_by_column.resize(light.bands());
     for (const std::size_t pack : irradiance.packs) {
         for_bands(light.packs()[pack].bands, [&]<std::size_t kBands>() {
             double* own =
@@ -127,11 +150,10 @@ ScatteredOrder scatter_packs(PatchIrradiance irradiance, ScatteredFlux before, d
             PackScatter<kBands> of_pack(light, pack, own);
             const std::vector<double>& leaving =
                 of_pack.scatter(irradiance.lines ? &*irradiance.lines : nullptr);
-            const std::size_t first = light.packs()[pack].first;
-            std::copy_n(&flux.last[first], leaving.size(), &flux.before[first]);
-            std::copy(leaving.begin(), leaving.end(), &flux.last[first]);
+            std::ranges::copy(leaving, &flux.last_by_column[light.packs()[pack].first]);
         });
     }
+    update_bands(light, irradiance.packs, flux);
     if (flux.first.empty()) {
         flux.first = flux.last;
     }
@@ -147,7 +169,7 @@ PatchLight::PatchLight(const PatchScene& scene)
     : scene_(scene),
       patches_(scene.patches.count()),
       bands_(scene.bands.count()),
-      packs_(band_packs(bands_)),
+      packs_(band_packs(bands_ / scene.bands.origins(), scene.bands.origins())),
       numbers_(4 * std::max<std::size_t>(1, patches_) * bands_) {}
 
 void PatchLight::clear() {
@@ -187,7 +209,7 @@ void ExitanceSum::add_series(const ScatteredOrder& last) {
         const PatchSides<0> from = light.sides(pack);
         double* to = sum_of_pack(numbers_.data(), light.scene(), light.packs()[pack]);
         for (std::size_t b = 0; b < from.columns(); ++b) {
-            const std::size_t band = light.packs()[pack].first + b;
+            const std::size_t band = (light.packs()[pack].first + b) % last.flux.last.size();
             const double factor = last.flux.last[band] > 0 ? last.flux.series(band) : 0;
             for (std::size_t side = 0; side < sides; ++side) {
                 to[side * from.columns() + b] += factor * from.exitance(side)[b];

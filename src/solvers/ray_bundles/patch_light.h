@@ -27,6 +27,7 @@ class PatchLight {
     explicit PatchLight(const PatchScene& scene);
 
     [[nodiscard]] const PatchScene& scene() const { return scene_; }
+    /// Number of columns: solved bands of all origins of light.
     [[nodiscard]] std::size_t bands() const { return bands_; }
     [[nodiscard]] const std::vector<BandPack>& packs() const { return packs_; }
     /// Exitance B, and incident flux E A in units of sums, in the bands of a pack.
@@ -58,11 +59,13 @@ struct PatchExitance : PatchField {};
 /// E = 0: no light on patches.
 [[nodiscard]] PatchIrradiance no_irradiance(std::unique_ptr<PatchLight> memory);
 
-/// Flux of scattered light that leaves surfaces, [column].
+/// Flux of scattered light that leaves surfaces, by solved band: of all origins, which so have the
+/// same orders, and as many lines as their sum has by itself.
 struct ScatteredFlux {
     std::vector<double> first;   ///< flux of the first order
     std::vector<double> before;  ///< flux of the order before the last
-    std::vector<double> last;    ///< flux of the last order in which the band's pack was scattered
+    std::vector<double> last;    ///< flux of the last order in which the band was scattered
+    std::vector<double> last_by_column;
 
     /// The last order and all further ones over the last, as a geometric series; infinite if light
     /// does not decrease.

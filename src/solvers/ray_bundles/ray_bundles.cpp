@@ -168,8 +168,8 @@ class RayBundles final : public Solver {
         }
         // B^(k) is not sent on any more: cut off where it is not negligible
         Flow flow{
-            std::vector<std::int64_t>(order.flux.last.size()),
-            fixed(flux_of(order.exitance, order.flux.last))};
+            std::vector<std::int64_t>(bands_.count()),
+            fixed(flux_of(order.exitance, order.flux.last_by_column))};
         if (k == 1) {
             add_sums(RegionFlux(cut_->scene.region_areas.size(), bands_.count()), flow, all, tally);
             scratch.light = std::move(order.exitance.light);
@@ -286,7 +286,12 @@ class RayBundles final : public Solver {
         }
         const auto& detectors = input_.prepared.detectors();
         for (std::size_t i = 0; i < detectors.size(); ++i) {
-            detectors[i]->on_escape(direction, all.of(amounts), tally.blocks().detector(i), tally);
+            const std::span<const std::int64_t> escaped = all.of(amounts);
+            for (std::size_t origin = 0; origin < bands_.origins(); ++origin) {
+                detectors[i]->on_escape(
+                    direction, escaped.subspan(origin * bands_.all(), bands_.all()),
+                    tally.blocks().detector(i, origin), tally);
+            }
         }
     }
 

@@ -127,8 +127,9 @@ Factorization factorize(const Kernel& kernel, std::size_t bands) {
 
 }  // namespace
 
-SolvedBands::SolvedBands(const Scene& scene, std::span<const std::vector<double>> shares)
-    : all_(scene.bands().size()) {
+SolvedBands::SolvedBands(
+    const Scene& scene, std::span<const std::vector<double>> shares, std::size_t origins)
+    : all_(scene.bands().size()), origins_(origins) {
     Factorization found;
     if (all_ >= kMinInterpolated) {
         found = factorize(Kernel(scene, shares), all_);
@@ -170,16 +171,26 @@ SolvedBands SolvedBands::of(const PreparedScene& prepared) {
             share *= light.probability;
         }
     }
-    return {prepared.scene(), shares};
+    return {prepared.scene(), shares, prepared.lights().origin_count()};
 }
 
 std::vector<double> SolvedBands::select(std::span<const double> numbers) const {
     std::vector<double> selected;
-    selected.reserve(bands_.size());
-    for (const std::size_t band : bands_) {
-        selected.push_back(numbers[band]);
+    selected.reserve(count());
+    for (std::size_t origin = 0; origin < origins_; ++origin) {
+        for (const std::size_t band : bands_) {
+            selected.push_back(numbers[band]);
+        }
     }
     return selected;
+}
+
+std::vector<double> SolvedBands::weights_of(const BoundSource& light) const {
+    std::vector<double> weights(count());
+    for (std::size_t i = 0; i < bands_.size(); ++i) {
+        weights[light.origin * bands_.size() + i] = light.start_weights[bands_[i]];
+    }
+    return weights;
 }
 
 void SolvedBands::interpolate(
@@ -211,7 +222,8 @@ void SolvedBands::interpolate(
     }
 }
 
-std::size_t count_solved_bands(const Scene& scene, const Sources& sources) {
+std::size_t count_solved_bands(
+    const Scene& scene, const Sources& sources, std::span<const std::string> origins) {
     Table shares;
     for (const auto& source : sources) {
         shares.emplace_back(source->spectrum().begin(), source->spectrum().end());
@@ -220,7 +232,7 @@ std::size_t count_solved_bands(const Scene& scene, const Sources& sources) {
             share *= horizontal > 0 ? horizontal : 1;
         }
     }
-    return SolvedBands(scene, shares).count();
+    return SolvedBands(scene, shares, source_origins(sources, origins).count()).count();
 }
 
 }  // namespace quasimc

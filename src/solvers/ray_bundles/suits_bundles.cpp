@@ -41,7 +41,7 @@ bool suits_bundles(const Scene& scene, const Sources& sources, const RunSpec& sp
     }
     const PatchSize size = patch_size(scene, patches_for(spec.paths));
     return size.holds_shadows && size.are_alike &&
-           bytes_of_patch_light(size.count, count_solved_bands(scene, sources)) <=
+           bytes_of_patch_light(size.count, count_solved_bands(scene, sources, spec.origins)) <=
                kMaxBytesUnasked &&
            find_long_patches(scene, size).organs.empty();
 }

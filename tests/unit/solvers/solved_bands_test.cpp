@@ -182,11 +182,8 @@ TEST(SolvedBands, KeepLightsApart) {
     bands.interpolate(light, exact, all);
     EXPECT_EQ(all[20], 1);
     EXPECT_EQ(all[30], 0);
-    bool is_solved = false;
-    for (std::size_t c = 0; c < bands.count(); ++c) {
-        is_solved = is_solved || bands[c] == 20;
-    }
-    EXPECT_TRUE(is_solved);
+    const std::vector<double> own = bands.select(one);
+    EXPECT_TRUE(std::find(own.begin(), own.end(), 1) != own.end());
 }
 
 /// Light that is a polynomial of the optics, of two materials that vary independently, is
