@@ -25,14 +25,15 @@ class LightColumns {
           bands_(run.scene.bands().size()),
           ratios_(run.spec.ratios.size()),
           scene_names_(run.scene.names()) {
-        for (const std::size_t b : written_.bands) {
-            for (const QuantityEntry& entry : written_.quantities) {
-                names_.push_back({std::string(entry.name), run.scene.bands()[b].name});
-            }
-        }
+        add_light(run, {});
+        sunlit_ = names_.size();
         names_.push_back({"sunlit_fraction"});
         for (const std::string& ratio : run.spec.ratios) {
             names_.push_back({"ratios", ratio});
+        }
+        for (const std::string& origin : written_.origins) {
+            first_of_origins_.push_back(names_.size());
+            add_light(run, {"origins", origin});
         }
     }
 
@@ -45,22 +46,41 @@ class LightColumns {
         result.names = scene_names_;
         result.ratios = ratios_;
         result.values = light(columns);
-        const std::size_t sunlit = names_.size() - 1 - ratios_;
-        if (!columns[sunlit].empty()) {
-            result.sunlit_fraction = std::move(columns[sunlit]);
+        for (std::size_t i = 0; i < written_.origins.size(); ++i) {
+            OriginLight& origin = result.origins.emplace_back();
+            origin.name = written_.origins[i];
+            origin.light.bands = bands_;
+            origin.light.values = light(columns, first_of_origins_[i]);
+        }
+        if (!columns[sunlit_].empty()) {
+            result.sunlit_fraction = std::move(columns[sunlit_]);
             result.sunlit_fraction.resize(organs_, kUnknownEstimate);
         }
         result.ratio_values.assign(organs_ * ratios_, kUnknownEstimate);
         for (std::size_t i = 0; i < ratios_; ++i) {
-            put(columns[sunlit + 1 + i], result.ratio_values, i, ratios_);
+            put(columns[sunlit_ + 1 + i], result.ratio_values, i, ratios_);
         }
         return result;
     }
 
+    [[nodiscard]] SeriesSum sum(const RowColumns& columns) const {
+        SeriesSum sum;
+        sum.bands = bands_;
+        sum.values = light(columns);
+        for (std::size_t i = 0; i < written_.origins.size(); ++i) {
+            OriginSum& origin = sum.origins.emplace_back();
+            origin.name = written_.origins[i];
+            origin.light.bands = bands_;
+            origin.light.values = light(columns, first_of_origins_[i]);
+        }
+        return sum;
+    }
+
     /// The estimates in the order of Result::values.
-    [[nodiscard]] std::vector<Estimate> light(const RowColumns& columns) const {
+    /// @param number  of the first column
+    [[nodiscard]] std::vector<Estimate> light(
+        const RowColumns& columns, std::size_t number = 0) const {
         std::vector<Estimate> all(organs_ * kQuantities * bands_, kUnknownEstimate);
-        std::size_t number = 0;
         for (const std::size_t b : written_.bands) {
             for (const QuantityEntry& entry : written_.quantities) {
                 const auto q = static_cast<std::size_t>(entry.quantity);
@@ -70,9 +90,17 @@ class LightColumns {
         return all;
     }
 
-    [[nodiscard]] std::size_t bands() const { return bands_; }
-
   private:
+    /// @param first  keys that lead to the quantities
+    void add_light(const RunFile& run, const std::vector<std::string>& first) {
+        for (const std::size_t b : written_.bands) {
+            for (const QuantityEntry& entry : written_.quantities) {
+                std::vector<std::string> path = first;
+                path.insert(path.end(), {std::string(entry.name), run.scene.bands()[b].name});
+                names_.push_back(std::move(path));
+            }
+        }
+    }
     void put(
         const std::vector<Estimate>& column,
         std::vector<Estimate>& values,
@@ -87,6 +115,8 @@ class LightColumns {
     std::size_t organs_, bands_, ratios_;
     std::shared_ptr<const SceneNames> scene_names_;
     std::vector<std::vector<std::string>> names_;
+    std::size_t sunlit_ = 0;
+    std::vector<std::size_t> first_of_origins_;
 };
 
 double number_in(const Node& table, std::string_view key) {
@@ -178,9 +208,7 @@ void read_light(
             events.on_point(*point);
         }
         if (position.part == "days" && series) {
-            SeriesSum sum;
-            sum.bands = columns.bands();
-            sum.values = columns.light(rows.columns);
+            const SeriesSum sum = columns.sum(rows.columns);
             const std::size_t day = find_label(series->days, next_day, position, path);
             next_day = day + 1;
             events.on_day(day, sum);

@@ -126,6 +126,43 @@ INSTANTIATE_TEST_SUITE_P(
         Pilot{Method::from_organs, "sobol", kManySeeds}),
     name_of_pilot);
 
+/// The light of each origin against a run in which its source shines alone.
+class CoverageOfOrigins : public ::testing::TestWithParam<Method> {};
+
+TEST_P(CoverageOfOrigins, HoldsTheLightOfTheirSourcesAlone) {
+    constexpr int kSeeds = 200;
+    const Scene scene = make_stand();
+    const Sources sources = make_sources();
+    RunSpec pilot = spec_of(GetParam(), 1 << 10);
+    pilot.replicates = 8;
+    pilot.origins = {"sun", "sky"};
+    std::vector<int> right(sources.size());
+    std::vector<double> truths;
+    for (const auto& source : sources) {
+        RunSpec alone = spec_of(Method::first_hits, 1 << 16);
+        alone.seed = 12345;
+        truths.push_back(run(scene, {source}, alone).budget[0].absorbed_by_organs.mean);
+    }
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        pilot.seed = static_cast<std::uint64_t>(seed);
+        const Result result = run(scene, sources, pilot);
+        for (std::size_t i = 0; i < right.size(); ++i) {
+            const BandBudget& budget = result.origins[i].light.budget[0];
+            right[i] += holds_truth(budget.absorbed_by_organs, truths[i]) ? 1 : 0;
+        }
+    }
+    for (const int each : right) {
+        EXPECT_TRUE(agrees(measured_fraction(each, kSeeds, .95), .95, .08)) << each;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    EveryMethod,
+    CoverageOfOrigins,
+    ::testing::Values(
+        Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles),
+    name_of);
+
 /// Two leaves, one in the shade of the other: the sum of both, whose errors have opposite signs.
 Scene make_pair() {
     SceneBuilder builder = make_builder();
