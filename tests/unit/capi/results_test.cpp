@@ -80,6 +80,27 @@ TEST(CResults, TotalsAndGroupsAreSumsOfOrgans) {
     EXPECT_GT(ratio[0], 0.5);
 }
 
+TEST(CResults, HaveTheLightOfEachOrigin) {
+    const SceneHandle scene = small_canopy(4);
+    ASSERT_EQ(quasimc_scene_set_option(scene.get(), "origins", "sun,sky"), QUASIMC_DONE);
+    const ResultHandle result = run(*scene);
+    ASSERT_TRUE(result);
+    const auto all = column(*result, "absorbed_flux", "PAR");
+    const auto sun = column(*result, "absorbed_flux_from_sun", "PAR");
+    const auto sky = column(*result, "absorbed_flux_from_sky", "PAR");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        EXPECT_NEAR(sun[i] + sky[i], all[i], 1e-12 * (1 + all[i]));
+    }
+    double total[4];
+    ASSERT_EQ(
+        quasimc_result_get_total(result.get(), "absorbed_flux_from_sky", "PAR", total),
+        QUASIMC_DONE);
+    EXPECT_NEAR(total[0], sky[0] + sky[1] + sky[2] + sky[3], 1e-9 * (1 + total[0]));
+    EXPECT_EQ(
+        quasimc_result_get_total(result.get(), "absorbed_flux_from_moon", "PAR", total),
+        QUASIMC_MISUSE);
+}
+
 TEST(CResults, TheBudgetCloses) {
     const ResultHandle result = run(*small_canopy(4));
     double sum = 0;
