@@ -47,13 +47,14 @@ Solver& RoundSolver::solver_for(std::uint64_t first_paths) {
 Sums RoundSolver::empty_sums(std::uint64_t first_paths) {
     static_cast<void>(solver_for(first_paths));
     const auto regions = static_cast<double>(prepared_.scene().regions().size());
-    const auto bins =
-        static_cast<double>(2 * (prepared_.lights().spectra().size() + prepared_.bands()) + 1);
+    const BoundLights& lights = prepared_.lights();
+    const auto bins = static_cast<double>(
+        2 * (lights.spectra().size() + prepared_.bands() * lights.origin_count()) + 1);
     return make_big(
         fmt::format(
             "the sums of {} regions, {} bands, {} spectra and {} replicates",
-            prepared_.scene().regions().size(), prepared_.bands(),
-            prepared_.lights().spectra().size(), spec_.replicates),
+            prepared_.scene().regions().size(), prepared_.bands(), lights.spectra().size(),
+            spec_.replicates),
         regions * bins * spec_.replicates * sizeof(std::int64_t),
         [&] { return quasimc::empty_sums(prepared_, *solved_spec_); });
 }

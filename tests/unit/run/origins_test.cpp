@@ -151,7 +151,7 @@ TEST_P(Origins, AreTheLightOfTheirSourcesAlone) {
                 squares += off * off;
                 ++count;
             }
-            EXPECT_LT(error, .1 * (.05 + b.mean));  // good enough to tell
+            EXPECT_LT(error, .1 * (.05 + b.mean));  // the comparison is sharp
         }
         EXPECT_LT(squares / count, 2.5) << whole.origins[i].name;
     }
