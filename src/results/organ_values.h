@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "quasimc/result.h"
-#include "scene/scene.h"
 #include "results/where_expression.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 
