@@ -169,7 +169,7 @@ async function checkRun(context) {
 name = "PAR"
 [run]
 method = "light_tracing"
-paths = 4194304
+paths = 8388608
 replicates = 16
 threads = 1
 [output]
