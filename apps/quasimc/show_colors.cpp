@@ -25,18 +25,12 @@ using quasimc::Organ;
 using quasimc::Rgb;
 using quasimc::Scene;
 
-const std::string* label_of(const Organ& organ, const std::string& key) {
-    const auto found = std::ranges::find(
-        organ.labels, key, [](const auto& label) -> const std::string& { return label.first; });
-    return found == organ.labels.end() ? nullptr : &found->second;
-}
-
 /// Numbers in ascending order, then other texts in order of appearance.
 std::vector<std::string> values_of_label(const Scene& scene, const std::string& key) {
     std::vector<std::string> values;
     std::unordered_set<std::string> known;
     for (const Organ& organ : scene.organs()) {
-        const std::string* label = label_of(organ, key);
+        const std::string* label = quasimc::find_label(organ.labels, key);
         if (!organ.is_ground && label != nullptr && known.insert(*label).second) {
             values.push_back(*label);
         }
@@ -59,7 +53,7 @@ bool are_scale(const std::vector<std::string>& values) {
 void color_by_number(const Scene& scene, const std::string& key, quasimc::ScenePicture& picture) {
     std::vector<double> numbers, areas;
     for (const Organ& organ : scene.organs()) {
-        const std::string* label = label_of(organ, key);
+        const std::string* label = quasimc::find_label(organ.labels, key);
         numbers.push_back(
             organ.is_ground || label == nullptr ? std::nan("") : *quasimc::parse_real(*label));
         areas.push_back(organ.area);
@@ -82,7 +76,7 @@ void color_others(const Scene& scene, const std::string& key, quasimc::ScenePict
         if (organ.is_ground) {
             picture.render.colors[i] = quasimc::kEarth;
             has_ground = true;
-        } else if (label_of(organ, key) == nullptr) {
+        } else if (quasimc::find_label(organ.labels, key) == nullptr) {
             picture.render.colors[i] = quasimc::kNoValue;
             has_others = true;
         }
@@ -208,7 +202,7 @@ void color_by_label(
             color_of[values[i]] = colors[i];
         }
         for (const Organ& organ : scene.organs()) {
-            const std::string* label = label_of(organ, key);
+            const std::string* label = quasimc::find_label(organ.labels, key);
             picture.render.colors.push_back(
                 label == nullptr ? quasimc::kNoValue : color_of[*label]);
         }

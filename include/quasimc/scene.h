@@ -67,6 +67,8 @@ struct Band {
 
 /// Labels of an organ in the results: plant=3, kind=leaf, any key.
 using Labels = std::vector<std::pair<std::string, std::string>>;
+/// The value of a label, or null.
+[[nodiscard]] const std::string* find_label(const Labels& labels, std::string_view key);
 
 /// Labels shared by many organs, such as the leaves of a plant.
 class SharedLabels {

@@ -116,26 +116,27 @@ static SEXP run(SEXP scene) {
     return handle_of(result, free_result);
 }
 
-/* A quantity of all organs. */
-static SEXP get_organs(SEXP result, SEXP quantity, SEXP band, SEXP statistic) {
-    const quasimc_result* all = pointer_of(result);
-    const int64_t count = quasimc_result_organ_count(all);
+typedef int (*ColumnReader)(const quasimc_result*, const char*, const char*, const char*, double*,
+                            int64_t);
+
+/* A quantity of all organs or groups. */
+static SEXP column_of(ColumnReader read, SEXP result, int64_t count, SEXP quantity, SEXP band,
+                      SEXP statistic) {
     SEXP values = PROTECT(Rf_allocVector(REALSXP, count));
-    check(quasimc_result_get(all, text_of(quantity), text_of(band), text_of(statistic),
-                             REAL(values), count));
+    check(read(pointer_of(result), text_of(quantity), text_of(band), text_of(statistic),
+               REAL(values), count));
     UNPROTECT(1);
     return values;
 }
 
-/* A quantity of all groups. */
+static SEXP get_organs(SEXP result, SEXP quantity, SEXP band, SEXP statistic) {
+    return column_of(quasimc_result_get, result, quasimc_result_organ_count(pointer_of(result)),
+                     quantity, band, statistic);
+}
+
 static SEXP get_groups(SEXP result, SEXP quantity, SEXP band, SEXP statistic) {
-    const quasimc_result* all = pointer_of(result);
-    const int64_t count = quasimc_result_group_count(all);
-    SEXP values = PROTECT(Rf_allocVector(REALSXP, count));
-    check(quasimc_result_get_groups(all, text_of(quantity), text_of(band), text_of(statistic),
-                                    REAL(values), count));
-    UNPROTECT(1);
-    return values;
+    return column_of(quasimc_result_get_groups, result,
+                     quasimc_result_group_count(pointer_of(result)), quantity, band, statistic);
 }
 
 typedef int (*Reader)(const quasimc_result*, const char*, const char*, double*);

@@ -207,12 +207,8 @@ const char* text_by_key(const quasimc_result& result, std::string_view key) {
 }
 
 const char* label_by_key(const Organ& organ, const std::string& key) {
-    for (const auto& [name, value] : organ.labels) {
-        if (name == key) {
-            return value.c_str();
-        }
-    }
-    return nullptr;
+    const std::string* label = find_label(organ.labels, key);
+    return label == nullptr ? nullptr : label->c_str();
 }
 
 const DetectorResult& detector_of(const quasimc_result* result, const char* name) {

@@ -43,9 +43,7 @@ void read_extras(const Node& json, GltfNode& node) {
         const auto* id = member.node.as<std::int64_t>();
         const std::string key = one_line(member.key);
         const auto text = label_text(member.node);
-        const bool is_known = std::any_of(
-            node.labels.begin(), node.labels.end(),
-            [&](const auto& label) { return label.first == key; });
+        const bool is_known = find_label(node.labels, key) != nullptr;
         if (key == "id" && id != nullptr) {
             node.organ_id = *id;
         } else if (text && !text->empty() && !key.empty() && !is_known) {

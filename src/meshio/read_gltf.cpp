@@ -85,10 +85,7 @@ class GltfSceneReader {
 
     /// Adds a label that the group does not have yet, unless it is empty or the group's name.
     static void add_label(std::string_view key, const std::string& value, MeshGroup& group) {
-        const bool has_key = std::any_of(
-            group.labels.begin(), group.labels.end(),
-            [key](const auto& label) { return label.first == key; });
-        if (!has_key && !value.empty() && value != group.name) {
+        if (find_label(group.labels, key) == nullptr && !value.empty() && value != group.name) {
             group.labels.emplace_back(key, value);
         }
     }

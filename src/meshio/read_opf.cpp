@@ -217,10 +217,7 @@ class OpfReader : pugi::xml_tree_walker {
     /// Adds a label, unless it is empty or repeats a name. "Name" also names the organ.
     static void add_label(std::string_view key, std::string_view text, MeshGroup& group) {
         const std::string value = one_line(trimmed(text));
-        const bool is_new = std::none_of(
-            group.labels.begin(), group.labels.end(),
-            [key](const auto& label) { return label.first == key; });
-        if (is_new && !value.empty()) {
+        if (find_label(group.labels, key) == nullptr && !value.empty()) {
             group.name = key == "Name" ? value : group.name;
             group.labels.emplace_back(key, value);
         }

@@ -121,15 +121,17 @@ std::string csv_group_header(
     return header_line(names, columns);
 }
 
+void append_labels(std::string& out, const Labels& labels, const std::vector<std::string>& keys) {
+    for (const std::string& key : keys) {
+        const std::string* label = find_label(labels, key);
+        out += ',';
+        out += label == nullptr ? "" : csv_field(*label);
+    }
+}
+
 void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels) {
     fmt::format_to(std::back_inserter(out), "{},{}", organ.id, csv_field(organ.name));
-    for (const std::string& key : labels) {
-        const auto found = std::find_if(
-            organ.labels.begin(), organ.labels.end(),
-            [&](const auto& l) { return l.first == key; });
-        out += ',';
-        out += found == organ.labels.end() ? "" : csv_field(found->second);
-    }
+    append_labels(out, organ.labels, labels);
     append_csv(out, organ.area);
 }
 

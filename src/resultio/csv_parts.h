@@ -32,6 +32,8 @@ void append_csv(std::string& out, const Estimate& estimate);
 /// The header line of a table of groups.
 [[nodiscard]] std::string csv_group_header(
     const std::vector<std::string>& first, const std::vector<std::string>& columns);
+/// Appends the values of labels with these keys, empty where there is none.
+void append_labels(std::string& out, const Labels& labels, const std::vector<std::string>& keys);
 /// "id,name,labels,area" of an organ.
 void append_organ(std::string& out, const Organ& organ, const std::vector<std::string>& labels);
 /// The columns of a group before its light.

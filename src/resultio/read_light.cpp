@@ -46,12 +46,7 @@ class LightColumns {
         result.names = scene_names_;
         result.ratios = ratios_;
         result.values = light(columns);
-        for (std::size_t i = 0; i < written_.origins.size(); ++i) {
-            OriginLight& origin = result.origins.emplace_back();
-            origin.name = written_.origins[i];
-            origin.light.bands = bands_;
-            origin.light.values = light(columns, first_of_origins_[i]);
-        }
+        add_origins(columns, result.origins);
         if (!columns[sunlit_].empty()) {
             result.sunlit_fraction = std::move(columns[sunlit_]);
             result.sunlit_fraction.resize(organs_, kUnknownEstimate);
@@ -67,12 +62,7 @@ class LightColumns {
         SeriesSum sum;
         sum.bands = bands_;
         sum.values = light(columns);
-        for (std::size_t i = 0; i < written_.origins.size(); ++i) {
-            OriginSum& origin = sum.origins.emplace_back();
-            origin.name = written_.origins[i];
-            origin.light.bands = bands_;
-            origin.light.values = light(columns, first_of_origins_[i]);
-        }
+        add_origins(columns, sum.origins);
         return sum;
     }
 
@@ -91,6 +81,17 @@ class LightColumns {
     }
 
   private:
+    /// @param origins  OriginLight or OriginSum
+    template <typename Origin>
+    void add_origins(const RowColumns& columns, std::vector<Origin>& origins) const {
+        for (std::size_t i = 0; i < written_.origins.size(); ++i) {
+            Origin& origin = origins.emplace_back();
+            origin.name = written_.origins[i];
+            origin.light.bands = bands_;
+            origin.light.values = light(columns, first_of_origins_[i]);
+        }
+    }
+
     /// @param first  keys that lead to the quantities
     void add_light(const RunFile& run, const std::vector<std::string>& first) {
         for (const std::size_t b : written_.bands) {

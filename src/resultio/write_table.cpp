@@ -216,23 +216,15 @@ class TableWriter final : public OutputWriter {
         const Organ& organ = run_->scene.organs()[i];
         std::string out = fmt::format("{},{}", organ.id, csv_field(organ.name));
         append_number(out, organ.area);
-        return out + fields_of_labels(organ.labels);
+        append_labels(out, organ.labels, labels_);
+        return out;
     }
 
     [[nodiscard]] std::string begin_group(const OrganGroup& group) const {
         std::string out = fmt::format(
             "{},{},{}", csv_field(group.by), csv_field(group.value), group.organs.size());
         append_number(out, group.area);
-        return out + fields_of_labels(group.labels);
-    }
-
-    [[nodiscard]] std::string fields_of_labels(const Labels& labels) const {
-        std::string out;
-        for (const std::string& key : labels_) {
-            const auto found = std::find_if(
-                labels.begin(), labels.end(), [&](const auto& l) { return l.first == key; });
-            out += ',' + (found == labels.end() ? "" : csv_field(found->second));
-        }
+        append_labels(out, group.labels, labels_);
         return out;
     }
 

@@ -31,7 +31,8 @@ bool is_among(std::string_view name, const std::vector<std::string_view>& names)
 /// The value of a key by which groups are formed: a label, the layer or the material.
 std::optional<std::string> key_value(
     const OrganValues& values, const Organ& organ, std::string_view key) {
-    const bool is_key = find_label(organ, key) != nullptr || key == kLayer || key == kMaterial;
+    const bool is_key =
+        find_label(organ.labels, key) != nullptr || key == kLayer || key == kMaterial;
     std::optional<WhereValue> value = is_key ? values.value(organ, key) : std::nullopt;
     return value ? std::optional(std::move(value->text)) : std::nullopt;
 }

@@ -45,17 +45,11 @@ constexpr std::array kProperties{
 
 }  // namespace
 
-const std::string* find_label(const Organ& organ, std::string_view key) {
-    const auto found = std::find_if(
-        organ.labels.begin(), organ.labels.end(), [&](const auto& l) { return l.first == key; });
-    return found == organ.labels.end() ? nullptr : &found->second;
-}
-
 OrganValues::OrganValues(const Scene& scene, const GroupSpec& spec)
     : scene_(scene), boundaries_(layer_boundaries(scene, spec)) {}
 
 std::optional<WhereValue> OrganValues::value(const Organ& organ, std::string_view name) const {
-    if (const std::string* label = find_label(organ, name)) {
+    if (const std::string* label = find_label(organ.labels, name)) {
         return WhereValue::of_text(*label);
     }
     if (name == kLayer && is_plant(scene_, organ)) {

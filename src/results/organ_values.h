@@ -32,7 +32,4 @@ class OrganValues {
     std::vector<double> boundaries_;  // of layers
 };
 
-/// The value of an organ's label, or null.
-[[nodiscard]] const std::string* find_label(const Organ& organ, std::string_view key);
-
 }  // namespace quasimc

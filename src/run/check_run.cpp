@@ -104,9 +104,7 @@ void check_group_names(const Scene& scene, const RunSpec& spec, Faults& faults) 
     for (const std::string& key : spec.groups) {
         const bool is_taken = key == kAllOrgans || (key == kLayer && has_layers);
         const auto has_label = [&](const Organ& organ) {
-            return std::any_of(organ.labels.begin(), organ.labels.end(), [&](const auto& label) {
-                return label.first == key;
-            });
+            return find_label(organ.labels, key) != nullptr;
         };
         if (is_taken && std::any_of(scene.organs().begin(), scene.organs().end(), has_label)) {
             faults.add(

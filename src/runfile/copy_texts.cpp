@@ -143,8 +143,7 @@ std::vector<Labels> CopyTexts::labels(const Labels& labels) {
             if (is_used(other.key)) {
                 continue;
             }
-            const auto is_same = [&](const auto& label) { return label.first == other.key; };
-            if (std::any_of(labels.begin(), labels.end(), is_same)) {
+            if (find_label(labels, other.key) != nullptr) {
                 table_.fault_at(
                     "labels", fmt::format("the label '{}' is in labels and in at", other.key), "",
                     "keep one");

@@ -185,9 +185,7 @@ std::optional<LabelsFrom> read_labels_from(TableReader& table, InputFiles& files
 void check_keys(const LabelsFrom& from, const std::vector<FileCopy>& copies, TableReader& table) {
     for (const std::string& key : from.keys()) {
         const auto has_key = [&](const FileCopy& copy) {
-            return std::any_of(copy.labels.begin(), copy.labels.end(), [&](const auto& label) {
-                return label.first == key;
-            });
+            return find_label(copy.labels, key) != nullptr;
         };
         if (std::any_of(copies.begin(), copies.end(), has_key)) {
             const Node* labels = table.any("labels");

@@ -30,11 +30,8 @@ TableRows::TableRows(const RunFile& run, const TableSpec& table) {
 
 bool TableRows::has(const OrganGroup& group) const {
     return !where_ || where_->holds([&](std::string_view name) -> std::optional<WhereValue> {
-        const auto label = std::find_if(
-            group.labels.begin(), group.labels.end(),
-            [&](const auto& each) { return each.first == name; });
-        if (label != group.labels.end()) {
-            return WhereValue::of_text(label->second);
+        if (const std::string* label = find_label(group.labels, name)) {
+            return WhereValue::of_text(*label);
         }
         if (name == "by") {
             return WhereValue{group.by};

@@ -7,6 +7,12 @@
 
 namespace quasimc {
 
+const std::string* find_label(const Labels& labels, std::string_view key) {
+    const auto found =
+        std::find_if(labels.begin(), labels.end(), [&](const auto& l) { return l.first == key; });
+    return found == labels.end() ? nullptr : &found->second;
+}
+
 const Labels& SharedLabels::none() {
     static const Labels kNone;
     return kNone;

@@ -15,7 +15,7 @@ const kCross = "M5 5l10 10M15 5L5 15";
 const kTarget = "M10 3v4M10 13v4M3 10h4M13 10h4M10 10v.1";
 const kCopy = "M7 7V4h9v9h-3M4 7h9v9H4z";
 
-export const letterBadge = (i) => {
+const letterBadge = (i) => {
   const badge = make("span", { class: "badge" }, pinLetter(i));
   badge.style.backgroundColor = kPins[i];
   return badge;
@@ -25,7 +25,7 @@ export const letterBadge = (i) => {
 const shortLabel = (value) => (value.length > 6 && Number.isFinite(Number(value)) ? plain(Number(value)) : value);
 
 /** "A to B: +170 %", or that there is no clear difference. */
-export function comparedWords(one, other) {
+function comparedWords(one, other) {
   const difference = other.mean - one.mean;
   const error = Math.hypot(one.error || 0, other.error || 0);
   if (!(Math.abs(difference) >= kSure * error) || difference === 0) {

@@ -11,14 +11,14 @@ export const kClasses = [
 ];
 export const kFaint = 7; // less than a thousandth of the mean: the error does not matter
 export const kDark = 8; // no light was found
-export const kNoClass = 9; // no value, or no error
+const kNoClass = 9; // no value, or no error
 export const kGreys = [
   { number: kFaint, name: "too faint" }, { number: kDark, name: "no light found" }, { number: kNoClass, name: "not known" },
 ];
 export const kGrey = "#7d8581";
 
 /** The mean over area of the organs with a value. */
-export function areaMean(mean, areas, isIn = () => true) {
+function areaMean(mean, areas, isIn = () => true) {
   let [sum, area] = [0, 0];
   mean.forEach((value, i) => {
     if (Number.isFinite(value) && isIn(i)) {
@@ -30,7 +30,7 @@ export function areaMean(mean, areas, isIn = () => true) {
 }
 
 /** The class of an estimate. @param usual  mean of all */
-export function classOf(mean, error, usual) {
+function classOf(mean, error, usual) {
   if (!Number.isFinite(mean)) {
     return kNoClass;
   }

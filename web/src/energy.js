@@ -40,7 +40,7 @@ function summedBudget(page, entry, band) {
 }
 
 /** The area of the cell of a periodic scene, in square lengths of the scene; NaN for others. */
-export function cellArea(run) {
+function cellArea(run) {
   const cell = run.json.head.run_file?.cell;
   if (!cell) {
     return NaN;

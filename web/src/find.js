@@ -6,7 +6,7 @@ import { cssOf } from "./numbers.js";
 const kHits = 8;
 
 /** The first organs that fit a text: {organs, count}. "plant=3" finds by a label. */
-export function findOrgans(run, text) {
+function findOrgans(run, text) {
   const wanted = text.trim().toLowerCase();
   const organs = [];
   let count = 0;

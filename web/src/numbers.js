@@ -73,7 +73,7 @@ export function scaleOf(numbers, areas) {
 }
 
 /** `count` colours of a map, red in the lowest of three bytes. */
-export function paletteOf(map, count) {
+function paletteOf(map, count) {
   return Int32Array.from({ length: count }, (_, i) => {
     const at = (i / (count - 1)) * (map.length - 1);
     const below = Math.min(map.length - 2, Math.floor(at));
@@ -82,7 +82,7 @@ export function paletteOf(map, count) {
   });
 }
 
-export const kUnknown = 0xc8c8c8; // the colour of organs without a value
+const kUnknown = 0xc8c8c8; // the colour of organs without a value
 
 /** A number on a scale, from 0 to 1. @param scale  {low, high, isLog} */
 export function partOf(number, { low, high, isLog }) {

@@ -8,7 +8,7 @@ import { OrganColors, Passes } from "./passes.js";
 import { OrganGeometry } from "./shape.js";
 
 /** Whether the CPU renders instead of a GPU. */
-export function isSoftware(gl) {
+function isSoftware(gl) {
   const names = gl.getExtension("WEBGL_debug_renderer_info");
   const name = names ? String(gl.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
   return /swiftshader|llvmpipe|software|basic render/i.test(name);

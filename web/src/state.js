@@ -1,7 +1,7 @@
 // What the user has chosen: one plain object, kept in the address of the page.
 
 /** The choices of a fresh page. */
-export const kStart = {
+const kStart = {
   quantity: "", band: "", show: "value", map: "viridis", sameScale: false, isLog: false, ends: null,
   time: "", by: "area", ground: true, directions: true, dome: false, shading: true, beside: false, cut: "", cutAt: 0.5,
   labels: {}, ranges: {}, values: null, layer: null, errorClass: null, pins: [], view: null,

@@ -131,13 +131,13 @@ SamplingBudget::SamplingBudget(
         beams += light.source->is_sun() ? beams_of(light) : 0;
     }
     fewest_lines_ = std::max(kMinLines, kMinOfFew / std::max(beams, 1U));
-    const double worth = worth_of(paths);
-    set_lines(LineCost(seen), {paths, worth});
-    sees_skies_ = !skies.skies().empty() && are_directions_better(skies.probability() * worth);
+    set_lines(LineCost(seen), paths);
+    sees_skies_ =
+        !skies.skies().empty() && are_directions_better(skies.probability() * worth_of(paths));
 }
 
-void SamplingBudget::set_lines(const LineCost& cost, const Paths& first) {
-    const double paths = first.worth;
+void SamplingBudget::set_lines(const LineCost& cost, std::uint64_t first) {
+    const double paths = worth_of(first);
     const auto suns = std::ranges::count_if(
         prepared_.lights(), [](const BoundSource& light) { return light.source->is_sun(); });
     projection_ =
@@ -196,11 +196,11 @@ double SamplingBudget::fewest_paths(std::size_t light, double own) const {
     return std::max(projection_, lines * cuts_per_line_[light] / density_.cuts_per_path);
 }
 
-bool SamplingBudget::are_close(const VisibilityTask& task, const Paths& first) const {
-    if (task.count >= usual_lines(task.beams, task.probability * first.worth)) {
+bool SamplingBudget::are_close(const VisibilityTask& task, std::uint64_t first) const {
+    if (task.count >= usual_lines(task.beams, task.probability * worth_of(first))) {
         return true;
     }
-    const Round round{.count = first.count};
+    const Round round{.count = first};
     const double organ = std::sqrt(median_measured_area(prepared_.scene()));
     // On an organ that no line finds lit, twice the distance of lines may be lit
     // (theory/statistics.md).

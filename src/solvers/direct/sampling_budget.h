@@ -101,12 +101,8 @@ class SamplingBudget {
   private:
     /// The number of paths that take as long as scattered light does with this number.
     [[nodiscard]] double worth_of(std::uint64_t paths) const;
-    /// Paths of the first round, and worth_of() them.
-    struct Paths {
-        std::uint64_t count;
-        double worth;
-    };
-    void set_lines(const LineCost& cost, const Paths& first);
+    /// @param first  paths of the first round
+    void set_lines(const LineCost& cost, std::uint64_t first);
     /// Whether directions have smaller errors than `paths` paths from the skies.
     [[nodiscard]] bool are_directions_better(double paths) const;
     /// The smallest number of paths that take as long as the lines of a sun may. @param own  of it
@@ -122,7 +118,7 @@ class SamplingBudget {
     [[nodiscard]] std::uint32_t picks(double paths) const;
     /// Whether the lines of a sun are as many as usual, or so close together that the largest
     /// contribution of one to an organ is no more than that of a few paths.
-    [[nodiscard]] bool are_close(const VisibilityTask& task, const Paths& first) const;
+    [[nodiscard]] bool are_close(const VisibilityTask& task, std::uint64_t first) const;
     [[nodiscard]] VisibilityTask skies_of(double paths) const;
     /// Adds the beams of suns with lines of their own.
     void add_suns(double paths, std::vector<VisibilityTask>& tasks) const;
