@@ -34,13 +34,22 @@ function until(child, said, find) {
   });
 }
 
-const isCovered = (red, green, blue) => red + green + blue < 640; // neither white nor the frame
+// Coloured, as is an edge that is half of the ground; the ground and the frame are nearly grey.
+const isCovered = (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 10;
 // Leaves of the plant are of one green, darker where they are seen edge-on; of light none has that.
 const isPlantGreen = (red, green, blue) => Math.abs(red / green - 150 / 190) < 0.03 && Math.abs(blue / green - 110 / 190) < 0.03;
 
+/** The picture once it stays the same: while the scene changes, a part of it is drawn. */
 async function canvasPixels(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  const pixels = await pixelsOf(page, await page.locator("#canvas").screenshot());
+  const shot = async () => {
+    await page.waitForTimeout(300);
+    return page.locator("#canvas").screenshot();
+  };
+  let [before, now] = [await shot(), await shot()];
+  while (!before.equals(now)) {
+    [before, now] = [now, await shot()];
+  }
+  const pixels = await pixelsOf(page, now);
   return { ...pixels, half: await page.evaluate(() => Math.floor(document.querySelector("#canvas").clientWidth / 2)) };
 }
 
