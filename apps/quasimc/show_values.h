@@ -46,7 +46,7 @@ struct ShownValues {
     std::string name, unit;                    ///< "absorbed flux density, PAR", "W m-2"
     std::string key;                           ///< "absorbed_flux_density_PAR"
     std::string when;                          ///< time, day or period; empty without [time]
-    std::string minus;  ///< file of the run whose values were subtracted, or empty
+    std::string minus = {};  ///< file of the run whose values were subtracted, or empty
 };
 /// ShownValues of a quantity and a band, without the estimates.
 [[nodiscard]] ShownValues named_values(
