@@ -45,7 +45,8 @@ const std::vector<BadInput> kBadScenes{
      "shape = \"polygon\"\ncorners = [[0, 0, 5], [1, 1, 5], [1, 0, 5], [0, 1, 5]]",
      "its sides intersect"},
     {"CopyThatIsNoList", kFile, kFile + "\nat = [1, 2, 3]",
-     "run.toml:19: geometry: at is not a list of copies (it must be [[x, y, z], ...], [{ x = 0, y = 0 }, ...]"},
+     "run.toml:19: geometry: at is not a list of copies (it must be [[x, y, z], ...], [{ x = 0, y "
+     "= 0 }, ...]"},
     {"IrradianceZero", kIrradiance, "irradiance_facing = 0", "no source gives light"},
     {"IrradianceTwice", kIrradiance, "irradiance_facing = 1\nirradiance_horizontal = 1",
      "two irradiances are given"},
