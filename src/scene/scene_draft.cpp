@@ -31,22 +31,22 @@ void SceneDraft::add(OrganSpec spec) {
     organ.labels = share(std::move(spec.labels));
     organ.measured = spec.measured;
     organ.least_cosine = least_cosine(spec.field_of_view_deg);
-    for (OrganPart& given : spec.parts) {
+    for (OrganPart& added : spec.parts) {
         DraftPart part;
-        part.material = number_of_material(std::move(given.material));
+        part.material = number_of_material(std::move(added.material));
         part.first_face = static_cast<std::uint32_t>(mesh.faces.size());
-        if (given.shared) {
-            EXPECT(given.triangles.empty());
-            SharedMesh& mesh_of_many = shared_[given.shared.get()];
+        if (added.shared) {
+            EXPECT(added.triangles.empty());
+            SharedMesh& mesh_of_many = shared_[added.shared.get()];
             if (!mesh_of_many.given) {
-                mesh_of_many = {given.shared, in_order(given.shared)};
+                mesh_of_many = {added.shared, in_order(added.shared)};
             }
             part.copy = static_cast<std::uint32_t>(copies.size());
-            copies.push_back({mesh_of_many.ordered, given.transform});
+            copies.push_back({mesh_of_many.ordered, added.transform});
         } else if (mesh.empty()) {
-            mesh = std::move(given.triangles);  // a scene of one mesh is not copied
+            mesh = std::move(added.triangles);  // a scene of one mesh is not copied
         } else {
-            mesh.append(given.triangles);
+            mesh.append(added.triangles);
         }
         part.face_count = static_cast<std::uint32_t>(mesh.faces.size()) - part.first_face;
         parts.push_back(part);
