@@ -49,6 +49,7 @@ PUBLIC_HEADERS = {
     "run_spec.h": "solvers",
     "result.h": "results",
     "run.h": "run",
+    "gap_fraction.h": "survey",
     "series.h": "series",
     "run_file.h": "runfile",
     "result_file.h": "resultio",

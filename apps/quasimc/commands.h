@@ -7,6 +7,7 @@
 [[nodiscard]] Command merge_command();
 [[nodiscard]] Command check_command();
 [[nodiscard]] Command convert_command();
+[[nodiscard]] Command gaps_command();
 [[nodiscard]] Command grow_command();
 [[nodiscard]] Command info_command();
 [[nodiscard]] Command list_command();

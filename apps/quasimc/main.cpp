@@ -71,7 +71,7 @@ Program make_program(bool& dump_default) {
           "print a run file with every key, its default and a comment"}},
         {run_command(), merge_command(), check_command(), info_command(), convert_command(),
          list_command(), show_command(), view_command(), report_command(), sky_command(),
-         grow_command(), help_command(), version_command()}};
+         gaps_command(), grow_command(), help_command(), version_command()}};
 }
 
 /// Whether this rank has nothing to do: only the work of `run` is shared between ranks.

@@ -230,6 +230,7 @@ ShownRun read_shown_geometry(const std::string& path, const quasimc::FormatEntry
         .sources = {},
         .spec = {},
         .series = {},
+        .gap_fractions = {},
         .output = {},
         .inputs = read.inputs,
         .folder = "",

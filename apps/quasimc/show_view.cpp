@@ -1,5 +1,6 @@
 #include "show_view.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -24,12 +25,42 @@ std::optional<std::pair<double, double>> two_numbers(std::string_view text, char
     return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
 }
 
-quasimc::ViewSpec view_of(const ViewArguments& arguments, Faults& faults) {
+constexpr std::string_view kFisheye = "fisheye:";
+
+/// A point "x,y,z" in the axes of the file, as a point with z up.
+std::optional<quasimc::Vec3> point_of(
+    std::string_view text, const quasimc::Orientation& axes, Faults& faults) {
+    std::array<double, 3> numbers{};
+    std::size_t count = 0;
+    for (std::string_view rest = text; count < numbers.size(); ++count) {
+        const std::size_t comma = count + 1 < numbers.size() ? rest.find(',') : rest.size();
+        const auto number = quasimc::parse_real(quasimc::trimmed(rest.substr(0, comma)));
+        if (comma == std::string_view::npos || !number || !std::isfinite(*number)) {
+            break;
+        }
+        numbers[count] = *number;
+        rest = comma < rest.size() ? rest.substr(comma + 1) : std::string_view();
+    }
+    if (count < numbers.size()) {
+        faults.add(
+            {"--camera", fmt::format("'{}' is not a point", text), "",
+             "give the position of the fisheye lens, in the axes of the file: fisheye:0,0,1.3"});
+        return std::nullopt;
+    }
+    return axes.inward({numbers[0], numbers[1], numbers[2]});
+}
+
+quasimc::ViewSpec view_of(
+    const ViewArguments& arguments, const quasimc::Orientation& axes, Faults& faults) {
     quasimc::ViewSpec view;
     view.fov_deg = arguments.opening;
     if (const quasimc::NamedView* named = quasimc::find_view(arguments.view)) {
         view.azimuth_deg = named->azimuth_deg;
         view.elevation_deg = named->elevation_deg;
+        return view;
+    }
+    if (arguments.view.starts_with(kFisheye)) {
+        view.fisheye = point_of(arguments.view.substr(kFisheye.size()), axes, faults);
         return view;
     }
     const auto angles = two_numbers(arguments.view, ',');
@@ -40,7 +71,9 @@ quasimc::ViewSpec view_of(const ViewArguments& arguments, Faults& faults) {
         }
         faults.add(
             {"--camera", fmt::format("'{}' is not a view", arguments.view), "",
-             fmt::format("give {}or azimuth and elevation of the eye in degrees: 200,20", names)});
+             fmt::format(
+                 "give {}azimuth and elevation of the eye in degrees: 200,20, or fisheye:x,y,z",
+                 names)});
         return view;
     }
     view.azimuth_deg = angles->first;
@@ -119,7 +152,7 @@ void set_view(
     const quasimc::Scene& scene,
     quasimc::ScenePicture& picture,
     Faults& faults) {
-    picture.view = view_of(arguments, faults);
+    picture.view = view_of(arguments, scene.orientation(), faults);
     set_size(arguments, picture, faults);
     picture.has_annotations = !arguments.bare;
     picture.is_transparent = arguments.background == "transparent";
@@ -136,8 +169,8 @@ std::vector<Flag> view_flags(ViewArguments& arguments) {
     return {
         {.name = "--camera",
          .target = &arguments.view,
-         .summary = "front, back, right, left, top, bottom, or azimuth and elevation of the eye in "
-                    "degrees",
+         .summary = "front, back, right, left, top, bottom, azimuth and elevation of the eye in "
+                    "degrees, or fisheye:x,y,z for the sky as a point sees it",
          .type_name = "VIEW",
          .group = kView,
          .default_text = arguments.view},

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "quasimc/error.h"
+#include "quasimc/gap_fraction.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "quasimc/scene.h"
@@ -120,10 +121,11 @@ struct RunFile {
     Scene scene;
     Sources sources;  ///< with [time]: the sources of all times
     RunSpec spec;
-    std::optional<TimeSeries> series;  ///< for a run with [time]
-    OutputSpec output;                 ///< paths from the folder of the run file resolved
-    std::vector<InputFile> inputs;     ///< the run file first
-    std::string folder;                ///< base of the paths in the run file
+    std::optional<TimeSeries> series;            ///< for a run with [time]
+    std::vector<GapFractionSpec> gap_fractions;  ///< [[gap_fraction]]
+    OutputSpec output;                           ///< paths from the folder of the run file resolved
+    std::vector<InputFile> inputs;               ///< the run file first
+    std::string folder;                          ///< base of the paths in the run file
     std::vector<std::string>
         source_notes;               ///< per source: name, kind, direction, irradiance in words
     std::vector<Warning> warnings;  ///< from the readers and from lint()

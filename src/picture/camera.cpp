@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/angles.h"
 #include "base/vec3.h"
@@ -34,12 +35,17 @@ const NamedView* find_view(std::string_view name) {
 
 Camera::Camera(
     const ViewSpec& view, const Orientation& axes, const Bounds& shown, double width, double height)
-    : middle_(shown.center()),
-      right_(axes.towards(view.azimuth_deg - 90, 0)),
-      back_(axes.towards(view.azimuth_deg, view.elevation_deg)),
+    : is_fisheye_(view.fisheye),
+      middle_(view.fisheye.value_or(shown.center())),
+      right_(axes.towards(is_fisheye_ ? -90 : view.azimuth_deg - 90, 0)),
+      back_(is_fisheye_ ? Vec3{0, 0, -1} : axes.towards(view.azimuth_deg, view.elevation_deg)),
       half_width_(0.5 * width),
       half_height_(0.5 * height) {
     up_ = cross(back_, right_);
+    if (is_fisheye_) {
+        scale_ = std::min(half_width_, half_height_);
+        return;
+    }
     const double radius = std::max(shown.radius(), 1e-300);
     const double longer = std::max(half_width_, half_height_);
     const double tangent = std::tan(0.5 * view.fov_deg * kRadians);
@@ -62,14 +68,28 @@ Camera::Camera(
     }
 }
 
-Camera::CameraRay Camera::through(const PixelPoint& pixel) const {
+std::optional<Camera::CameraRay> Camera::through(const PixelPoint& pixel) const {
     const double x = (pixel.x - half_width_) / scale_, y = (half_height_ - pixel.y) / scale_;
+    if (is_fisheye_) {
+        return through_fisheye(x, y);
+    }
     const Vec3 aim = middle_ + x * right_ + y * up_;
     if (is_parallel()) {
-        return {aim + start_ * back_, -1.0 * back_};
+        return CameraRay{aim + start_ * back_, -1.0 * back_};
     }
     const Vec3 eye = middle_ + distance_ * back_;
-    return {eye, normalized(aim - eye)};
+    return CameraRay{eye, normalized(aim - eye)};
+}
+
+/// @param x, y  in the circle of radius 1
+std::optional<Camera::CameraRay> Camera::through_fisheye(double x, double y) const {
+    const double far = std::hypot(x, y);
+    if (far > 1) {
+        return std::nullopt;
+    }
+    const double zenith = far * std::numbers::pi / 2;
+    const double flat = far > 0 ? std::sin(zenith) / far : 0;
+    return CameraRay{middle_, flat * (x * right_ + y * up_) - std::cos(zenith) * back_};
 }
 
 PixelPoint Camera::pixel_of(const Vec3& point) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "quasimc/mesh.h"
@@ -12,6 +13,10 @@ struct ViewSpec {
     double azimuth_deg = 200;   ///< of the camera, from north over east
     double elevation_deg = 20;  ///< of the camera, -90 to 90
     double fov_deg = 0;         ///< of the longer side, at most 150; 0: orthographic
+    /// A point (z up) that looks up through a fisheye lens instead: the sky is a circle with the
+    /// zenith in its middle, north above and east on the left; the distance from the middle is
+    /// proportional to the zenith angle.
+    std::optional<Vec3> fisheye = {};
 };
 
 /// A named view.
@@ -27,7 +32,8 @@ struct PixelPoint {
     double x = 0, y = 0;
 };
 
-/// Camera rays through the pixels of a picture that shows a whole box. World, z up.
+/// Camera rays through the pixels of a picture that shows a whole box, or of a fisheye. World, z
+/// up.
 class Camera {
   public:
     /// @param shown  the box, not empty
@@ -42,15 +48,20 @@ class Camera {
     struct CameraRay {
         Vec3 origin, direction;  ///< unit; the whole scene is ahead
     };
-    [[nodiscard]] CameraRay through(const PixelPoint& pixel) const;
+    /// Nothing outside of the circle of a fisheye.
+    [[nodiscard]] std::optional<CameraRay> through(const PixelPoint& pixel) const;
     [[nodiscard]] PixelPoint pixel_of(const Vec3& point) const;
     /// A direction of the world in camera coordinates: right, up, towards the camera.
     [[nodiscard]] Vec3 seen(const Vec3& direction) const;
     /// Pixels per unit of length, in the plane through the centre of the box.
     [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] bool is_parallel() const { return distance_ == 0; }
+    [[nodiscard]] bool is_fisheye() const { return is_fisheye_; }
 
   private:
+    [[nodiscard]] std::optional<CameraRay> through_fisheye(double x, double y) const;
+
+    bool is_fisheye_;
     Vec3 middle_, right_, up_, back_;
     double half_width_, half_height_;
     double scale_ = 1;

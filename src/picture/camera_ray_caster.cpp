@@ -47,8 +47,16 @@ CameraRayCaster::CameraRayCaster(
     : scene_(scene),
       camera_(camera),
       cuts_(cuts),
-      caster_(data_of(scene).geometry, Cell{}, Accelerator::embree),
+      caster_(
+          data_of(scene).geometry,
+          camera.is_fisheye() ? scene.cell() : Cell{},
+          Accelerator::embree),
       box_(scene.bounds()) {
+    if (camera.is_fisheye()) {
+        constexpr double kFar = std::numeric_limits<double>::infinity();
+        box_ = {{-kFar, -kFar, -kFar}, {kFar, kFar, kFar}};
+        return;
+    }
     // Camera rays within a face of the box hit surfaces in that face.
     const Vec3 more = 1e-6 * scene.bounds().radius() * Vec3{1, 1, 1};
     box_.add(box_.low - more);
@@ -56,7 +64,11 @@ CameraRayCaster::CameraRayCaster(
 }
 
 std::optional<PrimaryHit> CameraRayCaster::trace(const PixelPoint& pixel) const {
-    const Camera::CameraRay line = camera_.through(pixel);
+    const std::optional<Camera::CameraRay> ray = camera_.through(pixel);
+    if (!ray) {
+        return std::nullopt;
+    }
+    const Camera::CameraRay& line = *ray;
     const Reach reach = reach_of(line, box_, cuts_);
     if (!(reach.near < reach.far)) {
         return std::nullopt;

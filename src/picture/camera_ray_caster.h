@@ -22,7 +22,8 @@ struct PrimaryHit {
     Vec3 direction;  ///< of the ray, unit
 };
 
-/// Casts camera rays into a clipped scene. A periodic scene is reduced to one cell.
+/// Casts camera rays into a clipped scene. A periodic scene is reduced to one cell, but for a
+/// fisheye, which sees all of it.
 class CameraRayCaster {
   public:
     /// All arguments must outlive this object.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -166,6 +167,21 @@ void draw_scale_bar(
         {.size = 13 * s, .anchor = TextAnchor::middle, .has_halo = true});
 }
 
+/// The horizon of a fisheye.
+void draw_horizon(Canvas& canvas, const Layout& layout) {
+    constexpr int kSteps = 360;
+    const double radius = 0.5 * std::min(layout.view_width, layout.view_height) - layout.scale;
+    const auto at = [&](int i) {
+        const double angle = 2 * std::numbers::pi * i / kSteps;
+        return PixelPoint{
+            0.5 * layout.view_width + radius * std::cos(angle),
+            layout.view_top + 0.5 * layout.view_height + radius * std::sin(angle)};
+    };
+    for (int i = 0; i < kSteps; ++i) {
+        canvas.line(at(i), at(i + 1), kFaint, layout.scale);
+    }
+}
+
 /// The scene in colours, or in its light.
 Image image_of(
     const Scene& scene,
@@ -206,7 +222,11 @@ Image draw_on(const Rgb& background, const Scene& scene, const ScenePicture& pic
     draw_legend(
         canvas, picture.legend, {layout.view_width + 22 * s, layout.view_top + 30 * s},
         std::max(20.0, layout.view_height - 260 * s), s);
-    draw_scale_bar(canvas, scene, camera, layout);
+    if (camera.is_fisheye()) {
+        draw_horizon(canvas, layout);
+    } else {
+        draw_scale_bar(canvas, scene, camera, layout);
+    }
     draw_directions(canvas, scene, camera, picture, layout);
     return canvas.image();
 }

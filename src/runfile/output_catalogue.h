@@ -22,6 +22,8 @@ struct OutputNeed {
     std::string_view reason = {};  ///< why it is needed
 };
 inline constexpr OutputNeed kNeedsTimes{"time", "[time]", "daily sums need [time]"};
+inline constexpr OutputNeed kNeedsGapFraction{
+    "gap_fraction", "[[gap_fraction]]", "it names the positions that look up"};
 inline constexpr OutputNeed kNeedsDetectors{
     "detector", "[[detector]]", "there is nothing to be written without"};
 
@@ -36,7 +38,7 @@ struct OutputKey {
 /// writers, which are in higher modules.
 using MakeOutput = std::unique_ptr<OutputWriter>(const OutputInput& input);
 MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_detectors,
-    make_picture, make_vtp, make_ply, make_glb, make_netcdf, make_json;
+    make_gaps_csv, make_picture, make_vtp, make_ply, make_glb, make_netcdf, make_json;
 /// Makes the writer of OutputInput::table.
 MakeOutput make_table;
 // (tools/new.py declares an output above this line)
@@ -60,6 +62,9 @@ void for_each_output(Take take) {
     take(
         OutputKey{"detectors", "write the table of detectors", kNeedsDetectors},
         [](const auto& input) { return make_detectors(input); });
+    take(OutputKey{"gaps_csv", "write gap fractions", kNeedsGapFraction}, [](const auto& input) {
+        return make_gaps_csv(input);
+    });
     take(
         OutputKey{"picture", "draw absorbed light, PNG (`quasimc show` draws more)"},
         [](const auto& input) { return make_picture(input); });

@@ -95,12 +95,13 @@ struct Sections {
     std::optional<TimeSeries> series;
     RunOptions options;
     OutputSpec output;
+    std::vector<GapFractionSpec> gap_fractions;
     bool is_on_base = false;  ///< whether it shares the geometry of the base
     UnitOrigin unit_origin = UnitOrigin::assumed;
 };
 
 /// @param add_organs  adds organs after those of the file; may be empty
-void read_geometry_sections(
+std::vector<GapFractionSpec> read_geometry_sections(
     TableReader& top, RunFileContext& context, const AddOrgans& add_organs, SceneBuilder& builder) {
     if (context.meshes != nullptr) {
         context.meshes->start_point();
@@ -112,11 +113,22 @@ void read_geometry_sections(
     if (add_organs) {
         add_organs(builder);
     }
+    std::vector<GapFractionSpec> gap_fractions = read_gap_fractions(top, context);
     context.ground = nullptr;
     if (ground) {
         builder.set_ground(std::move(*ground));
     }
     read_cell(top, context, builder);
+    return gap_fractions;
+}
+
+/// Reads what refers to the ground of a known scene.
+std::vector<GapFractionSpec> read_on_known_ground(TableReader& top, RunFileContext& context) {
+    const std::optional<GroundSpec> ground = read_ground(top, context);
+    context.ground = ground ? &*ground : nullptr;
+    std::vector<GapFractionSpec> gap_fractions = read_gap_fractions(top, context);
+    context.ground = nullptr;
+    return gap_fractions;
 }
 
 /// Reads the keys that all sections need.
@@ -161,9 +173,10 @@ Sections read_sections(
     sections.series = read_time(top, context, sections.sources);
     known.same = known.same != nullptr && can_build_on(builder, *known.same) ? known.same : nullptr;
     if (known.same != nullptr) {
-        pass_over(top, {"organ", "geometry", "ground", "cell"});
+        pass_over(top, {"organ", "geometry", "cell"});
+        sections.gap_fractions = read_on_known_ground(top, context);
     } else {
-        read_geometry_sections(top, context, {}, builder);
+        sections.gap_fractions = read_geometry_sections(top, context, {}, builder);
     }
     read_detectors(top, builder);
     sections.output =
@@ -253,8 +266,15 @@ void refuse_sweep(TableReader& top) {
     }
 }
 
+/// Checks positions against the scene above them.
+void check_gaps(const Scene& scene, const std::vector<GapFractionSpec>& specs, Reporter& reporter) {
+    for (const GapFractionSpec& spec : specs) {
+        check_gap_fraction(scene, spec, reporter.faults);
+    }
+}
+
 /// Reads the part of a document that defines the scene.
-SceneBuilder read_builder(
+FrameOfRun read_frame(
     const Node& document, InputFiles& files, const AddOrgans& add_organs, Reporter& reporter) {
     TableReader top(document, "", reporter);
     pass_over(top, {"title", "run", "source", "light_file", "output", "table"});
@@ -262,14 +282,15 @@ SceneBuilder read_builder(
     RunFileContext context = read_context(top, files);
     SceneBuilder builder = begin_scene(context);
     read_materials(top, context, builder);
-    read_geometry_sections(top, context, add_organs, builder);
+    std::vector<GapFractionSpec> gap_fractions =
+        read_geometry_sections(top, context, add_organs, builder);
     read_detectors(top, builder);
     refuse_options_at_the_top(top);
     top.finish();
     if (!reporter.faults.empty()) {
         add_substitute(builder, context);
     }
-    return builder;
+    return {std::move(builder), std::move(gap_fractions), {}};
 }
 
 /// The line of a location "file:line"; other locations sort after all lines.
@@ -343,6 +364,22 @@ Node read_file_of_run(const std::string& text, const std::string& name) {
     }
 }
 
+/// A run file that was read, but not parsed.
+struct OpenedRun {
+    std::string name, text;
+    InputFiles files;
+};
+
+OpenedRun open_run(const std::string& path, const FileAccess& access) {
+    const std::filesystem::path absolute = access.absolute(path);
+    OpenedRun run{
+        path == "-" ? "standard input" : path, access.read(path),
+        InputFiles(absolute.parent_path(), access.read)};
+    run.files.note(path, absolute, run.text);
+    run.files.mark_run_file();
+    return run;
+}
+
 }  // namespace
 
 bool is_dark(const Sources& sources) {
@@ -393,6 +430,7 @@ RunFile read_run_document(
         std::move(sections.sources.sources),
         sections.options.spec,
         std::move(sections.series),
+        std::move(sections.gap_fractions),
         std::move(sections.output),
         files.files(),
         files.folder().string(),
@@ -400,6 +438,7 @@ RunFile read_run_document(
         std::move(warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
     check_tables(run, reporter);
+    check_gaps(run.scene, run.gap_fractions, reporter);
     throw_in_order(reporter);
     return run;
 }
@@ -407,20 +446,24 @@ RunFile read_run_document(
 SceneOfRun read_scene_document(
     const Node& document, const std::string& name, InputFiles& files, const AddOrgans& add_organs) {
     Reporter reporter{name, {}, {}};
-    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
-    std::optional<Scene> scene = build(std::move(builder), {}, reporter);
+    FrameOfRun frame = read_frame(document, files, add_organs, reporter);
+    std::optional<Scene> scene = build(std::move(frame.builder), {}, reporter);
+    if (reporter.faults.empty()) {
+        check_gaps(*scene, frame.gap_fractions, reporter);
+    }
     throw_in_order(reporter);
     std::vector<Warning> warnings =
         fold_warnings(std::move(reporter.warnings), lint_geometry(*scene));
-    return {std::move(*scene), std::move(warnings)};
+    return {std::move(*scene), std::move(frame.gap_fractions), std::move(warnings), files.files()};
 }
 
 FrameOfRun read_frame_document(
     const Node& document, const std::string& name, InputFiles& files, const AddOrgans& add_organs) {
     Reporter reporter{name, {}, {}};
-    SceneBuilder builder = read_builder(document, files, add_organs, reporter);
+    FrameOfRun frame = read_frame(document, files, add_organs, reporter);
     throw_in_order(reporter);
-    return {std::move(builder), fold_warnings(std::move(reporter.warnings))};
+    frame.warnings = fold_warnings(std::move(reporter.warnings));
+    return frame;
 }
 
 LightOfRun read_light_document(
@@ -429,7 +472,7 @@ LightOfRun read_light_document(
     TableReader top(document, "", reporter);
     pass_over(
         top, {"title", "material", "material_file", "organ", "geometry", "ground", "cell",
-              "detector", "output", "table"});
+              "detector", "gap_fraction", "output", "table"});
     refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     Sections sections;
@@ -471,14 +514,15 @@ RunSweep read_run_sweep(
     const std::vector<Override>& overrides,
     const FileAccess& access,
     const OnPointRead& on_point) {
-    const std::string text = access.read(path);
-    const std::filesystem::path absolute = access.absolute(path);
-    const std::string name = path == "-" ? "standard input" : path;
-    InputFiles noted(absolute.parent_path(), access.read);
-    noted.note(path, absolute, text);
-    noted.mark_run_file();
+    const OpenedRun run = open_run(path, access);
     return read_sweep_document(
-        read_file_of_run(text, name), name, [noted] { return noted; }, overrides, on_point);
+        read_file_of_run(run.text, run.name), run.name, [run] { return run.files; }, overrides,
+        on_point);
+}
+
+SceneOfRun read_scene_of_run(const std::string& path) {
+    OpenedRun run = open_run(path, FileAccess());
+    return read_scene_document(read_file_of_run(run.text, run.name), run.name, run.files);
 }
 
 RunFile read_run_file(const std::string& path, const std::vector<Override>& overrides) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "files/input_files.h"
+#include "quasimc/gap_fraction.h"
 #include "quasimc/run_file.h"
 #include "text/document.h"
 
@@ -82,11 +83,14 @@ using AddOrgans = std::function<void(SceneBuilder&)>;
 /// The scene of a document.
 struct SceneOfRun {
     Scene scene;
-    std::vector<Warning> warnings;  ///< from the readers and from lint()
+    std::vector<GapFractionSpec> gap_fractions;
+    std::vector<Warning> warnings;       ///< from the readers and from lint()
+    std::vector<InputFile> inputs = {};  ///< files that were read, the run file first
 };
 /// The scene before it is built, without lint(): for programs that add organs later.
 struct FrameOfRun {
     SceneBuilder builder;
+    std::vector<GapFractionSpec> gap_fractions;
     std::vector<Warning> warnings;
 };
 /// @throws InputError  with all faults except those of building the scene
@@ -102,6 +106,10 @@ struct FrameOfRun {
     const std::string& name,
     InputFiles& files,
     const AddOrgans& add_organs = {});
+
+/// Reads the scene of a run file ("-": standard input).
+/// @throws InputError  with all faults at once
+[[nodiscard]] SceneOfRun read_scene_of_run(const std::string& path);
 
 /// The light and the options of a document.
 struct LightOfRun {

@@ -16,6 +16,7 @@
 #include "meshio/formats.h"
 #include "meshio/mesh_cache.h"
 #include "options/options.h"
+#include "quasimc/gap_fraction.h"
 #include "quasimc/mesh.h"
 #include "quasimc/run_file.h"
 #include "quasimc/source.h"
@@ -168,6 +169,10 @@ void read_cell(TableReader& top, const RunFileContext& context, SceneBuilder& bu
 [[nodiscard]] std::array<Vec3, 3> rotation(const Vec3& axis, double angle);
 void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
 void move_points(const Affine& transform, std::vector<Vec3>& points);
+
+// run_file_gap_fraction.cpp
+[[nodiscard]] std::vector<GapFractionSpec> read_gap_fractions(
+    TableReader& top, RunFileContext& context);
 
 // run_file_geometry.cpp
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);

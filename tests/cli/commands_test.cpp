@@ -335,6 +335,36 @@ TEST_F(ProgramTest, AFullDiskIsAnInputError) {
     EXPECT_EQ(run({"run", "run.toml", "--csv", "/dev/full"}).status, 1);
 }
 
+TEST_F(ProgramTest, GapsAreMeasuredWithAndWithoutLight) {
+    const std::string gaps = "\n[[gap_fraction]]\nname = 'eye'\nat = [[0, 0, 0]]\nrays = 256\n";
+    folder_.write("gaps.toml", folder_.read("run.toml") + gaps);
+    const Outcome outcome = run({"gaps", "gaps.toml", "--csv", "gaps.csv"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("eye: 1 position"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("index of an LAI-2000"), std::string::npos) << outcome.out;
+    ASSERT_EQ(run({"run", "gaps.toml", "--gaps-csv", "beside.csv"}).status, 0);
+    const auto rows = [this](const std::string& file) {
+        const std::string text = folder_.read(file);
+        return text.substr(text.find("\nname,position"));
+    };
+    EXPECT_EQ(rows("gaps.csv"), rows("beside.csv"));
+    EXPECT_NE(rows("gaps.csv").find("eye,all,,,,0,13,0,360,gap_fraction,"), std::string::npos);
+    const Outcome without = run({"gaps", "run.toml"});
+    EXPECT_EQ(without.status, 1);
+    EXPECT_NE(without.err.find("it has no [[gap_fraction]]"), std::string::npos) << without.err;
+    EXPECT_EQ(run({"run", "run.toml", "--gaps-csv", "none.csv"}).status, 2);
+}
+
+TEST_F(ProgramTest, AFisheyeIsACameraAtAPoint) {
+    const Outcome wrong = run({"show", "run.toml", "--camera", "fisheye:1,2", "-o", "eye.png"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_NE(wrong.err.find("'1,2' is not a point"), std::string::npos) << wrong.err;
+    if (has_png()) {
+        EXPECT_EQ(
+            run({"show", "run.toml", "--camera", "fisheye:0,0,0", "-o", "eye.png"}).status, 0);
+    }
+}
+
 TEST_F(ProgramTest, ListsNameWhatThereIs) {
     EXPECT_NE(run({"list", "samplers"}).out.find("sobol"), std::string::npos);
     EXPECT_NE(run({"list", "models"}).out.find("phong"), std::string::npos);

@@ -117,7 +117,7 @@ TEST(Camera, ShowsABoxWholeFromEverywhere) {
                     EXPECT_TRUE(at.x >= 0 && at.x <= 300 && at.y >= 0 && at.y <= 200)
                         << azimuth << ' ' << elevation << ' ' << opening;
                     least = std::min({least, at.x, at.y, 300 - at.x, 200 - at.y});
-                    const Camera::CameraRay line = camera.through(at);
+                    const Camera::CameraRay line = camera.through(at).value();
                     const Vec3 to = corner - line.origin;
                     EXPECT_NEAR(dot(normalized(to), line.direction), 1, 1e-6);
                 }
@@ -125,6 +125,46 @@ TEST(Camera, ShowsABoxWholeFromEverywhere) {
             }
         }
     }
+}
+
+TEST(Camera, OfAFisheyeSeesTheSkyInACircle) {
+    ViewSpec view;
+    view.fisheye = Vec3{1, 2, 3};
+    const Camera camera(view, {}, {}, 300, 200);
+    const auto direction_at = [&](double x, double y) {
+        const Camera::CameraRay line = camera.through({x, y}).value();
+        EXPECT_EQ(line.origin, (Vec3{1, 2, 3}));
+        return line.direction;
+    };
+    const auto expect_near = [](const Vec3& a, const Vec3& b) { EXPECT_LT(length(a - b), 1e-12); };
+    const double half = std::sqrt(.5);
+    expect_near(direction_at(150, 100), {0, 0, 1});
+    expect_near(direction_at(150, 50), {0, half, half});   // north, half way to the horizon
+    expect_near(direction_at(100, 100), {half, 0, half});  // east is on the left
+    expect_near(direction_at(250, 100), {-1, 0, 0});
+    EXPECT_FALSE(camera.through({251, 100}));
+}
+
+TEST(Render, SeesAnInfiniteStandThroughAFisheye) {
+    SceneBuilder builder({{"PAR"}});
+    builder.add_material({"leaf", {{.reflectance = .1}}, {{.reflectance = .1}}});
+    const std::vector<Triangle> leaf{
+        {Vec3{.2, .2, 1}, Vec3{.8, .2, 1}, Vec3{.8, .8, 1}},
+        {Vec3{.2, .2, 1}, Vec3{.8, .8, 1}, Vec3{.2, .8, 1}}};
+    OrganSpec organ;
+    organ.parts.push_back({"leaf", leaf});
+    builder.add_organ(organ);
+    builder.set_cell({.along_x = true, .along_y = true, .size_x = 1, .size_y = 1});
+    const Scene scene = std::move(builder).build();
+    ViewSpec view;
+    view.fisheye = Vec3{.5, .5, 0};
+    RenderSpec spec{.width = 200, .height = 200, .colors = {kRed}, .shading = 0};
+    const Camera camera(view, {}, scene.bounds(), 200, 200);
+    const Image image = render(scene, camera, spec);
+    EXPECT_EQ(image.at(100, 100), kRed);            // its own leaf
+    EXPECT_EQ(image.at(100, 70), spec.background);  // y = 1, between two leaves
+    EXPECT_EQ(image.at(100, 42), kRed);             // y = 1.78, on the leaf of the next cell
+    EXPECT_EQ(image.at(2, 2), spec.background);     // outside of the circle
 }
 
 TEST(Legend, LeavesFewBrightOrgansOutOfTheScale) {

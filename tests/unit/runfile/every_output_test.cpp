@@ -29,7 +29,7 @@ std::string with_output(const std::string& output) {
     text.sources += "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n";
     text.rest =
         "[time]\nday = '2024-06-21'\nutc_offset_hours = 2\n[[detector]]\ntype = "
-        "'escaped_by_zenith'\n";
+        "'escaped_by_zenith'\n[[gap_fraction]]\nat = [[0, 0]]\n";
     return text.text();
 }
 
