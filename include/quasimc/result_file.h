@@ -105,6 +105,8 @@ class JsonWriter : public OutputWriter {
     std::unique_ptr<State> state_;
 };
 
+class CanopySum;  // private
+
 /// The summary of a run in about ten lines.
 class Summary : public OutputWriter {
   public:
@@ -130,7 +132,8 @@ class Summary : public OutputWriter {
     // For a run with [time]:
     std::size_t time_steps_ = 0;
     double seconds_ = 0;
-    std::vector<BandBudget> energy_;  // flux x s
+    std::vector<BandBudget> energy_;     // flux x s
+    std::shared_ptr<CanopySum> canopy_;  // of lit time steps
     bool escaped_by_difference_ = false;
     std::vector<std::pair<double, std::size_t>> medians_;  // median errors and their time steps
     std::size_t badly_known_ = 0;  // largest number of organs with large errors at a time

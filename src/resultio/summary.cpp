@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -8,10 +9,10 @@
 #include "quasimc/result_file.h"
 #include "quasimc/run_file.h"
 #include "quasimc/version.h"
+#include "resultio/canopy_lines.h"
 #include "resultio/describe_result.h"
 #include "resultio/describe_series.h"
 #include "resultio/summary_parts.h"
-#include "results/fraction_table.h"
 #include "results/units.h"
 #include "runfile/written.h"
 #include "text/line_scanner.h"
@@ -116,13 +117,6 @@ std::string error_line(const RunFile& run, const ErrorStatistics& errors) {
     return line("errors", describe_errors(errors)) + (advice.empty() ? "" : line("advice", advice));
 }
 
-std::string fraction_with_error(const Estimate& e) {
-    constexpr int kDecimals = 4;
-    const std::string mean = with_decimals(reported(e).mean, kDecimals);
-    return std::isfinite(e.standard_error) ? fmt::format("{} +- {:.1g}", mean, e.standard_error)
-                                           : mean;
-}
-
 /// The budgets of the first bands. @param unit_of_band  of a band's budget
 template <typename UnitOfBand>
 std::string energy_lines(
@@ -154,27 +148,10 @@ void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
     }
 }
 
-/// "reflectance 0.08 +- 0.001, ..."; unknown fractions are left out.
-std::string describe_fractions(const CanopyFractions& fractions) {
+std::string canopy_lines(const RunFile& run, const CanopySum& canopy, const GroupResults* groups) {
     std::string text;
-    for (const FractionEntry& entry : fraction_table()) {
-        const Estimate& part = fractions.*entry.part;
-        if (!std::isnan(part.mean)) {
-            text += fmt::format(
-                "{}{} {}", text.empty() ? "" : ", ", entry.name, fraction_with_error(part));
-        }
-    }
-    return text;
-}
-
-std::string canopy_lines(const Scene& scene, const Result& result) {
-    constexpr std::size_t kMaxBands = 4;
-    std::string text;
-    for (std::size_t b = 0; b < std::min(result.canopy.size(), kMaxBands); ++b) {
-        const std::string words = describe_fractions(result.canopy[b]);
-        if (!words.empty()) {
-            text += line("canopy", fmt::format("{}: {}", scene.bands()[b].name, words));
-        }
+    for (const std::string& words : canopy.lines(run, groups)) {
+        text += line("canopy", words);
     }
     return text;
 }
@@ -272,13 +249,16 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
+    CanopySum canopy;
+    canopy.add(result, 1);
     std::string text =
         sampling_line(run.spec, result) + stopped_line(describe_stop(run.spec, result)) +
         method_line(run.spec, result) + time_line(result) + target_line(run, result) +
         energy_lines(
             run.scene, result.budget, result.escaped_by_difference,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
-        canopy_lines(run.scene, result) + error_line(run, error_statistics(run.scene, result));
+        canopy_lines(run, canopy, &result.groups) +
+        error_line(run, error_statistics(run.scene, result));
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }
@@ -338,6 +318,8 @@ void Summary::on_time_step(const TimeStepResult& step) {
         add_energy(result.budget[b], factor * seconds, energy_[b]);
     }
     seconds_ += seconds;
+    canopy_ = canopy_ ? canopy_ : std::make_shared<CanopySum>();
+    canopy_->add(result, seconds);
     escaped_by_difference_ = escaped_by_difference_ || result.escaped_by_difference;
     const ErrorStatistics errors = error_statistics(run_->scene, result);
     if (errors.median > 0) {
@@ -352,6 +334,7 @@ std::string Summary::series_quality() const {
         text += energy_lines(run_->scene, energy_, escaped_by_difference_, [&](const Band& band) {
             return summed_unit(flux_unit(band.unit, run_->scene.length_unit())).name;
         });
+        text += canopy_lines(*run_, *canopy_, nullptr);
     }
     if (medians_.empty()) {
         return text + line("errors", "absorbed flux: no standard error could be estimated");

@@ -350,10 +350,11 @@ TEST(Summary, GivesZerosNoSign) {
     budget.absorbed_by_organs = {20.5, 0, 20.5, 20.5};
     budget.escaped = {-3e-15, 1e-16, -3e-15, -3e-15};
     result.canopy.resize(2);
+    result.canopy[0].incident = 20.5;
     result.canopy[0].reflectance = {-1e-17, 0, -1e-17, -1e-17};
     std::string text = summary(small_run(), result, {});
     EXPECT_NE(text.find("escaped 0, cut off 0\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("reflectance 0.0000 +- 0"), std::string::npos) << text;
+    EXPECT_NE(text.find("albedo 0.0000"), std::string::npos) << text;
     budget.emitted.mean = 2e6;
     budget.escaped.mean = -3e-10;
     text = summary(small_run(), result, {});
@@ -422,7 +423,7 @@ TEST(Summary, TellsThatTheTimeWasUp) {
 TEST(Summary, HasTheFractionsOfTheCanopy) {
     EXPECT_TRUE(mentions(
         lines_of(summary(small_run(), grouped_result(), {})),
-        "canopy    FR: reflectance 0.1250 +- 0.01, absorptance"));
+        "canopy    FR: absorbed 0.0000, albedo 0.1250 +- 0.01, ground 0.0000"));
     EXPECT_FALSE(mentions(lines_of(summary(small_run(), small_result(), {})), "canopy"));
 }
 
