@@ -92,7 +92,7 @@ struct LitAreas {
 
 /// If there are very many suns, every n-th of them represents all: their directions are close.
 std::size_t stride_of_suns(const PreparedScene& prepared) {
-    constexpr double kMaxVisits = 1e8;
+    constexpr double kMaxVisits = 1e7;
     const double visits =
         static_cast<double>(prepared.lights().size()) * prepared.caster().mesh().triangle_count();
     return static_cast<std::size_t>(std::ceil(std::max(1.0, visits / kMaxVisits)));
