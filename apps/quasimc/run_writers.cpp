@@ -68,12 +68,12 @@ std::vector<RequestedOutput> requested_outputs(
         const auto given = run.output.files.find(key.name);
         if (!path.empty()) {
             requested.push_back({{path, flag_of(key.name)}, make});
-            const bool is_there =
-                key.need.table.empty() || run.document->find(key.need.table) != nullptr;
-            if (!is_there) {
-                faults.add(
-                    {flag_of(key.name), fmt::format("the run has no {}", key.need.shown),
-                     std::string(key.need.reason), ""});
+            for (const quasimc::OutputNeed& need : key.needs) {
+                if (!need.table.empty() && run.document->find(need.table) == nullptr) {
+                    faults.add(
+                        {flag_of(key.name), fmt::format("the run has no {}", need.shown),
+                         std::string(need.reason), ""});
+                }
             }
         } else if (given != run.output.files.end()) {
             requested.push_back(

@@ -259,6 +259,9 @@ struct Result {
     /// The light of each origin (RunSpec::origins) alone: all of the above except ratios and sunlit
     /// fractions. Their means add up to those of all light, to rounding.
     std::vector<OriginLight> origins;
+    /// The light on sensors (Scene::sensors()), in their order, as that on organs; they absorb
+    /// none. Null without sensors. Result::rays and times include them.
+    std::shared_ptr<const Result> sensors = {};
 
     ChosenMethod chosen;
     std::optional<Audit> audit;  ///< if RunSpec::audit requests one

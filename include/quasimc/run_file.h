@@ -57,9 +57,9 @@ struct TimeSeries {
 };
 
 /// The contents of the rows of a table.
-enum class CsvRows { organs, groups, detectors };
+enum class CsvRows { organs, groups, sensors, detectors };
 enum class CsvTimes { time_steps, days };
-/// One row for each organ or group, or for each of its numbers.
+/// One row for each organ, group or sensor, or for each of its numbers.
 enum class CsvForm { wide, narrow };
 /// The numbers of an estimate that are written.
 enum class CsvStatistic { mean, standard_error, ci95_low, ci95_high };
@@ -70,7 +70,7 @@ struct TableSpec {
     CsvRows rows = CsvRows::organs;
     CsvTimes times = CsvTimes::time_steps;
     CsvForm form = CsvForm::wide;
-    std::string where = {};  ///< condition on organs or groups; "": all
+    std::string where = {};                                ///< condition on its rows; "": all
     std::vector<std::string> quantities = {}, bands = {};  ///< names; empty: all
     std::vector<CsvStatistic> statistics = {
         CsvStatistic::mean, CsvStatistic::standard_error, CsvStatistic::ci95_high};

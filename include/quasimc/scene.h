@@ -123,6 +123,40 @@ struct Region {
     double area = 0;
 };
 
+/// The weight of light at a sensor by its direction.
+enum class Receiver {
+    cosine,  ///< the cosine of its angle from the normal of either side: irradiance
+    sphere,  ///< equal for all directions: fluence rate, all of it on the upper side
+};
+
+/// A position at which light is measured.
+struct SensorPoint {
+    std::string name = {};  ///< default: that of the set, with its number in it
+    Labels labels = {};
+    Vec3 position = {};
+    Vec3 facing = {};  ///< normal of the upper side, any length; 0: up
+};
+
+/// Sensors that are given together: a point, a line, an array or a list. They shade nothing and
+/// change no other number. Outside a periodic cell they see what their images in it do.
+struct SensorSet {
+    std::string name;                      ///< unique among the sets of a scene
+    std::vector<SensorPoint> points = {};  ///< at least one; the file's axes
+    /// Numbers of points along both directions of an array, whose first one varies fastest; 0: a
+    /// list.
+    std::array<std::size_t, 2> counts = {0, 0};
+    Receiver receiver = Receiver::cosine;
+    /// Half angle, degrees from the normal of either side, within which light counts; above 0, at
+    /// most 90. A sphere has none.
+    double field_of_view_deg = 90;
+    double radius = 0;         ///< radius of the disk about each point
+    bool is_averaged = false;  ///< one result: the mean of all points
+    std::string where = {};    ///< its location, for messages; default: its name
+
+    /// The number of results.
+    [[nodiscard]] std::size_t rows() const { return is_averaged ? 1 : points.size(); }
+};
+
 /// The bands and organs of a scene, accessed by index, id or name. A scene and the results of its
 /// runs share it.
 class SceneNames {
@@ -178,6 +212,8 @@ class Scene {
     [[nodiscard]] std::vector<std::string> material_names() const;
     /// Detectors of light other than organs. Every specification has a name and no errors.
     [[nodiscard]] const std::vector<DetectorSpec>& detectors() const { return detectors_; }
+    /// Sensors, which are no organs: every point has a name and a facing of length 1.
+    [[nodiscard]] const std::vector<SensorSet>& sensors() const { return *sensors_; }
     /// The name of a region's material.
     [[nodiscard]] const std::string& material_name(const Region& region) const;
     /// The triangles of an organ, z up; without coplanar overlaps with previous organs.
@@ -191,6 +227,7 @@ class Scene {
     std::shared_ptr<const SceneData> data_;  // materials and triangles
     std::vector<Region> regions_;
     std::vector<DetectorSpec> detectors_;
+    std::shared_ptr<const std::vector<SensorSet>> sensors_;  // not null
     Cell cell_;
     Bounds bounds_;
     Orientation orientation_;
@@ -255,6 +292,7 @@ class SceneBuilder {
     void add_organ(OrganSpec organ);
     void set_ground(GroundSpec ground);
     void add_detector(DetectorSpec detector);
+    void add_sensors(SensorSet sensors);
     /// Periods along the two horizontal axes, z up.
     void set_cell(const Cell& cell);
     /// The ids that the organs added so far will have, in their order.
@@ -267,9 +305,10 @@ class SceneBuilder {
     /// bands, materials or ids that are not unique; unknown or faulty materials; organs without
     /// triangles; coordinates that are not finite or beyond 1e30; a scene of size 0; a ground that
     /// does not fit; a periodic cell that is not positive, or too small for the organs; a north
-    /// that is not horizontal; detectors of unknown types, or with unknown parameters. Triangles
-    /// and organs without area are allowed: they receive no light (see lint). Takes time and memory
-    /// proportional to the triangles. The builder remains usable.
+    /// that is not horizontal; detectors of unknown types, or with unknown parameters; sensors
+    /// without a position, or with the name of others. Triangles and organs without area are
+    /// allowed: they receive no light (see lint). Takes time and memory proportional to the
+    /// triangles. The builder remains usable.
     [[nodiscard]] Scene build() const&;
     /// Builds the scene without a copy of the triangles; the builder can't be used any more.
     [[nodiscard]] Scene build() &&;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct SeriesSum {
     /// Sums of groups of organs, without sunlit areas and ratios.
     GroupResults groups = {};
     std::vector<OriginSum> origins;  ///< each origin alone, as Result::origins
+    /// The light on sensors, as Result::sensors; null without sensors.
+    std::shared_ptr<const SeriesSum> sensors = {};
 
     [[nodiscard]] Estimate at(std::size_t organ, Quantity q, std::size_t band) const {
         return values[(organ * kQuantities + static_cast<std::size_t>(q)) * bands + band];

@@ -86,6 +86,9 @@ SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
     for (OriginSum& origin : sum.origins) {
         origin.light = in_summed_units(run, std::move(origin.light));
     }
+    if (sum.sensors) {
+        sum.sensors = std::make_shared<const SeriesSum>(in_summed_units(run, *sum.sensors));
+    }
     for (std::vector<Estimate>* values : {&sum.values, &sum.groups.values}) {
         for (std::size_t i = 0; i < values->size(); ++i) {
             (*values)[i] = scaled((*values)[i], factors[i % factors.size()]);

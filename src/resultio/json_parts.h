@@ -49,6 +49,16 @@ struct JsonNames {
 /// An organ with its sums, in the units of the sum.
 [[nodiscard]] std::string json_organ(
     const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names);
+/// A sensor with its estimates: on a sphere the fluence rate, on others the light by sides.
+struct SensorRow {
+    const Organ& sensor;
+    Vec3 position;  ///< the file's axes
+    Receiver receiver;
+};
+[[nodiscard]] std::string json_sensor(
+    const SensorRow& row, const Result& sensors, std::size_t index, const JsonNames& names);
+[[nodiscard]] std::string json_sensor(
+    const SensorRow& row, const SeriesSum& sensors, std::size_t index, const JsonNames& names);
 /// The groups of an origin of light.
 struct OriginGroups {
     std::string_view name;

@@ -7,6 +7,7 @@
 
 #include "resultio/json_parts.h"
 #include "results/fraction_table.h"
+#include "runfile/table_rows.h"
 
 namespace quasimc {
 namespace {
@@ -109,11 +110,16 @@ std::string begin_row(const Json& object) {
     return row;
 }
 
-std::string begin_organ(const Organ& organ) {
+Json named_object(const Organ& organ) {
     Json object = {{"id", organ.id}, {"name", organ.name}, {"labels", Json::object()}};
     for (const auto& [key, value] : organ.labels) {
         object["labels"].emplace(key, value);
     }
+    return object;
+}
+
+std::string begin_organ(const Organ& organ) {
+    Json object = named_object(organ);
     if (organ.is_ground) {
         object["ground"] = true;
     }
@@ -162,6 +168,56 @@ std::string json_organ(
         row, sum.origins, [](const OriginSum& o) -> const SeriesSum& { return o.light; }, index,
         names);
     return row + "}";
+}
+
+namespace {
+
+/// The names of the quantities of a sensor: all light on a sphere is on its upper side.
+JsonNames names_of_sensor(const JsonNames& names, Receiver receiver) {
+    JsonNames own = names;
+    std::erase_if(own.columns.quantities, [&](const QuantityEntry& entry) {
+        return !is_of_sensors(entry.quantity) ||
+               (receiver == Receiver::sphere && entry.quantity == Quantity::incident_lower);
+    });
+    if (receiver == Receiver::sphere) {
+        own.quantities[static_cast<std::size_t>(Quantity::incident_upper)] =
+            json_text(std::string(kFluenceRate));
+    }
+    return own;
+}
+
+std::string begin_sensor(const SensorRow& row) {
+    Json object = named_object(row.sensor);
+    object["position"] = json_vector(row.position);
+    return begin_row(object);
+}
+
+}  // namespace
+
+std::string json_sensor(
+    const SensorRow& row, const Result& sensors, std::size_t index, const JsonNames& names) {
+    const JsonNames own = names_of_sensor(names, row.receiver);
+    std::string text = begin_sensor(row);
+    append_quantities(text, sensors, index, own);
+    if (own.columns.has_sunlit && !sensors.sunlit_fraction.empty()) {
+        append_estimate(text, R"("sunlit_fraction")", sensors.sunlit_fraction[index]);
+    }
+    append_ratios(text, sensors, index, own);
+    append_origins(
+        text, sensors.origins, [](const OriginLight& o) -> const Result& { return o.light; }, index,
+        own);
+    return text + "}";
+}
+
+std::string json_sensor(
+    const SensorRow& row, const SeriesSum& sensors, std::size_t index, const JsonNames& names) {
+    const JsonNames own = names_of_sensor(names, row.receiver);
+    std::string text = begin_sensor(row);
+    append_quantities(text, sensors, index, own);
+    append_origins(
+        text, sensors.origins, [](const OriginSum& o) -> const SeriesSum& { return o.light; },
+        index, own);
+    return text + "}";
 }
 
 std::string json_group(

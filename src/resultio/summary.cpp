@@ -258,7 +258,8 @@ std::string result_lines(const RunFile& run, const Result& result) {
             run.scene, result.budget, result.escaped_by_difference,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
         canopy_lines(run, canopy, &result.groups) +
-        error_line(run, error_statistics(run.scene, result));
+        error_line(run, error_statistics(run.scene, result)) +
+        (result.sensors ? line("sensors", describe_sensors(*result.sensors)) : "");
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }

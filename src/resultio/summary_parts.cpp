@@ -121,6 +121,30 @@ std::string describe_errors(const ErrorStatistics& errors) {
     return text;
 }
 
+std::string describe_sensors(const Result& sensors) {
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < sensors.organs(); ++i) {
+        for (std::size_t b = 0; b < sensors.bands; ++b) {
+            const Estimate above = sensors.at(i, Quantity::incident_upper, b);
+            const Estimate below = sensors.at(i, Quantity::incident_lower, b);
+            const Estimate& brighter = above.mean >= below.mean ? above : below;
+            const double error = brighter.standard_error / brighter.mean;
+            if (std::isfinite(error)) {
+                errors.push_back(error);
+            }
+        }
+    }
+    const std::string count = counted(sensors.organs(), "sensor");
+    if (errors.empty()) {
+        return count + ": no standard error could be estimated";
+    }
+    const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+    std::nth_element(errors.begin(), middle, errors.end());
+    return fmt::format(
+        "{}, brighter side: relative standard error: median {}, largest {}", count,
+        format_percent(*middle), format_percent(*std::max_element(middle, errors.end())));
+}
+
 namespace {
 
 /// The light of a target: "organs and sensors".
@@ -134,11 +158,12 @@ std::string_view target_text(const Scene& scene, TargetScope target) {
         case TargetScope::organs:
             return "organs";
         default:
-            return std::any_of(
-                       organs.begin(), organs.end(),
-                       [&](const Organ& organ) {
-                           return organ.measured && is_sensor(scene, organ);
-                       })
+            return !scene.sensors().empty() ||
+                           std::any_of(
+                               organs.begin(), organs.end(),
+                               [&](const Organ& organ) {
+                                   return organ.measured && is_sensor(scene, organ);
+                               })
                        ? "organs and of the sensors"
                        : "organs";
     }

@@ -33,6 +33,8 @@ inline constexpr double kBadlyKnown = 0.5;
 /// How to get a median error down; empty if it is small, or a target was set.
 [[nodiscard]] std::string advice_on_error(const RunFile& run, double median);
 
+/// The number of sensors, and the errors of the light on the brighter side of each.
+[[nodiscard]] std::string describe_sensors(const Result& sensors);
 /// Whether the target of a run was reached, and by how much of its light.
 [[nodiscard]] std::string describe_target(const RunFile& run, const Result& result);
 

@@ -68,7 +68,8 @@ class ColumnList {
             }
             const Quantity q = entry.quantity;
             const bool of_groups = is_of_groups_;
-            add(entry.name, band.name, unit(unit_of(entry, band, run_.scene.length_unit())),
+            add(entry.name, band.name,
+                column_unit(run_, table_.times, unit_of(entry, band, run_.scene.length_unit())),
                 entry.summary, [q, b, of_groups](const RowLight& light, std::size_t row) {
                     if (light.sum != nullptr) {
                         return of_groups ? light.sum->groups.at(row, q, b)
@@ -78,15 +79,6 @@ class ColumnList {
                                      : light.result->at(row, q, b);
                 });
         }
-    }
-
-    /// The unit of a quantity, summed over time in a table of days.
-    [[nodiscard]] std::string unit(const std::string& of_rate) const {
-        if (table_.times == CsvTimes::time_steps) {
-            return of_rate;
-        }
-        const bool is_period = run_.series && run_.series->cumulative_sky == CumulativeSky::period;
-        return summed_unit(of_rate).name + (is_period ? "" : " d-1");
     }
 
     void add_traits() {
@@ -159,6 +151,14 @@ class ColumnList {
 };
 
 }  // namespace
+
+std::string column_unit(const RunFile& run, CsvTimes times, const std::string& of_rate) {
+    if (times == CsvTimes::time_steps) {
+        return of_rate;
+    }
+    const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
+    return summed_unit(of_rate).name + (is_period ? "" : " d-1");
+}
 
 std::vector<TableColumn> table_columns(const RunFile& run, const TableSpec& table) {
     return ColumnList(run, table).make();

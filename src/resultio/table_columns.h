@@ -9,7 +9,7 @@
 
 namespace quasimc {
 
-/// The light of the rows of a table: of a time step, or summed over a day.
+/// The light of the rows of a table, that of sensors apart: of a time step, or summed over a day.
 struct RowLight {
     const Result* result = nullptr;
     const SeriesSum* sum = nullptr;
@@ -21,14 +21,25 @@ struct TableColumn {
     std::string band;  ///< "": none
     std::string unit, summary;
     std::function<Estimate(const RowLight& light, std::size_t row)> at;
+    std::string origin = {};  ///< "": all light
 
     /// "absorbed_flux_PAR"
     [[nodiscard]] std::string name() const {
-        return band.empty() ? quantity : quantity + "_" + band;
+        return (band.empty() ? quantity : quantity + "_" + band) + from_origin();
+    }
+    /// "_from_sun"
+    [[nodiscard]] std::string from_origin() const {
+        return origin.empty() ? "" : "_from_" + origin;
     }
 };
 
 /// The estimates of a table of organs or groups, in their order.
 [[nodiscard]] std::vector<TableColumn> table_columns(const RunFile& run, const TableSpec& table);
+/// The estimates of a table of sensors, with those of each origin.
+[[nodiscard]] std::vector<TableColumn> sensor_columns(const RunFile& run, const TableSpec& table);
+
+/// The unit of a column: that of a rate, or of its sum over the times of a day or period.
+[[nodiscard]] std::string column_unit(
+    const RunFile& run, CsvTimes times, const std::string& of_rate);
 
 }  // namespace quasimc

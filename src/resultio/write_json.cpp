@@ -10,6 +10,7 @@
 #include "resultio/output_input.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
+#include "scene/sensors.h"
 
 namespace quasimc {
 namespace {
@@ -67,6 +68,27 @@ void write_groups(JsonLines& json, const RunFile& run, const Light& light) {
     json.end(']');
 }
 
+/// The sensors of a result or a sum, if there are any.
+/// @param sensors  a Result or a SeriesSum; or null
+template <typename Light>
+void write_sensors(JsonLines& json, const RunFile& run, const Light* sensors) {
+    if (sensors == nullptr) {
+        return;
+    }
+    const JsonNames names = json_names(run, written_columns(run));
+    const Scene rows = scene_of_sensors(run.scene);
+    const std::vector<Vec3> positions = sensor_positions(run.scene);
+    json.begin('[', "sensors");
+    std::size_t i = 0;
+    for (const SensorSet& set : run.scene.sensors()) {
+        for (const std::size_t end = i + set.rows(); i < end; ++i) {
+            const Vec3 position = run.scene.orientation().outward(positions[i]);
+            json.line(json_sensor({rows.organs()[i], position, set.receiver}, *sensors, i, names));
+        }
+    }
+    json.end(']');
+}
+
 /// The members of a sum, in its object.
 void write_sum(JsonLines& json, const RunFile& run, const SeriesSum& raw) {
     const SeriesSum sum = in_summed_units(run, raw);
@@ -79,6 +101,7 @@ void write_sum(JsonLines& json, const RunFile& run, const SeriesSum& raw) {
         json.line(json_organ(organs[i], sum, i, names));
     }
     json.end(']');
+    write_sensors(json, run, sum.sensors.get());
 }
 
 }  // namespace
@@ -181,6 +204,7 @@ void JsonWriter::State::write_light(const Result& result) {
     json_.begin('[', "organs");
     write_organs(result, true);
     json_.end(']');
+    write_sensors(json_, *run_, result.sensors.get());
 }
 
 /// The digest covers all organs, even those that are not written.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "resultio/output_input.h"
 #include "resultio/table_columns.h"
 #include "runfile/table_rows.h"
+#include "scene/sensors.h"
 #include "text/line_scanner.h"
 
 namespace quasimc {
@@ -59,13 +61,13 @@ double part_of(const Estimate& e, CsvStatistic statistic) {
     return e.mean;
 }
 
-/// Writes a table of organs or groups.
+/// Writes a table of organs, groups or sensors.
 class TableWriter final : public OutputWriter {
   public:
     TableWriter(const RunFile& run, const TableSpec& table, TextSink sink)
         : run_(&run), table_(table), sink_(std::move(sink)) {
         begin_run();
-        labels_ = is_of_groups() ? group_keys(run) : label_columns(run.scene);
+        labels_ = is_of_groups() ? group_keys(run) : label_columns(scene());
         if (table_.times == CsvTimes::days) {
             write_head(nullptr);
         }
@@ -90,7 +92,8 @@ class TableWriter final : public OutputWriter {
             return;
         }
         const std::string time = run_->series ? run_->series->notes[step.time_step].time + "," : "";
-        write_rows(csv_point_fields(*run_) + time, {&step.result, nullptr}, step.result.groups);
+        const Result& result = is_of_sensors() ? *step.result.sensors : step.result;
+        write_rows(csv_point_fields(*run_) + time, {&result, nullptr}, result.groups);
     }
 
     void on_day(std::size_t day, const SeriesSum& raw) override {
@@ -100,16 +103,23 @@ class TableWriter final : public OutputWriter {
         const SeriesSum sum = in_summed_units(*run_, raw);
         const std::string first = fmt::format(
             "{}{},{},", csv_point_fields(*run_), run_->series->days[day], shortest(sum.seconds));
-        write_rows(first, {nullptr, &sum}, sum.groups);
+        write_rows(first, {nullptr, is_of_sensors() ? sum.sensors.get() : &sum}, sum.groups);
     }
 
   private:
     [[nodiscard]] bool is_of_groups() const { return table_.rows == CsvRows::groups; }
+    [[nodiscard]] bool is_of_sensors() const { return table_.rows == CsvRows::sensors; }
+    /// The scene whose organs are the rows of a table of organs or sensors.
+    [[nodiscard]] const Scene& scene() const { return sensors_ ? *sensors_ : run_->scene; }
     [[nodiscard]] bool is_narrow() const { return table_.form == CsvForm::narrow; }
 
     /// Sets what depends on the point of a sweep.
     void begin_run() {
-        columns_ = table_columns(*run_, table_);
+        if (is_of_sensors()) {
+            sensors_ = scene_of_sensors(run_->scene);
+            positions_ = sensor_positions(run_->scene);
+        }
+        columns_ = is_of_sensors() ? sensor_columns(*run_, table_) : table_columns(*run_, table_);
         rows_ = TableRows(*run_, table_);
     }
 
@@ -129,9 +139,13 @@ class TableWriter final : public OutputWriter {
         }
         const bool is_single = result != nullptr && !run.series;
         sink_(
-            csv_origin(run, is_of_groups() ? "table of groups" : "table of organs") +
+            csv_origin(
+                run, is_of_groups()    ? "table of groups"
+                     : is_of_sensors() ? "table of sensors"
+                                       : "table of organs") +
             (run.series ? series_comments(run) : "") +
-            (is_single ? csv_result_comments(run, *result) : ""));
+            (is_single ? csv_result_comments(run, is_of_sensors() ? *result->sensors : *result)
+                       : ""));
         sink_(csv_point_columns(run) + times + comments());
         add_names(names);
         sink_(fmt::format("{}\n", fmt::join(names, ",")));
@@ -145,7 +159,8 @@ class TableWriter final : public OutputWriter {
         for (const TableColumn& column : columns_) {
             const std::string name =
                 is_narrow() && !column.band.empty()
-                    ? fmt::format("quantity {} in {}", column.quantity, column.band)
+                    ? fmt::format(
+                          "quantity {}{} in {}", column.quantity, column.from_origin(), column.band)
                 : is_narrow() ? "quantity " + column.quantity
                               : "column " + column.name();
             out += "# " + one_line(fmt::format("{} [{}]: {}", name, column.unit, column.summary)) +
@@ -168,7 +183,11 @@ class TableWriter final : public OutputWriter {
         if (is_of_groups()) {
             own = {"by", "value_of", "organs"};
         }
-        own.emplace_back("area");
+        if (is_of_sensors()) {
+            own.insert(own.end(), {"x", "y", "z"});
+        } else {
+            own.emplace_back("area");
+        }
         std::vector<std::string> numbers;
         if (is_narrow()) {
             numbers = {"quantity", "band", "unit"};
@@ -194,8 +213,7 @@ class TableWriter final : public OutputWriter {
     }
 
     void write_rows(const std::string& first, const RowLight& light, const GroupResults& groups) {
-        const std::size_t count =
-            is_of_groups() ? groups.groups.size() : run_->scene.organs().size();
+        const std::size_t count = is_of_groups() ? groups.groups.size() : scene().organs().size();
         std::string out;
         for (std::size_t i = 0; i < count; ++i) {
             if (!(is_of_groups() ? rows_.has(groups.groups[i]) : rows_.has_organ(i))) {
@@ -213,9 +231,16 @@ class TableWriter final : public OutputWriter {
     }
 
     [[nodiscard]] std::string begin_organ(std::size_t i) const {
-        const Organ& organ = run_->scene.organs()[i];
+        const Organ& organ = scene().organs()[i];
         std::string out = fmt::format("{},{}", organ.id, csv_field(organ.name));
-        append_number(out, organ.area);
+        if (is_of_sensors()) {
+            const Vec3 p = run_->scene.orientation().outward(positions_[i]);
+            for (const double x : {p.x, p.y, p.z}) {
+                append_number(out, x);
+            }
+        } else {
+            append_number(out, organ.area);
+        }
         append_labels(out, organ.labels, labels_);
         return out;
     }
@@ -245,8 +270,8 @@ class TableWriter final : public OutputWriter {
                 continue;  // a group without this quantity, an organ that is not measured
             }
             out += fmt::format(
-                "{},{},{},{}", start, csv_field(column.quantity), csv_field(column.band),
-                csv_field(column.unit));
+                "{},{},{},{}", start, csv_field(column.quantity + column.from_origin()),
+                csv_field(column.band), csv_field(column.unit));
             append_estimate(out, estimate);
             out += '\n';
         }
@@ -277,10 +302,34 @@ class TableWriter final : public OutputWriter {
     std::vector<TableColumn> columns_;
     TableRows rows_;
     std::vector<std::string> labels_;  // columns of labels
+    std::optional<Scene> sensors_;     // scene_of_sensors()
+    std::vector<Vec3> positions_;      // of sensors
     bool has_head_ = false;
 };
 
+/// A wide table of all sensors, with the selection of [output].
+std::unique_ptr<OutputWriter> make_table_of_sensors(const OutputInput& input, CsvTimes times) {
+    TableSpec table{.file = input.path, .rows = CsvRows::sensors, .times = times};
+    const OutputSpec& output = input.run.output;
+    const std::vector<std::string_view> known = table_quantities(table.rows, times);
+    std::copy_if(
+        output.quantities.begin(), output.quantities.end(), std::back_inserter(table.quantities),
+        [&](const std::string& name) {
+            return std::find(known.begin(), known.end(), name) != known.end();
+        });
+    table.bands = output.bands;
+    return std::make_unique<TableWriter>(input.run, table, input.sink);
+}
+
 }  // namespace
+
+std::unique_ptr<OutputWriter> make_sensors_csv(const OutputInput& input) {
+    return make_table_of_sensors(input, CsvTimes::time_steps);
+}
+
+std::unique_ptr<OutputWriter> make_sensors_daily_csv(const OutputInput& input) {
+    return make_table_of_sensors(input, CsvTimes::days);
+}
 
 std::unique_ptr<OutputWriter> make_table(const OutputInput& input) {
     if (input.table->rows == CsvRows::detectors) {

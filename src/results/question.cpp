@@ -97,6 +97,7 @@ void check_scope(const Scene& scene, const RunSpec& spec, Faults& faults) {
     }
     const auto& organs = scene.organs();
     const bool has_light = spec.target == TargetScope::groups ||
+                           (spec.target == TargetScope::sensors && !scene.sensors().empty()) ||
                            (spec.target == TargetScope::automatic && spec.target_error == 0) ||
                            std::any_of(organs.begin(), organs.end(), [&](const Organ& organ) {
                                return is_asked(scene, organ, spec.target);
@@ -106,7 +107,7 @@ void check_scope(const Scene& scene, const RunSpec& spec, Faults& faults) {
         faults.add(
             {spec.target == TargetScope::automatic ? "target_error" : "target",
              are_sensors ? "\"sensors\", but there are none" : "no organ is measured",
-             are_sensors ? "a sensor is an organ through which all light passes" : "", ""});
+             "", are_sensors ? "add [[sensors]]" : ""});
     }
 }
 

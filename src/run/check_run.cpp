@@ -10,6 +10,7 @@
 #include "quasimc/run.h"
 #include "results/groups.h"
 #include "results/question.h"
+#include "run/sensor_run.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
 #include "solvers/ray_bundles/bundle_memory.h"
@@ -185,6 +186,7 @@ void check_detected_light(const Scene& scene, const RunSpec& spec, Faults& fault
 void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
     check_sources(scene, sources, faults);
     check_lamps(scene, sources, spec, faults);
+    check_sensor_light(scene, sources, faults);
     check_sampler(spec, faults);
     check_numbers(spec, faults);
     check_ratios(scene, spec, faults);

@@ -20,11 +20,13 @@
 #include "run/plan_run.h"
 #include "run/run_control.h"
 #include "run/run_view.h"
+#include "run/sensor_run.h"
 #include "run/simulator.h"
 #include "run/trace_plan.h"
 #include "run/trace_rounds.h"
 #include "run/zero_result.h"
 #include "samplers/hash.h"
+#include "scene/sensors.h"
 #include "sums/sum_data.h"
 #include "transport/prepared_scene.h"
 
@@ -83,6 +85,27 @@ void report_given(const Sums& sums, const RunFacts& facts, const RunControl& con
     report(control, &RunListener::on_last_round, {facts, sums, state, sums.paths()});
 }
 
+/// Adds the work on sensors to a result. The run has reached its target if all that it is for have.
+void add_work(
+    const Result& sensors, const RunSpec& of_sensors, const RunSpec& of_organs, Result& result) {
+    result.rays += sensors.rays;
+    result.preparation_seconds += sensors.preparation_seconds;
+    result.solve_seconds += sensors.solve_seconds;
+    result.solve_cpu_seconds += sensors.solve_cpu_seconds;
+    if (of_sensors.target_error > 0) {
+        result.fraction_at_target =
+            of_organs.target_error > 0
+                ? std::min(result.fraction_at_target, sensors.fraction_at_target)
+                : sensors.fraction_at_target;
+    }
+    const bool is_incomplete =
+        result.stop != StopReason::finished && result.stop != StopReason::target_reached;
+    if (!is_incomplete && sensors.stop != StopReason::finished &&
+        sensors.stop != StopReason::no_light) {
+        result.stop = sensors.stop;
+    }
+}
+
 Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
     if (why == StopReason::interrupted) {
         return {why, "stopped before the first round of paths was complete; there is no result"};
@@ -118,18 +141,20 @@ Result Simulator::State::run(
     check_run(scene, sources, spec, faults);
     faults.throw_if_any();
 
-    // Each path of an audit takes about as long as one of the run.
+    // Each path of an audit takes about as long as one of the run. Sensors take as long as organs.
     const Deadline all = deadline_of(control, spec);
-    const Deadline deadline = spec.audit > 0 ? all.share(1 / (1 + spec.audit)) : all;
+    const double others = spec.audit + (has_sensors(scene) ? 1 : 0);
+    const Deadline deadline = others > 0 ? all.share(1 / (1 + others)) : all;
     EarlyStop early(control.stop);
     early.stop_at(deadline.latest());
     const Work work = work_of(control);
     try {
         const Clock::time_point start = Clock::now();
+        const RunSpec organs = spec_of_organs(scene, spec);
         order_to_prepare(control.origin, role.time_step, spec);
         ChosenMethod chosen =
-            plan_run({scene, sources, spec, sampler_for(spec.sampler), caster_, early.token()});
-        RunSpec planned = planned_spec(spec, {.method = chosen.method});
+            plan_run({scene, sources, organs, sampler_for(spec.sampler), caster_, early.token()});
+        RunSpec planned = planned_spec(organs, {.method = chosen.method});
         planned.origins = complete_origins(sources, spec.origins);
         Result result =
             trace({scene, sources, planned, control, work, deadline, role, start}, early);
@@ -138,6 +163,13 @@ Result Simulator::State::run(
         }
         result.chosen = std::move(chosen);
         add_sunlit_of_hidden_suns(scene, sources, result);
+        if (has_sensors(scene)) {
+            planned = planned_spec(spec, {});
+            planned.origins = complete_origins(sources, spec.origins);
+            add_sensors(
+                scene, sources, planned,
+                {.stop = control.stop, .deadline = all.share(1 / (1 + spec.audit))}, result);
+        }
         if (spec.audit > 0) {
             add_audit(scene, sources, spec, {.stop = control.stop, .deadline = all}, result);
         }
@@ -165,6 +197,31 @@ void Simulator::State::add_audit(
     }
 }
 
+void Simulator::State::add_sensors(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const RunControl& control,
+    Result& result) {
+    EarlyStop early(control.stop);  // the run's own may be used up
+    early.stop_at(control.deadline.latest());
+    const Scene all = scene_with_sensors(scene);
+    const RunSpec own = spec_of_sensors(scene, spec);
+    Result sensors;
+    try {
+        sensors = sensors_of(
+            trace({all, sources, own, control, {}, control.deadline, {}, Clock::now()}, early),
+            scene);
+    } catch (const StopRequested&) {
+        sensors = unknown_sensors(scene, own);
+        sensors.stop = early.why();
+    }
+    sensors.chosen = {Method::from_organs, "paths start on the sensors"};
+    add_sunlit_of_hidden_suns(scene_of_sensors(scene), sources, sensors);
+    add_work(sensors, own, spec_of_organs(scene, spec), result);
+    result.sensors = std::make_shared<const Result>(std::move(sensors));
+}
+
 Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     std::optional<PreparedScene> prepared;
     prepared.emplace(
@@ -186,7 +243,7 @@ Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     TracedRounds traced = trace_rounds(
         {facts, sampler_for(in.spec.sampler), in.control, in.work, in.deadline, early,
          in.role.seconds_after_stop, in.start, first_round});
-    if (in.role.is_last && in.spec.audit == 0) {
+    if (in.role.is_last && in.spec.audit == 0 && !has_sensors(in.scene)) {
         prepared.reset();
         caster_.forget();
         give_back_free_memory(in.scene.organs().size());

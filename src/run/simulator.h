@@ -73,6 +73,13 @@ class Simulator::State {
     };
     /// @throws StopRequested  if it was stopped before it had a result
     [[nodiscard]] Result trace(const TraceInput& input, EarlyStop& early);
+    /// Computes the light on the sensors of a scene, and adds it to the result of its organs.
+    void add_sensors(
+        const Scene& scene,
+        const Sources& sources,
+        const RunSpec& spec,
+        const RunControl& control,
+        Result& result);
     /// Compares a result with that of an audit.
     void add_audit(
         const Scene& scene,

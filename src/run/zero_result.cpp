@@ -7,6 +7,7 @@
 #include "results/evaluate.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "scene/sensors.h"
 
 namespace quasimc {
 namespace {
@@ -36,6 +37,15 @@ Result zero_result(const Scene& scene, const RunSpec& spec) {
     dark.detectors = zero_detectors(scene);
     dark.replicates = spec.replicates;
     dark.chosen.reason = "no source gives light; nothing was computed";
+    if (!scene.sensors().empty()) {
+        RunSpec plain = spec;
+        plain.groups.clear();
+        plain.layers = 0;
+        plain.layer_heights.clear();
+        Result sensors = zero_result(scene_of_sensors(scene), plain);
+        sensors.groups = {};
+        dark.sensors = std::make_shared<const Result>(std::move(sensors));
+    }
     if (!spec.origins.empty()) {
         RunSpec plain = spec;
         plain.origins.clear();

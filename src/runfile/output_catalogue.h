@@ -6,6 +6,7 @@
 // here: a declaration and a row. The key of [output], its check, the flag, `quasimc list outputs`
 // and the order in which files get their names follow from the row.
 
+#include <array>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -27,18 +28,22 @@ inline constexpr OutputNeed kNeedsGapFraction{
 inline constexpr OutputNeed kNeedsDetectors{
     "detector", "[[detector]]", "there is nothing to be written without"};
 
+inline constexpr OutputNeed kNeedsSensors{
+    "sensors", "[[sensors]]", "there is nothing to be written without"};
+
 /// Key and description of an output for users.
 struct OutputKey {
     std::string_view name;     ///< the key of [output]; the flag is the same with hyphens
     std::string_view summary;  ///< one line for the manual
-    OutputNeed need = {};
+    std::array<OutputNeed, 2> needs = {};
 };
 
 /// Function that makes the writer of an output. Programs that only read run files need not link the
 /// writers, which are in higher modules.
 using MakeOutput = std::unique_ptr<OutputWriter>(const OutputInput& input);
-MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_detectors,
-    make_gaps_csv, make_picture, make_vtp, make_ply, make_glb, make_netcdf, make_json;
+MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_sensors_csv,
+    make_sensors_daily_csv, make_detectors, make_gaps_csv, make_picture, make_vtp, make_ply,
+    make_glb, make_netcdf, make_json;
 /// Makes the writer of OutputInput::table.
 MakeOutput make_table;
 // (tools/new.py declares an output above this line)
@@ -51,18 +56,27 @@ void for_each_output(Take take) {
         OutputKey{"csv", "write the table of organs (- for standard output)"},
         [](const auto& input) { return make_csv(input); });
     take(
-        OutputKey{"daily_csv", "with [time]: write daily sums by organ", kNeedsTimes},
+        OutputKey{"daily_csv", "with [time]: write daily sums by organ", {kNeedsTimes}},
         [](const auto& input) { return make_daily_csv(input); });
     take(OutputKey{"groups_csv", "write sums by group"}, [](const auto& input) {
         return make_groups_csv(input);
     });
     take(
-        OutputKey{"groups_daily_csv", "with [time]: write daily sums by group", kNeedsTimes},
+        OutputKey{"groups_daily_csv", "with [time]: write daily sums by group", {kNeedsTimes}},
         [](const auto& input) { return make_groups_daily_csv(input); });
     take(
-        OutputKey{"detectors", "write the table of detectors", kNeedsDetectors},
+        OutputKey{"sensors_csv", "write the table of sensors", {kNeedsSensors}},
+        [](const auto& input) { return make_sensors_csv(input); });
+    take(
+        OutputKey{
+            "sensors_daily_csv",
+            "with [time]: write daily sums by sensor",
+            {kNeedsTimes, kNeedsSensors}},
+        [](const auto& input) { return make_sensors_daily_csv(input); });
+    take(
+        OutputKey{"detectors", "write the table of detectors", {kNeedsDetectors}},
         [](const auto& input) { return make_detectors(input); });
-    take(OutputKey{"gaps_csv", "write gap fractions", kNeedsGapFraction}, [](const auto& input) {
+    take(OutputKey{"gaps_csv", "write gap fractions", {kNeedsGapFraction}}, [](const auto& input) {
         return make_gaps_csv(input);
     });
     take(

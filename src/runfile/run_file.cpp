@@ -113,6 +113,7 @@ std::vector<GapFractionSpec> read_geometry_sections(
     if (add_organs) {
         add_organs(builder);
     }
+    read_sensors(top, context, builder);
     std::vector<GapFractionSpec> gap_fractions = read_gap_fractions(top, context);
     context.ground = nullptr;
     if (ground) {
@@ -123,9 +124,11 @@ std::vector<GapFractionSpec> read_geometry_sections(
 }
 
 /// Reads what refers to the ground of a known scene.
-std::vector<GapFractionSpec> read_on_known_ground(TableReader& top, RunFileContext& context) {
+std::vector<GapFractionSpec> read_on_known_ground(
+    TableReader& top, RunFileContext& context, SceneBuilder& builder) {
     const std::optional<GroundSpec> ground = read_ground(top, context);
     context.ground = ground ? &*ground : nullptr;
+    read_sensors(top, context, builder);
     std::vector<GapFractionSpec> gap_fractions = read_gap_fractions(top, context);
     context.ground = nullptr;
     return gap_fractions;
@@ -174,7 +177,7 @@ Sections read_sections(
     known.same = known.same != nullptr && can_build_on(builder, *known.same) ? known.same : nullptr;
     if (known.same != nullptr) {
         pass_over(top, {"organ", "geometry", "cell"});
-        sections.gap_fractions = read_on_known_ground(top, context);
+        sections.gap_fractions = read_on_known_ground(top, context, builder);
     } else {
         sections.gap_fractions = read_geometry_sections(top, context, {}, builder);
     }
@@ -472,7 +475,7 @@ LightOfRun read_light_document(
     TableReader top(document, "", reporter);
     pass_over(
         top, {"title", "material", "material_file", "organ", "geometry", "ground", "cell",
-              "detector", "gap_fraction", "output", "table"});
+              "sensors", "detector", "gap_fraction", "output", "table"});
     refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     Sections sections;

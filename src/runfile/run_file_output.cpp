@@ -42,7 +42,9 @@ std::map<std::string, std::string, std::less<>> read_paths(
         }
         read.push_back(key.name);
         paths.emplace(key.name, *path);
-        check_need(table, top, key.name, key.need);
+        for (const OutputNeed& need : key.needs) {
+            check_need(table, top, key.name, need);
+        }
     }
     return paths;
 }

@@ -174,6 +174,10 @@ void move_points(const Affine& transform, std::vector<Vec3>& points);
 [[nodiscard]] std::vector<GapFractionSpec> read_gap_fractions(
     TableReader& top, RunFileContext& context);
 
+// run_file_sensors.cpp
+/// Reads [[sensors]]; context.ground is set if there is one.
+void read_sensors(TableReader& top, RunFileContext& context, SceneBuilder& builder);
+
 // run_file_geometry.cpp
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);
 

@@ -16,8 +16,11 @@ namespace {
 template <typename Enum, std::size_t kCount>
 using NamesOf = std::array<std::pair<std::string_view, Enum>, kCount>;
 
-constexpr NamesOf<CsvRows, 3> kRows{
-    {{"organs", CsvRows::organs}, {"groups", CsvRows::groups}, {"detectors", CsvRows::detectors}}};
+constexpr NamesOf<CsvRows, 4> kRows{
+    {{"organs", CsvRows::organs},
+     {"groups", CsvRows::groups},
+     {"sensors", CsvRows::sensors},
+     {"detectors", CsvRows::detectors}}};
 constexpr NamesOf<CsvTimes, 2> kTimes{{{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}}};
 constexpr NamesOf<CsvForm, 2> kForms{{{"wide", CsvForm::wide}, {"long", CsvForm::narrow}}};
 constexpr NamesOf<CsvStatistic, 4> kStatisticNames{
@@ -112,6 +115,9 @@ TableSpec read_table(
     read_statistics(table, spec);
     if (spec.rows == CsvRows::detectors) {
         check_detectors_table(table, top);
+    }
+    if (spec.rows == CsvRows::sensors && top.any("sensors") == nullptr) {
+        table.fault_at("rows", "rows = \"sensors\" without [[sensors]]");
     }
     check_list(table, "quantities", spec.quantities, table_quantities(spec.rows, spec.times));
     check_list(table, "bands", spec.bands, names_in(bands));

@@ -9,9 +9,9 @@ namespace quasimc {
 namespace {
 
 /// Keys at the top of a file that are common to all points.
-constexpr std::array<std::string_view, 12> kOfAllPoints{
-    "title",           "bands",  "band",   "up",       "north",        "length_unit",
-    "irradiance_unit", "format", "output", "detector", "gap_fraction", "table"};
+constexpr std::array<std::string_view, 13> kOfAllPoints{
+    "title",  "bands",  "band",     "up",      "north",        "length_unit", "irradiance_unit",
+    "format", "output", "detector", "sensors", "gap_fraction", "table"};
 /// Options that determine the rows and columns of outputs, or that concern all points together.
 constexpr std::array<std::string_view, 7> kFixedOptions{
     "groups", "layers", "layer_heights", "max_seconds", "origins", "ratios", "threads"};

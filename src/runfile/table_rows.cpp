@@ -5,6 +5,7 @@
 #include "results/fraction_table.h"
 #include "results/group_request.h"
 #include "results/groups.h"
+#include "scene/sensors.h"
 
 namespace quasimc {
 
@@ -21,10 +22,38 @@ TableRows::TableRows(const RunFile& run, const TableSpec& table) {
         where_ = where;
         return;
     }
+    if (table.rows == CsvRows::sensors) {
+        select_sensors(run.scene, where);
+        return;
+    }
     const OrganValues values(run.scene, group_spec(run.spec));
     where.check_names(values.names(), "label");
     for (const Organ& organ : run.scene.organs()) {
         organs_.push_back(values.holds(where, organ));
+    }
+}
+
+void TableRows::select_sensors(const Scene& scene, const WhereExpression& where) {
+    const Scene sensors = scene_of_sensors(scene);
+    const std::vector<Vec3> positions = sensor_positions(scene);
+    std::vector<std::string_view> known = label_keys(sensors);
+    known.insert(known.end(), {"id", "name", "x", "y", "z"});
+    where.check_names(known, "label");
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        const Organ& sensor = sensors.organs()[i];
+        const Vec3 p = scene.orientation().outward(positions[i]);
+        const auto value = [&](std::string_view name) -> std::optional<WhereValue> {
+            if (const std::string* label = find_label(sensor.labels, name)) {
+                return WhereValue::of_text(*label);
+            }
+            return name == "id"     ? std::optional(WhereValue::of_text(std::to_string(sensor.id)))
+                   : name == "name" ? std::optional(WhereValue{sensor.name})
+                   : name == "x"    ? std::optional(WhereValue::of_number(p.x))
+                   : name == "y"    ? std::optional(WhereValue::of_number(p.y))
+                   : name == "z"    ? std::optional(WhereValue::of_number(p.z))
+                                    : std::nullopt;
+        };
+        organs_.push_back(where.holds(value));
     }
 }
 
@@ -59,7 +88,12 @@ std::vector<std::string> group_keys(const RunFile& run) {
 std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     std::vector<std::string_view> names;
     for (const QuantityEntry& entry : quantity_table()) {
-        names.push_back(entry.name);
+        if (rows != CsvRows::sensors || is_of_sensors(entry.quantity)) {
+            names.push_back(entry.name);
+        }
+    }
+    if (rows == CsvRows::sensors) {
+        names.push_back(kFluenceRate);
     }
     const bool is_of_groups = rows == CsvRows::groups;
     for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "quasimc/result.h"
 #include "quasimc/run_file.h"
 #include "results/organ_values.h"
 #include "results/where_expression.h"
@@ -19,19 +20,29 @@ class TableRows {
     /// @throws InputError  if the condition has an error or unknown names; its location is "where"
     TableRows(const RunFile& run, const TableSpec& table);
 
-    /// Whether the organ with an index has a row.
+    /// Whether the organ or sensor with an index has a row.
     [[nodiscard]] bool has_organ(std::size_t organ) const {
         return organs_.empty() || organs_[organ];
     }
     [[nodiscard]] bool has(const OrganGroup& group) const;
 
   private:
+    void select_sensors(const Scene& scene, const WhereExpression& where);
+
     std::optional<WhereExpression> where_;  // of groups
-    std::vector<bool> organs_;              // empty: all
+    std::vector<bool> organs_;              // or sensors; empty: all
 };
 
 /// The keys of the groups of a run, each once, in their order; without "layer" of layers.
 [[nodiscard]] std::vector<std::string> group_keys(const RunFile& run);
+
+/// The light on a sphere, from all directions.
+inline constexpr std::string_view kFluenceRate = "fluence_rate";
+
+/// Whether sensors have a quantity: they absorb nothing.
+[[nodiscard]] constexpr bool is_of_sensors(Quantity quantity) {
+    return quantity != Quantity::absorbed_flux && quantity != Quantity::absorbed_flux_density;
+}
 
 /// The names of the quantities that a table can have.
 [[nodiscard]] std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times);

@@ -20,6 +20,7 @@ struct BuilderData {
     SceneDraft draft;
     std::optional<GroundSpec> ground;
     std::vector<DetectorSpec> detectors;
+    std::vector<SensorSet> sensors;
     Cell cell;
 };
 
@@ -33,10 +34,11 @@ struct BuilderData {
 [[nodiscard]] bool can_build_on(const SceneBuilder& builder, const Scene& scene);
 
 /// Returns a scene with the organs, ground, cell and axes of another one, whose triangles it
-/// shares, and with the materials and detectors of a builder. Organs of the builder are left out.
+/// shares, and with the materials, detectors and sensors of a builder. Organs of the builder are
+/// left out.
 /// The time does not depend on the number of triangles.
 /// @param scene  on which can_build_on()
-/// @throws InputError  with every fault of materials and detectors
+/// @throws InputError  with every fault of materials, detectors and sensors
 [[nodiscard]] Scene build_on(const SceneBuilder& builder, const Scene& scene);
 
 }  // namespace quasimc

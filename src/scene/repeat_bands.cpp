@@ -47,6 +47,7 @@ Scene SceneAccess::with_repeated_bands(const Scene& scene, std::size_t times) {
     repeat.names_ = std::make_shared<const SceneNames>(std::move(repeated_bands), scene.organs());
     repeat.data_ = std::make_shared<const SceneData>(std::move(data));
     repeat.detectors_.clear();
+    repeat.sensors_ = std::make_shared<const std::vector<SensorSet>>();
     return repeat;
 }
 

@@ -17,6 +17,7 @@ namespace quasimc {
 class KnownOverlaps;
 class OrganAreas;
 struct Coincidences;
+struct SensorOrgans;  // scene/sensors.h
 
 /// The internal part of a scene, which its copies share.
 struct SceneData {
@@ -30,6 +31,7 @@ struct SceneData {
     /// The coplanar overlaps that were cut away.
     std::shared_ptr<const Coincidences> coincidences;
     std::shared_ptr<const Lazy<OrganAreas>> areas;
+    std::shared_ptr<const SensorOrgans> sensors = {};  ///< set by scene_with_sensors(), else null
 
     [[nodiscard]] const Material& material(const Region& region) const {
         return materials[region.material.value];
@@ -40,7 +42,7 @@ struct SceneData {
 };
 
 /// Gives the engine access to the private parts of scenes and their builders: build_scene.h,
-/// repeat_bands.h.
+/// repeat_bands.h, sensors.h.
 struct SceneAccess {
     static const SceneData& data(const Scene& scene) { return *scene.data_; }
     static const BuilderData& data(const SceneBuilder& builder) { return *builder.data_; }
@@ -48,6 +50,8 @@ struct SceneAccess {
     static Scene build(BuilderData given, KnownOverlaps* known);
     static Scene build_on(const BuilderData& given, const Scene& scene);
     static Scene with_repeated_bands(const Scene& scene, std::size_t times);
+    static Scene with_sensors(const Scene& scene);
+    static Scene of_sensors(const Scene& scene);
 
   private:
     static Scene assembled(

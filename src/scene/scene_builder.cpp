@@ -14,6 +14,7 @@
 #include "scene/scene.h"
 #include "scene/scene_checks.h"
 #include "scene/scene_draft.h"
+#include "scene/sensors.h"
 
 namespace quasimc {
 namespace {
@@ -80,6 +81,10 @@ void SceneBuilder::set_ground(GroundSpec ground) {
 
 void SceneBuilder::add_detector(DetectorSpec detector) {
     data_->detectors.push_back(std::move(detector));
+}
+
+void SceneBuilder::add_sensors(SensorSet sensors) {
+    data_->sensors.push_back(std::move(sensors));
 }
 
 void SceneBuilder::set_cell(const Cell& cell) {
@@ -171,6 +176,7 @@ Scene SceneAccess::build(BuilderData given, KnownOverlaps* known) {
     const std::vector<MaterialId> materials =
         resolve_materials(given.materials, draft, given.bands.size(), faults);
     given.detectors = check_detectors(std::move(given.detectors), faults);
+    given.sensors = check_sensors(std::move(given.sensors), given.orientation, faults);
     faults.throw_if_any();
     return assembled(std::move(given), materials, bounds, known);
 }
@@ -198,6 +204,7 @@ Scene SceneAccess::assembled(
     scene.data_ = std::make_shared<const SceneData>(std::move(data));
     scene.regions_ = std::move(assembly.regions);
     scene.detectors_ = std::move(given.detectors);
+    scene.sensors_ = std::make_shared<const std::vector<SensorSet>>(std::move(given.sensors));
     scene.cell_ = given.cell;
     scene.bounds_ = bounds;
     scene.orientation_ = given.orientation;
@@ -211,12 +218,14 @@ Scene SceneAccess::build_on(const BuilderData& given, const Scene& scene) {
         check_material(material, given.bands.size(), location_of(material, where), faults);
     }
     std::vector<DetectorSpec> detectors = check_detectors(given.detectors, faults);
+    std::vector<SensorSet> sensors = check_sensors(given.sensors, given.orientation, faults);
     faults.throw_if_any();
     SceneData data = data_of(scene);
     data.materials = make_materials(given);
     Scene other = scene;
     other.data_ = std::make_shared<const SceneData>(std::move(data));
     other.detectors_ = std::move(detectors);
+    other.sensors_ = std::make_shared<const std::vector<SensorSet>>(std::move(sensors));
     other.length_unit_ = given.length_unit;
     return other;
 }

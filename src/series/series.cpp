@@ -21,6 +21,7 @@
 #include "results/groups.h"
 #include "run/run_control.h"
 #include "run/simulator.h"
+#include "scene/sensors.h"
 #include "series/basis/season.h"
 #include "series/series_sum.h"
 #include "series/trace_spec.h"
@@ -206,7 +207,9 @@ class SeriesRun final : public SeriesSteps {
 
     [[nodiscard]] SeriesSum sum_of(const SeriesAdder& adder) const {
         const std::size_t bands = in_.scene.bands().size();
-        return adder.sum(bands, in_.scene.organs().size() * kQuantities * bands, groups_);
+        return adder.sum(
+            bands, in_.scene.organs().size() * kQuantities * bands, groups_,
+            sensor_rows(in_.scene) * kQuantities * bands);
     }
 
     void finish_day(std::size_t last) override {

@@ -34,6 +34,9 @@ Result scaled(const Result& result, double factor) {
     for (OriginLight& origin : copy.origins) {
         origin.light = scaled(origin.light, factor);
     }
+    if (copy.sensors) {
+        copy.sensors = std::make_shared<const Result>(scaled(*copy.sensors, factor));
+    }
     if (copy.audit) {
         for (BandAudit& band : copy.audit->bands) {
             band.difference *= factor;

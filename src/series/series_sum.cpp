@@ -32,17 +32,23 @@ void SeriesAdder::add_all(
     }
 }
 
-void SeriesAdder::add_part(const Result& result, double weight, Part& part) {
+void SeriesAdder::add_part(const Result& result, const Result* sensors, double weight, Part& part) {
     const double freedom = std::max(1.0, static_cast<double>(result.replicates) - 1);
     add_all(result.values, weight, freedom, part.organs);
     add_all(result.groups.values, weight, freedom, part.groups);
+    if (sensors != nullptr) {
+        add_all(sensors->values, weight, freedom, part.sensors);
+    }
 }
 
 void SeriesAdder::add(const Result& result, double weight) {
-    add_part(result, weight, all_);
+    const Result* sensors = result.sensors.get();
+    add_part(result, sensors, weight, all_);
     add_shares(result, weight, std::max(1.0, static_cast<double>(result.replicates) - 1));
     for (std::size_t i = 0; i < result.origins.size(); ++i) {
-        add_part(result.origins[i].light, weight, origins_[i]);
+        add_part(
+            result.origins[i].light, sensors != nullptr ? &sensors->origins[i].light : nullptr,
+            weight, origins_[i]);
     }
 }
 
@@ -122,11 +128,17 @@ std::vector<Estimate> SeriesAdder::estimates_of(const Cells& cells, std::size_t 
 }
 
 SeriesSum SeriesAdder::sum(
-    std::size_t bands, std::size_t values, const GroupResults& groups) const {
+    std::size_t bands,
+    std::size_t values,
+    const GroupResults& groups,
+    std::size_t of_sensors) const {
     const auto sum_of = [&](const Part& part) {
         SeriesSum sum{bands, seconds_, estimates_of(part.organs, values), groups, {}};
         sum.groups.values = estimates_of(part.groups, groups.values.size());
         return sum;
+    };
+    const auto sensors_of = [&](const Part& part) {
+        return SeriesSum{bands, seconds_, estimates_of(part.sensors, of_sensors), {}, {}};
     };
     SeriesSum sum = sum_of(all_);
     if (!groups.values.empty()) {
@@ -134,8 +146,13 @@ SeriesSum SeriesAdder::sum(
         std::transform(
             shares_.begin(), shares_.end(), sum.groups.shares.begin(), estimate_of_quotient);
     }
+    SeriesSum sensors = sensors_of(all_);
     for (const Part& part : origins_) {
         sum.origins.push_back({part.name, sum_of(part)});
+        sensors.origins.push_back({part.name, sensors_of(part)});
+    }
+    if (of_sensors > 0) {
+        sum.sensors = std::make_shared<const SeriesSum>(std::move(sensors));
     }
     return sum;
 }

@@ -28,8 +28,12 @@ class SeriesAdder {
     /// end.
     /// @param values  number of values, in case nothing was added
     /// @param groups  gets the values
+    /// @param of_sensors  number of values of sensors
     [[nodiscard]] SeriesSum sum(
-        std::size_t bands, std::size_t values, const GroupResults& groups = {}) const;
+        std::size_t bands,
+        std::size_t values,
+        const GroupResults& groups = {},
+        std::size_t of_sensors = 0) const;
 
   private:
     /// Sum of one value.
@@ -63,9 +67,10 @@ class SeriesAdder {
     /// The sums of all light, or of an origin.
     struct Part {
         std::string name;
-        Cells organs = {}, groups = {};
+        Cells organs = {}, groups = {}, sensors = {};
     };
-    static void add_part(const Result& result, double weight, Part& part);
+    /// @param sensors  or null
+    static void add_part(const Result& result, const Result* sensors, double weight, Part& part);
     [[nodiscard]] static std::vector<Estimate> estimates_of(const Cells& cells, std::size_t count);
 
     Part all_;

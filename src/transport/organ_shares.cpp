@@ -45,6 +45,9 @@ double seen_area(const Scene& scene) {
 double followed_peak(const Scene& scene) {
     // A sample through a peak contributes half of it; there are light subpaths for all organs.
     constexpr double kPart = 0.5, kMost = 1e5;
+    if (data_of(scene).sensors != nullptr) {
+        return kMost;  // no light subpath hits a point
+    }
     const std::vector<double> areas = measured_areas(scene);
     const double found = static_cast<double>(areas.size()) * middle_of(areas);
     return found > 0 ? std::clamp(kPart * seen_area(scene) / found, kNarrowPeak, kMost)

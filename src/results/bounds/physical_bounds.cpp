@@ -9,6 +9,7 @@
 #include "base/vec3.h"
 #include "light/models/source.h"
 #include "results/bounds/organ_reader.h"
+#include "scene/sensors.h"
 #include "transport/prepared_scene.h"
 
 namespace quasimc {
@@ -127,6 +128,15 @@ PhysicalBounds::UnoccludedSides PhysicalBounds::unoccluded_sides(const Organ& or
 }
 
 void PhysicalBounds::find(const Organ& organ, OrganLimits& limits) const {
+    if (is_point_sensor(organ)) {
+        limits = OrganLimits(emitted_);
+        for (std::vector<double>* light :
+             {&limits.direct_upper, &limits.direct_lower, &limits.scattered}) {
+            std::fill(light->begin(), light->end(), kUnlimited);
+        }
+        limits.sunlit_area = organ.area;
+        return;
+    }
     const UnoccludedSides sides = unoccluded_sides(organ);
     // All area of an organ, within rounding.
     const bool is_all = !knows_suns_ || sides.sunlit_area >= kFullyLit * organ.area;

@@ -75,6 +75,10 @@ void check_together(
     refuse(
         !scene.detectors().empty(), "it is \"daylight_coefficients\", and the scene has detectors",
         "escaping light is not stored by direction", "use time_method = \"independent\"");
+    refuse(
+        !scene.sensors().empty(), "it is \"daylight_coefficients\", and the scene has sensors",
+        "paths from points need the sources of each time",
+        "use time_method = \"independent\", or cumulative_sky");
     const auto splits_suns = [&](const TimeStep& step) {
         return std::ranges::count_if(
                    sources_by_origin(step.sources, spec.origins),

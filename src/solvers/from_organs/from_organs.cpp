@@ -30,13 +30,19 @@
 namespace quasimc {
 namespace {
 
-/// A point of an organ, and its number in the point set.
+/// A point of an organ or a sensor, and its number in the point set.
 struct Point : OrganPoint {
     std::uint64_t index = 0;
 
-    /// Its surface, lit on one side. @param cosine  of the angle to the normal
-    [[nodiscard]] Surface surface(SurfaceSide side, double cosine) const {
-        return {triangle, region, side, side == SurfaceSide::upper ? up : -up, cosine};
+    /// Its surface, as light from a direction meets it. The cosine is the weight of the light, 1
+    /// for a sphere.
+    [[nodiscard]] Surface surface(const Vec3& to_light) const {
+        if (receiver == Receiver::sphere) {
+            return {triangle, region, SurfaceSide::upper, to_light, 1};
+        }
+        const double cosine = dot(to_light, up);
+        const SurfaceSide side = side_facing(-cosine);
+        return {triangle, region, side, side == SurfaceSide::upper ? up : -up, std::abs(cosine)};
     }
 };
 
@@ -173,25 +179,24 @@ class FromOrgans final : public Solver {
         const LightSample sample = next_event_.sample_light(
             stream, point.index, 2, point.p,
             {point.up, prepared_.fields_of_view().least_cosine(point.region)});
-        const double cosine = dot(sample.to_light, point.up);
-        if (cosine == 0 || sample.factor == 0 || NextEvent::is_in_plane(sample, point.up) ||
-            near_.lights_near(*sample.light, point.region, point.p) ||
-            !prepared_.fields_of_view().contain(point.region, std::abs(cosine))) {
+        const Surface surface = point.surface(sample.to_light);
+        if (surface.cosine == 0 || sample.factor == 0 ||
+            NextEvent::is_in_plane(sample, surface.normal) ||
+            (!point.is_sensor() && near_.lights_near(*sample.light, point.region, point.p)) ||
+            !prepared_.fields_of_view().contain(point.region, surface.cosine)) {
             return 0;
         }
         const LightBlocks& blocks = tally.blocks();
-        const SurfaceSide side = side_facing(-cosine);
         const double part = part_of_unit_[point.region];
-        const double amount = part * sample.factor * std::abs(cosine);
-        tally.add(unoccluded.bin(point.region, side, sample.light->spectrum), to_fixed(amount));
+        const double amount = part * sample.factor * surface.cosine;
+        tally.add(
+            unoccluded.bin(point.region, surface.side, sample.light->spectrum), to_fixed(amount));
         if (!is_visible_source(
                 prepared_, point.p, sample.to_light, sample.distance, point.triangle)) {
             return 1;
         }
-        score_direct(
-            prepared_, point.surface(side, std::abs(cosine)), *sample.light, amount, tally);
-        if (sample.light->sun_share > 0 &&
-            prepared_.rounding().is_sunlit(point.triangle, sample.to_light, cosine)) {
+        score_direct(prepared_, surface, *sample.light, amount, tally);
+        if (sample.light->sun_share > 0 && is_sunlit(point, sample.to_light)) {
             tally.add(
                 blocks.sunlit(point.region),
                 to_fixed(part * kFinerQuanta * sample.light->sun_share / sample.probability));
@@ -199,7 +204,13 @@ class FromOrgans final : public Solver {
         return 1;
     }
 
-    /// Adds the light that the point receives from the vertices of its light subpath.
+    [[nodiscard]] bool is_sunlit(const Point& point, const Vec3& to_light) const {
+        return point.is_sensor() ||
+               prepared_.rounding().is_sunlit(point.triangle, to_light, dot(to_light, point.up));
+    }
+
+    /// Adds the light that the point receives from the vertices of its light subpath. No subpath
+    /// meets a sensor, so that all connections with it count, even short ones.
     std::uint64_t sample_vertices(const Point& point, Scratch& scratch, Tally& tally) const {
         std::uint64_t rays = 0;
         const LightVertices& vertices = scratch.subpath.vertices;
@@ -207,16 +218,16 @@ class FromOrgans final : public Solver {
             const LightVertex& vertex = vertices.all()[i];
             const auto [wi, is_traced, arrives] = vertex_light_.connect(
                 vertex, vertices.weights(i), point.p, point.triangle,
-                near_.min_connection_distance(*vertex.light), scratch.path.irradiance);
+                point.is_sensor() ? 0 : near_.min_connection_distance(*vertex.light),
+                scratch.path.irradiance);
             rays += is_traced ? 1 : 0;
-            const double cosine = dot(wi, point.up);
-            if (!arrives || !prepared_.fields_of_view().contain(point.region, std::abs(cosine))) {
+            const Surface surface = point.surface(-wi);
+            if (!arrives || !prepared_.fields_of_view().contain(point.region, surface.cosine)) {
                 continue;
             }
-            const double factor = part_of_unit_[point.region] * std::abs(cosine);
             score_scattered(
-                prepared_, point.surface(side_facing(cosine), std::abs(cosine)),
-                vertex.light->origin, factor, scratch.path.irradiance, tally);
+                prepared_, surface, vertex.light->origin,
+                part_of_unit_[point.region] * surface.cosine, scratch.path.irradiance, tally);
         }
         return rays;
     }
@@ -235,11 +246,13 @@ class FromOrgans final : public Solver {
         const std::uint64_t rays = backward_paths_.gather(
             {stream, point.index, dimension + 2}, point, sample.away, scratch.subpath.vertices,
             scratch.path);
+        const Surface surface{
+            point.triangle, point.region, sample.side,
+            sample.side == SurfaceSide::upper ? point.up : -point.up, sample.cosine};
         for (std::size_t origin = 0; origin < prepared_.lights().origin_count(); ++origin) {
             score_scattered(
-                prepared_, point.surface(sample.side, sample.cosine), origin,
-                sample.factor * part_of_unit_[point.region], scratch.path.gathered_from(origin),
-                tally);
+                prepared_, surface, origin, sample.factor * part_of_unit_[point.region],
+                scratch.path.gathered_from(origin), tally);
         }
         return rays;
     }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "scene/scene.h"
+#include "scene/sensors.h"
 #include "solvers/from_organs/from_organs.h"
 #include "sums/fixed_point.h"
 #include "transport/organ_shares.h"
@@ -86,6 +87,9 @@ double part_by_vertices(
     const MeasuredArea& measured,
     const LampNearField& near,
     const Organ& organ) {
+    if (is_point_sensor(organ)) {
+        return 0;  // no path hits it
+    }
     constexpr double kConnections = 2;  // in a row
     const Bounds box = local_bounds(prepared, organ);
     const double area = organ.area / prepared.projection().world_area();

@@ -59,7 +59,23 @@ GatherDirections::GatherDirections(const PreparedScene& prepared)
     : prepared_(prepared),
       along_ground_(has_ground_that_sends_along(prepared.scene()) ? kAlongGround : 0) {}
 
+namespace {
+
+/// A direction of equal density over the sphere.
+GatherSample draw_on_sphere(double u0, double u1) {
+    const double z = 1 - 2 * u0;
+    const double sine = std::sqrt(std::max(0.0, 1 - z * z));
+    const SinCos azimuth = sin_cos_turn(u1);
+    return {
+        {sine * azimuth.cos, sine * azimuth.sin, z}, SurfaceSide::upper, 1, 4 * std::numbers::pi};
+}
+
+}  // namespace
+
 GatherSample GatherDirections::draw(const OrganPoint& point, double u0, double u1) const {
+    if (point.receiver == Receiver::sphere) {
+        return draw_on_sphere(u0, u1);
+    }
     // The squared sine of the widest angle, 1 except for sensors with a narrow field of view.
     const double part = 1 - std::pow(prepared_.fields_of_view().least_cosine(point.region), 2);
     // pi for the cosine law, 2 for the choice of a side.

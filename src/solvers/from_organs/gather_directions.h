@@ -8,8 +8,8 @@ namespace quasimc {
 /// A direction from a point of an organ, along which light of other surfaces is sampled.
 struct GatherSample {
     Vec3 away;           ///< unit
-    SurfaceSide side{};  ///< the organ's side that faces the direction
-    double cosine = 0;   ///< with the normal of that side
+    SurfaceSide side{};  ///< the organ's side that faces the direction; upper of a sphere
+    double cosine = 0;   ///< with the normal of that side; 1 for a sphere
     double factor = 0;   ///< cosine over density; 0: outside the organ's field of view
 };
 

@@ -6,6 +6,7 @@
 
 #include "base/additive_recurrence.h"
 #include "light/models/source.h"
+#include "scene/sensors.h"
 #include "transport/surface.h"
 
 namespace quasimc {
@@ -40,7 +41,8 @@ LampNearField::LampNearField(const PreparedScene& prepared) : prepared_(prepared
     constexpr double kPartOfOrgan = 0.5, kPartIfBounded = 0.1;
     lamps_.reserve(prepared.lights().size());
     for (const Region& region : prepared.scene().regions()) {
-        const double area = prepared.scene().organs()[region.organ.value].area;
+        const Organ& organ = prepared.scene().organs()[region.organ.value];
+        const double area = is_point_sensor(organ) ? 0 : organ.area;
         organ_size_.push_back(std::sqrt(area / prepared.projection().world_area()));
     }
     for (const BoundSource& light : prepared.lights()) {

@@ -6,12 +6,18 @@
 
 #include "base/checks.h"
 #include "base/distribution.h"
+#include "optics/turn.h"
 #include "scene/scene.h"
 
 namespace quasimc {
 
 OrganPoints::OrganPoints(const PreparedScene& prepared)
-    : prepared_(prepared), areas_(organ_areas(prepared.scene())) {
+    : prepared_(prepared), sensors_(data_of(prepared.scene()).sensors.get()) {
+    if (sensors_ != nullptr) {
+        start_sensors();
+        return;
+    }
+    areas_ = &organ_areas(prepared.scene());
     if (!prepared.caster().has_own_numbers()) {
         list_images();
     }
@@ -39,11 +45,49 @@ double OrganPoints::open_part(const Organ& organ) {
 }
 
 OrganPoint OrganPoints::point(std::size_t organ_index, double u0, double u1) const {
+    if (sensors_ != nullptr) {
+        return on_sensor(organ_index, u0, u1);
+    }
     const Organ& organ = prepared_.scene().organs()[organ_index];
     EXPECT(organ.area > organ.covered_area);
-    const OrganAreas::Pick pick = areas_.pick(organ, u0 * (organ.area - organ.covered_area));
+    const OrganAreas::Pick pick = areas_->pick(organ, u0 * (organ.area - organ.covered_area));
     const double root = std::sqrt(pick.fraction);
     return on_triangle(pick.triangle, root * (1 - u1), root * u1);
+}
+
+/// Sensors on a surface are lifted by rounding, so that its light, or its shadow, does not depend
+/// on chance.
+void OrganPoints::start_sensors() {
+    constexpr double kLift = 2e-6;
+    const LocalMesh& mesh = prepared_.caster().mesh();
+    for (const SensorDisks& sensor : sensors_->disks) {
+        std::vector<Vec3>& centers = centers_.emplace_back();
+        for (const SensorDisk& disk : sensor.disks) {
+            const Vec3 center = mesh.to_local(disk.center);
+            const Vec3 lifted = center + kLift * disk.up;
+            const CastHit below = prepared_.caster().cast(lifted, -disk.up, kNoTriangle);
+            const bool is_on = below.end == RayEnd::hit && below.hit.t <= 2 * kLift;
+            centers.push_back(is_on ? lifted : center);
+        }
+    }
+}
+
+/// A point of one of a sensor's disks.
+OrganPoint OrganPoints::on_sensor(std::size_t organ_index, double u0, double u1) const {
+    const std::size_t row = organ_index - sensors_->first;
+    const SensorDisks& sensor = sensors_->disks[row];
+    const double pick = u0 * static_cast<double>(sensor.disks.size());
+    const std::size_t index = std::min(static_cast<std::size_t>(pick), sensor.disks.size() - 1);
+    const Vec3& up = sensor.disks[index].up;
+    Vec3 p = centers_[row][index];
+    if (sensor.radius > 0) {
+        const Frame frame = frame_about(up);
+        const double radius = std::sqrt(pick - static_cast<double>(index)) * sensor.radius;
+        const SinCos angle = sin_cos_turn(u1);
+        p += prepared_.caster().mesh().scale * radius * (angle.cos * frame.s + angle.sin * frame.t);
+    }
+    const Organ& organ = prepared_.scene().organs()[organ_index];
+    return {p, up, kNoTriangle, organ.first_region, sensor.receiver};
 }
 
 OrganPoint OrganPoints::on_triangle(std::uint32_t scene_triangle, double u, double v) const {

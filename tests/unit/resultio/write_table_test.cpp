@@ -138,9 +138,55 @@ TEST(Tables, DaysHaveDatesAndSums) {
         "date,seconds,by,value_of,organs,area,plant,kind,quantity,band,unit,value,se,ci95_high");
 }
 
+/// Sensors above the leaves, below which there is no light.
+RunText with_sensors(const std::string& table) {
+    return tabulated(
+        "rows = 'sensors'\n" + table,
+        "[[sensors]]\nname = 'bench'\nlabels = { plant = 7 }\n"
+        "at = { start = [0.2, 0.2, 0.5], along = [1, 0, 0], across = [0, 0, 10], counts = [1, 2] "
+        "}\n[[sensors]]\nname = 'ball'\nreceiver = 'sphere'\nat = [[0.2, 0.2, 8]]\n");
+}
+
+TEST(Tables, OfSensorsHaveTheirPositionsAndLight) {
+    const auto rows = rows_of(written_table(with_sensors(
+        "quantities = ['incident_upper', 'fluence_rate']\nbands = ['R']\nstatistics = ['mean']\n"
+        "digits = 6\n")));
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_EQ(rows[0], "id,name,x,y,z,sensors,plant,i,j,incident_upper_R,fluence_rate_R");
+    EXPECT_EQ(rows[1], "1,bench 1,0.7,0.2,3,bench,7,1,1,1,");
+    EXPECT_EQ(rows[2], "2,bench 2,0.7,0.2,8,bench,7,1,2,1,");
+    EXPECT_EQ(rows[3], "3,ball 1,0.2,0.2,8,ball,,,,,1");
+}
+
+TEST(Tables, OfSensorsAreSelectedByLabelsAndPositions) {
+    const auto rows = rows_of(written_table(with_sensors(
+        "form = 'long'\nquantities = ['incident_upper']\nbands = ['R']\n"
+        "statistics = ['mean']\ndigits = 6\nwhere = \"sensors == 'bench' and z > 5\"\n")));
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[0], "id,name,x,y,z,sensors,plant,i,j,quantity,band,unit,value");
+    EXPECT_EQ(rows[1], "2,bench 2,0.7,0.2,8,bench,7,1,2,incident_upper,R,W m-2,1");
+}
+
+/// Both sides in JSON, and the fluence rate of a sphere; no sensor among the organs.
+TEST(Sensors, AreBesideTheOrgansInJson) {
+    const RunFile run = read_text(with_sensors("").text());
+    const Result result = quasimc::run(run.scene, run.sources, run.spec);
+    std::string out;
+    write_json(run, result, [&](std::string_view piece) { out += piece; });
+    const std::size_t begin = out.rfind("\"sensors\": [");
+    ASSERT_NE(begin, std::string::npos);
+    const std::string sensors = out.substr(begin);
+    EXPECT_NE(sensors.find("\"name\":\"bench 2\""), std::string::npos);
+    EXPECT_NE(sensors.find("\"position\":[0.7,0.2,8.0]"), std::string::npos);
+    EXPECT_NE(sensors.find("\"fluence_rate\":{\"R\":{\"mean\":"), std::string::npos);
+    EXPECT_EQ(sensors.find("absorbed_flux"), std::string::npos);
+    const std::string organs = out.substr(out.rfind("\"organs\": ["), begin);
+    EXPECT_EQ(organs.substr(0, organs.find("\"sensors\": [")).find("bench"), std::string::npos);
+}
+
 TEST(Tables, FaultsSayWhatToDo) {
     const std::vector<std::pair<std::string, std::string>> table{
-        {"rows = 'group'\n", "rows: 'group' is not one of organs, groups, detectors"},
+        {"rows = 'group'\n", "rows: 'group' is not one of organs, groups, sensors, detectors"},
         {"form = 'short'\n", "form: 'short' is not one of wide, long"},
         {"per = 'day'\n", "per = \"day\" without [time]"},
         {"quantities = ['absorbed_fluxx']\n",

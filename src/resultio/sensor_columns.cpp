@@ -1,0 +1,142 @@
+#include <algorithm>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "resultio/table_columns.h"
+#include "results/units.h"
+#include "runfile/table_rows.h"
+#include "runfile/written.h"
+
+namespace quasimc {
+namespace {
+
+bool is_chosen(const std::vector<std::string>& names, std::string_view name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// By row, whether a sensor is a sphere.
+std::vector<bool> spheres_of(const Scene& scene) {
+    std::vector<bool> spheres;
+    for (const SensorSet& set : scene.sensors()) {
+        spheres.insert(spheres.end(), set.rows(), set.receiver == Receiver::sphere);
+    }
+    return spheres;
+}
+
+/// An estimate of a row, of all light or of an origin.
+struct SensorValue {
+    static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
+    Quantity quantity;
+    std::size_t band, origin;
+
+    [[nodiscard]] Estimate at(const RowLight& light, std::size_t row) const {
+        if (light.sum != nullptr) {
+            const SeriesSum& own = origin == kAll ? *light.sum : light.sum->origins[origin].light;
+            return own.at(row, quantity, band);
+        }
+        const Result& own = origin == kAll ? *light.result : light.result->origins[origin].light;
+        return own.at(row, quantity, band);
+    }
+};
+
+/// Collects the columns of a table of sensors.
+class SensorColumns {
+  public:
+    SensorColumns(const RunFile& run, const TableSpec& table)
+        : run_(run),
+          table_(table),
+          origins_(written_columns(run).origins),
+          spheres_(std::make_shared<const std::vector<bool>>(spheres_of(run.scene))) {
+        has_spheres_ = std::find(spheres_->begin(), spheres_->end(), true) != spheres_->end();
+        has_sides_ = std::find(spheres_->begin(), spheres_->end(), false) != spheres_->end();
+    }
+
+    std::vector<TableColumn> make() {
+        add_light(SensorValue::kAll);
+        for (std::size_t i = 0; i < origins_.size(); ++i) {
+            add_light(i);
+        }
+        if (table_.times == CsvTimes::time_steps) {
+            add_traits();
+        }
+        return std::move(columns_);
+    }
+
+  private:
+    void add_light(std::size_t origin) {
+        const std::vector<Band>& bands = run_.scene.bands();
+        for (std::size_t b = 0; b < bands.size(); ++b) {
+            for (const QuantityEntry& entry : quantity_table()) {
+                const bool is_side = entry.quantity == Quantity::incident_upper ||
+                                     entry.quantity == Quantity::incident_lower;
+                if (is_chosen(table_.bands, bands[b].name) && is_of_sensors(entry.quantity) &&
+                    is_chosen(table_.quantities, entry.name) && (has_sides_ || !is_side)) {
+                    add_column(
+                        entry.name, entry.summary, b, {entry.quantity, b, origin}, is_side, false);
+                }
+            }
+            if (has_spheres_ && is_chosen(table_.bands, bands[b].name) &&
+                is_chosen(table_.quantities, kFluenceRate)) {
+                // All light on a sphere is on its upper side.
+                add_column(
+                    kFluenceRate, "light from all directions, on a sphere", b,
+                    {Quantity::incident_upper, b, origin}, false, true);
+            }
+        }
+    }
+
+    /// @param of_sides, of_spheres  whether other sensors have no value
+    void add_column(
+        std::string_view name,
+        std::string_view summary,
+        std::size_t band,
+        const SensorValue& value,
+        bool of_sides,
+        bool of_spheres) {
+        const Band& own = run_.scene.bands()[band];
+        const auto at = [value, of_sides, of_spheres, spheres = spheres_](
+                            const RowLight& light, std::size_t row) {
+            const bool is_other = (*spheres)[row] ? of_sides : of_spheres;
+            return is_other ? kUnknownEstimate : value.at(light, row);
+        };
+        columns_.push_back(
+            {std::string(name), own.name, column_unit(run_, table_.times, own.unit),
+             std::string(summary), at,
+             value.origin == SensorValue::kAll ? "" : origins_[value.origin]});
+    }
+
+    void add_traits() {
+        if (is_chosen(table_.quantities, "sunlit_fraction")) {
+            columns_.push_back(
+                {"sunlit_fraction", "", "1", "fraction lit directly by directional sources",
+                 [](const RowLight& light, std::size_t row) {
+                     const auto& values = light.result->sunlit_fraction;
+                     return values.empty() ? kUnknownEstimate : values[row];
+                 }});
+        }
+        for (std::size_t i = 0;
+             is_chosen(table_.quantities, "ratios") && i < run_.spec.ratios.size(); ++i) {
+            columns_.push_back(
+                {"ratio_" + run_.spec.ratios[i], "", "1", "ratio of incident light, both sides",
+                 [i](const RowLight& light, std::size_t row) {
+                     return light.result->ratio(row, i);
+                 }});
+        }
+    }
+
+    const RunFile& run_;
+    const TableSpec& table_;
+    std::vector<std::string> origins_;
+    std::shared_ptr<const std::vector<bool>> spheres_;
+    bool has_spheres_ = false, has_sides_ = false;
+    std::vector<TableColumn> columns_;
+};
+
+}  // namespace
+
+std::vector<TableColumn> sensor_columns(const RunFile& run, const TableSpec& table) {
+    return SensorColumns(run, table).make();
+}
+
+}  // namespace quasimc
