@@ -131,8 +131,8 @@ bool can_build_on(const SceneBuilder& builder, const Scene& scene) {
     return given.bands == scene.bands() &&
            std::equal(
                given.materials.begin(), given.materials.end(), known.begin(), known.end(),
-               [](const auto& given, const Material& of_scene) {
-                   const MaterialSpec& material = given.first;
+               [](const auto& of_builder, const Material& of_scene) {
+                   const MaterialSpec& material = of_builder.first;
                    return material.name == of_scene.name() &&
                           passes_everything(material) == of_scene.is_transparent();
                });
