@@ -137,6 +137,9 @@ SeriesSum reported_sum(SeriesSum sum) {
     for (OriginSum& origin : sum.origins) {
         origin.light = reported_sum(std::move(origin.light));
     }
+    if (sum.sensors) {
+        sum.sensors = std::make_shared<const SeriesSum>(reported_sum(*sum.sensors));
+    }
     return sum;
 }
 
@@ -152,6 +155,9 @@ std::shared_ptr<Result> reported_result(Result result) {
     }
     for (DetectorResult& detector : result.detectors) {
         report_all(detector.values);
+    }
+    if (result.sensors) {
+        result.sensors = reported_result(*result.sensors);
     }
     return std::make_shared<Result>(std::move(result));
 }
@@ -236,6 +242,11 @@ void bind_result(py::module_& module) {
             "origins",
             [](const py::object& self) {
                 return origins_dict(self.cast<const Result&>().origins, self);
+            })
+        .def_property_readonly(
+            "sensors",
+            [](const py::object& self) {
+                return sensors_dict(self.cast<const Result&>().sensors.get(), self);
             })
         .def_property_readonly("detectors", &detectors_of)
         .def_property_readonly("budget", &budget_of)

@@ -43,4 +43,28 @@ template <typename Origins>
     return all;
 }
 
+/// The light on sensors, owned by `owner`: values, sunlit_fraction, ratios and origins; None
+/// without sensors.
+/// @param sensors  a Result or a SeriesSum; or null
+template <typename Light>
+[[nodiscard]] py::object sensors_dict(const Light* sensors, py::handle owner) {
+    if (sensors == nullptr || sensors->bands == 0) {
+        return py::none();
+    }
+    const std::size_t rows = sensors->values.size() / (kQuantities * sensors->bands);
+    const auto count = static_cast<py::ssize_t>(rows);
+    py::dict light;
+    light["values"] = estimates_view(
+        sensors->values,
+        {count, static_cast<py::ssize_t>(kQuantities), static_cast<py::ssize_t>(sensors->bands)},
+        owner);
+    light["origins"] = origins_dict(sensors->origins, owner);
+    if constexpr (requires { sensors->sunlit_fraction; }) {
+        light["sunlit_fraction"] = estimates_view(
+            sensors->sunlit_fraction, {static_cast<py::ssize_t>(sensors->sunlit_fraction.size())},
+            owner);
+    }
+    return light;
+}
+
 }  // namespace quasimc::python

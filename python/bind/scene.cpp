@@ -1,5 +1,6 @@
 #include "scene.h"
 
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -16,6 +17,8 @@
 #include "files/input_files.h"
 #include "runfile/run_file.h"
 #include "scene/mesh_arrays.h"
+#include "scene/sensors.h"
+#include "text/numbers.h"
 
 namespace quasimc::python {
 namespace {
@@ -163,6 +166,52 @@ py::dict labels_of(const Scene& scene) {
     return labels;
 }
 
+/// The numbers of points along both directions of an array of sensors, or of points with labels i
+/// and j; 0: a list.
+std::array<std::size_t, 2> counts_of(const SensorSet& set) {
+    std::array<std::size_t, 2> counts = set.counts;
+    const std::string* i = find_label(set.points.back().labels, "i");
+    const std::string* j = find_label(set.points.back().labels, "j");
+    const auto columns = i != nullptr ? parse_integer(*i) : std::nullopt;
+    const auto rows = j != nullptr ? parse_integer(*j) : std::nullopt;
+    if (counts[0] == 0 && columns && rows && *columns > 0 && *rows > 0) {
+        counts = {static_cast<std::size_t>(*columns), static_cast<std::size_t>(*rows)};
+    }
+    return counts;
+}
+
+/// The sets of sensors: name, names and positions of its results, in the file's axes, counts along
+/// both directions of an array, and whether they are spheres.
+py::list sensors_of(const SceneHandle& handle) {
+    const Scene& scene = *handle.scene;
+    const std::vector<Vec3> positions = sensor_positions(scene);
+    py::list sets;
+    std::size_t first = 0;
+    for (const SensorSet& set : scene.sensors()) {
+        const std::array<std::size_t, 2> counts = counts_of(set);
+        py::dict own;
+        own["name"] = set.name;
+        own["counts"] = py::make_tuple(counts[0], counts[1]);
+        own["is_sphere"] = set.receiver == Receiver::sphere;
+        own["is_averaged"] = set.is_averaged;
+        py::list names;
+        Doubles array({static_cast<py::ssize_t>(set.rows()), py::ssize_t{3}});
+        double* out = array.mutable_data();
+        for (std::size_t i = 0; i < set.rows(); ++i) {
+            names.append(set.is_averaged ? set.name : set.points[i].name);
+            const Vec3 p = scene.orientation().outward(positions[first + i]);
+            *out++ = p.x;
+            *out++ = p.y;
+            *out++ = p.z;
+        }
+        own["names"] = names;
+        own["positions"] = array;
+        sets.append(own);
+        first += set.rows();
+    }
+    return sets;
+}
+
 /// The triangles of an organ in the file's axes: shape (n, 3, 3).
 Doubles triangles_of(const SceneHandle& handle, std::size_t organ) {
     const Scene& scene = *handle.scene;
@@ -245,6 +294,7 @@ void bind_scene(py::module_& module) {
             })
         .def_property_readonly("names", [](const SceneHandle& h) { return names_of(*h.scene); })
         .def_property_readonly("labels", [](const SceneHandle& h) { return labels_of(*h.scene); })
+        .def_property_readonly("sensors", &sensors_of)
         .def("triangles_of", &triangles_of, py::arg("organ"));
 }
 

@@ -98,6 +98,7 @@ py::list days_of(const py::object& self) {
         day["values"] = view_of_sum(all.sums[i], organs_of(all.sums[i]), self);
         day["groups"] = groups_dict(all.sums[i].groups, self);
         day["origins"] = origins_dict(all.sums[i].origins, self);
+        day["sensors"] = sensors_dict(all.sums[i].sensors.get(), self);
         days.append(day);
     }
     return days;
@@ -139,6 +140,12 @@ void bind_series(py::module_& module) {
             "total_origins",
             [](const py::object& self) {
                 return origins_dict(self.cast<const SeriesHandle&>().summary.total.origins, self);
+            })
+        .def_property_readonly(
+            "total_sensors",
+            [](const py::object& self) {
+                const auto& total = self.cast<const SeriesHandle&>().summary.total;
+                return sensors_dict(total.sensors.get(), self);
             })
         .def_property_readonly(
             "total_groups",

@@ -20,6 +20,7 @@ from .growth import GrowthSession
 from .organs import Organs
 from .result import Groups, Result, Selection, Series, Sums, quantities
 from .scene import Scene, load, options
+from .sensors import Sensors
 from .sources import (
     Source,
     directional,
@@ -55,6 +56,7 @@ __all__ = [
     "Result",
     "Scene",
     "Selection",
+    "Sensors",
     "Series",
     "Source",
     "Stopped",

@@ -50,6 +50,11 @@ class Organs:
         return self._scene.labels
 
     @cached_property
+    def sensor_sets(self):
+        """Sensors: list of dict with name, names, positions, counts, is_sphere and is_averaged."""
+        return self._scene.sensors
+
+    @cached_property
     def _index_of_id(self):
         return {int(organ): i for i, organ in enumerate(self.ids)}
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from .estimates import DetectorResult, Estimate, Estimates
+from .sensors import sensors_by_name
 
 #: Short names of quantities.
 SHORT_NAMES = {"absorbed": "absorbed_flux"}
@@ -257,6 +258,11 @@ class Result(_Light):
         return self._by_band(self._core.canopy, ("incident",), None)
 
     @cached_property
+    def sensors(self):
+        """Light on sensors: dict, name of a set -> `Sensors`, in the order in which they were added."""
+        return sensors_by_name(self._core.sensors, self.organs)
+
+    @cached_property
     def detectors(self):
         """Detectors: dict, name -> DetectorResult, in the order in which they were added."""
         units = tuple(self._unit("absorbed_flux", unit) for unit in self.organs.units)
@@ -433,7 +439,8 @@ class Series:
     def days(self):
         return {
             day["date"]: Sums(
-                day["values"], day["seconds"], self.organs, day["groups"], day["origins"]
+                day["values"], day["seconds"], self.organs, day["groups"], day["origins"],
+                day["sensors"],
             )
             for day in self._core.days
         }
@@ -442,7 +449,7 @@ class Series:
     def total(self):
         return Sums(
             self._core.total, self.total_seconds, self.organs, self._core.total_groups,
-            self._core.total_origins,
+            self._core.total_origins, self._core.total_sensors,
         )
 
     def __len__(self):
@@ -492,13 +499,16 @@ class Sums(_Light):
         Duration of the time steps that were summed.
     groups : Groups
         Sums over organs with their errors, as for a result.
+    sensors : dict
+        Name of a set -> `Sensors`.
     """
 
-    def __init__(self, values, seconds, organs, groups=None, origins=None):
+    def __init__(self, values, seconds, organs, groups=None, origins=None, sensors=None):
         factors = np.array([_core.summed_unit(unit)[1] for unit in organs.units])[:, None]
         parts = {name: light["values"] * factors for name, light in (origins or {}).items()}
         super().__init__(values * factors, None, organs, time="sum", origins=parts)
         self.seconds = seconds
+        self.sensors = sensors_by_name(sensors, organs, is_sum=True)
         self.groups = (
             None
             if groups is None

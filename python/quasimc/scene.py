@@ -10,6 +10,8 @@ import warnings
 from collections import Counter
 from collections.abc import Mapping
 
+import numpy as np
+
 from . import _core
 from ._lock import OneAtATime
 from ._meshes import digest, fault, mesh_arrays, owned, plain
@@ -20,10 +22,10 @@ from .result import Result, Series
 from .sources import Source
 
 #: Keys of a document that say what light falls on.
-_SCENE_KEYS = ("material", "organ", "geometry", "ground", "cell", "detector")
+_SCENE_KEYS = ("material", "organ", "geometry", "ground", "cell", "sensors", "detector")
 
 #: Keys of a document whose entries are added one by one, and may have a name.
-_LISTS = ("organ", "geometry", "detector", "source")
+_LISTS = ("organ", "geometry", "sensors", "detector", "source")
 
 #: Keys of a document by which materials and meshes are checked.
 _FRAME_KEYS = (
@@ -48,6 +50,21 @@ def _band_keys(bands):
     if any(isinstance(band, Mapping) for band in bands):
         return {"band": [b if isinstance(b, Mapping) else {"name": b} for b in bands]}
     return {"bands": bands}
+
+
+def _rows_of_points(points):
+    """The rows of `at` for an array of points; those of a plane of points have labels i and j."""
+    points = np.asarray(points, dtype=float)
+    if points.ndim not in (1, 2, 3) or points.shape[-1] != 3 or points.size == 0:
+        shape = "(3,), (points, 3) or (rows, columns, 3)"
+        raise fault("add_sensors", f"points have the shape {points.shape}", f"it must be {shape}")
+    if points.ndim < 3:
+        return points.reshape(-1, 3).tolist()
+    return [
+        {"x": x, "y": y, "z": z, "i": i + 1, "j": j + 1}
+        for j, row in enumerate(points.tolist())
+        for i, (x, y, z) in enumerate(row)
+    ]
 
 
 class Scene:
@@ -393,6 +410,36 @@ class Scene:
             transform, at, plant_unit.
         """
         return self._add("geometry", {"file": self._path(file), **self._with_paths(keys)})
+
+    def add_sensors(self, points=None, name="sensors", **keys):
+        """Adds points at which light is measured; `Result.sensors` has their light.
+
+        They shade nothing and change no other number (docs/reference/run-file.md#sensors).
+
+        Parameters
+        ----------
+        points : array_like, optional
+            (3,), (points, 3) or (rows, columns, 3): positions in the axes of the scene, whose shape the
+            results have. Alternatively `at`: rows, a file or a regular array, as in a run file.
+        name : str
+            Unique among the sensors of the scene.
+        **keys
+            at, facing, receiver, field_of_view_deg, size, average, labels.
+
+        Raises
+        ------
+        InputError
+            If points have another shape; and when the scene is built, if sensors are invalid.
+
+        Examples
+        --------
+        >>> scene.add_sensors([[0, 0, 0.5], [1, 0, 0.5]], name="bench")  # doctest: +SKIP
+        """
+        if points is not None:
+            if "at" in keys:
+                raise TypeError("give points or at, not both")
+            keys["at"] = _rows_of_points(points)
+        return self._add("sensors", {"name": name, **self._with_paths(keys)})
 
     def add_detector(self, type, **keys):
         """Adds a detector, which sorts light that organs do not report (docs/reference/detectors.md)."""

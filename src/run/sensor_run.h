@@ -19,8 +19,8 @@ void check_sensor_light(const Scene& scene, const Sources& sources, Faults& faul
 /// The specification of the run of the organs: without a target that is for sensors alone.
 [[nodiscard]] RunSpec spec_of_organs(const Scene& scene, const RunSpec& spec);
 
-/// The specification of the run of the sensors of a scene: from_organs, with at least the points
-/// of the run divided by the sensors, and not less than 64 a sensor if the run has so many.
+/// The specification of the run of the sensors of a scene: from_organs, with the paths of the run
+/// divided among the sensors, or 64 points (or all paths, if fewer) for each if that is more.
 [[nodiscard]] RunSpec spec_of_sensors(const Scene& scene, const RunSpec& spec);
 
 /// The sensors of the result of scene_with_sensors().

@@ -71,7 +71,7 @@ std::vector<SensorDisks> disks_of_sensors(const Scene& scene) {
 
 /// The regions of a scene joined by material, those of the ground apart.
 struct JoinedRegions {
-    std::vector<Region> regions;         ///< of organ 0; then those of the ground, organ 1
+    std::vector<Region> regions;         ///< first those of organ 0, then of the ground, organ 1
     std::vector<RegionIndex> of_former;  ///< by region of the scene
     std::size_t ground_begin = 0;
 };

@@ -24,14 +24,14 @@ struct SensorDisk {
 /// The disks of a result: one, or all over which it is a mean.
 struct SensorDisks {
     std::vector<SensorDisk> disks;  ///< not empty
-    double radius = 0;              ///< of each
+    double radius = 0;              ///< the same for all
     Receiver receiver = Receiver::cosine;
 };
 
 /// The organs of a scene that are sensors, without triangles: the last ones.
 struct SensorOrgans {
     std::size_t first = 0;           ///< index of the first in the list of organs
-    std::vector<SensorDisks> disks;  ///< of each
+    std::vector<SensorDisks> disks;  ///< one entry for each
 };
 
 /// Returns the scene in which light on sensors is computed. Its organs are the former ones as one,

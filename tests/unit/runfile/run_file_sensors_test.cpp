@@ -36,12 +36,12 @@ void expect_vector(const Vec3& a, const Vec3& b) {
 TEST(RunFileSensors, AreAnArrayWithLabels) {
     const SensorSet set = read_set(
         "at = { start = [0, 0, 1], along = [4, 0, 0], across = [0, 3, 0], counts = [4, 3] }\n"
-        "labels = { place = 'bench' }\nsize = 0.1\naverage = true\n");
+        "labels = { row = 'bench' }\nsize = 0.1\naverage = true\n");
     ASSERT_EQ(set.points.size(), 12U);
     EXPECT_EQ(set.counts, (std::array<std::size_t, 2>{4, 3}));
     expect_vector(set.points[5].position, {1.5, 1.5, 1});
     EXPECT_EQ(set.points[5].name, "bench 6");
-    EXPECT_EQ(set.points[5].labels, (Labels{{"place", "bench"}, {"i", "2"}, {"j", "2"}}));
+    EXPECT_EQ(set.points[5].labels, (Labels{{"row", "bench"}, {"i", "2"}, {"j", "2"}}));
     EXPECT_EQ(set.radius, .1);
     EXPECT_EQ(set.rows(), 1U);
     EXPECT_EQ(set.receiver, Receiver::cosine);

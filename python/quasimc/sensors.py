@@ -1,0 +1,102 @@
+"""Light on sensors."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from . import _core
+from .estimates import Estimates
+
+#: Quantities of flat sensors and of spheres, with those of the core.
+_FLAT = {
+    name: name
+    for name in ("incident_upper", "incident_lower", "incident_direct", "incident_scattered")
+}
+_SPHERE = {
+    "fluence_rate": "incident_upper",  # all light on a sphere is on its upper side
+    "incident_direct": "incident_direct",
+    "incident_scattered": "incident_scattered",
+}
+
+
+class Sensors:
+    """The light on a set of sensors.
+
+    ``result.sensors["bench"]["incident_upper"]["PAR"].mean`` has the shape of the set: (points,),
+    (j, i) for a regular array, the shape of the points of `Scene.add_sensors`, or () for an average.
+    Spheres have "fluence_rate" instead of the two sides.
+
+    Attributes
+    ----------
+    name : str
+    names : numpy.ndarray
+        Names of the sensors, in the shape of the set.
+    positions : numpy.ndarray
+        Positions in the axes of the scene: the shape of the set, and 3.
+    shape : tuple of int
+    """
+
+    def __init__(self, own, rows, light, organs, is_sum=False):
+        self.name = own["name"]
+        columns, lines = own["counts"]
+        count = len(own["names"])
+        is_array = columns * lines == count and not own["is_averaged"]
+        self.shape = (
+            () if own["is_averaged"] else (lines, columns) if is_array and lines > 1 else (count,)
+        )
+        self.names = np.array(own["names"], dtype=object).reshape(self.shape)
+        self.positions = own["positions"].reshape(*self.shape, 3)
+        self._of = organs
+        self._quantities = _SPHERE if own["is_sphere"] else _FLAT
+        factor = _core.summed_unit if is_sum else lambda unit: (unit, 1)
+        self._units = tuple(factor(unit)[0] for unit in organs.units)
+        self._factors = np.array([factor(unit)[1] for unit in organs.units])[:, None]
+        self._values = light["values"][rows]
+        self._origins = {name: part["values"][rows] for name, part in light["origins"].items()}
+        sunlit = light.get("sunlit_fraction", ())
+        self._sunlit = sunlit[rows].reshape(*self.shape, 4) if len(sunlit) else None
+
+    def keys(self):
+        """Names of the quantities; with directional sources also sunlit_fraction (not for sums)."""
+        return [*self._quantities, *(() if self._sunlit is None else ("sunlit_fraction",))]
+
+    def __iter__(self):
+        return iter(self.keys())
+
+    def __len__(self):
+        return len(self.keys())
+
+    def __getitem__(self, quantity):
+        if quantity not in self.keys():
+            known = ", ".join(self.keys())
+            raise KeyError(f"there is no quantity {quantity!r}; there are: {known}")
+        if quantity == "sunlit_fraction":
+            return Estimates(self._sunlit, quantity, "")
+        number = list(_core.quantities()).index(self._quantities[quantity])
+        origins = {name: self._shaped(values[:, number]) for name, values in self._origins.items()}
+        return Estimates(
+            self._shaped(self._values[:, number]), quantity, self._units, self._of.bands, origins
+        )
+
+    def _shaped(self, values):
+        return (values * self._factors).reshape(*self.shape, len(self._units), 4)
+
+    def __repr__(self):
+        shape = "x".join(map(str, self.shape)) or "one"
+        return f"<Sensors {self.name!r}: {shape}>"
+
+
+def sensors_by_name(light, organs, is_sum=False):
+    """The sets of sensors by name: dict of `Sensors`.
+
+    Parameters
+    ----------
+    light : dict or None
+        Values of the core.
+    """
+    sets, first = {}, 0
+    for own in organs.sensor_sets if light is not None else ():
+        rows = slice(first, first + len(own["names"]))
+        sets[own["name"]] = Sensors(own, rows, light, organs, is_sum)
+        first = rows.stop
+    return sets

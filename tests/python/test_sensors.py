@@ -1,0 +1,105 @@
+"""Sensors: Scene.add_sensors and Result.sensors."""
+
+import numpy as np
+import pytest
+
+import quasimc
+
+FEW = {"paths": 1024, "replicates": 4, "seed": 3}
+
+
+def plane(reflectance=0.5):
+    """An infinite plane that reflects a part of the light."""
+    scene = quasimc.Scene(["PAR", "NIR"], length_unit="m")
+    scene.add_material("soil", reflectance=reflectance)
+    scene.set_cell(x=(0, 1), y=(0, 2))
+    scene.set_ground("soil")
+    scene.add_source("uniform_sky", irradiance_horizontal=[100, 50])
+    return scene
+
+
+def test_an_array_of_points_has_its_shape():
+    scene = plane()
+    y, x = np.mgrid[0:3, 0:4] / 4
+    scene.add_sensors(np.stack([x, y, np.ones_like(x)], axis=-1), name="grid")
+    scene.add_sensors([[0.5, 0.5, 2], [0.5, 1, 3]], name="two", facing="down")
+    scene.add_sensors([0.5, 0.5, 2], name="one", receiver="sphere")
+    result = scene.run(**FEW)
+    assert list(result.sensors) == ["grid", "two", "one"]
+    grid = result.sensors["grid"]
+    assert grid.shape == (3, 4) and grid["incident_upper"]["PAR"].mean.shape == (3, 4)
+    assert np.array_equal(grid.positions[..., 0], x) and np.array_equal(grid.positions[..., 1], y)
+    assert grid["incident_upper"].mean.shape == (3, 4, 2)
+    assert grid["incident_upper"]["PAR"].mean == pytest.approx(np.full((3, 4), 100), rel=0.02)
+    assert grid["incident_lower"]["NIR"].mean == pytest.approx(np.full((3, 4), 25), rel=0.05)
+    assert grid["incident_upper"]["PAR"].unit == "W m-2"
+    two = result.sensors["two"]
+    assert two.shape == (2,) and list(two.names) == ["two 1", "two 2"]
+    assert two["incident_lower"]["PAR"].mean == pytest.approx([100, 100], rel=0.02)
+    ball = result.sensors["one"]
+    assert ball.keys() == ["fluence_rate", "incident_direct", "incident_scattered"]
+    assert ball["fluence_rate"]["PAR"].mean == pytest.approx([300], rel=0.02)
+    assert len(result.organs) == 1
+
+
+def test_a_regular_array_and_an_average():
+    at = {"start": [0, 0, 1], "along": [1, 0, 0], "across": [0, 2, 0], "counts": [4, 3]}
+    scene = plane(0)
+    scene.add_sensors(at=at, name="grid")
+    scene.add_sensors(at=at, name="mean", average=True)
+    result = scene.run(**FEW)
+    assert result.sensors["grid"].shape == (3, 4)
+    assert result.sensors["grid"].positions[0, 1] == pytest.approx([0.375, 1 / 3, 1])
+    mean = result.sensors["mean"]["incident_upper"]["PAR"]
+    assert mean.mean.shape == () and float(mean.mean) == pytest.approx(100, rel=0.01)
+    assert float(mean.standard_error) < 1
+
+
+def test_sensors_change_no_number_of_the_organs():
+    without = plane().run(**FEW)
+    scene = plane()
+    scene.add_sensors([[0.5, 0.5, 1]])
+    result = scene.run(**FEW)
+    assert np.array_equal(
+        without["absorbed_flux"]["PAR"].mean, result["absorbed_flux"]["PAR"].mean
+    )
+    assert without.sensors == {} and list(result.sensors) == ["sensors"]
+
+
+def test_days_and_origins():
+    site = {"latitude_deg": 50, "longitude_deg": 8}
+    scene = quasimc.Scene({"PAR": "umol m-2 s-1"}, length_unit="m", site=site)
+    scene.add_material("soil", reflectance=0.2)
+    scene.set_cell(x=(0, 1), y=(0, 1))
+    scene.set_ground("soil")
+    scene.add_sensors([[0.5, 0.5, 1], [0.2, 0.5, 1]], name="points")
+    series = scene.run(
+        time={"day": "2024-06-21", "utc_offset_hours": 1, "hours": [11, 13]},
+        origins=["sun", "sky"],
+        **FEW,
+    )
+    light = series.total.sensors["points"]["incident_upper"]["PAR"]
+    hours = [step.sensors["points"]["incident_upper"]["PAR"].mean for step in series]
+    assert light.mean == pytest.approx(sum(hours) * 3600 / 1e6, rel=1e-9)
+    assert light.unit == "mol m-2"
+    parts = [light.origin(name).mean for name in ("sun", "sky")]
+    assert sum(parts) == pytest.approx(light.mean, rel=1e-9)
+    day = series.days["2024-06-21"].sensors["points"]["incident_upper"]["PAR"]
+    assert np.array_equal(day.mean, light.mean)
+
+
+def test_bad_input_is_told():
+    scene = plane()
+    with pytest.raises(quasimc.InputError, match="points have the shape"):
+        scene.add_sensors([1, 2])
+    with pytest.raises(TypeError, match="points or at"):
+        scene.add_sensors([[0, 0, 1]], at=[[0, 0, 1]])
+    scene.add_sensors([[0, 0, -1]], name="low")
+    scene.add_sensors([[0, 0, 1]], name="odd", facing="north")
+    with pytest.raises(quasimc.InputError) as caught:
+        scene.build()
+    assert "z is below the ground at 1 of 1 points" in str(caught.value)
+    assert "facing is not a direction" in str(caught.value)
+    result = plane().add_sensors([[0, 0, 1]]).run(**FEW)
+    with pytest.raises(KeyError, match="incident_upper"):
+        result.sensors["sensors"]["absorbed_flux"]
