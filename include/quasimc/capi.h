@@ -50,7 +50,8 @@ enum quasimc_part {
     QUASIMC_DETECTORS = 9, /**< detectors of light other than organs */
     QUASIMC_OPTIONS = 10,  /**< options of the run, which return to their defaults */
     QUASIMC_OTHER = 11,    /**< format, title, up, north, length_unit, irradiance_unit, [output] */
-    QUASIMC_UNKNOWN_KEYS = 12 /**< keys at the top of a run file that do not exist */
+    QUASIMC_UNKNOWN_KEYS = 12, /**< keys at the top of a run file that do not exist */
+    QUASIMC_SENSORS = 13       /**< points at which light is measured */
 };
 
 /** Receives the progress of a run from time to time, in the calling thread.
@@ -270,6 +271,21 @@ const char* quasimc_result_group_by(const quasimc_result* result, int64_t group)
 const char* quasimc_result_group_value(const quasimc_result* result, int64_t group);
 /** A number of every group, as quasimc_result_get. */
 int quasimc_result_get_groups(
+    const quasimc_result* result,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count);
+
+/** Sensors ([[sensors]]): the number of their results. 0 without sensors. */
+int64_t quasimc_result_sensor_count(const quasimc_result* result);
+/** NULL and an error if there is no such sensor. */
+const char* quasimc_result_sensor_name(const quasimc_result* result, int64_t sensor);
+/** A number of every sensor, as quasimc_result_get; the light on a sphere is its incident_upper.
+ *  @param values  room for `count` numbers
+ *  @param count  quasimc_result_sensor_count() */
+int quasimc_result_get_sensors(
     const quasimc_result* result,
     const char* quantity,
     const char* band,

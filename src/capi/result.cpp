@@ -87,18 +87,20 @@ const Result* origin_of(const Result& result, std::string_view quantity) {
     return found == result.origins.end() ? nullptr : &found->light;
 }
 
+/// @param light  the light of a result: that on organs, or on sensors
 /// @param rows_of  the rows of a Result
 Column column_of(
     const quasimc_result& result,
+    const Result& light,
     Rows (*rows_of)(const Result&),
     const char* quantity,
     const char* band) {
     std::string name = text_of(quantity, "quantity");
-    const Result* origin = origin_of(result.result, name);
+    const Result* origin = origin_of(light, name);
     if (origin != nullptr) {
         name.resize(name.find(kFrom));
     }
-    const Rows rows = rows_of(origin != nullptr ? *origin : result.result);
+    const Rows rows = rows_of(origin != nullptr ? *origin : light);
     for (const QuantityEntry& entry : quantity_table()) {
         if (entry.name == name) {
             const std::size_t bands = result.result.bands;
@@ -221,6 +223,14 @@ const DetectorResult& detector_of(const quasimc_result* result, const char* name
     throw Misuse(fmt::format("there is no detector '{}'", wanted));
 }
 
+const Result& sensors_of(const quasimc_result* result) {
+    const auto& sensors = deref(result, "result").result.sensors;
+    if (!sensors) {
+        throw Misuse("the scene has no sensors");
+    }
+    return *sensors;
+}
+
 constexpr const char* kNoText = nullptr;
 
 }  // namespace
@@ -300,7 +310,9 @@ int quasimc_result_get(
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
         const std::size_t rows = rows_of_organs(all.result).count;
-        copy_rows(column_of(all, rows_of_organs, quantity, band), rows, statistic, values, count);
+        copy_rows(
+            column_of(all, all.result, rows_of_organs, quantity, band), rows, statistic, values,
+            count);
     });
 }
 
@@ -316,7 +328,7 @@ int quasimc_result_get_organ(
         if (!organ) {
             throw Misuse(fmt::format("no organ has the id {}", id));
         }
-        const Column column = column_of(all, rows_of_organs, quantity, band);
+        const Column column = column_of(all, all.result, rows_of_organs, quantity, band);
         copy_estimate(column.first[*organ * column.stride], values);
     });
 }
@@ -325,7 +337,7 @@ int quasimc_result_get_total(
     const quasimc_result* result, const char* quantity, const char* band, double* values) {
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
-        copy_estimate(*column_of(all, rows_of_groups, quantity, band).first, values);
+        copy_estimate(*column_of(all, all.result, rows_of_groups, quantity, band).first, values);
     });
 }
 
@@ -362,7 +374,9 @@ int quasimc_result_get_groups(
     return guarded([&] {
         const quasimc_result& all = deref(result, "result");
         const std::size_t rows = rows_of_groups(all.result).count;
-        copy_rows(column_of(all, rows_of_groups, quantity, band), rows, statistic, values, count);
+        copy_rows(
+            column_of(all, all.result, rows_of_groups, quantity, band), rows, statistic, values,
+            count);
     });
 }
 
@@ -398,6 +412,34 @@ int64_t quasimc_result_warning_count(const quasimc_result* result) {
 const char* quasimc_result_warning(const quasimc_result* result, int64_t warning) {
     return guarded_or(kNoText, [&] {
         return item_at(deref(result, "result").warnings, warning, "warning").c_str();
+    });
+}
+
+int64_t quasimc_result_sensor_count(const quasimc_result* result) {
+    return guarded_or<int64_t>(-1, [&] {
+        const auto& sensors = deref(result, "result").result.sensors;
+        return sensors ? static_cast<int64_t>(sensors->organs()) : 0;
+    });
+}
+
+const char* quasimc_result_sensor_name(const quasimc_result* result, int64_t sensor) {
+    return guarded_or(kNoText, [&] {
+        return item_at(sensors_of(result).names->organs(), sensor, "sensor").name.c_str();
+    });
+}
+
+int quasimc_result_get_sensors(
+    const quasimc_result* result,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count) {
+    return guarded([&] {
+        const quasimc::Result& sensors = sensors_of(result);
+        copy_rows(
+            column_of(*result, sensors, rows_of_organs, quantity, band), sensors.organs(),
+            statistic, values, count);
     });
 }
 

@@ -78,30 +78,19 @@ void join(Node::Table& into, Node::Table from) {
 
 /// The part of a scene that a key at the top of a run file belongs to.
 quasimc_part part_of(std::string_view key) {
-    constexpr std::array<std::pair<std::string_view, quasimc_part>, 23> kParts{
-        {{"bands", QUASIMC_BANDS},
-         {"band", QUASIMC_BANDS},
-         {"material", QUASIMC_MATERIALS},
-         {"material_file", QUASIMC_MATERIALS},
-         {"organ", QUASIMC_ORGANS},
-         {"geometry", QUASIMC_ORGANS},
-         {"ground", QUASIMC_GROUND},
-         {"cell", QUASIMC_CELL},
-         {"site", QUASIMC_SITE},
-         {"source", QUASIMC_SOURCES},
-         {"light_file", QUASIMC_SOURCES},
-         {"time", QUASIMC_TIME},
-         {"sweep", QUASIMC_SWEEP},
-         {"detector", QUASIMC_DETECTORS},
-         {"run", QUASIMC_OPTIONS},
-         {"format", QUASIMC_OTHER},
-         {"title", QUASIMC_OTHER},
-         {"up", QUASIMC_OTHER},
-         {"north", QUASIMC_OTHER},
-         {"length_unit", QUASIMC_OTHER},
-         {"irradiance_unit", QUASIMC_OTHER},
-         {"output", QUASIMC_OTHER},
-         {"table", QUASIMC_OTHER}}};
+    constexpr std::array<std::pair<std::string_view, quasimc_part>, 24> kParts{
+        {{"bands", QUASIMC_BANDS},        {"band", QUASIMC_BANDS},
+         {"material", QUASIMC_MATERIALS}, {"material_file", QUASIMC_MATERIALS},
+         {"organ", QUASIMC_ORGANS},       {"geometry", QUASIMC_ORGANS},
+         {"ground", QUASIMC_GROUND},      {"cell", QUASIMC_CELL},
+         {"site", QUASIMC_SITE},          {"source", QUASIMC_SOURCES},
+         {"light_file", QUASIMC_SOURCES}, {"time", QUASIMC_TIME},
+         {"sweep", QUASIMC_SWEEP},        {"detector", QUASIMC_DETECTORS},
+         {"sensors", QUASIMC_SENSORS},    {"run", QUASIMC_OPTIONS},
+         {"format", QUASIMC_OTHER},       {"title", QUASIMC_OTHER},
+         {"up", QUASIMC_OTHER},           {"north", QUASIMC_OTHER},
+         {"length_unit", QUASIMC_OTHER},  {"irradiance_unit", QUASIMC_OTHER},
+         {"output", QUASIMC_OTHER},       {"table", QUASIMC_OTHER}}};
     const auto found = std::find_if(
         kParts.begin(), kParts.end(), [&](const auto& row) { return row.first == key; });
     return found == kParts.end() ? QUASIMC_UNKNOWN_KEYS : found->second;

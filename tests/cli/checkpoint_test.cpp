@@ -72,6 +72,16 @@ TEST_F(CheckpointTest, LosesNothingOfTimesThatAreKilled) {
     expect_the_bits_of_the_whole("day.toml --paths 65536", 6);
 }
 
+TEST_F(CheckpointTest, HasTheSensorsOfTheWhole) {
+    folder_.write("sensors.toml", good_run_file() + "[[sensors]]\nat = [[0.5, 0.5, 2]]\n");
+    const std::string run = "\"$quasimc\" run sensors.toml --quiet --paths 1024 --sensors-csv ";
+    ASSERT_EQ(shell(run + "whole.csv").status, 0);
+    ASSERT_EQ(shell(run + "first.csv --checkpoint c").status, 0);
+    ASSERT_EQ(shell(run + "again.csv --checkpoint c --resume").status, 0);
+    EXPECT_EQ(table_rows(folder_.read("first.csv")), table_rows(folder_.read("whole.csv")));
+    EXPECT_EQ(table_rows(folder_.read("again.csv")), table_rows(folder_.read("whole.csv")));
+}
+
 TEST_F(CheckpointTest, LosesNothingOfASweepThatIsKilled) {
     expect_the_bits_of_the_whole("sweep.toml --method light_tracing --paths 131072", 6);
 }

@@ -24,7 +24,7 @@ TEST_F(OutputsTest, AreWrittenByTheirFlags) {
         "all.toml", folder_.read("bare.toml") +
                         "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\ntimes = "
                         "[\"2024-06-21T12:00+02:00\"]\n[[detector]]\ntype = \"escaped_by_zenith\"\n"
-                        "[[gap_fraction]]\nat = [[0, 0, 0]]\n");
+                        "[[sensors]]\nat = [[0, 0, 9]]\n[[gap_fraction]]\nat = [[0, 0, 0]]\n");
     std::istringstream rows(run({"list", "outputs"}).out);
     std::size_t written = 0;
     for (std::string row; std::getline(rows, row);) {

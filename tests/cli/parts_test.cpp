@@ -72,6 +72,17 @@ TEST_F(PartsTest, OfTimesGiveTheirNumbersAndSums) {
     EXPECT_NE(again.out.find("the same numbers as in m.json"), std::string::npos) << again.out;
 }
 
+/// The light on sensors is computed when parts are put together.
+TEST_F(PartsTest, HaveTheSensorsOfTheWhole) {
+    folder_.write(
+        "sensors.toml", good_run_file() + "[[sensors]]\nat = [[0.5, 0.5, 2], [0.5, 0.5, 0.5]]\n");
+    compute_parts(2, {"sensors.toml"});
+    ASSERT_EQ(run({"merge", "p1", "p2", "--sensors-csv", "m.csv"}).status, 0);
+    ASSERT_EQ(run({"run", "sensors.toml", "--sensors-csv", "w.csv"}).status, 0);
+    EXPECT_EQ(rows("m.csv"), rows("w.csv"));
+    EXPECT_NE(rows("w.csv").find("2,sensors 2,0.5,0.5,0.5,sensors"), std::string::npos);
+}
+
 TEST_F(PartsTest, MayBeMoreThanThereIsWork) {
     compute_parts(41, {"run.toml", "--paths", "64", "--replicates", "2"});
     std::vector<std::string> words{"merge", "--csv", "m.csv"};

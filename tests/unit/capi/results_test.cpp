@@ -41,6 +41,35 @@ TEST(CResults, TextsAreUtf8) {
     EXPECT_TRUE(run(*scene));
 }
 
+TEST(CResults, SensorsAreBesideTheOrgans) {
+    const SceneHandle scene = small_canopy(2);
+    ASSERT_EQ(
+        quasimc_scene_state(
+            scene.get(),
+            "[[sensors]]\nname = 'high'\nat = [[0, 0, 50], [1, 0, 50]]\n"
+            "[[sensors]]\nname = 'down'\nfacing = 'down'\nat = [[0, 0, 50]]\n"),
+        QUASIMC_DONE);
+    const ResultHandle result = run(*scene);
+    ASSERT_TRUE(result) << quasimc_last_error();
+    ASSERT_EQ(quasimc_result_sensor_count(result.get()), 3);
+    EXPECT_STREQ(quasimc_result_sensor_name(result.get(), 1), "high 2");
+    EXPECT_EQ(quasimc_result_sensor_name(result.get(), 3), nullptr);
+    double upper[3], lower[3];
+    const auto get = [&](const char* quantity, double* values, std::int64_t count) {
+        return quasimc_result_get_sensors(result.get(), quantity, "PAR", "mean", values, count);
+    };
+    ASSERT_EQ(get("incident_upper", upper, 3), QUASIMC_DONE);
+    ASSERT_EQ(get("incident_lower", lower, 3), QUASIMC_DONE);
+    EXPECT_GT(upper[0], 0);
+    EXPECT_NEAR(upper[0], lower[2], 0.05 * upper[0]);
+    EXPECT_EQ(get("incident_upper", upper, 2), QUASIMC_MISUSE);
+    const ResultHandle without = run(*small_canopy(2));
+    EXPECT_EQ(quasimc_result_sensor_count(without.get()), 0);
+    EXPECT_EQ(
+        quasimc_result_get_sensors(without.get(), "incident_upper", "PAR", "mean", upper, 0),
+        QUASIMC_MISUSE);
+}
+
 TEST(CResults, TotalsAndGroupsAreSumsOfOrgans) {
     const SceneHandle scene = small_canopy(4);
     for (std::int64_t id = 1; id <= 4; ++id) {
