@@ -42,8 +42,8 @@ struct OutputKey {
 /// writers, which are in higher modules.
 using MakeOutput = std::unique_ptr<OutputWriter>(const OutputInput& input);
 MakeOutput make_csv, make_daily_csv, make_groups_csv, make_groups_daily_csv, make_sensors_csv,
-    make_sensors_daily_csv, make_detectors, make_gaps_csv, make_picture, make_vtp, make_ply,
-    make_glb, make_netcdf, make_json;
+    make_sensors_daily_csv, make_sensors_picture, make_detectors, make_gaps_csv, make_picture,
+    make_vtp, make_ply, make_glb, make_netcdf, make_json;
 /// Makes the writer of OutputInput::table.
 MakeOutput make_table;
 // (tools/new.py declares an output above this line)
@@ -82,6 +82,9 @@ void for_each_output(Take take) {
     take(
         OutputKey{"picture", "draw absorbed light, PNG (`quasimc show` draws more)"},
         [](const auto& input) { return make_picture(input); });
+    take(
+        OutputKey{"sensors_picture", "draw maps of arrays of sensors, PNG", {kNeedsSensors}},
+        [](const auto& input) { return make_sensors_picture(input); });
     take(OutputKey{"vtp", "write scene and results for ParaView"}, [](const auto& input) {
         return make_vtp(input);
     });

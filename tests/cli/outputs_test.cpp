@@ -24,7 +24,8 @@ TEST_F(OutputsTest, AreWrittenByTheirFlags) {
         "all.toml", folder_.read("bare.toml") +
                         "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\ntimes = "
                         "[\"2024-06-21T12:00+02:00\"]\n[[detector]]\ntype = \"escaped_by_zenith\"\n"
-                        "[[sensors]]\nat = [[0, 0, 9]]\n[[gap_fraction]]\nat = [[0, 0, 0]]\n");
+                        "[[sensors]]\nat = { start = [0, 0, 9], along = [1, 0, 0], across = [0, 1, "
+                        "0], counts = [2, 2] }\n[[gap_fraction]]\nat = [[0, 0, 0]]\n");
     std::istringstream rows(run({"list", "outputs"}).out);
     std::size_t written = 0;
     for (std::string row; std::getline(rows, row);) {
@@ -38,6 +39,15 @@ TEST_F(OutputsTest, AreWrittenByTheirFlags) {
         }
     }
     EXPECT_GE(written, 9U);
+}
+
+TEST_F(OutputsTest, DrawNoMapWithoutAnArrayOfSensors) {
+    folder_.write("point.toml", folder_.read("bare.toml") + "[[sensors]]\nat = [[0, 0, 9]]\n");
+    const Outcome outcome = run({"run", "-q", "point.toml", "--sensors-picture", "map.png"});
+    if (outcome.err.find("was built without") == std::string::npos) {
+        EXPECT_NE(outcome.status, 0);
+        EXPECT_NE(outcome.err.find("no [[sensors]] is an array"), std::string::npos) << outcome.err;
+    }
 }
 
 /// A repeated result does not write them again, as other outputs.
