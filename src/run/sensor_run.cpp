@@ -92,7 +92,7 @@ RunSpec spec_of_organs(const Scene& scene, const RunSpec& spec) {
 }
 
 RunSpec spec_of_sensors(const Scene& scene, const RunSpec& spec) {
-    constexpr std::uint64_t kMinPoints = 64;
+    constexpr std::uint64_t kMinPoints = 32;
     const std::uint64_t rows = sensor_rows(scene);
     const std::uint64_t each = std::bit_floor(
         std::max<std::uint64_t>(spec.paths / rows, std::min(spec.paths, kMinPoints)));

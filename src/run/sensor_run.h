@@ -20,7 +20,7 @@ void check_sensor_light(const Scene& scene, const Sources& sources, Faults& faul
 [[nodiscard]] RunSpec spec_of_organs(const Scene& scene, const RunSpec& spec);
 
 /// The specification of the run of the sensors of a scene: from_organs, with the paths of the run
-/// divided among the sensors, or 64 points (or all paths, if fewer) for each if that is more.
+/// divided among the sensors, or 32 points (or all paths, if fewer) for each if that is more.
 [[nodiscard]] RunSpec spec_of_sensors(const Scene& scene, const RunSpec& spec);
 
 /// The sensors of the result of scene_with_sensors().

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <stop_token>
 
+#include "base/distribution.h"
 #include "base/stop.h"
 #include "solvers/block_runner.h"
 #include "solvers/direct/visibility.h"
@@ -165,20 +166,43 @@ class FromOrgans final : public Solver {
         if (!subpaths_.are_connected_with(point.region)) {
             scratch.subpath.vertices.clear();
         }
-        return sample_sources(stream, point, scratch.unoccluded, tally) +
+        return sample_direct(stream, point, scratch.unoccluded, tally) +
                sample_vertices(point, scratch, tally) +
                sample_surfaces(stream, point, scratch, tally);
     }
 
-    /// Adds the direct light of one source, sampled for the point.
-    std::uint64_t sample_sources(
+    /// Adds the direct light of the point. That of a sensor is sampled several times, since its
+    /// other light costs more rays and is known better. The samples are shifted by the additive
+    /// recurrence R2 (Roberts 2018).
+    std::uint64_t sample_direct(
         const Stream& stream,
         const Point& point,
         const SideBlocks& unoccluded,
         Tally& tally) const {
-        const LightSample sample = next_event_.sample_light(
-            stream, point.index, 2, point.p,
-            {point.up, prepared_.fields_of_view().least_cosine(point.region)});
+        constexpr std::uint32_t kOfSensor = 8;
+        constexpr double kShift0 = 0.7548776662466927, kShift1 = 0.5698402909980532;
+        const bool is_random = next_event_.dimensions() > 0;
+        double u0 = is_random ? coordinate(stream, point.index, 2) : 0;
+        double u1 = is_random ? coordinate(stream, point.index, 3) : 0;
+        const std::uint32_t count = point.is_sensor() && is_random ? kOfSensor : 1;
+        const FieldOfView view{point.up, prepared_.fields_of_view().least_cosine(point.region)};
+        std::uint64_t rays = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+            const LightSample sample = next_event_.sample_light(u0, u1, point.p, view);
+            rays += add_direct(point, sample, 1. / count, unoccluded, tally);
+            u0 = std::min(u0 + kShift0 - (u0 + kShift0 < 1 ? 0 : 1), kBelowOne);
+            u1 = std::min(u1 + kShift1 - (u1 + kShift1 < 1 ? 0 : 1), kBelowOne);
+        }
+        return rays;
+    }
+
+    /// Adds a share of the light of a sampled source, if it reaches the point.
+    std::uint64_t add_direct(
+        const Point& point,
+        const LightSample& sample,
+        double share,
+        const SideBlocks& unoccluded,
+        Tally& tally) const {
         const Surface surface = point.surface(sample.to_light);
         if (surface.cosine == 0 || sample.factor == 0 ||
             NextEvent::is_in_plane(sample, surface.normal) ||
@@ -187,7 +211,7 @@ class FromOrgans final : public Solver {
             return 0;
         }
         const LightBlocks& blocks = tally.blocks();
-        const double part = part_of_unit_[point.region];
+        const double part = share * part_of_unit_[point.region];
         const double amount = part * sample.factor * surface.cosine;
         tally.add(
             unoccluded.bin(point.region, surface.side, sample.light->spectrum), to_fixed(amount));

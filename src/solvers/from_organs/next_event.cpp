@@ -111,6 +111,11 @@ LightSample NextEvent::sample_light(
         u0 = sampler_.coordinate(stream, point, dimension);
         u1 = sampler_.coordinate(stream, point, dimension + 1);
     }
+    return sample_light(u0, u1, p, view);
+}
+
+LightSample NextEvent::sample_light(
+    double u0, double u1, const Vec3& p, const FieldOfView& view) const {
     const Pick picked = pick(u0, p);
     const BoundSource& light = *picked.light;
     const Illumination seen =

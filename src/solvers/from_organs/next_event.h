@@ -80,6 +80,10 @@ class NextEvent {
         const Vec3& p,
         const FieldOfView& view = {}) const;
 
+    /// The same, by numbers in [0, 1).
+    [[nodiscard]] LightSample sample_light(
+        double u0, double u1, const Vec3& p, const FieldOfView& view = {}) const;
+
     /// Whether the sampled point of a lamp is in the plane of a surface, to rounding: it neither
     /// lights the surface nor is occluded by it.
     [[nodiscard]] static bool is_in_plane(const LightSample& sample, const Vec3& normal);
