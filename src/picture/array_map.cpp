@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMapMargin = 20, kMapTitle = 40, kMapLegend = 130, kMapLetters = 16;
 /// The longer side of a map, and the least size of a side, pixels.
-constexpr double kMapSide = 640, kLeastSide = 60;
+constexpr double kMapSide = 640, kMinSide = 60;
 
 }  // namespace
 
@@ -18,9 +18,9 @@ Image draw_array_map(const ArrayMap& map) {
     const double across = static_cast<double>(map.columns) * map.aspect;
     const auto up = static_cast<double>(map.rows);
     const double scale = kMapSide / std::max(across, up);
-    const double width = std::max(kLeastSide, std::round(scale * across));
-    const double height = std::max(kLeastSide, std::round(scale * up));
-    const double tall = std::max(height, 3 * kLeastSide);
+    const double width = std::max(kMinSide, std::round(scale * across));
+    const double height = std::max(kMinSide, std::round(scale * up));
+    const double tall = std::max(height, 3 * kMinSide);
     Canvas canvas(
         static_cast<std::size_t>(width + 3 * kMapMargin + kMapLegend),
         static_cast<std::size_t>(tall + kMapTitle + 2 * kMapMargin));

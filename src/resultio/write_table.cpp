@@ -82,7 +82,7 @@ class TableWriter final : public OutputWriter {
     }
 
     void on_time_step(const TimeStepResult& step) override {
-        if (table_.times == CsvTimes::days) {
+        if (table_.times == CsvTimes::days || (is_of_sensors() && !step.result.sensors)) {
             return;
         }
         if (!std::exchange(has_head_, true)) {
@@ -97,7 +97,7 @@ class TableWriter final : public OutputWriter {
     }
 
     void on_day(std::size_t day, const SeriesSum& raw) override {
-        if (table_.times != CsvTimes::days) {
+        if (table_.times != CsvTimes::days || (is_of_sensors() && !raw.sensors)) {
             return;
         }
         const SeriesSum sum = in_summed_units(*run_, raw);
