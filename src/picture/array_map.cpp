@@ -30,7 +30,8 @@ Image draw_array_map(const ArrayMap& map) {
     for (std::size_t i = 0; i < colors.size(); ++i) {
         // Whole pixels, so that cells have no seams.
         const auto column = static_cast<double>(i % map.columns);
-        const auto row = static_cast<double>(map.rows - 1 - i / map.columns);
+        const std::size_t below_top = map.rows - 1 - i / map.columns;
+        const auto row = static_cast<double>(below_top);
         const double x = std::round(width * column / static_cast<double>(map.columns));
         const double y = std::round(height * row / up);
         const double right = std::round(width * (column + 1) / static_cast<double>(map.columns));
