@@ -47,6 +47,7 @@ PUBLIC_HEADERS = {
     "source.h": "light",
     "scene.h": "detectors",
     "run_spec.h": "solvers",
+    "sun_shade.h": "results",
     "result.h": "results",
     "run.h": "run",
     "gap_fraction.h": "survey",

@@ -122,7 +122,10 @@ const std::vector<ListEntry>& lists() {
              return list_table(quasimc::sky_catalogue()) +
                     list_row("table", "radiance of cells of azimuth and elevation, from a file");
          }},
-        {"quantities", [] { return list_table(quasimc::quantity_table()); }},
+        {"quantities",
+         [] {
+             return list_table(quasimc::quantity_table()) + list_table(quasimc::sun_shade_table());
+         }},
         {"options-markdown", quasimc::options_markdown}};
     return all;
 }

@@ -41,6 +41,13 @@ void add_choice_flags(OutputChoice& choice, std::vector<Flag>& flags) {
          .group = "Output"});
 }
 
+std::vector<quasimc::Override> overrides_of(const OutputChoice& choice) {
+    const quasimc::OutputSpec given{.quantities = split_list(choice.quantities)};
+    return quasimc::needs_parts(given)
+               ? std::vector<quasimc::Override>{{"sun_shade", "apart", "--quantities"}}
+               : std::vector<quasimc::Override>{};
+}
+
 void apply_choice(const OutputChoice& choice, quasimc::RunFile& run) {
     quasimc::OutputSpec given;
     given.quantities = split_list(choice.quantities);

@@ -28,7 +28,9 @@
 
 quasimc::StoredSweep read_runs(
     const RunArguments& arguments, const quasimc::FileAccess& access) try {
-    const std::vector<quasimc::Override> overrides = arguments.flags.overrides();
+    std::vector<quasimc::Override> overrides = overrides_of(arguments.choice);
+    const std::vector<quasimc::Override> given = arguments.flags.overrides();
+    overrides.insert(overrides.end(), given.begin(), given.end());
     if (arguments.from.empty()) {
         quasimc::StoredSweep read{
             quasimc::read_run_sweep(

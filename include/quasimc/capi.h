@@ -233,7 +233,10 @@ const char* quasimc_quantity_name(int64_t quantity);
 
 /** A number of every organ.
  *  @param quantity  a name of quasimc_quantity_name(), with "_from_sun" for the part that came from
- *         that origin, if the run has origins; "sunlit_fraction"; or a requested ratio, "R:FR"
+ *         that origin, if the run has origins; with sun_shade = "apart" a quantity of sunlit and
+ *         shaded parts, "incident_upper_sunlit"; "sunlit_fraction", with sun_shade also "_upper"
+ * and
+ *         "_lower"; or a requested ratio, "R:FR"
  *  @param band  its name; NULL for the latter two
  *  @param statistic  "mean", "standard_error", or "ci95_low" and "ci95_high", the ends of the 95 %
  * interval, which contains the mean and only physically possible values

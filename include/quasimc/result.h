@@ -19,6 +19,7 @@
 #include "quasimc/run_spec.h"
 #include "quasimc/source.h"
 #include "quasimc/sums.h"
+#include "quasimc/sun_shade.h"
 
 namespace quasimc {
 
@@ -172,6 +173,7 @@ struct GroupResults {
     std::vector<Estimate> ratio_values;  ///< [group * ratios + i], as Result::ratio_values
     /// [(group * kGroupShares + share) * bands + band]; see share(). Over times: of the sums.
     std::vector<Estimate> shares = {};
+    SunShadeLight sun_shade = {};  ///< rows as in `groups`
 
     /// Unknown without light, or without horizontal area.
     [[nodiscard]] Estimate share(std::size_t group, GroupShare share, std::size_t band) const {
@@ -249,6 +251,7 @@ struct Result {
     /// (their mean weighted by irradiance); empty without these. A leaf whose sides are lit by two
     /// suns counts for each.
     std::vector<Estimate> sunlit_fraction;
+    SunShadeLight sun_shade;  ///< rows are organs, in the scene's order
     /// [organ * ratios + i], i as in RunSpec::ratios.
     std::vector<Estimate> ratio_values;
     GroupResults groups;                  ///< all organs first
@@ -256,8 +259,8 @@ struct Result {
     std::vector<CanopyFractions> canopy;  ///< per band; empty without ground or periodic cell
     bool escaped_by_difference = false;
     std::vector<DetectorResult> detectors;  ///< in the order of Scene::detectors()
-    /// The light of each origin (RunSpec::origins) alone: all of the above except ratios and sunlit
-    /// fractions. Their means add up to those of all light, to rounding.
+    /// The light of each origin (RunSpec::origins) alone: all of the above except ratios, sunlit
+    /// fractions and the light of parts. Their means add up to those of all light, to rounding.
     std::vector<OriginLight> origins;
     /// The light on sensors (Scene::sensors()), in their order, as that on organs; they absorb
     /// none. Null without sensors. Result::rays and times include them.
@@ -374,6 +377,7 @@ struct OriginSources {
 struct EvaluationSpec {
     std::vector<std::pair<std::size_t, std::size_t>> ratios = {};  ///< pairs of bands
     DirectLight direct_light = DirectLight::included;
+    SunShade sun_shade = SunShade::together;  ///< `apart` only for sums with these blocks
     GroupSpec groups = {};
     Question question = {};  ///< for errors_so_far() and pooled_error() only
     /// Horizontal irradiance of all sources, per band; empty if unknown (lamps).

@@ -40,6 +40,12 @@ enum class DirectLight {
     excluded,  ///< it is scattered, but does not count in the results of organs
 };
 
+/// The light of the sunlit and the shaded part of each organ.
+enum class SunShade {
+    together,  ///< is one number
+    apart,     ///< is reported apart too: SunShadeLight
+};
+
 /// The allocation of the paths of a series to its times.
 enum class PathAllocation {
     equal,         ///< equal numbers for all times
@@ -118,6 +124,8 @@ struct RunSpec {
     /// sources, in which `*` means any characters. A source belongs to the first that fits;
     /// what fits none is "other". Empty: none.
     std::vector<std::string> origins = {};
+
+    SunShade sun_shade = SunShade::together;
 
     // Groups of organs (GroupSpec): for each value of these labels, and in these layers.
     std::vector<std::string> groups = {};

@@ -35,8 +35,14 @@ struct SeriesSum {
     /// Estimates, as in Result. The errors of time steps are independent, except those scaled from
     /// the same computation.
     std::vector<Estimate> values;
-    /// Sums of groups of organs, without sunlit areas and ratios.
+    /// Sums of groups of organs, without ratios. With RunSpec::sun_shade: sunlit fractions x hours,
+    /// and sunlit areas x hours.
     GroupResults groups = {};
+    /// With RunSpec::sun_shade: sunlit fractions of organs x hours; and the light of parts. There,
+    /// direct light is summed, fractions are multiplied by hours, and light per sunlit or shaded
+    /// area is its mean over area and time.
+    std::vector<Estimate> sunlit_hours = {};
+    SunShadeLight sun_shade = {};
     std::vector<OriginSum> origins;  ///< each origin alone, as Result::origins
     /// The light on sensors, as Result::sensors; null without sensors.
     std::shared_ptr<const SeriesSum> sensors = {};

@@ -63,11 +63,26 @@ py::dict quantity_rows() {
     return rows;
 }
 
+py::list sun_shade_rows() {
+    py::list rows;
+    for (const SunShadeEntry& entry : sun_shade_table()) {
+        py::dict row;
+        row["name"] = std::string(entry.name);
+        row["of_sums"] = std::string(entry.of_sums);
+        row["summary"] = std::string(entry.summary);
+        row["has_bands"] = entry.has_bands();
+        row["is_summed"] = entry.part == SunShadePart::direct;
+        rows.append(row);
+    }
+    return rows;
+}
+
 }  // namespace
 
 void bind_catalogues(py::module_& module) {
     module.def("options", &option_rows);
     module.def("quantities", &quantity_rows);
+    module.def("sun_shade_quantities", &sun_shade_rows);
     module.def("sources", [] { return summaries(source_catalogue()); });
     module.def("skies", [] { return summaries(sky_catalogue()); });
     module.def("shapes", [] {

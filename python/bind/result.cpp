@@ -124,7 +124,7 @@ void report_all(std::vector<Estimate>& estimates) {
 void report_groups(GroupResults& groups) {
     for (std::vector<Estimate>* estimates :
          {&groups.values, &groups.sunlit_fraction, &groups.sunlit_area, &groups.ratio_values,
-          &groups.shares}) {
+          &groups.shares, &groups.sun_shade.values}) {
         report_all(*estimates);
     }
 }
@@ -132,7 +132,10 @@ void report_groups(GroupResults& groups) {
 }  // namespace
 
 SeriesSum reported_sum(SeriesSum sum) {
-    report_all(sum.values);
+    for (std::vector<Estimate>* estimates :
+         {&sum.values, &sum.sunlit_hours, &sum.sun_shade.values}) {
+        report_all(*estimates);
+    }
     report_groups(sum.groups);
     for (OriginSum& origin : sum.origins) {
         origin.light = reported_sum(std::move(origin.light));
@@ -145,7 +148,8 @@ SeriesSum reported_sum(SeriesSum sum) {
 
 std::shared_ptr<Result> reported_result(Result result) {
     for (std::vector<Estimate>* estimates :
-         {&result.values, &result.sunlit_fraction, &result.ratio_values}) {
+         {&result.values, &result.sunlit_fraction, &result.ratio_values,
+          &result.sun_shade.values}) {
         report_all(*estimates);
     }
     report_groups(result.groups);
@@ -171,7 +175,23 @@ py::object estimates_view(
     return view;
 }
 
-py::object groups_dict(const GroupResults& results, py::handle owner) {
+py::object parts_dict(
+    const SunShadeLight& light, const std::vector<Estimate>* hours, py::handle owner) {
+    if (light.empty()) {
+        return py::none();
+    }
+    const std::size_t rows = light.values.size() / light.values_per_row();
+    py::dict parts;
+    parts["values"] = estimates_view(
+        light.values,
+        {signed_size(rows), signed_size(kSunShadeQuantities), signed_size(light.bands)}, owner);
+    if (hours != nullptr) {
+        parts["hours"] = estimates_view(*hours, {signed_size(rows)}, owner);
+    }
+    return parts;
+}
+
+py::object groups_dict(const GroupResults& results, py::handle owner, CsvTimes times) {
     py::list groups;
     for (const OrganGroup& group : results.groups) {
         py::dict row;
@@ -202,6 +222,8 @@ py::object groups_dict(const GroupResults& results, py::handle owner) {
         estimates_view(results.sunlit_area, {signed_size(results.sunlit_area.size())}, owner);
     all["ratios"] =
         estimates_view(results.ratio_values, {count, signed_size(results.ratios)}, owner);
+    all["sun_shade"] = parts_dict(
+        results.sun_shade, times == CsvTimes::days ? &results.sunlit_fraction : nullptr, owner);
     if (!results.shares.empty()) {
         all["shares"] = estimates_view(
             results.shares, {count, signed_size(kGroupShares), signed_size(results.bands)}, owner);
@@ -247,6 +269,11 @@ void bind_result(py::module_& module) {
             "sensors",
             [](const py::object& self) {
                 return sensors_dict(self.cast<const Result&>().sensors.get(), self);
+            })
+        .def_property_readonly(
+            "sun_shade",
+            [](const py::object& self) {
+                return parts_dict(self.cast<const Result&>().sun_shade, nullptr, self);
             })
         .def_property_readonly("detectors", &detectors_of)
         .def_property_readonly("budget", &budget_of)

@@ -6,6 +6,7 @@
 
 #include "bind.h"
 #include "quasimc/result.h"
+#include "quasimc/run_file.h"
 #include "quasimc/series.h"
 
 namespace quasimc::python {
@@ -20,8 +21,14 @@ namespace quasimc::python {
 [[nodiscard]] py::object estimates_view(
     const std::vector<Estimate>& values, std::vector<py::ssize_t> shape, py::handle owner);
 
+/// The light of sunlit and shaded parts, owned by `owner`; None without it.
+/// @param hours  of sums over time: sunlit hours; null: not of sums
+[[nodiscard]] py::object parts_dict(
+    const SunShadeLight& light, const std::vector<Estimate>* hours, py::handle owner);
+
 /// The light of groups, owned by `owner`.
-[[nodiscard]] py::object groups_dict(const GroupResults& groups, py::handle owner);
+[[nodiscard]] py::object groups_dict(
+    const GroupResults& groups, py::handle owner, CsvTimes times = CsvTimes::time_steps);
 
 /// The light by quantity and band of each origin, and that of its groups, owned by `owner`: a dict
 /// by name.

@@ -96,7 +96,8 @@ py::list days_of(const py::object& self) {
         day["date"] = all.series.days[all.days[i]];
         day["seconds"] = all.sums[i].seconds;
         day["values"] = view_of_sum(all.sums[i], organs_of(all.sums[i]), self);
-        day["groups"] = groups_dict(all.sums[i].groups, self);
+        day["groups"] = groups_dict(all.sums[i].groups, self, CsvTimes::days);
+        day["sun_shade"] = parts_dict(all.sums[i].sun_shade, &all.sums[i].sunlit_hours, self);
         day["origins"] = origins_dict(all.sums[i].origins, self);
         day["sensors"] = sensors_dict(all.sums[i].sensors.get(), self);
         days.append(day);
@@ -150,7 +151,14 @@ void bind_series(py::module_& module) {
         .def_property_readonly(
             "total_groups",
             [](const py::object& self) {
-                return groups_dict(self.cast<const SeriesHandle&>().summary.total.groups, self);
+                const auto& total = self.cast<const SeriesHandle&>().summary.total;
+                return groups_dict(total.groups, self, CsvTimes::days);
+            })
+        .def_property_readonly(
+            "total_sun_shade",
+            [](const py::object& self) {
+                const auto& total = self.cast<const SeriesHandle&>().summary.total;
+                return parts_dict(total.sun_shade, &total.sunlit_hours, self);
             })
         .def_property_readonly("facts", &facts_of_series);
     module.def(

@@ -18,6 +18,7 @@ from .estimates import DetectorResult, Estimate, Estimates
 from .grow import GrowthStep, grow
 from .growth import GrowthSession
 from .organs import Organs
+from .parts import SunShade
 from .result import Groups, Result, Selection, Series, Sums, quantities
 from .scene import Scene, load, options
 from .sensors import Sensors
@@ -62,6 +63,7 @@ __all__ = [
     "Stopped",
     "Sums",
     "SunPosition",
+    "SunShade",
     "__version__",
     "directional",
     "grow",

@@ -199,6 +199,14 @@ class _Light:
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
 
+class SunShade:
+    def __init__(self, values: Array, organs: Organs, hours: Array | None = None) -> None: ...
+    def __getitem__(self, quantity: str) -> Estimates: ...
+    def keys(self) -> list[str]: ...
+    def __iter__(self) -> Iterator[str]: ...
+    def __len__(self) -> int: ...
+    def to_pandas(self) -> Any: ...
+
 class Selection(_Light):
     ids: list[int]
     def __init__(self, result: Result, ids: Iterable[int]) -> None: ...
@@ -216,6 +224,8 @@ class Groups(_Light):
     def keys(self) -> list[str]: ...
     @property
     def ratios(self) -> dict[str, Estimates]: ...
+    @property
+    def sun_shade(self) -> SunShade: ...
     def to_pandas(self) -> Any: ...
 
 class Sums(_Light):
@@ -230,7 +240,10 @@ class Sums(_Light):
         groups: Any = None,
         origins: Mapping[str, Any] | None = None,
         sensors: Mapping[str, Any] | None = None,
+        sun_shade: Mapping[str, Any] | None = None,
     ) -> None: ...
+    @property
+    def sun_shade(self) -> SunShade: ...
     def to_pandas(self) -> Any: ...
 
 class Result(_Light):
@@ -271,6 +284,8 @@ class Result(_Light):
     def sensors(self) -> dict[str, Sensors]: ...
     @property
     def detectors(self) -> dict[str, DetectorResult]: ...
+    @property
+    def sun_shade(self) -> SunShade: ...
     @property
     def audit(self) -> dict[str, Any] | None: ...
     def select(self, ids: Iterable[int | str]) -> Selection: ...
@@ -422,6 +437,7 @@ class Scene:
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         origins: Sequence[str] = ...,
+        sun_shade: str = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -458,6 +474,7 @@ class Scene:
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         origins: Sequence[str] = ...,
+        sun_shade: str = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -494,6 +511,7 @@ class Scene:
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         origins: Sequence[str] = ...,
+        sun_shade: str = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -529,6 +547,7 @@ class Scene:
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         origins: Sequence[str] = ...,
+        sun_shade: str = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -593,6 +612,7 @@ class GrowthSession:
         ratios: Sequence[str] = ...,
         groups: Sequence[str] = ...,
         origins: Sequence[str] = ...,
+        sun_shade: str = ...,
         layers: int = ...,
         layer_heights: Sequence[float] = ...,
         direct_light: str = ...,
@@ -649,6 +669,7 @@ def grow(
     ratios: Sequence[str] = ...,
     groups: Sequence[str] = ...,
     origins: Sequence[str] = ...,
+    sun_shade: str = ...,
     layers: int = ...,
     layer_heights: Sequence[float] = ...,
     direct_light: str = ...,

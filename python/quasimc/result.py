@@ -8,6 +8,7 @@ import numpy as np
 
 from . import _core
 from .estimates import DetectorResult, Estimate, Estimates
+from .parts import parts_of
 from .sensors import sensors_by_name
 
 #: Short names of quantities.
@@ -127,6 +128,12 @@ class Groups(_Light):
         self._ratios = core["ratios"]
         self._ratio_names = list(ratio_names)
         self._shares = core.get("shares")
+        self._parts = core.get("sun_shade")
+
+    @property
+    def sun_shade(self):
+        """Light of the sunlit and the shaded part of groups, with sun_shade="apart": SunShade."""
+        return parts_of(self._parts, self._of)
 
     def keys(self):
         """Names of the quantities."""
@@ -269,6 +276,11 @@ class Result(_Light):
         return {
             seen["name"]: DetectorResult(seen, units, self.bands) for seen in self._core.detectors
         }
+
+    @cached_property
+    def sun_shade(self):
+        """Light of the sunlit and the shaded part of organs, with sun_shade="apart": SunShade."""
+        return parts_of(self._core.sun_shade, self.organs)
 
     @property
     def audit(self):
@@ -440,7 +452,7 @@ class Series:
         return {
             day["date"]: Sums(
                 day["values"], day["seconds"], self.organs, day["groups"], day["origins"],
-                day["sensors"],
+                day["sensors"], day["sun_shade"],
             )
             for day in self._core.days
         }
@@ -449,7 +461,7 @@ class Series:
     def total(self):
         return Sums(
             self._core.total, self.total_seconds, self.organs, self._core.total_groups,
-            self._core.total_origins, self._core.total_sensors,
+            self._core.total_origins, self._core.total_sensors, self._core.total_sun_shade,
         )
 
     def __len__(self):
@@ -503,7 +515,9 @@ class Sums(_Light):
         Name of a set -> `Sensors`.
     """
 
-    def __init__(self, values, seconds, organs, groups=None, origins=None, sensors=None):
+    def __init__(
+        self, values, seconds, organs, groups=None, origins=None, sensors=None, sun_shade=None
+    ):
         factors = np.array([_core.summed_unit(unit)[1] for unit in organs.units])[:, None]
         parts = {name: light["values"] * factors for name, light in (origins or {}).items()}
         super().__init__(values * factors, None, organs, time="sum", origins=parts)
@@ -514,6 +528,12 @@ class Sums(_Light):
             if groups is None
             else Groups(groups, organs, factors=factors, origins=origins)
         )
+        self._parts = sun_shade
+
+    @property
+    def sun_shade(self):
+        """Light of the sunlit and the shaded part of organs, with sun_shade="apart": SunShade."""
+        return parts_of(self._parts, self._of)
 
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each organ, indexed by id; columns as for a result."""

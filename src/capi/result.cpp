@@ -57,16 +57,21 @@ struct Rows {
     const std::vector<Estimate>& values;
     const std::vector<Estimate>& sunlit;
     const std::vector<Estimate>& ratios;
+    const SunShadeLight& parts;
     std::size_t count;
 };
 
 Rows rows_of_organs(const Result& result) {
-    return {result.values, result.sunlit_fraction, result.ratio_values, result.organs()};
+    return {
+        result.values, result.sunlit_fraction, result.ratio_values, result.sun_shade,
+        result.organs()};
 }
 
 Rows rows_of_groups(const Result& result) {
     const GroupResults& groups = result.groups;
-    return {groups.values, groups.sunlit_fraction, groups.ratio_values, groups.groups.size()};
+    return {
+        groups.values, groups.sunlit_fraction, groups.ratio_values, groups.sun_shade,
+        groups.groups.size()};
 }
 
 /// One number of every row: offset of the first, and stride.
@@ -107,6 +112,15 @@ Column column_of(
             const auto number = static_cast<std::size_t>(entry.quantity);
             return {
                 rows.values.data() + number * bands + band_of(result, band), kQuantities * bands};
+        }
+    }
+    for (const SunShadeEntry& entry : sun_shade_table()) {
+        if (entry.name == name && !rows.parts.empty()) {
+            const std::size_t of_band = entry.has_bands() ? band_of(result, band) : 0;
+            const auto number = static_cast<std::size_t>(entry.quantity);
+            return {
+                rows.parts.values.data() + number * rows.parts.bands + of_band,
+                rows.parts.values_per_row()};
         }
     }
     if (origin == nullptr && name == "sunlit_fraction" && rows.sunlit.size() == rows.count) {

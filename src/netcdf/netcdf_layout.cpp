@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "resultio/describe_series.h"
+#include "resultio/part_columns.h"
 #include "results/evaluate.h"
 #include "results/groups.h"
 #include "results/units.h"
@@ -288,11 +289,9 @@ NetcdfEstimates NetcdfLayout::define_estimates(
 }
 
 void NetcdfLayout::define_light() {
-    const Axis time = time_axis(), band = band_axis();
-    const Axis day{day_, run_.series ? std::max<std::size_t>(run_.series->days.size(), 1) : 1};
+    const Axis time = time_axis(), band = band_axis(), day = day_axis(), organ = organ_axis();
     const Axis ratio{ratio_, run_.spec.ratios.size()};
     const Axis origin{origin_, columns.origins.size()};
-    const Axis organ{organ_, run_.scene.organs().size()};
     const auto define = [&](const std::string& name, const std::string& unit,
                             const std::string& summary, const std::vector<Axis>& axes) {
         return define_estimates(name, unit, summary, axes, organ_coordinates_);
@@ -326,11 +325,52 @@ void NetcdfLayout::define_light() {
             "sunlit_fraction", "1", "fraction of the area lit directly by directional sources",
             {time, organ});
     }
+    if (columns.has_sunlit_hours && run_.series) {
+        sunlit_hours =
+            define("sunlit_hours", "h", "sunlit fraction of the area x time", {day, organ});
+    }
+    define_parts();
     if (ratio_) {
         ratios = define(
             "light_ratio", "1", "ratio of incident light, both sides of the organ",
             {time, ratio, organ});
     }
+}
+
+void NetcdfLayout::define_parts() {
+    for (const NetcdfBands& list : bands) {
+        for (const SunShadeEntry& entry : columns.parts) {
+            if (entry.has_bands()) {
+                define_part({entry, list.bands, list.suffix.empty()}, list.suffix);
+            }
+        }
+    }
+    for (const SunShadeEntry& entry : columns.parts) {
+        if (!entry.has_bands()) {
+            define_part({entry, {0}}, "");
+        }
+    }
+}
+
+void NetcdfLayout::define_part(NetcdfPart part, const std::string& suffix) {
+    const auto axes = [&](const Axis& first) {
+        return part.has_axis ? std::vector{first, band_axis(), organ_axis()}
+                             : std::vector{first, organ_axis()};
+    };
+    const PartColumn column{part.entry, part.bands.front()};
+    const std::string summary(part.entry.summary);
+    part.light = define_estimates(
+        std::string(part.entry.name) + suffix, unit_of(run_, column, CsvTimes::time_steps), summary,
+        axes(time_axis()), organ_coordinates_);
+    if (run_.series) {
+        const char* kind = !part.entry.has_bands()                   ? ""
+                           : part.entry.part == SunShadePart::direct ? "_day_sum"
+                                                                     : "_day_mean";
+        part.days = define_estimates(
+            std::string(part.entry.of_sums) + suffix + kind, unit_of(run_, column, CsvTimes::days),
+            summary_of(column, CsvTimes::days), axes(day_axis()), organ_coordinates_);
+    }
+    parts.push_back(std::move(part));
 }
 
 void NetcdfLayout::define_detectors() {

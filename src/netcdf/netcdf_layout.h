@@ -22,6 +22,15 @@ struct NetcdfEstimates {
     std::array<int, 4> variables{};  ///< mean, standard error, ends of the interval
 };
 
+/// A quantity of sunlit and shaded parts, in bands of one unit.
+struct NetcdfPart {
+    SunShadeEntry entry;
+    std::vector<std::size_t> bands;  ///< indices in the scene; one without an axis
+    bool has_axis = false;
+    NetcdfEstimates light = {};
+    std::optional<NetcdfEstimates> days = {};
+};
+
 /// Names and dimensions of the variables of a file, and positions of a run's numbers in them.
 class NetcdfLayout {
   public:
@@ -35,7 +44,8 @@ class NetcdfLayout {
     std::vector<NetcdfEstimates> days;   ///< daily sums, same order; empty without [time]
     /// The same with an axis of origins; empty if light is not kept apart.
     std::vector<NetcdfEstimates> light_by_origin, days_by_origin;
-    std::optional<NetcdfEstimates> sunlit, ratios;
+    std::vector<NetcdfPart> parts;
+    std::optional<NetcdfEstimates> sunlit, sunlit_hours, ratios;
     std::vector<std::vector<NetcdfEstimates>> detectors;  ///< [detector][list of bands]
 
     /// Writes the areas of the organs of a run, if they may differ between points.
@@ -56,9 +66,15 @@ class NetcdfLayout {
     void define_days();
     void define_points();
     void define_light();
+    void define_parts();
+    void define_part(NetcdfPart part, const std::string& suffix);
     void define_detectors();
     using Axis = std::pair<std::optional<int>, std::size_t>;  // dimension, if present, and size
     [[nodiscard]] Axis time_axis() const { return {time_, std::max<std::size_t>(rows_.size(), 1)}; }
+    [[nodiscard]] Axis day_axis() const {
+        return {day_, run_.series ? std::max<std::size_t>(run_.series->days.size(), 1) : 1};
+    }
+    [[nodiscard]] Axis organ_axis() const { return {organ_, run_.scene.organs().size()}; }
     [[nodiscard]] Axis band_axis() const { return {band_, columns.bands.size()}; }
     /// Defines an estimate along the axes of the sweep and those.
     NetcdfEstimates define_estimates(

@@ -46,6 +46,9 @@ class NetcdfLight final : public NetcdfWriter {
                 return result.sunlit_fraction[organ];
             });
         }
+        for (const NetcdfPart& part : layout_.parts) {
+            put_part(part, part.light, start, result.sun_shade);
+        }
         if (layout_.ratios) {
             put(*layout_.ratios, start, {result.ratios, organs},
                 [&](std::size_t i) { return result.ratio(i % organs, i / organs); });
@@ -67,6 +70,13 @@ class NetcdfLight final : public NetcdfWriter {
         start.push_back(day);
         put_light(layout_.days, start, sum);
         put_origins(layout_.days_by_origin, start, sum);
+        for (const NetcdfPart& part : layout_.parts) {
+            put_part(part, *part.days, start, sum.sun_shade);
+        }
+        if (layout_.sunlit_hours && !sum.sunlit_hours.empty()) {
+            put(*layout_.sunlit_hours, start, {sum.sunlit_hours.size()},
+                [&](std::size_t organ) { return sum.sunlit_hours[organ]; });
+        }
     }
 
     void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
@@ -135,6 +145,21 @@ class NetcdfLight final : public NetcdfWriter {
             own.push_back(i);
             put_light(variables, own, light.origins[i].light);
         }
+    }
+
+    void put_part(
+        const NetcdfPart& part,
+        const NetcdfEstimates& to,
+        const std::vector<std::size_t>& start,
+        const SunShadeLight& light) {
+        if (light.empty()) {
+            return;
+        }
+        const std::size_t organs = run_->scene.organs().size();
+        put(to, start, part.has_axis ? std::vector{part.bands.size(), organs} : std::vector{organs},
+            [&](std::size_t i) {
+                return light.at(i % organs, part.entry.quantity, part.bands[i / organs]);
+            });
     }
 
     void put_detectors(const std::vector<std::size_t>& start, const Result& result) {

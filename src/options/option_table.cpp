@@ -187,6 +187,11 @@ std::vector<Option> rows_of_results() {
             {"origins", "",
              "report light by where it came from too: sun, sky, lamps, or names of sources with *"},
             &RunSpec::origins, ListDomain{"ORIGIN"}),
+        choice_option<SunShade>(
+            {"sun_shade", "",
+             "light of the sunlit and the shaded part of each organ and group: together, or apart "
+             "too"},
+            &RunSpec::sun_shade, {{"together", SunShade::together}, {"apart", SunShade::apart}}),
         integer_option(
             {"layers", "",
              "sum results in this many layers of equal height, from the ground to the top "

@@ -94,6 +94,14 @@ SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
             (*values)[i] = scaled((*values)[i], factors[i % factors.size()]);
         }
     }
+    for (SunShadeLight* light : {&sum.sun_shade, &sum.groups.sun_shade}) {
+        for (std::size_t i = 0; i < light->values.size(); ++i) {
+            const auto& entry = sun_shade_table()[i / light->bands % kSunShadeQuantities];
+            if (entry.part == SunShadePart::direct) {
+                light->values[i] = scaled(light->values[i], factors[i % factors.size()]);
+            }
+        }
+    }
     return sum;
 }
 

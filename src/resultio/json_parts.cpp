@@ -53,6 +53,16 @@ Json quantities_of(const RunFile& run) {
         }
         list.push_back({{"name", entry.name}, {"meaning", entry.summary}, {"unit", units}});
     }
+    for (const SunShadeEntry& entry : columns.parts) {
+        Json unit = "1";
+        if (entry.has_bands()) {
+            unit = Json::object();
+            for (const std::size_t b : columns.bands) {
+                unit[run.scene.bands()[b].name] = run.scene.bands()[b].unit;
+            }
+        }
+        list.push_back({{"name", entry.name}, {"meaning", entry.summary}, {"unit", unit}});
+    }
     return list;
 }
 

@@ -64,10 +64,12 @@ struct OriginGroups {
     std::string_view name;
     const GroupResults* groups;
 };
+/// A group with its estimates. @param times  days: they are sums, in the units of the sum
 [[nodiscard]] std::string json_group(
     const GroupResults& groups,
     std::size_t index,
     const JsonNames& names,
-    const std::vector<OriginGroups>& origins = {});
+    const std::vector<OriginGroups>& origins = {},
+    CsvTimes times = CsvTimes::time_steps);
 
 }  // namespace quasimc

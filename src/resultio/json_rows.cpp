@@ -24,9 +24,8 @@ void append_key(std::string& row, std::string_view quoted) {
     row.append(quoted).append(":");
 }
 
-void append_estimate(std::string& row, std::string_view quoted, const Estimate& estimate) {
+void append_estimate_value(std::string& row, const Estimate& estimate) {
     const Estimate e = reported(estimate);
-    append_key(row, quoted);
     row += '{';
     for (const auto& [key, value] :
          {std::pair(R"("mean")", e.mean), std::pair(R"("standard_error")", e.standard_error),
@@ -35,6 +34,11 @@ void append_estimate(std::string& row, std::string_view quoted, const Estimate& 
         append_number(row, value);
     }
     row += '}';
+}
+
+void append_estimate(std::string& row, std::string_view quoted, const Estimate& estimate) {
+    append_key(row, quoted);
+    append_estimate_value(row, estimate);
 }
 
 /// The estimates of every quantity and band that is written.
@@ -75,6 +79,30 @@ void append_origins(
         row += '}';
     }
     row += '}';
+}
+
+/// The estimates of sunlit and shaded parts, if there are any.
+void append_parts(
+    std::string& row,
+    const SunShadeLight& light,
+    std::size_t index,
+    const JsonNames& names,
+    CsvTimes times) {
+    for (const SunShadeEntry& entry : names.columns.parts) {
+        if (light.empty()) {
+            return;
+        }
+        append_key(row, json_text(times == CsvTimes::days ? entry.of_sums : entry.name));
+        if (!entry.has_bands()) {
+            append_estimate_value(row, light.at(index, entry.quantity));
+            continue;
+        }
+        row += '{';
+        for (const std::size_t b : names.columns.bands) {
+            append_estimate(row, names.bands[b], light.at(index, entry.quantity, b));
+        }
+        row += '}';
+    }
 }
 
 /// @param light  a Result or a GroupResults
@@ -150,6 +178,7 @@ std::string json_organ(
     const Organ& organ, const Result& result, std::size_t index, const JsonNames& names) {
     std::string row = begin_organ(organ);
     append_quantities(row, result, index, names);
+    append_parts(row, result.sun_shade, index, names, CsvTimes::time_steps);
     if (names.columns.has_sunlit && !result.sunlit_fraction.empty()) {
         append_estimate(row, R"("sunlit_fraction")", result.sunlit_fraction[index]);
     }
@@ -164,6 +193,10 @@ std::string json_organ(
     const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names) {
     std::string row = begin_organ(organ);
     append_quantities(row, sum, index, names);
+    append_parts(row, sum.sun_shade, index, names, CsvTimes::days);
+    if (names.columns.has_sunlit_hours && !sum.sunlit_hours.empty()) {
+        append_estimate(row, R"("sunlit_hours")", sum.sunlit_hours[index]);
+    }
     append_origins(
         row, sum.origins, [](const OriginSum& o) -> const SeriesSum& { return o.light; }, index,
         names);
@@ -224,7 +257,8 @@ std::string json_group(
     const GroupResults& groups,
     std::size_t index,
     const JsonNames& names,
-    const std::vector<OriginGroups>& origins) {
+    const std::vector<OriginGroups>& origins,
+    CsvTimes times) {
     const OrganGroup& group = groups.groups[index];
     Json object = {
         {"by", group.by},
@@ -239,9 +273,14 @@ std::string json_group(
     }
     std::string row = begin_row(object);
     append_quantities(row, groups, index, names);
+    append_parts(row, groups.sun_shade, index, names, times);
     if (names.columns.has_sunlit && !groups.sunlit_fraction.empty()) {
-        append_estimate(row, R"("sunlit_fraction")", groups.sunlit_fraction[index]);
-        append_estimate(row, R"("sunlit_area")", groups.sunlit_area[index]);
+        const bool is_sum = times == CsvTimes::days;
+        append_estimate(
+            row, is_sum ? R"("sunlit_hours")" : R"("sunlit_fraction")",
+            groups.sunlit_fraction[index]);
+        append_estimate(
+            row, is_sum ? R"("sunlit_area_hours")" : R"("sunlit_area")", groups.sunlit_area[index]);
     }
     if (!groups.ratio_values.empty()) {
         append_ratios(row, groups, index, names);

@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "quasimc/error.h"
+#include "resultio/part_columns.h"
 #include "resultio/read_rows.h"
 #include "results/evaluate.h"
 #include "runfile/written.h"
@@ -31,6 +32,12 @@ class LightColumns {
         for (const std::string& ratio : run.spec.ratios) {
             names_.push_back({"ratios", ratio});
         }
+        for (const CsvTimes times : {CsvTimes::time_steps, CsvTimes::days}) {
+            (times == CsvTimes::days ? day_parts_ : parts_) = names_.size();
+            add_parts(run, times);
+        }
+        hours_ = names_.size();
+        names_.push_back({std::string(kSunlitHours)});
         for (const std::string& origin : written_.origins) {
             first_of_origins_.push_back(names_.size());
             add_light(run, {"origins", origin});
@@ -47,6 +54,7 @@ class LightColumns {
         result.ratios = ratios_;
         result.values = light(columns);
         add_origins(columns, result.origins);
+        result.sun_shade = parts(columns, parts_);
         if (!columns[sunlit_].empty()) {
             result.sunlit_fraction = std::move(columns[sunlit_]);
             result.sunlit_fraction.resize(organs_, kUnknownEstimate);
@@ -63,6 +71,11 @@ class LightColumns {
         sum.bands = bands_;
         sum.values = light(columns);
         add_origins(columns, sum.origins);
+        sum.sun_shade = parts(columns, day_parts_);
+        if (written_.has_sunlit_hours) {
+            sum.sunlit_hours = columns[hours_];
+            sum.sunlit_hours.resize(organs_, kUnknownEstimate);
+        }
         return sum;
     }
 
@@ -92,6 +105,32 @@ class LightColumns {
         }
     }
 
+    void add_parts(const RunFile& run, CsvTimes times) {
+        for (const PartColumn& part : part_columns(written_)) {
+            std::vector<std::string> path{quantity_of(part, times)};
+            if (part.entry.has_bands()) {
+                path.push_back(run.scene.bands()[part.band].name);
+            }
+            names_.push_back(std::move(path));
+        }
+    }
+
+    /// The light of sunlit and shaded parts. @param number  of the first column
+    [[nodiscard]] SunShadeLight parts(const RowColumns& columns, std::size_t number) const {
+        SunShadeLight light{bands_};
+        const std::size_t per_row = light.values_per_row();
+        light.values.assign(written_.parts.empty() ? 0 : organs_ * per_row, kUnknownEstimate);
+        for (const PartColumn& part : part_columns(written_)) {
+            const std::size_t first = static_cast<std::size_t>(part.entry.quantity) * bands_;
+            const std::size_t end = part.entry.has_bands() ? part.band + 1 : bands_;
+            for (std::size_t b = part.band; b < end; ++b) {
+                put(columns[number], light.values, first + b, per_row);
+            }
+            ++number;
+        }
+        return light;
+    }
+
     /// @param first  keys that lead to the quantities
     void add_light(const RunFile& run, const std::vector<std::string>& first) {
         for (const std::size_t b : written_.bands) {
@@ -116,7 +155,7 @@ class LightColumns {
     std::size_t organs_, bands_, ratios_;
     std::shared_ptr<const SceneNames> scene_names_;
     std::vector<std::vector<std::string>> names_;
-    std::size_t sunlit_ = 0;
+    std::size_t sunlit_ = 0, parts_ = 0, day_parts_ = 0, hours_ = 0;
     std::vector<std::size_t> first_of_origins_;
 };
 

@@ -117,6 +117,8 @@ std::string error_line(const RunFile& run, const ErrorStatistics& errors) {
     return line("errors", describe_errors(errors)) + (advice.empty() ? "" : line("advice", advice));
 }
 
+constexpr std::size_t kMaxBands = 4, kMaxOrigins = 8;
+
 /// The budgets of the first bands. @param unit_of_band  of a band's budget
 template <typename UnitOfBand>
 std::string energy_lines(
@@ -124,7 +126,6 @@ std::string energy_lines(
     const std::vector<BandBudget>& budgets,
     bool escaped_by_difference,
     const UnitOfBand& unit_of_band) {
-    constexpr std::size_t kMaxBands = 4;
     std::string text;
     for (std::size_t b = 0; b < std::min(budgets.size(), kMaxBands); ++b) {
         const Band& band = scene.bands()[b];
@@ -146,6 +147,28 @@ void add_energy(const BandBudget& flux, double seconds, BandBudget& sum) {
           &BandBudget::escaped, &BandBudget::cut_off, &BandBudget::imbalance}) {
         (sum.*part).mean += seconds * (flux.*part).mean;
     }
+}
+
+/// The budgets of the first origins of light, in the first bands.
+std::string origin_lines(const RunFile& run, const Result& result) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(result.origins.size(), kMaxOrigins); ++i) {
+        const auto& [name, light] = result.origins[i];
+        for (std::size_t b = 0; b < std::min(light.budget.size(), kMaxBands); ++b) {
+            const Band& band = run.scene.bands()[b];
+            text += line(
+                "origin", fmt::format(
+                              "{}: {} {}", one_line(name), band.name,
+                              describe_energy(
+                                  light.budget[b], flux_unit(band.unit, run.scene.length_unit()),
+                                  result.escaped_by_difference)));
+        }
+    }
+    if (result.origins.size() > kMaxOrigins) {
+        const std::size_t more = result.origins.size() - kMaxOrigins;
+        text += line("", fmt::format("... and {}", counted(more, "more origin")));
+    }
+    return text;
 }
 
 std::string canopy_lines(const RunFile& run, const CanopySum& canopy, const GroupResults* groups) {
@@ -257,7 +280,7 @@ std::string result_lines(const RunFile& run, const Result& result) {
         energy_lines(
             run.scene, result.budget, result.escaped_by_difference,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
-        canopy_lines(run, canopy, &result.groups) +
+        origin_lines(run, result) + canopy_lines(run, canopy, &result.groups) +
         error_line(run, error_statistics(run.scene, result)) +
         (result.sensors ? line("sensors", describe_sensors(*result.sensors)) : "");
     for (const std::string& words : audit_lines(run, result)) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "resultio/describe_series.h"
+#include "resultio/part_columns.h"
 #include "results/fraction_table.h"
 #include "results/units.h"
 
@@ -34,8 +35,11 @@ class ColumnList {
                 add_light(b);
             }
         }
+        add_parts();
         if (table_.times == CsvTimes::time_steps) {
             add_traits();
+        } else {
+            add_hours();
         }
         for (std::size_t b = 0; is_of_groups_ && b < bands.size(); ++b) {
             if (is_selected(table_.bands, bands[b].name)) {
@@ -77,6 +81,52 @@ class ColumnList {
                     }
                     return of_groups ? light.result->groups.at(row, q, b)
                                      : light.result->at(row, q, b);
+                });
+        }
+    }
+
+    void add_parts() {
+        WrittenColumns all = all_columns(run_);
+        std::erase_if(all.bands, [&](std::size_t b) {
+            return !is_selected(table_.bands, run_.scene.bands()[b].name);
+        });
+        const bool of_groups = is_of_groups_;
+        for (const PartColumn& part : part_columns(all)) {
+            const std::string quantity = quantity_of(part, table_.times);
+            if (!is_selected(table_.quantities, quantity)) {
+                continue;
+            }
+            add(quantity, part.entry.has_bands() ? run_.scene.bands()[part.band].name : "",
+                unit_of(run_, part, table_.times) + per_day(part, table_.times),
+                summary_of(part, table_.times),
+                [part, of_groups](const RowLight& light, std::size_t row) {
+                    if (light.sum != nullptr) {
+                        return part.of(
+                            of_groups ? light.sum->groups.sun_shade : light.sum->sun_shade, row);
+                    }
+                    return part.of(
+                        of_groups ? light.result->groups.sun_shade : light.result->sun_shade, row);
+                });
+        }
+    }
+
+    void add_hours() {
+        if (run_.spec.sun_shade != SunShade::apart) {
+            return;
+        }
+        const bool of_groups = is_of_groups_;
+        if (is_selected(table_.quantities, kSunlitHours)) {
+            add(kSunlitHours, "", "h d-1", "sunlit fraction of the area x time",
+                [of_groups](const RowLight& light, std::size_t row) {
+                    return value_at(
+                        of_groups ? light.sum->groups.sunlit_fraction : light.sum->sunlit_hours,
+                        row);
+                });
+        }
+        if (of_groups && is_selected(table_.quantities, kSunlitAreaHours)) {
+            add(kSunlitAreaHours, "", run_.scene.length_unit() + "2 h d-1",
+                "sunlit_hours times the area", [](const RowLight& light, std::size_t row) {
+                    return value_at(light.sum->groups.sunlit_area, row);
                 });
         }
     }

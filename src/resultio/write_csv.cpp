@@ -11,6 +11,7 @@
 #include "resultio/csv_parts.h"
 #include "resultio/describe_series.h"
 #include "resultio/output_input.h"
+#include "resultio/part_columns.h"
 #include "results/fraction_table.h"
 #include "runfile/written.h"
 #include "text/line_scanner.h"
@@ -24,7 +25,16 @@ constexpr std::size_t kCsvPiece = 1 << 16;
 std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvTimes times) {
     const WrittenColumns written = written_columns(run);
     std::vector<std::string> columns = light_columns_of(run, written);
+    for (const PartColumn& part : part_columns(written)) {
+        columns.push_back(name_of(run, part, times));
+    }
     if (times == CsvTimes::days) {
+        if (written.has_sunlit_hours) {
+            columns.emplace_back(kSunlitHours);
+        }
+        if (written.has_sunlit_hours && rows == CsvRows::groups) {
+            columns.emplace_back(kSunlitAreaHours);
+        }
         for (std::size_t i = 0; rows == CsvRows::groups && i < written.bands.size(); ++i) {
             for (const ShareEntry& entry : share_table()) {
                 columns.push_back(
@@ -61,6 +71,19 @@ std::string share_columns() {
         out += fmt::format("# column {}_BAND [1]: {}\n", entry.name, entry.summary);
     }
     return out;
+}
+
+/// The comments on the columns of days that time steps lack.
+std::string day_columns(const RunFile& run, CsvRows rows) {
+    if (!written_columns(run).has_sunlit_hours) {
+        return "";
+    }
+    const std::string of_groups =
+        rows == CsvRows::groups
+            ? fmt::format(", {} [{}2 h d-1]", kSunlitAreaHours, one_line(run.scene.length_unit()))
+            : "";
+    return fmt::format(
+        "# column {} [h d-1]{}: sunlit fraction of the area x time\n", kSunlitHours, of_groups);
 }
 
 /// The comments on the columns of time steps that days lack.
@@ -104,6 +127,17 @@ void append_traits(
     }
     for (std::size_t i = 0; i < light.ratios; ++i) {
         append_csv(out, light.ratio(index, i));
+    }
+}
+
+/// Appends hours in the sun, if they are written.
+void append_hours(
+    std::string& out,
+    const WrittenColumns& written,
+    const std::vector<Estimate>& hours,
+    std::size_t index) {
+    if (written.has_sunlit_hours) {
+        append_csv(out, hours.empty() ? kUnknownEstimate : hours[index]);
     }
 }
 
@@ -164,7 +198,8 @@ void CsvWriter::write_head(const Result* result) {
     sink_(csv_point_columns(run) + times);
     sink_(is_of_organs ? csv_organ_columns(run) : csv_group_columns(run));
     sink_(csv_light_columns(run, result == nullptr ? LightAmount::sum : LightAmount::rate));
-    sink_(result == nullptr ? "" : time_step_columns(run, rows_));
+    sink_(csv_part_columns(run, times_));
+    sink_(result == nullptr ? day_columns(run, rows_) : time_step_columns(run, rows_));
     sink_((is_of_organs ? "" : share_columns()) + csv_error_columns());
     const std::vector<std::string> columns = estimate_columns(run, rows_, times_);
     sink_(
@@ -214,12 +249,14 @@ void CsvWriter::on_time_step(const TimeStepResult& step) {
                 append_origins(
                     out, written, result.origins,
                     [](const OriginLight& o) -> const Result& { return o.light; }, i);
+                append_parts(out, written, result.sun_shade, i);
                 append_traits(out, written, result, i);
             } else {
                 append_light(out, written, result.groups, i);
                 append_origins(
                     out, written, result.origins,
                     [](const OriginLight& o) -> const GroupResults& { return o.light.groups; }, i);
+                append_parts(out, written, result.groups.sun_shade, i);
                 append_traits(out, written, result.groups, i);
                 append_fractions(out, written, result, i);
             }
@@ -241,12 +278,17 @@ void CsvWriter::on_day(std::size_t day, const SeriesSum& raw) {
                 append_origins(
                     out, written, sum.origins,
                     [](const OriginSum& o) -> const SeriesSum& { return o.light; }, i);
+                append_parts(out, written, sum.sun_shade, i);
+                append_hours(out, written, sum.sunlit_hours, i);
                 return;
             }
             append_light(out, written, sum.groups, i);
             append_origins(
                 out, written, sum.origins,
                 [](const OriginSum& o) -> const GroupResults& { return o.light.groups; }, i);
+            append_parts(out, written, sum.groups.sun_shade, i);
+            append_hours(out, written, sum.groups.sunlit_fraction, i);
+            append_hours(out, written, sum.groups.sunlit_area, i);
             for (const std::size_t b : written.bands) {
                 append_shares(out, sum.groups, i, b);
             }

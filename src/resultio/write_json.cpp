@@ -1,3 +1,4 @@
+#include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -61,9 +62,11 @@ void write_groups(JsonLines& json, const RunFile& run, const Light& light) {
         origins.push_back({origin.name, &origin.light.groups});
     }
     const JsonNames names = json_names(run, written_columns(run));
+    constexpr CsvTimes kTimes =
+        std::is_same_v<Light, SeriesSum> ? CsvTimes::days : CsvTimes::time_steps;
     json.begin('[', "groups");
     for (std::size_t i = 0; i < groups.groups.size(); ++i) {
-        json.line(json_group(groups, i, names, origins));
+        json.line(json_group(groups, i, names, origins, kTimes));
     }
     json.end(']');
 }

@@ -23,6 +23,17 @@ void cut(const OrganLimits& most, double area, std::size_t bands, std::span<Esti
     }
 }
 
+/// @param values  [quantity][band] of the parts of an organ or of a group
+void cut_sunlit_fractions(
+    const OrganLimits& most, double area, std::size_t bands, std::span<Estimate> values) {
+    for (const SunShadeEntry& entry : sun_shade_table()) {
+        for (std::size_t b = 0; !entry.has_bands() && b < bands; ++b) {
+            Estimate& e = values[static_cast<std::size_t>(entry.quantity) * bands + b];
+            e = not_above(e, area > 0 ? most.sunlit_area / area : 0);
+        }
+    }
+}
+
 void cut_organs(
     const PhysicalBounds& limits, const Scene& scene, const EvaluationSpec& spec, Result& result) {
     const std::size_t values = kQuantities * result.bands;
@@ -36,6 +47,12 @@ void cut_organs(
             if (!result.sunlit_fraction.empty()) {
                 Estimate& sunlit = result.sunlit_fraction[i];
                 sunlit = not_above(sunlit, organ.area > 0 ? most.sunlit_area / organ.area : 0);
+            }
+            if (!result.sun_shade.empty()) {
+                const std::size_t size = result.sun_shade.values_per_row();
+                cut_sunlit_fractions(
+                    most, organ.area, result.bands,
+                    std::span(result.sun_shade.values).subspan(i * size, size));
             }
         }
     });
@@ -65,6 +82,12 @@ void cut_groups(
             all.sunlit_area[g] = not_above(all.sunlit_area[g], most.sunlit_area);
             all.sunlit_fraction[g] =
                 not_above(scaled(all.sunlit_area[g], group.area > 0 ? 1 / group.area : 0), 1);
+        }
+        if (!all.sun_shade.empty()) {
+            const std::size_t size = all.sun_shade.values_per_row();
+            cut_sunlit_fractions(
+                most, group.area, all.bands,
+                std::span(all.sun_shade.values).subspan(g * size, size));
         }
     });
 }

@@ -14,6 +14,7 @@
 #include "results/flows.h"
 #include "results/groups.h"
 #include "results/organ_blocks.h"
+#include "results/sun_shade.h"
 #include "results/totals.h"
 #include "sums/origin_sums.h"
 #include "sums/statistics.h"
@@ -36,6 +37,7 @@ class OrganEvaluator {
           reader_(given.sums),
           scene_(given.scene),
           spec_(given.spec),
+          sun_shade_(given.sums, given.scene, given.spec),
           values_(given.sums->replicates.size()),
           incident_(given.sums->bands(), values_),
           contributions_(given.sums->bands()) {
@@ -67,9 +69,17 @@ class OrganEvaluator {
         if (!result.sunlit_fraction.empty()) {
             result.sunlit_fraction[index] = sunlit_fraction(reader, organ);
         }
+        if (!result.sun_shade.empty()) {
+            sun_shade_.evaluate(organ, sun_shade_of(index, result));
+        }
     }
 
   private:
+    static std::span<Estimate> sun_shade_of(std::size_t index, Result& result) {
+        const std::size_t size = result.sun_shade.values_per_row();
+        return std::span(result.sun_shade.values).subspan(index * size, size);
+    }
+
     /// Fills in an organ that is not measured.
     static void leave_out(std::size_t index, std::size_t ratios, Result& result) {
         const std::size_t values = kQuantities * result.bands;
@@ -77,6 +87,9 @@ class OrganEvaluator {
         std::fill_n(result.ratio_values.begin() + index * ratios, ratios, kUnknownEstimate);
         if (!result.sunlit_fraction.empty()) {
             result.sunlit_fraction[index] = kUnknownEstimate;
+        }
+        if (!result.sun_shade.empty()) {
+            std::ranges::fill(sun_shade_of(index, result), kUnknownEstimate);
         }
     }
 
@@ -128,6 +141,7 @@ class OrganEvaluator {
     SumReader reader_;
     const Scene& scene_;
     const EvaluationSpec& spec_;
+    SunShadeEvaluator sun_shade_;
     std::vector<double> values_;   // per replicate
     std::vector<Incident> light_;  // of the organ, [band * replicates + replicate]
     QuantitySamples samples_;
@@ -146,6 +160,8 @@ void evaluate_organs(
     const std::size_t organs = given.scene.organs().size();
     const std::size_t values = kQuantities * result.bands;
     const bool has_sun = given.sums->units.sunlit_area > 0;
+    const bool has_parts = given.spec.sun_shade == SunShade::apart;
+    result.sun_shade.bands = result.bands;
     result.values.reserve(organs * values);
     result.ratio_values.reserve(organs * result.ratios);
     result.sunlit_fraction.reserve(has_sun ? organs : 0);
@@ -154,6 +170,7 @@ void evaluate_organs(
         result.values.resize(end * values);
         result.ratio_values.resize(end * result.ratios);
         result.sunlit_fraction.resize(has_sun ? end : 0);
+        result.sun_shade.values.resize(has_parts ? end * result.sun_shade.values_per_row() : 0);
         for_each_block(begin, end, given.spec.threads, [&](std::size_t first, std::size_t last) {
             OrganEvaluator evaluator(given);
             std::vector<TotalContribution> own(result.bands);
@@ -178,6 +195,9 @@ Result evaluate_sums(
     // Values that need the sums of many organs come before the sums are released.
     const BandFlows flows = read_flows(sums, scene);
     result.groups = evaluate_groups(sums, scene, spec, horizontal_flux(flows, scene, spec));
+    if (spec.sun_shade == SunShade::apart) {
+        result.groups.sun_shade = evaluate_sun_shade(sums, scene, spec, result.groups.groups);
+    }
     result.budget = evaluate_budget(flows);
     result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
@@ -202,6 +222,7 @@ Result evaluate_with_origins(const Sums& sums, const Scene& scene, const Evaluat
         own.horizontal_irradiance = known.horizontal_irradiance;
         own.sources = known.sources;
         own.origins.clear();
+        own.sun_shade = SunShade::together;
         result.origins.push_back({sums->origins[i].name, evaluate(of_origin(sums, i), scene, own)});
     }
     return result;

@@ -12,6 +12,7 @@ namespace quasimc {
 struct LightParts {
     bool upper = true, lower = true;
     bool direct = true, scattered = true;
+    bool suns = true;          ///< direct light includes that of suns
     bool is_absorbed = false;  ///< the absorbed part
 };
 

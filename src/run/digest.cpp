@@ -124,6 +124,9 @@ void add_spec(const RunSpec& spec, Mixer& mixer) {
     mixer.add(spec.roulette_threshold);
     mixer.add(static_cast<std::uint64_t>(spec.start_area));
     mixer.add(static_cast<std::uint64_t>(spec.accelerator));
+    if (spec.sun_shade == SunShade::apart) {
+        mixer.add(std::string_view("sun_shade"));
+    }
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ EvaluationSpec evaluation_of(const Scene& scene, const Sources& sources, const R
     return {
         .ratios = ratio_bands(scene, spec),
         .direct_light = spec.direct_light,
+        .sun_shade = spec.sun_shade,
         .groups = group_spec(spec),
         .question = question_of(scene, spec),
         .horizontal_irradiance = horizontal_irradiance_of(scene, sources),

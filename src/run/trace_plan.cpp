@@ -14,6 +14,7 @@ RunSpec planned_spec(const RunSpec& spec, const TracePlan& plan) {
     if (plan.organs_alone) {
         planned.ratios.clear();
         planned.origins.clear();
+        planned.sun_shade = SunShade::together;
         planned.groups.clear();
         planned.layers = 0;
         planned.layer_heights.clear();

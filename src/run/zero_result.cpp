@@ -7,6 +7,7 @@
 #include "results/evaluate.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "results/sun_shade.h"
 #include "scene/sensors.h"
 
 namespace quasimc {
@@ -32,6 +33,10 @@ Result zero_result(const Scene& scene, const RunSpec& spec) {
     dark.values.resize(scene.organs().size() * kQuantities * dark.bands);
     dark.ratio_values.resize(scene.organs().size() * dark.ratios, {kNan, kNan, kNan, kNan});
     dark.groups = zero_groups(scene, group_spec(spec), dark.ratios);
+    if (spec.sun_shade == SunShade::apart) {
+        dark.sun_shade = zero_sun_shade(scene.organs().size(), dark.bands);
+        dark.groups.sun_shade = zero_sun_shade(dark.groups.groups.size(), dark.bands);
+    }
     dark.budget.resize(dark.bands);
     dark.canopy = zero_canopy(scene);
     dark.detectors = zero_detectors(scene);
@@ -50,6 +55,7 @@ Result zero_result(const Scene& scene, const RunSpec& spec) {
         RunSpec plain = spec;
         plain.origins.clear();
         plain.ratios.clear();
+        plain.sun_shade = SunShade::together;
         const Result each = zero_result(scene, plain);
         for (const std::string& origin : spec.origins) {
             dark.origins.push_back({origin, each});

@@ -14,6 +14,7 @@
 #include "planner/lint_wedges.h"
 #include "quasimc/source.h"
 #include "runfile/run_file_sections.h"
+#include "runfile/written.h"
 #include "scene/build_scene.h"
 #include "scene/fold_warnings.h"
 #include "scene/lint.h"
@@ -185,6 +186,9 @@ Sections read_sections(
     sections.output =
         read_output(top, files, context.bands);  // after all sections that it refers to
     read_tables(top, files, context.bands, sections.output);
+    if (needs_parts(sections.output)) {
+        sections.options.spec.sun_shade = SunShade::apart;
+    }
     refuse_options_at_the_top(top);
     top.finish();
     if (!top.reporter().faults.empty()) {
@@ -221,6 +225,16 @@ void check_hours(const Sections& sections, Faults& faults) {
         faults.add(
             {"time_method", "it is \"daylight_coefficients\"", "the run has no [time]",
              "remove it"});
+    }
+}
+
+/// Refuses sunlit and shaded parts of a cumulative sky.
+void check_parts(const Sections& sections, Faults& faults) {
+    if (sections.options.spec.sun_shade == SunShade::apart && sections.series &&
+        sections.series->cumulative_sky != CumulativeSky::none) {
+        faults.add(
+            {"sun_shade", "light of sunlit and shaded parts, with a cumulative sky",
+             "no instants are left, in which a part is sunlit", "leave cumulative_sky out"});
     }
 }
 
@@ -422,6 +436,7 @@ RunFile read_run_document(
         check_with_sources(sections, *sections.scene, faults, no_light_policy);
         check_path_allocation(sections, faults);
         check_hours(sections, faults);
+        check_parts(sections, faults);
         add_run_faults(faults, sections.options, reporter);
     }
     throw_in_order(reporter);

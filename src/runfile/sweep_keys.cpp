@@ -13,8 +13,9 @@ constexpr std::array<std::string_view, 13> kOfAllPoints{
     "title",  "bands",  "band",     "up",      "north",        "length_unit", "irradiance_unit",
     "format", "output", "detector", "sensors", "gap_fraction", "table"};
 /// Options that determine the rows and columns of outputs, or that concern all points together.
-constexpr std::array<std::string_view, 7> kFixedOptions{
-    "groups", "layers", "layer_heights", "max_seconds", "origins", "ratios", "threads"};
+constexpr std::array<std::string_view, 8> kFixedOptions{"groups",      "layers",  "layer_heights",
+                                                        "max_seconds", "origins", "ratios",
+                                                        "sun_shade",   "threads"};
 
 /// The section with a table of a name, or "".
 std::string_view section_with(const Node& document, std::string_view name) {

@@ -5,6 +5,7 @@
 #include "results/fraction_table.h"
 #include "results/group_request.h"
 #include "results/groups.h"
+#include "runfile/written.h"
 #include "scene/sensors.h"
 
 namespace quasimc {
@@ -99,7 +100,14 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {
         names.push_back(share_table()[i].name);
     }
+    for (const SunShadeEntry& entry : sun_shade_table()) {
+        names.push_back(times == CsvTimes::days ? entry.of_sums : entry.name);
+    }
     if (times == CsvTimes::days) {
+        names.push_back(kSunlitHours);
+        if (is_of_groups) {
+            names.push_back(kSunlitAreaHours);
+        }
         return names;
     }
     names.insert(names.end(), {"sunlit_fraction", "ratios"});

@@ -54,6 +54,17 @@ std::vector<std::string> origins_of(const RunFile& run) {
                       : complete_origins(run.sources, run.spec.origins);
 }
 
+/// The quantities of parts that a run has, of those that are named (none: all).
+std::vector<SunShadeEntry> parts_of_run(const RunFile& run, const std::vector<std::string>& names) {
+    std::vector<SunShadeEntry> parts;
+    for (const SunShadeEntry& entry : sun_shade_table()) {
+        if (run.spec.sun_shade == SunShade::apart && is_named(names, entry.name)) {
+            parts.push_back(entry);
+        }
+    }
+    return parts;
+}
+
 }  // namespace
 
 WrittenColumns written_columns(const RunFile& run) {
@@ -71,9 +82,12 @@ WrittenColumns written_columns(const RunFile& run) {
         }
     }
     columns.origins = origins_of(run);
+    columns.parts = parts_of_run(run, output.quantities);
     columns.has_sunlit = is_named(output.quantities, kSunlit);
+    columns.has_sunlit_hours = columns.has_sunlit && run.spec.sun_shade == SunShade::apart;
     columns.is_all = columns.has_sunlit && columns.quantities.size() == kQuantities &&
-                     columns.bands.size() == bands.size();
+                     columns.bands.size() == bands.size() &&
+                     columns.parts.size() == parts_of_run(run, {}).size();
     return columns;
 }
 
@@ -84,7 +98,23 @@ WrittenColumns all_columns(const RunFile& run) {
         columns.bands.push_back(b);
     }
     columns.origins = origins_of(run);
+    columns.parts = parts_of_run(run, {});
     return columns;
+}
+
+bool needs_parts(std::string_view quantity) {
+    return quantity == kSunlitHours || quantity == kSunlitAreaHours ||
+           std::ranges::any_of(sun_shade_table(), [&](const SunShadeEntry& entry) {
+               return entry.name == quantity || entry.of_sums == quantity;
+           });
+}
+
+bool needs_parts(const OutputSpec& output) {
+    const auto names_one = [](const auto& choice) {
+        return std::ranges::any_of(
+            choice.quantities, [](const std::string& name) { return needs_parts(name); });
+    };
+    return names_one(output) || std::ranges::any_of(output.tables, names_one);
 }
 
 std::vector<std::string> light_columns_of(const RunFile& run, const WrittenColumns& columns) {
@@ -126,6 +156,9 @@ std::string describe_point(const SweepPoint& point) {
 void check_written(const OutputSpec& output, const std::vector<Band>& bands, Faults& faults) {
     std::vector<std::string_view> quantities = names_in(quantity_table());
     quantities.push_back(kSunlit);
+    for (const SunShadeEntry& entry : sun_shade_table()) {
+        quantities.push_back(entry.name);
+    }
     check_names(output.quantities, quantities, "quantities", "quantity", faults);
     check_names(output.bands, names_in(bands), "bands", "band", faults);
 }

@@ -72,6 +72,7 @@ class SeriesRun final : public SeriesSteps {
             }
         }
         path_factors_ = path_factors_left_;
+        day_ = total_ = no_light();
     }
 
     SeriesSummary run() {
@@ -93,6 +94,7 @@ class SeriesRun final : public SeriesSteps {
     struct CachedTrace {
         Result result;
         double day_weight = 0, total_weight = 0;
+        double day_seconds = 0, total_seconds = 0;
     };
 
     void compute(std::size_t i) override {
@@ -122,6 +124,8 @@ class SeriesRun final : public SeriesSteps {
         CachedTrace& cached = cached_[plan.traced];
         cached.day_weight += plan.factor * time_step.seconds;
         cached.total_weight += plan.factor * time_step.seconds;
+        cached.day_seconds += time_step.seconds;
+        cached.total_seconds += time_step.seconds;
         if (plan.traced == i) {
             report_time_step(in_.control, {i, cached.result, i});
         } else if (is_requested(SeriesPart::time_steps, in_.control)) {
@@ -205,6 +209,14 @@ class SeriesRun final : public SeriesSteps {
         }
     }
 
+    [[nodiscard]] SeriesAdder no_light() const {
+        SeriesAdder adder(in_.spec.origins);
+        if (in_.spec.sun_shade == SunShade::apart) {
+            adder.add_parts(in_.scene.organs().size(), groups_.groups.size(), groups_.bands);
+        }
+        return adder;
+    }
+
     [[nodiscard]] SeriesSum sum_of(const SeriesAdder& adder) const {
         const std::size_t bands = in_.scene.bands().size();
         return adder.sum(
@@ -215,15 +227,15 @@ class SeriesRun final : public SeriesSteps {
     void finish_day(std::size_t last) override {
         for (auto& [i, cached] : cached_) {
             if (wants_days_ && cached.day_weight > 0) {
-                day_.add(cached.result, cached.day_weight);
-                cached.day_weight = 0;
+                day_.add(cached.result, cached.day_weight, cached.day_seconds);
+                cached.day_weight = cached.day_seconds = 0;
             }
         }
         add_to_total(last);
         if (wants_days_) {
             report_day(in_.control, in_.time_steps[last].day, sum_of(day_));
         }
-        day_ = SeriesAdder(in_.spec.origins);
+        day_ = no_light();
     }
 
     /// Releases the traces that no time step after `last` needs, once they are in the total.
@@ -232,7 +244,7 @@ class SeriesRun final : public SeriesSteps {
             const CachedTrace& cached = it->second;
             const bool is_needed = last_use_[it->first] > last;
             if (wants_total_ && !is_needed && cached.total_weight > 0) {
-                total_.add(cached.result, cached.total_weight);
+                total_.add(cached.result, cached.total_weight, cached.total_seconds);
             }
             it = is_needed ? std::next(it) : cached_.erase(it);
         }
@@ -248,8 +260,8 @@ class SeriesRun final : public SeriesSteps {
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the computed time step
     std::map<std::size_t, CachedTrace> cached_;
-    SeriesAdder day_{in_.spec.origins}, total_{in_.spec.origins};
-    GroupResults groups_;           // for NoLightPolicy
+    GroupResults groups_;  // for NoLightPolicy
+    SeriesAdder day_, total_;
     std::optional<Result> dark_;    // made when it is first needed
     double least_chance_ = 1;       // over all audits
     double path_factors_ = 0;       // sum over all traces

@@ -6,6 +6,17 @@
 #include "results/groups.h"
 
 namespace quasimc {
+namespace {
+
+/// Scales all but fractions.
+void scale_light(SunShadeLight& light, double factor) {
+    for (std::size_t i = 0; i < light.values.size(); ++i) {
+        const SunShadeEntry& entry = sun_shade_table()[i / light.bands % kSunShadeQuantities];
+        light.values[i] = scaled(light.values[i], entry.has_bands() ? factor : 1);
+    }
+}
+
+}  // namespace
 
 Result scaled(const Result& result, double factor) {
     Result copy = result;
@@ -15,6 +26,8 @@ Result scaled(const Result& result, double factor) {
     for (Estimate& estimate : copy.groups.values) {
         estimate = scaled(estimate, factor);
     }
+    scale_light(copy.sun_shade, factor);
+    scale_light(copy.groups.sun_shade, factor);
     for (CanopyFractions& band : copy.canopy) {
         band.incident *= factor;
     }

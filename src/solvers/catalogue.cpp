@@ -84,6 +84,16 @@ std::vector<SumOrigin> sum_origins(const BoundLights& lights) {
     return origins;
 }
 
+std::vector<std::size_t> sun_spectra(const BoundLights& lights) {
+    std::vector<std::size_t> suns;
+    for (const BoundSource& light : lights) {
+        if (light.source->is_sun() && std::ranges::find(suns, light.spectrum) == suns.end()) {
+            suns.push_back(light.spectrum);
+        }
+    }
+    return suns;
+}
+
 }  // namespace
 
 Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
@@ -93,7 +103,7 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
     const auto origins = static_cast<std::uint32_t>(prepared.lights().origin_count());
     SumBlocks blocks = light_blocks(
         prepared.lights().spectra().size(), prepared.bands(),
-        !prepared.optics().has_constant_albedos, origins);
+        !prepared.optics().has_constant_albedos, origins, spec.sun_shade == SunShade::apart);
     blocks.insert(blocks.end(), meaning.blocks.begin(), meaning.blocks.end());
     for (std::size_t i = 0; i < prepared.detectors().size(); ++i) {
         blocks.push_back(detector_block(
@@ -109,6 +119,7 @@ Sums empty_sums(const PreparedScene& prepared, const RunSpec& spec) {
         sums.per_contribution.push_back(strategy.by == SampledBy::paths ? 1 : 0);
     }
     sums.spectra = prepared.lights().spectra();
+    sums.sun_spectra = sun_spectra(prepared.lights());
     sums.emitted_flux = prepared.lights().flux();
     sums.measured = meaning.measured;
     sums.escaped = entry->escaped;

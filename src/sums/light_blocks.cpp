@@ -35,16 +35,26 @@ ScatteredBlocks::ScatteredBlocks(const SumLayout& layout)
       cut_off(layout.find("cut_off")) {}
 
 SumBlocks light_blocks(
-    std::size_t spectra, std::size_t bands, bool sums_absorbed, std::uint32_t origins) {
+    std::size_t spectra,
+    std::size_t bands,
+    bool sums_absorbed,
+    std::uint32_t origins,
+    bool sun_shade) {
     const SumColumns by_spectrum = columns_of(Of::spectrum, spectra);
     const SumColumns by_band = columns_of(Of::band, bands);
     SumBlocks blocks;
     declare_sides("direct", by_spectrum, blocks);
     declare_sides("scattered", by_band, blocks, origins);
     blocks.push_back({"sunlit", Rows::regions, {{Of::area}}});
+    if (sun_shade) {
+        blocks.push_back({"sunlit_upper", Rows::regions, {{Of::area}}});
+    }
     if (sums_absorbed) {
         blocks.push_back({"absorbed_direct", Rows::regions, by_band, origins});
         blocks.push_back({"absorbed_scattered", Rows::regions, by_band, origins});
+    }
+    if (sums_absorbed && sun_shade) {
+        blocks.push_back({"absorbed_beam", Rows::regions, by_band});
     }
     blocks.push_back({"emitted", Rows::run, by_spectrum});
     blocks.push_back({"escaped_direct", Rows::run, by_spectrum});
@@ -71,8 +81,10 @@ LightBlocks::LightBlocks(const SumLayout& layout)
       direct_(layout, "direct"),
       scattered_(layout),
       sunlit_(layout.find("sunlit")),
+      sunlit_upper_(layout.find("sunlit_upper")),
       absorbed_direct_(layout.find("absorbed_direct")),
       absorbed_scattered_(layout.find("absorbed_scattered")),
+      absorbed_beam_(layout.find("absorbed_beam")),
       emitted_(layout.find("emitted")),
       escaped_direct_(layout.find("escaped_direct")),
       work_(layout.find(kWork)),

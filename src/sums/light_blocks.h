@@ -66,8 +66,14 @@ inline constexpr std::string_view kWork = "work";
 /// incident light if no albedo depends on the angle.
 /// @param origins  of light: each has its own columns of all that is summed per band. A spectrum
 /// has one origin.
+/// @param sun_shade  adds the blocks of sunlit and shaded parts: the area whose upper side
+/// is sunlit and, with `sums_absorbed`, the absorbed light that came straight from suns
 [[nodiscard]] SumBlocks light_blocks(
-    std::size_t spectra, std::size_t bands, bool sums_absorbed = false, std::uint32_t origins = 1);
+    std::size_t spectra,
+    std::size_t bands,
+    bool sums_absorbed = false,
+    std::uint32_t origins = 1,
+    bool sun_shade = false);
 
 /// A detector's block has a column for each band, for each of its bins.
 [[nodiscard]] SumBlock detector_block(
@@ -89,7 +95,17 @@ class LightBlocks {
         return scattered_.on_surfaces.of_origin(origin, region, side);
     }
     [[nodiscard]] std::size_t sunlit(std::size_t region) const { return sunlit_.bin(region); }
+    /// Whether light of sunlit and shaded parts is summed.
+    [[nodiscard]] bool has_sun_shade() const { return sunlit_upper_.exists(); }
+    /// The part of sunlit() whose upper side is lit.
+    [[nodiscard]] std::size_t sunlit_upper(std::size_t region) const {
+        return sunlit_upper_.bin(region);
+    }
     [[nodiscard]] bool has_absorbed() const { return absorbed_direct_.exists(); }
+    /// The part of absorbed_direct() of suns, of all origins; with has_sun_shade().
+    [[nodiscard]] std::size_t absorbed_beam(std::size_t region) const {
+        return absorbed_beam_.bin(region);
+    }
     [[nodiscard]] std::size_t absorbed_direct(std::size_t region, std::size_t origin = 0) const {
         return absorbed_direct_.of_origin(origin, region);
     }
@@ -122,8 +138,8 @@ class LightBlocks {
     std::size_t stride_;
     SideBlocks direct_;
     ScatteredBlocks scattered_;
-    BlockBins sunlit_, absorbed_direct_, absorbed_scattered_, emitted_, escaped_direct_, work_,
-        scattered_count_;
+    BlockBins sunlit_, sunlit_upper_, absorbed_direct_, absorbed_scattered_, absorbed_beam_,
+        emitted_, escaped_direct_, work_, scattered_count_;
     std::vector<BlockBins> detectors_;
 };
 

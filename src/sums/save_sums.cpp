@@ -11,7 +11,7 @@
 namespace quasimc {
 namespace {
 
-constexpr std::uint64_t kMark = 0x38534D5553434D51;  // "QMCSUMS8", read as a little-endian number
+constexpr std::uint64_t kMark = 0x39534D5553434D51;  // "QMCSUMS9", read as a little-endian number
 
 /// FNV-1a of words of 8 bytes, the last filled up with zeros; high bits are mixed into low ones
 /// after each. Every step can be turned back: bytes that differ in one word have other checksums.
@@ -162,7 +162,8 @@ template <typename Visit, typename SumsOrConst>
 void visit_fields(Visit& visit, SumsOrConst& sums) {
     auto& units = sums.units;
     visit(sums.layout), visit(units.flux), visit(units.sunlit_area), visit(units.region_scale);
-    visit(sums.bounds), visit(sums.strategies), visit(sums.spectra), visit(sums.emitted_flux);
+    visit(sums.bounds), visit(sums.strategies), visit(sums.spectra), visit(sums.sun_spectra);
+    visit(sums.emitted_flux);
     visit(sums.measured), visit(sums.escaped), visit(sums.origins);
     visit(sums.replicates);
     visit(sums.paths), visit(sums.samples), visit(sums.per_contribution), visit(sums.digest);

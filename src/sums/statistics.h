@@ -43,6 +43,10 @@ namespace quasimc {
 /// or one less. 0 if there can be none.
 struct ContributionSize {
     double more = 0, less = 0;
+
+    friend ContributionSize operator*(const ContributionSize& size, double factor) {
+        return {size.more * factor, size.less * factor};
+    }
 };
 
 /// The larger one of each of the two.

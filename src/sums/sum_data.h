@@ -55,8 +55,9 @@ struct SumData {
     /// Strategies of all lights, first those whose contributions are counted (blocks "squares").
     /// Empty: only bounds apply.
     std::vector<SamplingStrategy> strategies;
-    std::vector<std::vector<double>> spectra;  ///< [spectrum][band], relative
-    std::vector<double> emitted_flux;          ///< per band, of all sources into the scene
+    std::vector<std::vector<double>> spectra;   ///< [spectrum][band], relative
+    std::vector<std::size_t> sun_spectra = {};  ///< indices of those of suns
+    std::vector<double> emitted_flux;           ///< per band, of all sources into the scene
     MeasuredOrgans measured = MeasuredOrgans::all;
     EscapedLight escaped = EscapedLight::summed;
     std::vector<SumOrigin> origins = {};  ///< empty: light is not kept apart

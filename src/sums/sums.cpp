@@ -118,6 +118,7 @@ SumData meaning_of(const SumData& sums) {
         .bounds = sums.bounds,
         .strategies = sums.strategies,
         .spectra = sums.spectra,
+        .sun_spectra = sums.sun_spectra,
         .emitted_flux = sums.emitted_flux,
         .measured = sums.measured,
         .escaped = sums.escaped,

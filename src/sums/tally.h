@@ -71,6 +71,18 @@ class Tally {
         }
     }
 
+    /// Adds an area of a region that suns light on a side.
+    void add_sunlit(std::size_t region, SurfaceSide side, std::int64_t area) {
+        add(blocks_.sunlit(region), area);
+        add_sunlit_upper(region, side, area);
+    }
+    /// Adds it to the areas whose upper side is lit, if it is one and these are summed.
+    void add_sunlit_upper(std::size_t region, SurfaceSide side, std::int64_t area) {
+        if (blocks_.has_sun_shade() && side == SurfaceSide::upper) {
+            add(blocks_.sunlit_upper(region), area);
+        }
+    }
+
     /// Counts work that was done.
     void count(WorkUnit unit, std::uint64_t amount) {
         add(blocks_.work(unit), static_cast<std::int64_t>(amount));

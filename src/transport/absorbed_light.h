@@ -8,8 +8,13 @@
 
 namespace quasimc {
 
-/// Whether light came straight from a source.
-enum class LightPart { direct, scattered };
+/// Whether light came straight from a source: from a sun (the beam), or from another one.
+enum class LightPart { beam, direct, scattered };
+
+/// The part of light that comes straight from a source.
+[[nodiscard]] inline LightPart direct_part(const BoundSource& light) {
+    return light.source->is_sun() ? LightPart::beam : LightPart::direct;
+}
 
 /// Light that falls on a side of a region, per band `factor` times weights[b].
 struct Arrival {

@@ -82,8 +82,8 @@ class ParticleTracer {
     void score_sunlit(const Surface& surface) {
         if (path_.light->lit_area > 0 && surface.cosine > 0 &&
             prepared_.rounding().is_sunlit(surface.triangle, direction_, surface.cosine)) {
-            tally_.add(
-                tally_.blocks().sunlit(surface.region),
+            tally_.add_sunlit(
+                surface.region, surface.side,
                 to_fixed(
                     prepared_.rounding().area_share(surface.triangle) * path_.weight *
                     path_.light->lit_area / surface.cosine));

@@ -22,7 +22,7 @@ inline void score_direct(
     tally.add(blocks.direct(at.region, at.side, light.spectrum), to_fixed(amount));
     score_absorbed(
         prepared,
-        {at.region, at.side, at.cosine, LightPart::direct, light.origin, amount,
+        {at.region, at.side, at.cosine, direct_part(light), light.origin, amount,
          light.start_weights},
         tally);
 }

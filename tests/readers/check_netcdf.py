@@ -167,6 +167,33 @@ def check_series(program, folder):
     assert float(at_noon) > 0
 
 
+def check_parts_and_origins(program, folder):
+    options = '[run]\nsun_shade = "apart"\norigins = ["sun", "sky"]\n'
+    text = HEAD.format(bands=TWO_UNITS).replace("[run]\n", options) + TIME + SCENE.format()
+    case = Case(program, folder, text)
+    data = case.data
+    assert data.incident_upper_sunlit_PAR.dims == ("time", "organ")
+    assert data.sunlit_fraction_upper.attrs["units"] == "1"
+    assert data.incident_upper_direct_PAR_day_sum.attrs["units"] == "mol m-2"
+    assert data.incident_upper_sunlit_PAR_day_mean.attrs["units"] == "umol m-2 s-1"
+    assert data.sunlit_hours.dims == ("day", "organ") and data.sunlit_hours.attrs["units"] == "h"
+    for row, time_step in enumerate(case.json["time_steps"]):
+        for i, organ in enumerate(time_step["organs"]):
+            fraction = organ["sunlit_fraction_upper"]["mean"]
+            assert data.sunlit_fraction_upper.values[row, i] == fraction
+            shaded = organ["absorbed_flux_density_shaded"]["PAR"]["standard_error"]
+            ours = data.absorbed_flux_density_shaded_PAR_standard_error.values[row, i]
+            assert np.array_equal(ours, number(shaded), equal_nan=True)
+            for o, origin in enumerate(["sun", "sky"]):
+                flux = organ["origins"][origin]["absorbed_flux"]["NIR"]["mean"]
+                assert data.absorbed_flux_NIR_by_origin.values[row, o, i] == flux
+    for row, day in enumerate(case.json["days"]):
+        hours = [organ["sunlit_hours"]["mean"] for organ in day["organs"]]
+        assert list(data.sunlit_hours.values[row]) == hours and 10 < hours[0] < 17
+        upper = [organ["sunlit_hours_upper"]["mean"] for organ in day["organs"]]
+        assert list(data.sunlit_hours_upper.values[row]) == upper
+
+
 def check_detector(data, where, detector, suffixed):
     """Compares the variables with a detector of the JSON."""
     for b, band in enumerate(["PAR", "NIR"]):
@@ -289,6 +316,7 @@ def main():
         for check in (
             check_single,
             check_series,
+            check_parts_and_origins,
             check_sweep,
             check_detectors,
             check_product,

@@ -20,10 +20,6 @@ ContributionSize both(const ContributionSize& a, const ContributionSize& b) {
     return {sum(a.more, b.more), sum(a.less, b.less)};
 }
 
-ContributionSize operator*(const ContributionSize& contribution, double factor) {
-    return {contribution.more * factor, contribution.less * factor};
-}
-
 /// The light of one strategy, to which contributions of at most `largest` were made.
 struct Counted {
     double number = 0;     ///< in all replicates
@@ -48,6 +44,12 @@ Counted counted_by(const SamplingStrategy& strategy, const CountedLight& light, 
         .number = light.number(),
         .many = strategy.many * replicates,
         .is_alike = strategy.by == SampledBy::paths && light.is_alike};
+}
+
+/// The contributions to both sides.
+CountedLight together(const CountedLight& upper, const CountedLight& lower) {
+    return {
+        upper.units + lower.units, upper.squares + lower.squares, upper.is_alike && lower.is_alike};
 }
 
 }  // namespace
@@ -86,11 +88,13 @@ void OrganContributions::read_points(const OrganReader& reader, std::size_t band
         kinds_.push_back(
             {side,
              true,
+             false,
              sums.data().spectra.size() == 1,
              Sample::point,
              {all > 0 && found == all ? on_triangle : direct, found > 0 ? direct : 0}});
         const bool is_lit = (is_upper ? sum.scattered_upper : sum.scattered_lower) > 0;
-        kinds_.push_back({side, false, false, Sample::path, {scattered, is_lit ? scattered : 0}});
+        kinds_.push_back(
+            {side, false, false, false, Sample::path, {scattered, is_lit ? scattered : 0}});
     }
 }
 
@@ -109,8 +113,9 @@ void OrganContributions::read_strategies(const OrganReader& reader, std::size_t 
             size.less = strategy.spectra.empty() ? size.more : size.less;
             const bool is_unseen = !is_path && size.less == 0;
             kinds_.push_back(
-                {side, true, strategy.spectra.size() == 1, is_path ? Sample::path : Sample::ray,
-                 is_unseen ? ContributionSize{} : size, is_unseen ? size.more : 0});
+                {side, true, strategy.has_suns, strategy.spectra.size() == 1,
+                 is_path ? Sample::path : Sample::ray, is_unseen ? ContributionSize{} : size,
+                 is_unseen ? size.more : 0});
         }
     }
     const Incident sum = reader.incident(band);
@@ -126,12 +131,13 @@ void OrganContributions::read_strategies(const OrganReader& reader, std::size_t 
                 : reader.largest_reflectance(band, side) * reader.self_view_factor(side, band);
         const double size = again < kTrapped ? once * (1 + again) / (1 - again) : once;
         kinds_.push_back(
-            {side, false, false, Sample::path,
+            {side, false, false, false, Sample::path,
              one_of({size > 0 ? mean / size : 0, size, size, kManyContributions * count})});
     }
 }
 
-OrganContributions OrganContributions::sunlit(const OrganReader& reader) {
+OrganContributions OrganContributions::sunlit(
+    const OrganReader& reader, std::optional<SurfaceSide> side) {
     OrganContributions all;
     all.has_points_ = reader.sums().has_points();
     const auto& strategies = reader.sums().data().strategies;
@@ -143,17 +149,16 @@ OrganContributions OrganContributions::sunlit(const OrganReader& reader) {
     all.bound_ = !all.has_points_ && strategies.empty() ? one : 0;
     double area = 0;
     for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
-        area += reader.sunlit_area(r) / count;
+        area += (side ? reader.sunlit_area(r, *side) : reader.sunlit_area(r)) / count;
     }
     for (std::size_t i = 0; !all.has_points_ && i < strategies.size(); ++i) {
         if (!strategies[i].has_suns) {
             continue;
         }
-        CountedLight found = reader.counted(i, SurfaceSide::upper);
-        const CountedLight lower = reader.counted(i, SurfaceSide::lower);
-        found = {
-            found.units + lower.units, found.squares + lower.squares,
-            found.is_alike && lower.is_alike};
+        const CountedLight found = side ? reader.counted(i, *side)
+                                        : together(
+                                              reader.counted(i, SurfaceSide::upper),
+                                              reader.counted(i, SurfaceSide::lower));
         const bool is_known = !strategies[i].spectra.empty();
         Counted light = counted_by(strategies[i], found, count);
         light.largest = one * reader.sunlit_per_contribution(i, found.units > 0);
@@ -200,6 +205,7 @@ ContributionSize OrganContributions::combined(const SizeOf& size_of) const {
 ContributionSize OrganContributions::size(const LightParts& parts) const {
     const ContributionSize one = combined([&](const Kind& kind, std::size_t) {
         const bool is_counted = (kind.is_direct ? parts.direct : parts.scattered) &&
+                                (parts.suns || !kind.has_suns) &&
                                 (kind.side == SurfaceSide::upper ? parts.upper : parts.lower);
         return is_counted ? both(kind.size, {kind.unseen, 0}) : ContributionSize{};
     });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -16,8 +17,9 @@ class OrganContributions {
     /// No contribution: of a group without organs.
     OrganContributions() = default;
     OrganContributions(const OrganReader& reader, std::size_t band);
-    /// Contributions to the sunlit area.
-    [[nodiscard]] static OrganContributions sunlit(const OrganReader& reader);
+    /// Contributions to the sunlit area, of a side or of both.
+    [[nodiscard]] static OrganContributions sunlit(
+        const OrganReader& reader, std::optional<SurfaceSide> side = std::nullopt);
 
     /// Includes another organ of a group.
     void include(const OrganContributions& organ);
@@ -53,6 +55,7 @@ class OrganContributions {
     struct Kind {
         SurfaceSide side = SurfaceSide::upper;
         bool is_direct = true;
+        bool has_suns = false;          ///< direct light of suns alone
         bool has_one_spectrum = false;  ///< a contribution has the same colour as all others
         Sample sample = Sample::path;
         ContributionSize size = {};

@@ -47,6 +47,18 @@ struct Incident {
     }
 };
 
+/// Light of suns on one organ in one replicate that came straight from them: flux.
+struct Beam {
+    double upper = 0, lower = 0, absorbed = 0;
+
+    Beam& operator+=(const Beam& part) {
+        upper += part.upper;
+        lower += part.lower;
+        absorbed += part.absorbed;
+        return *this;
+    }
+};
+
 /// The quantities that follow from the incident light.
 /// @param per_area  1 / area of the surface; 0 for no area, which receives nothing
 inline std::array<double, kQuantities> quantities_of(const Incident& in, double per_area) {
@@ -151,12 +163,19 @@ class OrganReader {
         return sum;
     }
     [[nodiscard]] double sunlit_area(std::uint32_t replicate) const {
-        double sum = 0;
-        for_each_region([&](std::uint32_t region) {
-            const double unit =
-                sums_.units.sunlit_area * sums_.units.scale(region) / reader_.samples;
-            sum += value(replicate, reader_.blocks.sunlit(region)) * unit;
-        });
+        return area_of(
+            replicate, [&](std::uint32_t region) { return reader_.blocks.sunlit(region); });
+    }
+    /// The area whose given side is lit; with LightBlocks::has_sun_shade().
+    [[nodiscard]] double sunlit_area(std::uint32_t replicate, SurfaceSide side) const {
+        const double upper = area_of(
+            replicate, [&](std::uint32_t region) { return reader_.blocks.sunlit_upper(region); });
+        return side == SurfaceSide::upper ? upper : sunlit_area(replicate) - upper;
+    }
+    /// With LightBlocks::has_sun_shade().
+    [[nodiscard]] Beam beam(std::uint32_t replicate, std::size_t band) const {
+        Beam sum;
+        for_each_region([&](std::uint32_t region) { sum += region_beam(replicate, region, band); });
         return sum;
     }
 
@@ -335,6 +354,17 @@ class OrganReader {
         return most;
     }
 
+    /// @param bin_of  the bin of a region
+    template <typename BinOf>
+    [[nodiscard]] double area_of(std::uint32_t replicate, const BinOf& bin_of) const {
+        double sum = 0;
+        for_each_region([&](std::uint32_t region) {
+            const double unit =
+                sums_.units.sunlit_area * sums_.units.scale(region) / reader_.samples;
+            sum += value(replicate, bin_of(region)) * unit;
+        });
+        return sum;
+    }
     [[nodiscard]] double value(std::uint32_t replicate, std::size_t bin) const {
         return sums_.replicates[replicate].value(bin);
     }
@@ -395,6 +425,24 @@ class OrganReader {
                            material.side(SurfaceSide::upper).absorptance()[band] +
                        (sum.direct_lower + sum.scattered_lower) *
                            material.side(SurfaceSide::lower).absorptance()[band];
+        return sum;
+    }
+
+    [[nodiscard]] Beam region_beam(
+        std::uint32_t replicate, std::uint32_t region, std::size_t band) const {
+        const LightBlocks& blocks = reader_.blocks;
+        const double unit = counts_direct() ? reader_.flux(region, band) : 0;
+        Beam sum;
+        for (const std::size_t s : sums_.sun_spectra) {
+            const double weight = sums_.spectra[s][band] * unit;
+            sum.upper += value(replicate, blocks.direct(region, SurfaceSide::upper, s)) * weight;
+            sum.lower += value(replicate, blocks.direct(region, SurfaceSide::lower, s)) * weight;
+        }
+        const Material& material = material_of(region);
+        sum.absorbed = blocks.has_absorbed()
+                           ? value(replicate, blocks.absorbed_beam(region) + band) * unit
+                           : sum.upper * material.side(SurfaceSide::upper).absorptance()[band] +
+                                 sum.lower * material.side(SurfaceSide::lower).absorptance()[band];
         return sum;
     }
 

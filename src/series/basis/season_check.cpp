@@ -79,6 +79,10 @@ void check_together(
         !scene.sensors().empty(), "it is \"daylight_coefficients\", and the scene has sensors",
         "paths from points need the sources of each time",
         "use time_method = \"independent\", or cumulative_sky");
+    refuse(
+        spec.sun_shade == SunShade::apart,
+        "it is \"daylight_coefficients\", with light of sunlit and shaded parts",
+        "the direct light of suns is not stored by side", "use time_method = \"independent\"");
     const auto splits_suns = [&](const TimeStep& step) {
         return std::ranges::count_if(
                    sources_by_origin(step.sources, spec.origins),

@@ -79,7 +79,9 @@ void DirectLightScore::add_sunlit(std::uint32_t triangle, double along, double a
     if (prepared_.rounding().is_sunlit(triangle, beam_.direction, along)) {
         const double area =
             prepared_.rounding().area_share(triangle) * beam_.light->lit_area / std::abs(along);
-        tally_.add(tally_.blocks().sunlit(prepared_.region(triangle)), to_fixed(amount * area));
+        tally_.add_sunlit(
+            prepared_.region(triangle), along > 0 ? SurfaceSide::lower : SurfaceSide::upper,
+            to_fixed(amount * area));
     }
 }
 
@@ -87,7 +89,7 @@ void DirectLightScore::add_absorbed(std::uint32_t region, double along, double a
     const SurfaceSide side = along > 0 ? SurfaceSide::lower : SurfaceSide::upper;
     score_absorbed(
         prepared_,
-        {region, side, std::abs(along), LightPart::direct, beam_.light->origin, amount,
+        {region, side, std::abs(along), direct_part(*beam_.light), beam_.light->origin, amount,
          beam_.light->start_weights},
         tally_);
 }

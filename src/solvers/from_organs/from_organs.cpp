@@ -210,7 +210,6 @@ class FromOrgans final : public Solver {
             !prepared_.fields_of_view().contain(point.region, surface.cosine)) {
             return 0;
         }
-        const LightBlocks& blocks = tally.blocks();
         const double part = share * part_of_unit_[point.region];
         const double amount = part * sample.factor * surface.cosine;
         tally.add(
@@ -221,8 +220,8 @@ class FromOrgans final : public Solver {
         }
         score_direct(prepared_, surface, *sample.light, amount, tally);
         if (sample.light->sun_share > 0 && is_sunlit(point, sample.to_light)) {
-            tally.add(
-                blocks.sunlit(point.region),
+            tally.add_sunlit(
+                point.region, surface.side,
                 to_fixed(part * kFinerQuanta * sample.light->sun_share / sample.probability));
         }
         return 1;

@@ -248,12 +248,14 @@ std::uint64_t LightTracer::shade(
             const double area_share =
                 is_sunlit ? prepared_.rounding().area_share(packet.triangle[lane]) : 0;
             if (prepared_.fields_of_view().contain(primitive.region, cosine)) {
+                const std::int64_t sunlit = to_fixed(is_sunlit ? area_share * lit : 0);
                 tally.add_two(
                     primitive.region, blocks.direct(0, side, light.spectrum), to_fixed(share),
-                    blocks.sunlit(0), to_fixed(is_sunlit ? area_share * lit : 0));
+                    blocks.sunlit(0), sunlit);
+                tally.add_sunlit_upper(primitive.region, side, sunlit);
                 score_absorbed(
                     prepared_,
-                    {primitive.region, side, cosine, LightPart::direct, light.origin, share,
+                    {primitive.region, side, cosine, direct_part(light), light.origin, share,
                      light.start_weights},
                     tally);
             }

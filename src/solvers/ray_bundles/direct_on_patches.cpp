@@ -296,8 +296,8 @@ class DirectDeposit {
                                        prepared_.rounding().is_sunlit(
                                            surface.triangle, start.direction, surface.cosine);
                 const double area = is_sunlit ? source.lit_area / surface.cosine : 0;
-                tally_.add(
-                    blocks.sunlit(surface.region),
+                tally_.add_sunlit(
+                    surface.region, surface.side,
                     to_fixed(
                         start.weight * prepared_.rounding().area_share(surface.triangle) * area));
             }

@@ -50,6 +50,17 @@ void expect_same_bits(const quasimc_result& result, const Result& expected) {
     }
 }
 
+/// Every number of sunlit and shaded parts.
+void expect_same_parts(const quasimc_result& result, const Result& expected) {
+    for (const SunShadeEntry& entry : sun_shade_table()) {
+        const auto mean = column(result, entry.name.data(), entry.has_bands() ? "NIR" : nullptr);
+        for (std::size_t i = 0; i < expected.organs(); ++i) {
+            const Estimate e = reported(expected.sun_shade.at(i, entry.quantity, 1));
+            EXPECT_EQ(bits(mean[i]), bits(e.mean)) << entry.name;
+        }
+    }
+}
+
 TEST(CInterface, GivesTheBitsOfTheLibraryFromArraysAndFromARunFile) {
     const TemporaryFolder folder;
     const std::string path = written(folder, small_canopy_text(12));
@@ -67,6 +78,20 @@ TEST(CInterface, GivesTheBitsOfTheLibraryFromArraysAndFromARunFile) {
     const ResultHandle from_file = run(*loaded);
     ASSERT_TRUE(from_file);
     expect_same_bits(*from_file, expected);
+}
+
+TEST(CInterface, GivesTheLightOfSunlitAndShadedParts) {
+    const TemporaryFolder folder;
+    RunFile file = read_run_file(written(folder, small_canopy_text(12)));
+    const SceneHandle scene = small_canopy(12);
+    const ResultHandle whole = run(*scene);
+    double value = 0;
+    EXPECT_EQ(
+        quasimc_result_get(whole.get(), "incident_upper_sunlit", "PAR", "mean", &value, 1),
+        QUASIMC_MISUSE);
+    ASSERT_EQ(quasimc_scene_set_option(scene.get(), "sun_shade", "apart"), QUASIMC_DONE);
+    file.spec.sun_shade = SunShade::apart;
+    expect_same_parts(*run(*scene), quasimc::run(file.scene, file.sources, file.spec));
 }
 
 TEST(CInterface, AnotherSeedGivesOtherBits) {

@@ -427,6 +427,19 @@ TEST(Summary, HasTheFractionsOfTheCanopy) {
     EXPECT_FALSE(mentions(lines_of(summary(small_run(), small_result(), {})), "canopy"));
 }
 
+TEST(Summary, HasALineForEachOriginOfLight) {
+    Result result = small_result();
+    for (const char* name : {"sun", "sky"}) {
+        result.origins.push_back({name, small_result()});
+    }
+    result.origins.front().light.budget[0].emitted.mean = 1234;
+    const auto lines = lines_of(summary(small_run(), result, {}));
+    EXPECT_TRUE(mentions(lines, "origin    sun: R ["));
+    EXPECT_TRUE(mentions(lines, "emitted 1234"));
+    EXPECT_TRUE(mentions(lines, "origin    sky: FR ["));
+    EXPECT_FALSE(mentions(lines_of(summary(small_run(), small_result(), {})), "origin"));
+}
+
 TEST(Method, IsToldWithItsReason) {
     RunFile run = small_run();
     run.spec.method = Method::automatic;

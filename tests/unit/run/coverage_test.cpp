@@ -6,7 +6,10 @@
 // for normally distributed replicates. Those of an organ with a few dozen hits are skewed, so that
 // the coverage of organs may be a little smaller.
 
+#include <array>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -161,6 +164,66 @@ INSTANTIATE_TEST_SUITE_P(
     CoverageOfOrigins,
     ::testing::Values(
         Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles),
+    name_of);
+
+/// Light of the sunlit and of the shaded part, of leaves and of all of them together.
+class CoverageOfParts : public ::testing::TestWithParam<Method> {
+  protected:
+    static constexpr int kSeeds = 400;
+    using Q = SunShadeQuantity;
+
+    /// The fraction of the leaves whose intervals hold the truth, of those that have the part.
+    static double fraction_right(const SunShadeLight& found, const SunShadeLight& truth, Q q) {
+        int right = 0, all = 0;
+        for (std::size_t leaf = 0; leaf < 10; ++leaf) {
+            const double fraction = truth.at(leaf, Q::sunlit_fraction_upper).mean;
+            if (fraction > .1) {
+                right += holds_truth(found.at(leaf, q), truth.at(leaf, q).mean) ? 1 : 0;
+                ++all;
+            }
+        }
+        EXPECT_GT(all, 2);
+        return right / static_cast<double>(all);
+    }
+};
+
+TEST_P(CoverageOfParts, HoldsTheLightOfManyPaths) {
+    const Scene scene = make_stand();
+    RunSpec truth_spec = spec_of(Method::first_hits, 1 << 17);
+    truth_spec.sun_shade = SunShade::apart;
+    truth_spec.seed = 12345;
+    const Result truth = run(scene, make_sources(), truth_spec);
+    RunSpec pilot = spec_of(GetParam(), 1 << 10);
+    pilot.replicates = 8;
+    pilot.sun_shade = SunShade::apart;
+    constexpr std::array kParts{Q::incident_upper_sunlit, Q::incident_upper_shaded};
+    std::array<std::vector<double>, kParts.size()> leaves;
+    std::array<int, kParts.size()> of_all{};
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        pilot.seed = static_cast<std::uint64_t>(seed);
+        const Result result = run(scene, make_sources(), pilot);
+        for (std::size_t i = 0; i < kParts.size(); ++i) {
+            const Q q = kParts.at(i);
+            leaves.at(i).push_back(fraction_right(result.sun_shade, truth.sun_shade, q));
+            const double all = truth.groups.sun_shade.at(0, q).mean;
+            of_all.at(i) += holds_truth(result.groups.sun_shade.at(0, q), all) ? 1 : 0;
+        }
+    }
+    for (std::size_t i = 0; i < kParts.size(); ++i) {
+        const double together = of_all.at(i);
+        EXPECT_TRUE(agrees(measured_fraction(together, kSeeds, .95), .95, .06)) << together;
+        const Measured each = measured(leaves.at(i));
+        EXPECT_GT(each.mean, .93);
+        EXPECT_LT(each.mean, .98);
+        RecordProperty("leaves " + std::to_string(i), std::to_string(each.mean));
+    }
+}
+
+/// Ray bundles have a bias of their patches, which is not in their intervals.
+INSTANTIATE_TEST_SUITE_P(
+    EveryMethod,
+    CoverageOfParts,
+    ::testing::Values(Method::light_tracing, Method::first_hits, Method::from_organs),
     name_of);
 
 /// Two leaves, one in the shade of the other: the sum of both, whose errors have opposite signs.

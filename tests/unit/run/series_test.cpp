@@ -469,6 +469,29 @@ TEST(SeriesAdder, AddsMeansThatAreNotCut) {
     EXPECT_EQ(adder.sum(1, 1).values[0].mean, 5);
 }
 
+/// A share of a half of 2 (error 0.1) and one of 0.2 of 3 (error 0.05), whose light is doubled: 2.2
+/// of 5, with the errors 2 x 0.1 and 6 x 0.05.
+TEST(TimeQuotient, WeighsItsPartsByTheirWholes) {
+    TimeQuotient quotient;
+    quotient.add({.5, .1}, {2, 0}, {1, 1}, 3);
+    quotient.add({.2, .05}, {3, 0}, {2, 1}, 3);
+    const Estimate mean = quotient.estimate();
+    EXPECT_DOUBLE_EQ(mean.mean, 2.2 / 5);
+    EXPECT_DOUBLE_EQ(mean.standard_error, std::hypot(.2, .3) / 5);
+    quotient.add_whole(6);
+    EXPECT_DOUBLE_EQ(quotient.estimate().mean, .2);
+}
+
+/// The error of a whole counts where the share of a time differs from that of all.
+TEST(TimeQuotient, IncludesTheErrorsOfWholes) {
+    TimeQuotient quotient;
+    quotient.add({1, 0}, {1, .1}, {1, 1}, 3);
+    quotient.add({0, 0}, {1, .1}, {1, 1}, 3);
+    EXPECT_DOUBLE_EQ(quotient.estimate().mean, .5);
+    EXPECT_DOUBLE_EQ(quotient.estimate().standard_error, std::sqrt(2 * .05 * .05) / 2);
+    EXPECT_TRUE(std::isnan(TimeQuotient().estimate().mean));
+}
+
 /// Without any trace, sums have the requested size, and are 0.
 TEST(SeriesAdder, OfNothingIsCertainlyNothing) {
     const SeriesSum sum = SeriesAdder().sum(1, 3);

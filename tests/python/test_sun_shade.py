@@ -1,0 +1,49 @@
+import numpy as np
+import pytest
+
+import quasimc
+from canopies import FEW, canopy
+
+
+def test_parts_add_up_to_the_whole():
+    result = canopy().run(**FEW, sun_shade="apart", layers=2)
+    for light in (result, result.groups):
+        parts = light.sun_shade
+        assert parts["incident_upper_sunlit"]["PAR"].unit == "W m-2"
+        for side in ("upper", "lower"):
+            fraction = parts[f"sunlit_fraction_{side}"].mean
+            assert fraction.shape == light["sunlit_fraction"].mean.shape
+            sunlit = np.nan_to_num(parts[f"incident_{side}_sunlit"]["NIR"].mean)
+            shaded = np.nan_to_num(parts[f"incident_{side}_shaded"]["NIR"].mean)
+            whole = light[f"incident_{side}"]["NIR"].mean
+            inner = fraction < 0.99        # others are cut at 1
+            assert inner.any() and np.allclose(
+                (fraction * sunlit + (1 - fraction) * shaded)[inner], whole[inner], rtol=0.02)
+    table = result.sun_shade.to_pandas()
+    assert len(table) == len(result.organs) and "absorbed_flux_density_sunlit_PAR_se" in table
+
+
+def test_days_have_hours_in_the_sun():
+    stand = quasimc.Scene(
+        {"PAR": "umol m-2 s-1"}, length_unit="m", site={"latitude_deg": 45, "longitude_deg": 8})
+    stand.add_material("leaf", reflectance=0.1)
+    stand.add_mesh([[0, 0, 1], [1, 0, 1], [0, 1, 1]], [[0, 1, 2]], material="leaf")
+    day = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [10, 12]}
+    series = stand.run(time=day, paths=256, sun_shade="apart")
+    for light in (series.days["2024-06-21"], series.total, series.total.groups):
+        parts = light.sun_shade
+        assert parts["sunlit_hours"].unit == "h"
+        assert parts["sunlit_hours_upper"].mean[0] == pytest.approx(2, rel=1e-3)
+        assert parts["incident_upper_direct"]["PAR"].unit == "mol m-2"
+        mean = parts["incident_upper_sunlit"]["PAR"]
+        assert mean.unit == "umol m-2 s-1"
+        assert mean.mean[0] * 7200e-6 == pytest.approx(
+            light["incident_upper"]["PAR"].mean[0], rel=1e-2)
+
+
+def test_parts_must_be_asked_for():
+    result = canopy().run(**FEW)
+    with pytest.raises(KeyError, match='sun_shade="apart"'):
+        result.sun_shade
+    with pytest.raises(KeyError, match="there is no quantity 'light'"):
+        canopy().run(**FEW, sun_shade="apart").sun_shade["light"]
