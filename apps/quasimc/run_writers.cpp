@@ -57,6 +57,18 @@ void refuse_checkpoint(
     faults.throw_if_any();
 }
 
+/// Adds a fault for each table that a run lacks for an output.
+void check_needs(
+    const quasimc::OutputKey& key, const quasimc::RunFile& run, quasimc::Faults& faults) {
+    for (const quasimc::OutputNeed& need : key.needs) {
+        if (!need.table.empty() && run.document->find(need.table) == nullptr) {
+            faults.add(
+                {flag_of(key.name), fmt::format("the run has no {}", need.shown),
+                 std::string(need.reason), ""});
+        }
+    }
+}
+
 /// The requested outputs. Paths on the command line count from the current folder,
 /// and override those of the run file.
 std::vector<RequestedOutput> requested_outputs(
@@ -68,13 +80,7 @@ std::vector<RequestedOutput> requested_outputs(
         const auto given = run.output.files.find(key.name);
         if (!path.empty()) {
             requested.push_back({{path, flag_of(key.name)}, make});
-            for (const quasimc::OutputNeed& need : key.needs) {
-                if (!need.table.empty() && run.document->find(need.table) == nullptr) {
-                    faults.add(
-                        {flag_of(key.name), fmt::format("the run has no {}", need.shown),
-                         std::string(need.reason), ""});
-                }
-            }
+            check_needs(key, run, faults);
         } else if (given != run.output.files.end()) {
             requested.push_back(
                 {{given->second, fmt::format("{}: [output]: {}", run.path, key.name)}, make});
