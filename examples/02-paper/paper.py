@@ -67,7 +67,7 @@ def light_of(result):
 
 def variances_of(result):
     """Variance of every leaf's absorbed flux density, between replicates."""
-    return result.replicates * np.nan_to_num(light_of(result).standard_error) ** 2
+    return result.run.replicates * np.nan_to_num(light_of(result).standard_error) ** 2
 
 
 def run_to_error(scene, method, sampler, replicates, target):
@@ -78,9 +78,9 @@ def run_to_error(scene, method, sampler, replicates, target):
         result = scene.run(method=method, sampler=sampler, paths=paths, start_area="silhouette", replicates=replicates,
                            threads=1)
         light = light_of(result)
-        error = np.sqrt(np.mean(light.standard_error**2)) / light.mean.mean()
+        error = np.sqrt(np.mean(light.standard_error**2)) / light.values.mean()
         if error <= target:  # not where it is NaN: some leaf was not found
-            return paths, error, result.solve_cpu_seconds
+            return paths, error, result.run.solve_cpu_seconds
     sys.exit(f"{method}: the error is not reached")
 
 
@@ -89,7 +89,7 @@ def draw_figures(results, out, note):
     for name, variance in (("figure3-irradiance", False), ("figure3-variance", True)):
         axes = None
         for label, result in results.items():
-            axes = result.plot_organs(variance=variance, ax=axes, label=label)
+            axes = result.plot.light_by_index(variance=variance, ax=axes, label=label)
         axes.set_title(note, fontsize=9)
         axes.figure.set_size_inches(9, 6.4)
         for suffix in ("png", "svg"):
@@ -132,7 +132,7 @@ def main():
 
     both = {name: results[f"{name}, {arguments.paths:,} paths"] for name in ("Monte Carlo", "Korobov")}
     depths = leaf_depths(scene.organs)
-    (a, rate), = write_data(out / "irradiance.csv", depths, {"irradiance": light_of(both["Korobov"]).mean})
+    (a, rate), = write_data(out / "irradiance.csv", depths, {"irradiance": light_of(both["Korobov"]).values})
     print(f"Absorbed flux density over depth x: {a:.3f} exp(-{rate:.2f} x)")
     write_data(out / "variance.csv", depths, {name.lower().replace(" ", "_"): variances_of(result)
                                               for name, result in both.items()})

@@ -13,12 +13,12 @@ def main() -> None:
     series = scene.run(time=hours, paths=1024)
     assert isinstance(series, quasimc.Series)
     for time_step, result in zip(series.times, series):
-        light = result.groups["absorbed_flux"].mean[0]
+        light = result.groups["absorbed_flux"].values[0]
         print(time_step["time"], *(f"{band} {x:8.3f}" for band, x in zip(result.bands, light)))
     groups = series.days["2024-06-21"].groups
     assert groups is not None
     total = groups["absorbed_flux"]  # group 0: all organs, without the ground
-    print("the day:", *(f"{b} {total[b].mean[0]:.3g} {total[b].unit}" for b in total.bands))
+    print("the day:", *(f"{b} {total[b].values[0]:.3g} {total[b].unit}" for b in total.bands))
 
 
 if __name__ == "__main__":

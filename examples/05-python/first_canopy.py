@@ -37,9 +37,9 @@ def main() -> None:
 
     print(result)
     absorbed = result["absorbed_flux"]["PAR"]
-    mean, error = absorbed.mean[0], absorbed.standard_error[0]
+    mean, error = absorbed.values[0], absorbed.standard_error[0]
     print(f"leaf 1 absorbs {mean:.4f} +- {error:.4f} {absorbed.unit}")
-    for group, light in zip(result.groups.groups, result.groups["absorbed_flux"]["PAR"].mean):
+    for group, light in zip(result.groups.groups, result.groups["absorbed_flux"]["PAR"].values):
         name = f"{group['by']} {group['value']}"
         print(f"{name:>8}: area {group['area']:.3f} m2, absorbed {light:.2f}")
 

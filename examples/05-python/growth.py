@@ -29,7 +29,7 @@ def main() -> None:
         lengths[step] = 0.05
         session.add(leaf(0.02 * step, 2.4 * step, 0.05), material="leaf", organ=step)
         result = session.run(sky, paths=2048)
-        light = result.select(list(lengths))["absorbed_flux_density"]["PAR"].mean
+        light = result.at(list(lengths))["absorbed_flux_density"]["PAR"].values
         for organ, absorbed in zip(lengths, light):
             lengths[organ] *= 1 + 0.001 * float(absorbed)
             grown = leaf(0.02 * organ, 2.4 * organ, lengths[organ])

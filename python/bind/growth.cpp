@@ -10,6 +10,7 @@
 #include "bind.h"
 #include "files/input_files.h"
 #include "quasimc/run.h"
+#include "replicates.h"
 #include "result.h"
 #include "run.h"
 #include "runfile/run_file.h"
@@ -74,14 +75,21 @@ SceneHandle scene_of(GrowthHandle& handle) {
     return {handle.session.scene(), std::move(warnings)};
 }
 
-std::shared_ptr<Result> run_step(
-    GrowthHandle& handle, const LightHandle& light, const py::object& on_progress) {
-    std::shared_ptr<Result> result;
+ResultWithSums run_step(
+    GrowthHandle& handle,
+    const LightHandle& light,
+    double max_bytes,
+    const py::object& on_progress) {
+    ResultWithSums kept;
     WatchedWork(on_progress).run([&](const RunControl& control) {
-        result =
-            reported_result(handle.session.run(light.light.sources, light.light.spec, control));
+        SumsKeeper keeper(max_bytes);
+        RunControl own = control;
+        own.listeners.push_back(&keeper);
+        kept.first =
+            reported_result(handle.session.run(light.light.sources, light.light.spec, own));
+        kept.second = keeper.take(handle.session.scene(), light.light.sources, light.light.spec);
     });
-    return result;
+    return kept;
 }
 
 }  // namespace
@@ -97,7 +105,9 @@ void bind_growth(py::module_& module) {
             "has", [](const GrowthHandle& h, std::int64_t id) { return h.session.has(id); },
             py::arg("id"))
         .def("scene", &scene_of)
-        .def("run", &run_step, py::arg("light"), py::arg("on_progress") = py::none())
+        .def(
+            "run", &run_step, py::arg("light"), py::arg("max_bytes"),
+            py::arg("on_progress") = py::none())
         .def_property_readonly("size", [](const GrowthHandle& h) { return h.session.size(); })
         .def_property_readonly(
             "scene_builds", [](const GrowthHandle& h) { return h.session.scene_builds(); })

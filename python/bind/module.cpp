@@ -12,7 +12,9 @@ PYBIND11_MODULE(_core, module) {
     bind_catalogues(module);
     bind_sun(module);
     bind_result(module);
+    bind_replicates(module);
     bind_run(module);
+    bind_store(module);
     bind_series(module);
     bind_growth(module);
     bind_grow(module);

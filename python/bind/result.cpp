@@ -121,6 +121,8 @@ void report_all(std::vector<Estimate>& estimates) {
     std::transform(estimates.begin(), estimates.end(), estimates.begin(), reported);
 }
 
+}  // namespace
+
 void report_groups(GroupResults& groups) {
     for (std::vector<Estimate>* estimates :
          {&groups.values, &groups.sunlit_fraction, &groups.sunlit_area, &groups.ratio_values,
@@ -128,8 +130,6 @@ void report_groups(GroupResults& groups) {
         report_all(*estimates);
     }
 }
-
-}  // namespace
 
 SeriesSum reported_sum(SeriesSum sum) {
     for (std::vector<Estimate>* estimates :

@@ -16,6 +16,9 @@ namespace quasimc::python {
 /// A sum over times with all estimates as they are reported.
 [[nodiscard]] SeriesSum reported_sum(SeriesSum sum);
 
+/// Makes all estimates of groups those that are reported.
+void report_groups(GroupResults& groups);
+
 /// A view of estimates owned by `owner`: the given shape and (mean, standard error, low,
 /// high).
 [[nodiscard]] py::object estimates_view(

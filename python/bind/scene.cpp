@@ -15,6 +15,9 @@
 #include "bind.h"
 #include "document.h"
 #include "files/input_files.h"
+#include "results/organ_height.h"
+#include "results/organ_values.h"
+#include "results/where_expression.h"
 #include "runfile/run_file.h"
 #include "scene/mesh_arrays.h"
 #include "scene/sensors.h"
@@ -133,6 +136,15 @@ py::array_t<T> of_organs(const Scene& scene, Get get) {
         *out++ = get(organ);
     }
     return array;
+}
+
+/// Whether a condition holds for each organ. @throws InputError
+py::array_t<bool> organs_where(const SceneHandle& handle, const std::string& condition) {
+    const WhereExpression where(condition);
+    const OrganValues values(*handle.scene, {});
+    where.check_names(values.names(), "label");
+    return of_organs<bool>(
+        *handle.scene, [&](const Organ& organ) { return values.holds(where, organ); });
 }
 
 py::list names_of(const Scene& scene) {
@@ -292,9 +304,17 @@ void bind_scene(py::module_& module) {
             [](const SceneHandle& h) {
                 return of_organs<double>(*h.scene, [](const Organ& o) { return o.area; });
             })
+        .def_property_readonly(
+            "heights",
+            [](const SceneHandle& h) {
+                return of_organs<double>(*h.scene, [&](const Organ& organ) {
+                    return height_of(*h.scene, organ).centroid;
+                });
+            })
         .def_property_readonly("names", [](const SceneHandle& h) { return names_of(*h.scene); })
         .def_property_readonly("labels", [](const SceneHandle& h) { return labels_of(*h.scene); })
         .def_property_readonly("sensors", &sensors_of)
+        .def("where", &organs_where, py::arg("condition"))
         .def("triangles_of", &triangles_of, py::arg("organ"));
 }
 

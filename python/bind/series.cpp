@@ -9,6 +9,7 @@
 
 #include "bind.h"
 #include "options/options.h"
+#include "replicates.h"
 #include "result.h"
 #include "resultio/json_parts.h"
 #include "run.h"
@@ -21,10 +22,17 @@ namespace {
 /// The results of a series.
 class SeriesHandle final : public RunListener {
   public:
-    SeriesHandle(TimeSeries of, bool keeps) : series(std::move(of)), keeps_times(keeps) {}
+    SeriesHandle(TimeSeries of, bool keeps, double max_bytes)
+        : series(std::move(of)), keeps_times(keeps), keeper_(max_bytes) {}
 
+    void on_last_round(const RunSoFar& run) override { keeper_.on_last_round(run); }
     void on_time_step(const TimeStepResult& step) override {
         results.push_back(reported_result(step.result));
+        // The sums of a time that is another one's, scaled, are not its own.
+        const bool has_own = step.computed == step.time_step;
+        replicates.push_back(
+            has_own ? keeper_.take(scene, series.time_steps[step.time_step].sources, spec)
+                    : nullptr);
     }
     [[nodiscard]] bool wants(SeriesPart part) const override {
         return keeps_times || part != SeriesPart::time_steps;
@@ -36,18 +44,27 @@ class SeriesHandle final : public RunListener {
 
     TimeSeries series;
     bool keeps_times;
+    std::shared_ptr<const Scene> scene;
+    RunSpec spec;
     std::vector<std::shared_ptr<Result>> results;  ///< per time step; empty if they are not kept
-    std::vector<std::size_t> days;                 ///< numbers of the days in `sums`
+    std::vector<std::shared_ptr<ReplicateSums>> replicates;  ///< per result; null: not kept
+    std::vector<std::size_t> days;                           ///< numbers of the days in `sums`
     std::vector<SeriesSum> sums;
     SeriesSummary summary;
+
+  private:
+    SumsKeeper keeper_;
 };
 
 std::shared_ptr<SeriesHandle> run_times(
     const SceneHandle& scene,
     const LightHandle& light,
     bool keeps_times,
+    double max_bytes,
     const py::object& on_progress) {
-    auto all = std::make_shared<SeriesHandle>(light.light.series.value(), keeps_times);
+    auto all = std::make_shared<SeriesHandle>(light.light.series.value(), keeps_times, max_bytes);
+    all->scene = scene.scene;
+    all->spec = light.light.spec;
     WatchedWork(on_progress).run([&](const RunControl& control) {
         RunControl own = control;
         own.listeners.push_back(all.get());
@@ -129,6 +146,7 @@ py::dict facts_of_series(const SeriesHandle& all) {
 void bind_series(py::module_& module) {
     py::class_<SeriesHandle, std::shared_ptr<SeriesHandle>>(module, "Series")
         .def_property_readonly("results", [](const SeriesHandle& all) { return all.results; })
+        .def_property_readonly("replicates", [](const SeriesHandle& all) { return all.replicates; })
         .def_property_readonly("times", &times_of)
         .def_property_readonly("days", &days_of)
         .def_property_readonly(
@@ -163,7 +181,7 @@ void bind_series(py::module_& module) {
         .def_property_readonly("facts", &facts_of_series);
     module.def(
         "run_series", &run_times, py::arg("scene"), py::arg("light"), py::arg("keeps_times"),
-        py::arg("on_progress") = py::none());
+        py::arg("max_bytes"), py::arg("on_progress") = py::none());
 }
 
 }  // namespace quasimc::python

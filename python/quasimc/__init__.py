@@ -5,23 +5,33 @@
 >>> _ = scene.add_material("leaf", reflectance=0.08, transmittance=0.06)
 >>> _ = scene.add_mesh([[0, 0, 1], [1, 0, 1], [0, 1, 1]], [[0, 1, 2]], material="leaf")
 >>> result = scene.run(quasimc.sky(irradiance_horizontal=100))
->>> round(float(result["absorbed_flux"]["PAR"].mean[0]), 1)
-43.0
+>>> print(f'{result["absorbed_flux"]["PAR"][0]:.1f}')
+43.0 ± 0.0 W
 
 See docs/guide/python.md.
 """
 
 from ._core import version as __version__
 from ._progress import Progress
-from .errors import Error, InputError, QuasimcWarning, Stopped
-from .estimates import DetectorResult, Estimate, Estimates
+from ._store import open_result as open
+from .errors import Error, InputError, KeywordError, QuasimcWarning, Stopped
+from .detectors import DetectorResult
+from .estimates import Estimates
+from .functions import align, propagate
+from .groups import Groups
 from .grow import GrowthStep, grow
 from .growth import GrowthSession
+from ._light import Light, quantities
+from .materials import Material, Materials
 from .organs import Organs
-from .parts import SunShade
-from .result import Groups, Result, Selection, Series, Sums, quantities
+from .parts import Part, merge
+from .pictures import Page, Picture
+from .result import Ground, Result
+from .run_info import RunInfo
 from .scene import Scene, load, options
 from .sensors import Sensors
+from .series import Series, Sums
+from .sun_shade import SunShade
 from .sources import (
     Source,
     directional,
@@ -45,18 +55,25 @@ def shapes():
 __all__ = [
     "DetectorResult",
     "Error",
-    "Estimate",
     "Estimates",
     "Groups",
+    "Ground",
     "GrowthSession",
     "GrowthStep",
     "InputError",
+    "KeywordError",
+    "Light",
+    "Material",
+    "Materials",
     "Organs",
+    "Page",
+    "Part",
+    "Picture",
     "Progress",
     "QuasimcWarning",
     "Result",
+    "RunInfo",
     "Scene",
-    "Selection",
     "Sensors",
     "Series",
     "Source",
@@ -65,11 +82,14 @@ __all__ = [
     "SunPosition",
     "SunShade",
     "__version__",
+    "align",
     "directional",
     "grow",
     "lamp",
     "load",
+    "merge",
     "options",
+    "propagate",
     "quantities",
     "shapes",
     "sky",

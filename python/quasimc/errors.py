@@ -28,6 +28,10 @@ class InputError(Error, ValueError):
         return type(self), (str(self), self.faults)
 
 
+class KeywordError(InputError, TypeError):
+    """A call has a keyword that does not exist."""
+
+
 class Stopped(Error, RuntimeError):
     """A run ended before there was a result.
 

@@ -11,7 +11,7 @@ from ._meshes import fault
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
-from .scene import _OF_SCENE, Scene, _warn
+from .scene import _OF_SCENE, Scene, warn_here
 
 
 class GrowthStep:
@@ -219,7 +219,7 @@ def _report(core, reported):
 def _warn_new(texts, reported):
     new = [text for text in dict.fromkeys(texts) if text not in reported]
     reported.update(new)
-    _warn(new)
+    warn_here(new)
 
 
 def _step_of(core, reported):

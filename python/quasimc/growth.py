@@ -12,7 +12,7 @@ from ._meshes import integers, mesh_arrays
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
-from .scene import _OF_SCENE, _warn
+from .scene import _OF_SCENE, largest_sums, warn_here
 
 
 class GrowthSession:
@@ -126,7 +126,7 @@ class GrowthSession:
         with self._lock:
             self._core.set_frame(self._scene._whole_document(), self._scene._mesh_list())
 
-    def run(self, sources=None, *, progress=None, **options):
+    def run(self, sources=None, *, progress=None, keep="auto", **options):
         """Computes the light of this step; the arguments are those of `Scene.run`.
 
         Warnings are as those of `Scene.run`: the scene is checked once after each change, in time
@@ -135,28 +135,29 @@ class GrowthSession:
         Returns
         -------
         Result
-            ``result.select(ids)`` gives the light of some organs in the given order.
+            ``result.at(ids)`` gives the light of some organs in the given order.
         """
         with self._lock:
             builds = self._core.scene_builds
             built = self._core.scene()
             if self._core.scene_builds > builds:
-                _warn(built.warnings)
+                warn_here(built.warnings)
             light = self._scene._light(built, sources, _OF_SCENE, options)
             if light.has_times:
                 raise ValueError("a growth step has no time steps: pass sources, or use Scene.run")
-            _warn(light.warnings)
+            warn_here(light.warnings)
             with Listener(progress) as listener:
-                core = self._core.run(light, listener.callback)
+                core, replicates = self._core.run(light, largest_sums(keep), listener.callback)
         result = Result(
             core,
             Organs(built),
             [*built.warnings, *light.warnings],
             light.source_notes,
             light.ratio_names,
+            replicates,
         )
-        if result.stop == "interrupted":
-            _warn(["interrupted: the result contains the paths completed so far"])
+        if result.run.stop == "interrupted":
+            warn_here(["interrupted: the result contains the paths completed so far"])
         return result
 
     @property

@@ -5,9 +5,13 @@ from __future__ import annotations
 import difflib
 from functools import cached_property
 
+import numpy as np
+
+from ._format import number
+
 
 class Organs:
-    """The organs of a scene, in the order of its results; the ground, if any, is the last.
+    """The organs of a scene, in the order of its results. The ground is not among them.
 
     Attributes
     ----------
@@ -18,7 +22,10 @@ class Organs:
         Key -> list of str, "" where an organ has no such label.
     areas : numpy.ndarray
         (organs,), one-sided area in square units of length.
+    heights : numpy.ndarray
+        (organs,), height of the centroid of the area, in units of length.
     has_ground : bool
+        Whether the scene has a ground.
     bands : tuple of str
     units : tuple of str
         Unit of irradiance of each band.
@@ -35,19 +42,60 @@ class Organs:
 
     @cached_property
     def ids(self):
-        return _fixed(self._scene.ids)
+        return self._of_organs(self._scene.ids)
 
     @cached_property
     def areas(self):
-        return _fixed(self._scene.areas)
+        return self._of_organs(self._scene.areas)
+
+    @cached_property
+    def heights(self):
+        return self._of_organs(self._scene.heights)
 
     @cached_property
     def names(self):
-        return self._scene.names
+        return self._scene.names[: len(self)]
 
     @cached_property
     def labels(self):
-        return self._scene.labels
+        return {key: values[: len(self)] for key, values in self._scene.labels.items()}
+
+    def _of_organs(self, array):
+        """The entries of organs, which can't be written to."""
+        array.flags.writeable = False
+        return array[: len(self)]
+
+    def where(self, condition=None, **labels):
+        """A mask of organs, (organs,) of bool.
+
+        Parameters
+        ----------
+        condition : str
+            As those of groups: "height > 0.5 and kind = leaf" (docs/guide/sums-layers-sensors.md).
+        **labels
+            Values of labels, each one value or a list: ``where(kind="leaf", plant=[1, 2])``.
+
+        Raises
+        ------
+        InputError
+            If the condition has an error.
+        KeyError
+            If no organ has such a label.
+        """
+        mask = np.ones(len(self), bool)
+        if condition is not None:
+            mask &= self._scene.where(condition)[: len(self)]
+        for key, values in labels.items():
+            values = [values] if isinstance(values, str) or np.ndim(values) == 0 else values
+            mask &= np.isin(self.label(key), [str(value) for value in values])
+        return mask
+
+    def label(self, key):
+        """The values of a label, (organs,) of str. Raises KeyError if no organ has it."""
+        if key not in self.labels:
+            known = ", ".join(self.labels) or "none"
+            raise KeyError(f"no organ has a label {key!r}; there are: {known}")
+        return np.array(self.labels[key])
 
     @cached_property
     def sensor_sets(self):
@@ -72,6 +120,8 @@ class Organs:
         Raises KeyError if there is none, or if several organs have the name.
         """
         if not isinstance(organ, str):
+            if organ not in self._index_of_id:
+                raise KeyError(f"there is no organ with the id {organ}")
             return self._index_of_id[organ]
         if organ in self._index_of_name:
             index = self._index_of_name[organ]
@@ -87,14 +137,43 @@ class Organs:
         """The triangles of the organ at an index: (n, 3, 3), in the axes of the scene."""
         return self._scene.triangles_of(index)
 
+    def without_triangles(self):
+        """A copy that can be pickled in little memory."""
+        return Organs(StoredScene(self._scene))
+
+    def __reduce__(self):
+        is_stored = isinstance(self._scene, StoredScene)
+        return Organs, (self._scene if is_stored else StoredScene(self._scene, has_triangles=True),)
+
     def __len__(self):
-        return self._scene.organ_count
+        return self._scene.organ_count - self.has_ground
 
     def __repr__(self):
-        return f"<Organs: {len(self)} of {self.triangle_count} triangles>"
+        labels = f"; labels {', '.join(self.labels)}" if self.labels else ""
+        area = number(float(self.areas.sum()))
+        return f"<{len(self)} organs{labels}; area {area} {self.length_unit}2>"
 
 
-def _fixed(array):
-    """The array, which can't be written to."""
-    array.flags.writeable = False
-    return array
+class StoredScene:
+    """The organs of a scene as arrays, which can be pickled."""
+
+    _FIELDS = (
+        "ids", "areas", "heights", "names", "labels", "bands", "length_unit", "has_ground",
+        "triangle_count", "organ_count", "up",
+    )  # fmt: skip
+
+    def __init__(self, scene, has_triangles=False):
+        for field in self._FIELDS:
+            setattr(self, field, getattr(scene, field))
+        if has_triangles:
+            triangles = [scene.triangles_of(organ) for organ in range(scene.organ_count)]
+            self._triangles = np.concatenate(triangles) if triangles else np.zeros((0, 3, 3))
+            self._starts = np.concatenate([[0], np.cumsum([len(t) for t in triangles])])
+
+    def triangles_of(self, organ):
+        if not hasattr(self, "_triangles"):
+            raise ValueError("the triangles were not stored: use result.organs")
+        return self._triangles[self._starts[organ] : self._starts[organ + 1]]
+
+    def where(self, condition):
+        raise ValueError("conditions need the scene: use labels, or result.organs of the run")

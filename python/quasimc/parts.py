@@ -1,76 +1,65 @@
-"""The light of the sunlit and of the shaded part of organs."""
+"""Parts of a run, for many processes or machines."""
 
 from __future__ import annotations
 
-import numpy as np
-
 from . import _core
-from .estimates import Estimates
+from .organs import Organs
+from .result import Result
+from .run_info import RunInfo
 
 
-class SunShade:
-    """The light of the sunlit and of the shaded part of organs or groups, of a run with sun_shade="apart".
+class Part:
+    """An exact share of a run, which can be pickled; `merge` makes the result of all.
 
-    ``parts["absorbed_flux_density_sunlit"]["PAR"].mean`` is an array with a value for each organ or
-    group; ``parts["sunlit_fraction_upper"].mean`` has no bands. The light of a part is per area of
-    this part; nan where there is none. In sums over time, "sunlit_hours_upper" replaces
-    "sunlit_fraction_upper", "sunlit_hours" is of either side, direct light is summed, and the light
-    of parts is the mean over area and time, in the unit of the band.
+    Attributes
+    ----------
+    index, count : int
+        Which of how many, from 0.
     """
 
-    def __init__(self, values, organs, hours=None):
-        """Of core values of shape (rows, quantities, bands, 4); `hours` of sums, shape (rows, 4)."""
-        self._values = values
-        self._of = organs
-        self._hours = hours
-        self._rows = {
-            row["name"] if hours is None else row["of_sums"]: (i, row)
-            for i, row in enumerate(_core.sun_shade_quantities())
-        }
+    def __init__(self, index, count, sums, method, document, warnings, written):
+        self.index = index
+        self.count = count
+        self._sums = sums
+        self._method = method  # and the reason
+        self._document = document  # arguments of a Document
+        self._warnings = warnings
+        self._written = written
 
-    def keys(self):
-        """Names of the quantities."""
-        return [*self._rows, *(() if self._hours is None else ("sunlit_hours",))]
-
-    def __iter__(self):
-        return iter(self.keys())
-
-    def __len__(self):
-        return len(self.keys())
-
-    def __getitem__(self, quantity):
-        if self._hours is not None and quantity == "sunlit_hours":
-            return Estimates(self._hours, quantity, "h")
-        if quantity not in self._rows:
-            known = ", ".join(self.keys())
-            raise KeyError(f"there is no quantity {quantity!r}; there are: {known}")
-        number, row = self._rows[quantity]
-        values = self._values[:, number]
-        if not row["has_bands"]:
-            return Estimates(values[:, 0], quantity, "" if self._hours is None else "h")
-        if self._hours is None or not row["is_summed"]:
-            return Estimates(values, quantity, tuple(self._of.units), self._of.bands)
-        summed = [_core.summed_unit(unit) for unit in self._of.units]
-        factors = np.array([factor for _, factor in summed])[:, None]
-        return Estimates(values * factors, quantity, tuple(name for name, _ in summed), self._of.bands)
-
-    def to_pandas(self):
-        """Returns a pandas.DataFrame with a row for each organ or group, with the columns of the CSV files."""
-        import pandas
-
-        columns = {}
-        for name in self.keys():
-            estimates = self[name]
-            of_bands = {f"{name}_{band}": estimates[band] for band in estimates.bands}
-            for column, own in (of_bands or {name: estimates}).items():
-                columns[column] = own.mean
-                columns[f"{column}_se"] = own.standard_error
-                columns[f"{column}_ci95_high"] = own.ci95_high
-        return pandas.DataFrame(columns)
+    def __repr__(self):
+        return f"<Part {self.index} of {self.count}>"
 
 
-def parts_of(core, organs):
-    """The SunShade of a core result, of its groups or of sums. Raises KeyError if there is none."""
-    if core is None:
-        raise KeyError('there is no light of sunlit and shaded parts: run with sun_shade="apart"')
-    return SunShade(core["values"], organs, core.get("hours"))
+def merge(parts):
+    """The result of all parts of a run, bit for bit that of `Scene.run`.
+
+    Parameters
+    ----------
+    parts : iterable of Part
+        Each of them once, in any order.
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    ValueError
+        If a part is missing or given twice, or they belong to different runs.
+    """
+    parts = sorted(parts, key=lambda part: part.index)
+    if not parts:
+        raise ValueError("there are no parts to merge")
+    first = parts[0]
+    given = [part.index for part in parts]
+    if {part.count for part in parts} != {first.count} or given != list(range(first.count)):
+        raise ValueError(f"parts {given} of {first.count} are given; each is needed once")
+    scene, core, sources, ratios, replicates = _core.restored(
+        _core.Document(*first._document), [part._sums for part in parts]
+    )
+    result = Result(
+        core, Organs(scene), first._warnings, sources, ratios, replicates, first._written
+    )
+    result.run = RunInfo(core, sources)
+    result.run.method, result.run.reason = first._method
+    return result

@@ -16,9 +16,13 @@ from . import _core
 from ._lock import OneAtATime
 from ._meshes import digest, fault, mesh_arrays, owned, plain
 from ._progress import Listener
-from .errors import QuasimcWarning
+from ._written import Written
+from .errors import KeywordError, QuasimcWarning
+from .materials import Materials
 from .organs import Organs
-from .result import Result, Series
+from .parts import Part
+from .result import Result
+from .series import Series
 from .sources import Source
 
 #: Keys of a document that say what light falls on.
@@ -157,6 +161,23 @@ class Scene:
     def __deepcopy__(self, memo):
         return self.__copy__()
 
+    def __reduce__(self):
+        state = (
+            self._table, self._name, self._folder, self._meshes, self._numbers, self._ids,
+            self._numbered, self._marks,
+        )  # fmt: skip
+        return _restored, state
+
+    def __eq__(self, other):
+        """Whether two scenes have the same contents in the same order."""
+        return (
+            isinstance(other, Scene)
+            and self._table == other._table
+            and [m["digest"] for m in self._mesh_list()] == [m["digest"] for m in other._mesh_list()]
+        )
+
+    __hash__ = None
+
     # Stating what there is.
 
     def add_material(
@@ -186,10 +207,27 @@ class Scene:
             )
         )
         with self._lock.to_change():
-            others = [m for m in self._table.get("material", []) if m.get("name") != name]
             self._frame_of([given])
-            self._set("material", [*others, given])
+            materials = list(self._table.get("material", []))
+            same = [i for i, m in enumerate(materials) if m.get("name") == name]
+            self._set("material", _with_entry(materials, same, given))
         return self
+
+    @property
+    def materials(self):
+        """The materials by name: Materials, which can be edited."""
+        return Materials(self)
+
+    def _remove_material(self, name):
+        """Removes a material that nothing uses. Raises ValueError otherwise."""
+        users = [m for m in self._meshes.values() if name in m["materials"]]
+        for key in ("organ", "geometry"):
+            users += [e for e in self._table.get(key, []) if name in _materials_in(e)]
+        users += [g for g in [self._table.get("ground")] if g and g.get("material") == name]
+        if users:
+            raise ValueError(f"material {name!r} is used by {len(users)} organs, meshes or files")
+        with self._lock.to_change():
+            self._set("material", [m for m in self._table["material"] if m.get("name") != name])
 
     def add_mesh(
         self,
@@ -376,7 +414,7 @@ class Scene:
             is_second = self._marks[mark] == 1 and key == "mesh"
             if is_second if mark[0] == "name" else mark in self._marks:
                 same = f"of the name {mark[1]!r}" if mark[0] == "name" else "equal to this one"
-                _warn(
+                warn_here(
                     [
                         f"{self._name}: the scene already has a {what} {same} and now has both; "
                         "use replace() or remove() to keep one"
@@ -536,7 +574,7 @@ class Scene:
             built = self._whole_document().build(self._mesh_list())
             self._organs = Organs(built)
             self._built = built
-            _warn(built.warnings)
+            warn_here(built.warnings)
         return self._organs
 
     def _whole_document(self):
@@ -560,6 +598,16 @@ class Scene:
         self.build()
         return self._built.warnings
 
+    def _written(self, sources=None, time=_OF_SCENE, options=()):
+        """The scene and the light on it, as a run file that holds them."""
+        whole = self._document is not None or not self._meshes
+        table = self._table if whole else _numbered(self._table, self._meshes.values())
+        scene = {key: table[key] for key in table if key in (*_SCENE_KEYS, *_FRAME_KEYS)}
+        light = self._light_table(sources, time, dict(options))
+        light.pop("output", None)
+        tables = [_with_own_lists(one) for one in (scene, light)]
+        return Written(self._name, self._folder, tables[0], self._mesh_list(), tables[1])
+
     def _light(self, built, sources, time, run_options):
         """What quasimc._core calls the light of a run, on a scene that was built."""
         return _core.Light(self._light_document(sources, time, run_options), built)
@@ -569,6 +617,10 @@ class Scene:
         unchanged = sources is None and time is _OF_SCENE and not run_options
         if unchanged and self._document is not None:
             return self._document
+        return self._document_of(self._light_table(sources, time, run_options))
+
+    def _light_table(self, sources, time, run_options):
+        _check_keywords(run_options)
         table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
         if sources is not None:
             table["source"] = _source_tables(sources)
@@ -578,10 +630,19 @@ class Scene:
         elif time is not _OF_SCENE:
             table["time"] = dict(time)
         if run_options:
-            table["run"] = {**table.get("run", {}), **run_options}
-        return self._document_of(table)
+            table["run"] = {**table.get("run", {}), **plain(dict(run_options))}
+        return table
 
-    def run(self, sources=None, *, time=_OF_SCENE, progress=None, keep_times=True, **options):
+    def run(
+        self,
+        sources=None,
+        *,
+        time=_OF_SCENE,
+        progress=None,
+        keep_times=True,
+        keep="auto",
+        **options,
+    ):
         """Computes the light on every organ.
 
         Ctrl-C stops a run; its result contains the completed paths, if there are any.
@@ -601,6 +662,11 @@ class Scene:
             exception from it ends the run.
         keep_times : bool
             For runs with time steps: keep the result of each, or only sums.
+        keep : str
+            "replicates": keep the sums of all replicates, by which sums over organs and differences
+            of results have errors; "estimates": only the estimates of organs and groups; "auto":
+            replicates that need up to 256 MB. Of runs with time steps "replicates" keeps those of
+            every time, and "auto" none; sums over days have errors for `groups` alone.
         **options
             Run options, as in ``[run]``; `quasimc.options()` lists them.
 
@@ -620,24 +686,176 @@ class Scene:
         with self._lock:
             organs = self._build()
             light = self._light(self._built, sources, time, options)
-            _warn(light.warnings)
+            warn_here(light.warnings)
             with Listener(progress) as listener:
                 if light.has_times:
-                    core = _core.run_series(self._built, light, keep_times, listener.callback)
+                    size = largest_sums("estimates" if keep == "auto" else keep)
+                    core = _core.run_series(
+                        self._built, light, keep_times, size, listener.callback
+                    )
                     kind = Series
                 else:
-                    core = self._simulator.run(self._built, light, listener.callback)
+                    core, replicates = self._simulator.run(
+                        self._built, light, largest_sums(keep), listener.callback
+                    )
                     kind = Result
             notes = [*self._built.warnings, *light.warnings]
-        result = kind(core, organs, notes, light.source_notes, light.ratio_names)
-        if result.stop == "interrupted":
-            _warn(["interrupted: the result contains the paths completed so far"])
+        kept = ()
+        if not light.has_times:
+            kept = (replicates, self._written(sources, time, options))
+        result = kind(core, organs, notes, light.source_notes, light.ratio_names, *kept)
+        stop = result.stop if light.has_times else result.run.stop
+        if stop == "interrupted":
+            warn_here(["interrupted: the result contains the paths completed so far"])
         return result
 
+    def part(self, index, count, sources=None, *, progress=None, **options):
+        """Computes an exact share of a run, for other processes or machines; see `quasimc.merge`.
+
+        Parameters
+        ----------
+        index, count : int
+            Which of how many, from 0.
+        sources, progress, **options
+            As of `run`, the same for all parts. Paths are fixed: targets and limits are refused.
+
+        Returns
+        -------
+        Part
+
+        Raises
+        ------
+        ValueError
+            If there is no such part, or the run has a target, a limit, an audit or time steps.
+        """
+        if not 0 <= index < count:
+            raise ValueError(f"there is no part {index} of {count}: they are 0 to {count - 1}")
+        with self._lock:
+            organs = self._build()
+            light = self._light(self._built, sources, _OF_SCENE, options)
+            if not light.has_fixed_paths:
+                raise ValueError(
+                    "a part has no target_error, max_paths, max_seconds, audit or time: give paths"
+                )
+            with Listener(progress) as listener:
+                sums, *method = self._simulator.part(
+                    self._built, light, index, count, listener.callback
+                )
+            warnings = [*self._built.warnings, *light.warnings]
+        written = self._written(sources, _OF_SCENE, options)
+        document = written.table(organs), written.name, written.folder
+        return Part(index, count, sums, method, document, warnings, written)
+
+    def picture(self, path=None, **options):
+        """Draws the surfaces, without light, by the program (docs/guide/pictures.md).
+
+        Parameters
+        ----------
+        path : str or path
+            PNG file to write; None: none.
+        **options
+            Options of `quasimc show`: label="plant" colours organs by a label; camera, size, fov, clip.
+
+        Returns
+        -------
+        Picture
+            A notebook displays it.
+        """
+        from tempfile import TemporaryDirectory
+
+        from .pictures import draw
+
+        organs = self.build()
+        with TemporaryDirectory() as folder:
+            stored = os.path.join(folder, "scene.json")
+            with open(stored, "wb") as file:
+                file.write(_core.written_scene(self._written().lit().document(organs)))
+            picture = draw(stored, {"geometry_only": "label" not in options, **options})
+        if path is not None:
+            picture.save(path)
+        return picture
+
+    def show(self, **options):
+        """Shows the picture of the surfaces: in a notebook, or in the browser; see `picture`.
+
+        Returns
+        -------
+        Picture
+        """
+        from .pictures import in_notebook, open_picture
+
+        picture = self.picture(**options)
+        if not in_notebook():
+            open_picture(picture)
+        return picture
+
     def __repr__(self):
+        bands = ", ".join(self._bands)
+        meshes = self._meshes.values()
         if self._built is None:
-            return f"<Scene {self._name!r}, not built>"
-        return f"<Scene {self._name!r}: {self._organs!r}>"
+            entries = len(self._table.get("organ", [])) + len(self._table.get("geometry", []))
+            parts = [f"{len(meshes)} meshes"] * bool(meshes) + [f"{entries} shapes or files"] * bool(entries)
+            return f"<Scene {self._name!r}: {', '.join(parts) or 'empty'}; {bands}; not built>"
+        count = self._organs.triangle_count
+        return (
+            f"<Scene {self._name!r}: {len(self._organs)} organs, {count:,} triangles; {bands}; "
+            f"{len(self._built.warnings) or 'no'} warnings>"
+        )
+
+    @property
+    def _bands(self):
+        names = self._table.get("bands") or [band["name"] for band in self._table.get("band", [])]
+        return [names] if isinstance(names, str) else list(names)
+
+
+#: Sums of replicates that are kept by default, bytes.
+_LARGEST_SUMS = 256e6
+
+
+def largest_sums(keep):
+    """The size of the sums that are kept, bytes."""
+    sizes = {"auto": _LARGEST_SUMS, "replicates": float("inf"), "estimates": -1.0}
+    if keep not in sizes:
+        raise ValueError(f"keep is {keep!r}; give one of {', '.join(sizes)}")
+    return sizes[keep]
+
+
+def _with_entry(entries, same, entry):
+    """The entries with one instead of an earlier one, or at the end."""
+    if not same:
+        return [*entries, entry]
+    return [entry if i == same[0] else e for i, e in enumerate(entries) if i not in same[1:]]
+
+
+def _materials_in(entry):
+    """The names of materials in an organ or a file."""
+    several = entry.get("materials") or {}
+    return {entry.get("material"), *(several.values() if isinstance(several, Mapping) else several)}
+
+
+def _check_keywords(options):
+    """Refuses keywords of run() that are no options."""
+    known = [option["key"] for option in _core.options()]
+    for key in options:
+        if key not in known:
+            near = difflib.get_close_matches(key, [*known, "time", "progress", "keep"], 1)
+            hint = f"; did you mean {near[0]!r}?" if near else "; quasimc.options() lists them"
+            text = f"run() has no keyword {key!r}{hint}"
+            raise KeywordError(text, [{"where": "run()", "problem": text, "why": "", "suggestion": ""}])
+
+
+def _restored(table, name, folder, meshes, numbers, ids, numbered, marks):
+    """A pickled scene."""
+    scene = Scene.__new__(Scene)
+    scene._init(table, name, folder)
+    scene._meshes, scene._numbers, scene._ids = meshes, numbers, ids
+    scene._numbered, scene._marks = numbered, marks
+    return scene
+
+
+def _with_own_lists(table):
+    """A copy whose lists don't grow with those of the scene."""
+    return {k: list(v) if isinstance(v, list) else v for k, v in table.items()}
 
 
 def _marks_of(key, entry):
@@ -686,7 +904,7 @@ def _numbered(table, meshes):
     return {**table, "organ": numbered}
 
 
-def _warn(texts):
+def warn_here(texts):
     """Warns at the line of the caller outside this package."""
     depth, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:

@@ -22,7 +22,7 @@ _SPHERE = {
 class Sensors:
     """The light on a set of sensors.
 
-    ``result.sensors["bench"]["incident_upper"]["PAR"].mean`` has the shape of the set: (points,),
+    ``result.sensors["bench"]["incident_upper"]["PAR"]`` has the shape of the set: (points,),
     (j, i) for a regular array, the shape of the points of `Scene.add_sensors`, or () for an average.
     Spheres have "fluence_rate" instead of the two sides.
 
@@ -71,11 +71,17 @@ class Sensors:
             known = ", ".join(self.keys())
             raise KeyError(f"there is no quantity {quantity!r}; there are: {known}")
         if quantity == "sunlit_fraction":
-            return Estimates(self._sunlit, quantity, "")
+            return Estimates(self._sunlit, quantity, "", extensive=False)
         number = list(_core.quantities()).index(self._quantities[quantity])
-        origins = {name: self._shaped(values[:, number]) for name, values in self._origins.items()}
+        origins = {
+            name: (lambda name=name, values=values: self._estimates(f"{quantity}_from_{name}", values[:, number]))
+            for name, values in self._origins.items()
+        }
+        return self._estimates(quantity, self._values[:, number], origins)
+
+    def _estimates(self, name, values, origins=None):
         return Estimates(
-            self._shaped(self._values[:, number]), quantity, self._units, self._of.bands, origins
+            self._shaped(values), name, self._units, self._of.bands, origins=origins, extensive=False
         )
 
     def _shaped(self, values):

@@ -68,6 +68,21 @@ OrganLimits limits_of(const PhysicalBounds& limits, const Scene& scene, const Or
     return sum;
 }
 
+/// In a scene that is periodic along both axes all emitted light crosses the horizontal plane, and
+/// no fraction exceeds it.
+void cut_fractions(const Scene& scene, std::vector<CanopyFractions>& canopy) {
+    const bool is_infinite = scene.cell().along_x && scene.cell().along_y;
+    for (CanopyFractions& band : canopy) {
+        for (Estimate CanopyFractions::*part :
+             {&CanopyFractions::reflectance, &CanopyFractions::absorptance,
+              &CanopyFractions::ground_absorptance}) {
+            band.*part = is_infinite ? not_above(band.*part, 1) : band.*part;
+        }
+    }
+}
+
+}  // namespace
+
 void cut_groups(
     const PhysicalBounds& limits,
     const Scene& scene,
@@ -91,21 +106,6 @@ void cut_groups(
         }
     });
 }
-
-/// In a scene that is periodic along both axes all emitted light crosses the horizontal plane, and
-/// no fraction exceeds it.
-void cut_fractions(const Scene& scene, std::vector<CanopyFractions>& canopy) {
-    const bool is_infinite = scene.cell().along_x && scene.cell().along_y;
-    for (CanopyFractions& band : canopy) {
-        for (Estimate CanopyFractions::*part :
-             {&CanopyFractions::reflectance, &CanopyFractions::absorptance,
-              &CanopyFractions::ground_absorptance}) {
-            band.*part = is_infinite ? not_above(band.*part, 1) : band.*part;
-        }
-    }
-}
-
-}  // namespace
 
 void cut_intervals(
     const PhysicalBounds& limits, const Scene& scene, const EvaluationSpec& spec, Result& result) {

@@ -10,5 +10,11 @@ namespace quasimc {
 /// after every step that widens them. Means stay; reported() moves them into the interval.
 void cut_intervals(
     const PhysicalBounds& limits, const Scene& scene, const EvaluationSpec& spec, Result& result);
+/// The same of groups alone.
+void cut_groups(
+    const PhysicalBounds& limits,
+    const Scene& scene,
+    const EvaluationSpec& spec,
+    GroupResults& all);
 
 }  // namespace quasimc

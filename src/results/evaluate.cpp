@@ -216,19 +216,32 @@ Result evaluate_sums(
 Result evaluate_with_origins(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     Result result = evaluate(of_all_origins(sums), scene, spec);
     for (std::size_t i = 0; i < sums->origins.size(); ++i) {
-        const OriginSources known = spec.origins.empty() ? OriginSources{} : spec.origins[i];
-        EvaluationSpec own = spec;
-        own.ratios.clear();
-        own.horizontal_irradiance = known.horizontal_irradiance;
-        own.sources = known.sources;
-        own.origins.clear();
-        own.sun_shade = SunShade::together;
-        result.origins.push_back({sums->origins[i].name, evaluate(of_origin(sums, i), scene, own)});
+        result.origins.push_back(
+            {sums->origins[i].name,
+             evaluate(of_origin(sums, i), scene, evaluation_of_origin(spec, i))});
     }
     return result;
 }
 
 }  // namespace
+
+GroupResults groups_of_sums(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    GroupResults groups =
+        evaluate_groups(sums, scene, spec, horizontal_flux(read_flows(sums, scene), scene, spec));
+    cut_groups(PhysicalBounds(scene, spec, sums->emitted_flux), scene, spec, groups);
+    return groups;
+}
+
+EvaluationSpec evaluation_of_origin(const EvaluationSpec& spec, std::size_t origin) {
+    const OriginSources known = spec.origins.empty() ? OriginSources{} : spec.origins[origin];
+    EvaluationSpec own = spec;
+    own.ratios.clear();
+    own.horizontal_irradiance = known.horizontal_irradiance;
+    own.sources = known.sources;
+    own.origins.clear();
+    own.sun_shade = SunShade::together;
+    return own;
+}
 
 Result evaluate(const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     if (!sums->origins.empty()) {

@@ -14,6 +14,15 @@ namespace quasimc {
 /// Detectors of a scene without light: zeros.
 [[nodiscard]] std::vector<DetectorResult> zero_detectors(const Scene& scene);
 
+/// The groups of sums, as evaluate() makes them. @param spec  with groups that check_groups()
+/// accepts
+[[nodiscard]] GroupResults groups_of_sums(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+
+/// The options by which the sums of one origin of light (of_origin()) are evaluated.
+/// @param spec  options of the sums of all of them
+[[nodiscard]] EvaluationSpec evaluation_of_origin(const EvaluationSpec& spec, std::size_t origin);
+
 /// A target of relative standard errors (RunSpec::target_error, target_fraction).
 struct TargetLevel {
     double error = 0;  ///< 0: none

@@ -3,8 +3,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "results/bounds/organ_contributions.h"
-#include "results/bounds/organ_reader.h"
+#include "results/combine.h"
 #include "results/groups.h"
 #include "sums/statistics.h"
 
@@ -12,12 +11,6 @@ namespace quasimc {
 namespace {
 
 constexpr std::size_t kGroupsPerBatch = 4096;
-
-/// Light of the organs of a group together, per replicate.
-struct GroupSums {
-    std::vector<Incident> light;  ///< [band * replicates + replicate], flux
-    std::vector<double> sunlit;   ///< [replicate], area
-};
 
 /// The share of a flux in a whole, both per replicate. A flux without contributions has the limits
 /// of its estimate.
@@ -40,16 +33,11 @@ class GroupEvaluator {
         const EvaluationSpec& spec,
         const std::vector<std::vector<double>>& incident,
         GroupResults& results)
-        : sums_(sums),
-          reader_(sums),
-          scene_(scene),
-          spec_(spec),
-          incident_(incident),
-          results_(results) {}
+        : combiner_(sums, scene, spec), spec_(spec), incident_(incident), results_(results) {}
 
     /// Sets the denominators of shares. @param all  sums of the group of all organs
-    void set_all(const GroupSums& all) {
-        const std::size_t replicates = sums_->replicates.size();
+    void set_all(const CombinedLight& all) {
+        const std::size_t replicates = combiner_.replicates();
         absorbed_by_all_.assign(results_.bands, std::vector<double>(replicates));
         for (std::size_t b = 0; b < results_.bands; ++b) {
             for (std::size_t r = 0; r < replicates; ++r) {
@@ -58,26 +46,16 @@ class GroupEvaluator {
         }
     }
 
-    [[nodiscard]] GroupSums empty() const {
-        const std::size_t replicates = sums_->replicates.size();
-        return {
-            std::vector<Incident>(replicates * results_.bands), std::vector<double>(replicates)};
-    }
+    [[nodiscard]] CombinedLight empty() const { return combiner_.empty(); }
 
     /// Adds up the organs of a group in their order, for one replicate.
-    void sum_up(std::size_t group, std::uint32_t replicate, GroupSums& sums) const {
-        const std::size_t replicates = sums_->replicates.size();
-        for (const std::uint32_t index : results_.groups[group].organs) {
-            const OrganReader reader = reader_of(index);
-            for (std::size_t b = 0; b < results_.bands; ++b) {
-                sums.light[b * replicates + replicate] += reader.incident(replicate, b);
-            }
-            sums.sunlit[replicate] += has_sun() ? reader.sunlit_area(replicate) : 0;
-        }
+    void sum_up(std::size_t group, std::uint32_t replicate, CombinedLight& sums) const {
+        combiner_.add_up(organs_of(group), replicate, sums);
     }
 
-    void evaluate(std::size_t group, const GroupSums& sums) const {
-        const std::vector<OrganContributions> contributions = contributions_to(group);
+    void evaluate(std::size_t group, const CombinedLight& sums) const {
+        const std::vector<OrganContributions> contributions =
+            combiner_.contributions(organs_of(group));
         std::vector<std::vector<double>> incident(results_.bands);
         for (std::size_t b = 0; b < results_.bands; ++b) {
             incident[b] = evaluate_band(group, b, sums, contributions[b]);
@@ -93,11 +71,8 @@ class GroupEvaluator {
             for (double& each : lit) {
                 each *= area > 0 ? 1 / area : 0;
             }
-            OrganContributions all;
-            for (const std::uint32_t index : results_.groups[group].organs) {
-                all.include(OrganContributions::sunlit(reader_of(index)));
-            }
-            const Estimate sunlit = all.estimate_sunlit(area, lit);
+            const Estimate sunlit =
+                combiner_.sunlit_contributions(organs_of(group)).estimate_sunlit(area, lit);
             results_.sunlit_fraction[group] = sunlit;
             results_.sunlit_area[group] = scaled(sunlit, area);
         }
@@ -106,20 +81,8 @@ class GroupEvaluator {
   private:
     [[nodiscard]] bool has_sun() const { return !results_.sunlit_fraction.empty(); }
 
-    [[nodiscard]] OrganReader reader_of(std::uint32_t organ) const {
-        return {reader_, scene_, spec_, scene_.organs()[organ]};
-    }
-
-    /// @returns by band. Organ by organ, as their sums are stored
-    [[nodiscard]] std::vector<OrganContributions> contributions_to(std::size_t group) const {
-        std::vector<OrganContributions> all(results_.bands);
-        for (const std::uint32_t index : results_.groups[group].organs) {
-            const OrganReader reader = reader_of(index);
-            for (std::size_t b = 0; b < results_.bands; ++b) {
-                all[b].include(OrganContributions(reader, b));
-            }
-        }
-        return all;
+    [[nodiscard]] OrganWeights organs_of(std::size_t group) const {
+        return {results_.groups[group].organs};
     }
 
     /// The flux that a group absorbs in a replicate.
@@ -145,18 +108,14 @@ class GroupEvaluator {
     std::vector<double> evaluate_band(
         std::size_t group,
         std::size_t band,
-        const GroupSums& sums,
+        const CombinedLight& sums,
         const OrganContributions& contributions) const {
         const double area = results_.groups[group].area;
         const double per_area = area > 0 ? 1 / area : 0;
-        const std::size_t replicates = sums_->replicates.size();
-        QuantitySamples samples;
-        samples.fill(std::vector<double>(replicates));
+        const QuantitySamples samples = combiner_.samples(sums, band, per_area);
         std::vector<double> incident;
-        for (std::uint32_t r = 0; r < replicates; ++r) {
-            const Incident& in = sums.light[band * replicates + r];
-            put_sample(r, in, per_area, samples);
-            incident.push_back(in.of(kIncidentLight));
+        for (std::size_t r = 0; r < combiner_.replicates(); ++r) {
+            incident.push_back(sums.light[band * combiner_.replicates() + r].of(kIncidentLight));
         }
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
@@ -167,9 +126,7 @@ class GroupEvaluator {
         return incident;
     }
 
-    const Sums& sums_;
-    SumReader reader_;
-    const Scene& scene_;
+    LightCombiner combiner_;
     const EvaluationSpec& spec_;
     const std::vector<std::vector<double>>& incident_;
     std::vector<std::vector<double>> absorbed_by_all_;  // [band][replicate]
@@ -206,7 +163,7 @@ GroupResults evaluate_groups(
     const std::size_t replicates = sums->replicates.size();
     for (std::size_t first = 0; first < count; first += kGroupsPerBatch) {
         const std::size_t batch = std::min(kGroupsPerBatch, count - first);
-        std::vector<GroupSums> of_groups(batch, evaluator.empty());
+        std::vector<CombinedLight> of_groups(batch, evaluator.empty());
         parallel_blocks(batch * replicates, spec.threads, [&](std::uint64_t block, unsigned) {
             const std::size_t i = block / replicates;
             evaluator.sum_up(

@@ -20,6 +20,14 @@ Estimate with_interval(double mean, double standard_error, std::size_t replicate
     return {mean, standard_error, mean - half, mean + half};
 }
 
+/// A symmetric estimate with the error of one contribution more or less.
+Estimate reaching(const Estimate& e, const ContributionSize& size) {
+    const double half = e.ci95_high - e.mean;
+    return {
+        e.mean, std::hypot(e.standard_error, std::max(size.more, size.less)),
+        e.mean - std::hypot(half, 3 * size.less), e.mean + std::hypot(half, 3 * size.more)};
+}
+
 }  // namespace
 
 double mean_of(std::span<const double> values) {
@@ -52,10 +60,14 @@ Estimate widened(const Estimate& e, const ContributionSize& size) {
     if (!std::isfinite(e.standard_error) || (size.more == 0 && size.less == 0)) {
         return e;
     }
-    const double half = e.ci95_high - e.mean;
-    return not_negative(
-        {e.mean, std::hypot(e.standard_error, std::max(size.more, size.less)),
-         e.mean - std::hypot(half, 3 * size.less), e.mean + std::hypot(half, 3 * size.more)});
+    return not_negative(reaching(e, size));
+}
+
+Estimate estimate_signed(
+    double mean, std::span<const double> deviations, const ContributionSize& size) {
+    const Estimate scatter = estimate_mean(deviations);
+    const double half = scatter.ci95_high - scatter.mean;
+    return reaching({mean, scatter.standard_error, mean - half, mean + half}, size);
 }
 
 Estimate not_negative(const Estimate& e) {

@@ -65,6 +65,12 @@ struct ContributionSize {
 /// both widened as in estimate_contributions().
 [[nodiscard]] Estimate widened(const Estimate& e, const ContributionSize& size);
 
+/// The estimate of a number of any sign from its deviations from `mean` in the replicates, widened
+/// by the size of a contribution. Its interval has no bounds; without any deviation the error is
+/// that of one contribution.
+[[nodiscard]] Estimate estimate_signed(
+    double mean, std::span<const double> deviations, const ContributionSize& size);
+
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);
 

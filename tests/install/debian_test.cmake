@@ -77,7 +77,7 @@ scene = quasimc.Scene('PAR')
 scene.add_material('leaf', reflectance=0.08, transmittance=0.06)
 scene.add_mesh([[0, 0, 1], [0.1, 0, 1], [0, 0.1, 1]], [[0, 1, 2]], material='leaf')
 light = scene.run(quasimc.sky(irradiance_horizontal=400), paths=64)['absorbed_flux']['PAR']
-assert light.mean[0] > 0
+assert light.values[0] > 0
 assert quasimc.__version__ == '${VERSION}', quasimc.__version__
 assert quasimc.__file__.startswith('${usr}/'), quasimc.__file__
 ")

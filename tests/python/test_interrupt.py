@@ -40,7 +40,7 @@ warnings.simplefilter("always")
 scene.run(paths=256)
 print("ready", flush=True)
 result = scene.run(paths=256, {LONG})
-print(result.stop, result.paths >= 256, result["absorbed_flux"]["PAR"].mean.min() > 0)
+print(result.run.stop, result.run.paths >= 256, result["absorbed_flux"]["PAR"].values.min() > 0)
 """,
         after=3.0,
     )
@@ -56,7 +56,7 @@ try:
     scene.run(paths=1 << 21, accelerator="brute_force", method="light_tracing")
 except KeyboardInterrupt:
     print("KeyboardInterrupt")
-print(scene.run(paths=256).stop)
+print(scene.run(paths=256).run.stop)
 """,
         after=1.0,
     )

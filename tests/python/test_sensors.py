@@ -27,18 +27,18 @@ def test_an_array_of_points_has_its_shape():
     result = scene.run(**FEW)
     assert list(result.sensors) == ["grid", "two", "one"]
     grid = result.sensors["grid"]
-    assert grid.shape == (3, 4) and grid["incident_upper"]["PAR"].mean.shape == (3, 4)
+    assert grid.shape == (3, 4) and grid["incident_upper"]["PAR"].values.shape == (3, 4)
     assert np.array_equal(grid.positions[..., 0], x) and np.array_equal(grid.positions[..., 1], y)
-    assert grid["incident_upper"].mean.shape == (3, 4, 2)
-    assert grid["incident_upper"]["PAR"].mean == pytest.approx(np.full((3, 4), 100), rel=0.02)
-    assert grid["incident_lower"]["NIR"].mean == pytest.approx(np.full((3, 4), 25), rel=0.05)
+    assert grid["incident_upper"].values.shape == (3, 4, 2)
+    assert grid["incident_upper"]["PAR"].values == pytest.approx(np.full((3, 4), 100), rel=0.02)
+    assert grid["incident_lower"]["NIR"].values == pytest.approx(np.full((3, 4), 25), rel=0.05)
     assert grid["incident_upper"]["PAR"].unit == "W m-2"
     two = result.sensors["two"]
     assert two.shape == (2,) and list(two.names) == ["two 1", "two 2"]
-    assert two["incident_lower"]["PAR"].mean == pytest.approx([100, 100], rel=0.02)
+    assert two["incident_lower"]["PAR"].values == pytest.approx([100, 100], rel=0.02)
     ball = result.sensors["one"]
     assert ball.keys() == ["fluence_rate", "incident_direct", "incident_scattered"]
-    assert ball["fluence_rate"]["PAR"].mean == pytest.approx([300], rel=0.02)
+    assert ball["fluence_rate"]["PAR"].values == pytest.approx([300], rel=0.02)
     assert len(result.organs) == 1
 
 
@@ -51,7 +51,7 @@ def test_a_regular_array_and_an_average():
     assert result.sensors["grid"].shape == (3, 4)
     assert result.sensors["grid"].positions[0, 1] == pytest.approx([0.375, 1 / 3, 1])
     mean = result.sensors["mean"]["incident_upper"]["PAR"]
-    assert mean.mean.shape == () and float(mean.mean) == pytest.approx(100, rel=0.01)
+    assert mean.values.shape == () and float(mean.values) == pytest.approx(100, rel=0.01)
     assert float(mean.standard_error) < 1
 
 
@@ -61,7 +61,7 @@ def test_sensors_change_no_number_of_the_organs():
     scene.add_sensors([[0.5, 0.5, 1]])
     result = scene.run(**FEW)
     assert np.array_equal(
-        without["absorbed_flux"]["PAR"].mean, result["absorbed_flux"]["PAR"].mean
+        without["absorbed_flux"]["PAR"].values, result["absorbed_flux"]["PAR"].values
     )
     assert without.sensors == {} and list(result.sensors) == ["sensors"]
 
@@ -79,13 +79,13 @@ def test_days_and_origins():
         **FEW,
     )
     light = series.total.sensors["points"]["incident_upper"]["PAR"]
-    hours = [step.sensors["points"]["incident_upper"]["PAR"].mean for step in series]
-    assert light.mean == pytest.approx(sum(hours) * 3600 / 1e6, rel=1e-9)
+    hours = [step.sensors["points"]["incident_upper"]["PAR"].values for step in series]
+    assert light.values == pytest.approx(sum(hours) * 3600 / 1e6, rel=1e-9)
     assert light.unit == "mol m-2"
-    parts = [light.origin(name).mean for name in ("sun", "sky")]
-    assert sum(parts) == pytest.approx(light.mean, rel=1e-9)
+    parts = [light.origin(name).values for name in ("sun", "sky")]
+    assert sum(parts) == pytest.approx(light.values, rel=1e-9)
     day = series.days["2024-06-21"].sensors["points"]["incident_upper"]["PAR"]
-    assert np.array_equal(day.mean, light.mean)
+    assert np.array_equal(day.values, light.values)
 
 
 def test_bad_input_is_told():

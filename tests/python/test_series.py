@@ -25,21 +25,21 @@ def test_every_time_has_a_result(series):
     assert len(series) == 3 and len(list(series)) == 3
     assert [t["time"][:13] for t in series.times] == [f"2024-06-21T{h}" for h in (10, 11, 12)]
     assert all(t["sun_elevation_deg"] > 40 for t in series.times)
-    assert series[0]["absorbed_flux"]["PAR"].mean[0] > 0
+    assert series[0]["absorbed_flux"]["PAR"].values[0] > 0
     assert series.stop == "finished"
 
 
 def test_days_are_sums_over_times(series):
     day = series.days["2024-06-21"]
     assert day.seconds == 3 * 3600
-    assert day["incident_upper"].unit == ("mol m-2", "J m-2")
+    assert day["incident_upper"].units == {"PAR": "mol m-2", "NIR": "J m-2"}
     assert day["absorbed_flux"]["NIR"].unit == "J"
     for band, factor in (("PAR", 1e-6), ("NIR", 1)):
-        rates = [result["incident_upper"][band].mean[0] for result in series]
-        assert day["incident_upper"][band].mean[0] == pytest.approx(
+        rates = [result["incident_upper"][band].values[0] for result in series]
+        assert day["incident_upper"][band].values[0] == pytest.approx(
             3600 * factor * sum(rates), rel=1e-12
         )
-    assert np.array_equal(day["absorbed_flux"].mean, series.total["absorbed_flux"].mean)
+    assert np.array_equal(day["absorbed_flux"].values, series.total["absorbed_flux"].values)
     assert len(day.to_pandas()) == 1
 
 
@@ -56,7 +56,7 @@ def test_tables_have_a_row_for_each_time_and_organ(series):
 def test_times_need_not_be_kept(scene, series):
     sums = scene.run(time=DAY, paths=512, keep_times=False)
     assert np.array_equal(
-        sums.total["absorbed_flux"].mean, series.total["absorbed_flux"].mean
+        sums.total["absorbed_flux"].values, series.total["absorbed_flux"].values
     )
     assert len(sums) == 3
     for use in (lambda: sums[0], lambda: list(sums), sums.to_pandas):
@@ -84,9 +84,9 @@ def test_groups_are_summed_over_days():
         assert [(g["by"], g["value"]) for g in sums.groups.groups] == [
             ("all", ""), ("plant", "1"), ("plant", "2")
         ]  # fmt: skip
-        assert sums.groups["absorbed_flux"].unit == ("mol", "J")
-        of_organs = sums["absorbed_flux"].mean
-        of_groups = sums.groups["absorbed_flux"].mean
+        assert sums.groups["absorbed_flux"].units == {"PAR": "mol", "NIR": "J"}
+        of_organs = sums["absorbed_flux"].values
+        of_groups = sums.groups["absorbed_flux"].values
         assert np.allclose(of_groups[0], of_organs.sum(axis=0), rtol=1e-12)
         assert np.allclose(of_groups[1], of_organs[:2].sum(axis=0), rtol=1e-12)
         frame = sums.groups.to_pandas()
@@ -108,4 +108,25 @@ def test_means_of_sums_lie_in_their_intervals():
     for sums in (series.total, series.days["2024-06-21"]):
         for table in (sums, sums.groups):
             light = table["absorbed_flux"]
-            assert np.all((light.ci95_low <= light.mean) & (light.mean <= light.ci95_high))
+            assert np.all((light.ci95_low <= light.values) & (light.values <= light.ci95_high))
+
+
+def test_times_keep_their_replicates_if_asked():
+    scene = quasimc.Scene(["PAR", "NIR"], site={"latitude_deg": 52, "longitude_deg": 5})
+    scene.add_material("leaf", reflectance=0.1, transmittance=0.1)
+    for i in range(6):
+        scene.add_organ("disk", material="leaf", center=[0.1 * i, 0, 1 + 0.1 * i], normal=[0, 0, 1],
+                        radius=0.2, labels={"half": i // 3})
+    day = {"day": "2024-06-21", "utc_offset_hours": 2, "hours": [2, 8]}
+    options = dict(time=day, paths=256, replicates=4, groups=["half"], origins=["sun", "sky"])
+    series = scene.run(**options, keep="replicates", method="light_tracing")
+    assert any(result.has_replicates for result in series)
+    for result in series:
+        light = result["absorbed_flux"]
+        for part in (light, light.origin("sky")):
+            mine = part[:3].sum()
+            groups = result.groups["absorbed_flux"]
+            theirs = (groups if part is light else groups.origin("sky")).at("0")
+            np.testing.assert_allclose(mine._values, theirs._values, rtol=1e-12, atol=1e-15)
+    plain = scene.run(**options)
+    assert not any(result.has_replicates for result in plain)

@@ -30,7 +30,7 @@ def test_a_flat_leaf_receives_the_irradiance_on_the_horizontal(source, expected)
     light = flat_leaf().run(source, paths=4096)["incident_upper"]["PAR"]
     error = light.standard_error[0]
     assert error < 0.005 * expected
-    assert light.mean[0] == pytest.approx(expected, abs=6 * error + 1e-9 * expected)
+    assert light.values[0] == pytest.approx(expected, abs=6 * error + 1e-9 * expected)
 
 
 def test_lamps_of_every_type_shine():
@@ -45,7 +45,7 @@ def test_lamps_of_every_type_shine():
     ]
     for lamp in lamps:
         light = flat_leaf().run(lamp, **FEW)["absorbed_flux"]["PAR"]
-        assert 0.5 < light.mean[0] < 9.01, lamp
+        assert 0.5 < light.values[0] < 9.01, lamp
 
 
 def test_sources_of_every_type_are_known():
@@ -65,7 +65,7 @@ def test_a_sun_by_time_needs_a_place():
     site = {"latitude_deg": 52, "longitude_deg": 15}
     light = flat_leaf(site=site).run(sun, **FEW)["incident_upper"]["PAR"]
     position = quasimc.sun_position(52, 15, noon)
-    assert light.mean[0] == pytest.approx(100 * position.vector[2], rel=1e-3)
+    assert light.values[0] == pytest.approx(100 * position.vector[2], rel=1e-3)
 
 
 def test_the_position_of_the_sun_is_that_of_the_published_example():

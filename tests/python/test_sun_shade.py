@@ -11,11 +11,11 @@ def test_parts_add_up_to_the_whole():
         parts = light.sun_shade
         assert parts["incident_upper_sunlit"]["PAR"].unit == "W m-2"
         for side in ("upper", "lower"):
-            fraction = parts[f"sunlit_fraction_{side}"].mean
-            assert fraction.shape == light["sunlit_fraction"].mean.shape
-            sunlit = np.nan_to_num(parts[f"incident_{side}_sunlit"]["NIR"].mean)
-            shaded = np.nan_to_num(parts[f"incident_{side}_shaded"]["NIR"].mean)
-            whole = light[f"incident_{side}"]["NIR"].mean
+            fraction = parts[f"sunlit_fraction_{side}"].values
+            assert fraction.shape == light["sunlit_fraction"].values.shape
+            sunlit = np.nan_to_num(parts[f"incident_{side}_sunlit"]["NIR"].values)
+            shaded = np.nan_to_num(parts[f"incident_{side}_shaded"]["NIR"].values)
+            whole = light[f"incident_{side}"]["NIR"].values
             inner = fraction < 0.99        # others are cut at 1
             assert inner.any() and np.allclose(
                 (fraction * sunlit + (1 - fraction) * shaded)[inner], whole[inner], rtol=0.02)
@@ -33,12 +33,12 @@ def test_days_have_hours_in_the_sun():
     for light in (series.days["2024-06-21"], series.total, series.total.groups):
         parts = light.sun_shade
         assert parts["sunlit_hours"].unit == "h"
-        assert parts["sunlit_hours_upper"].mean[0] == pytest.approx(2, rel=1e-3)
+        assert parts["sunlit_hours_upper"].values[0] == pytest.approx(2, rel=1e-3)
         assert parts["incident_upper_direct"]["PAR"].unit == "mol m-2"
         mean = parts["incident_upper_sunlit"]["PAR"]
         assert mean.unit == "umol m-2 s-1"
-        assert mean.mean[0] * 7200e-6 == pytest.approx(
-            light["incident_upper"]["PAR"].mean[0], rel=1e-2)
+        assert mean.values[0] * 7200e-6 == pytest.approx(
+            light["incident_upper"]["PAR"].values[0], rel=1e-2)
 
 
 def test_parts_must_be_asked_for():

@@ -173,18 +173,19 @@ OrganContributions OrganContributions::sunlit(
     return all;
 }
 
-void OrganContributions::include(const OrganContributions& organ) {
+void OrganContributions::include(const OrganContributions& organ, double weight) {
     kinds_.resize(organ.kinds_.size());
     for (std::size_t i = 0; i < kinds_.size(); ++i) {
         const Kind& other = organ.kinds_[i];
         const Kind own = kinds_[i];
         const bool is_ray = other.sample == Sample::ray;
         kinds_[i] = other;
-        kinds_[i].size = is_ray ? both(own.size, other.size) : larger(own.size, other.size);
-        kinds_[i].unseen = own.unseen + other.unseen;
+        const ContributionSize size = other.size * weight;
+        kinds_[i].size = is_ray ? both(own.size, size) : larger(own.size, size);
+        kinds_[i].unseen = own.unseen + other.unseen * weight;
     }
     absorptance_ = std::max(absorptance_, organ.absorptance_);
-    bound_ = std::max(bound_, organ.bound_);
+    bound_ = std::max(bound_, organ.bound_ * weight);
     has_points_ = organ.has_points_;
 }
 
@@ -210,6 +211,15 @@ ContributionSize OrganContributions::size(const LightParts& parts) const {
         return is_counted ? both(kind.size, {kind.unseen, 0}) : ContributionSize{};
     });
     return parts.is_absorbed ? one * absorptance_ : one;
+}
+
+ContributionSize OrganContributions::size(Quantity quantity, std::span<const double> values) const {
+    const LightParts& parts = parts_of(quantity);
+    if (bound_ == 0) {
+        return size(parts);
+    }
+    const bool is_dark = std::ranges::all_of(values, [](double x) { return x == 0; });
+    return {is_dark ? bound_ * (parts.is_absorbed ? absorptance_ : 1) : 0, 0};
 }
 
 Estimate OrganContributions::estimate(

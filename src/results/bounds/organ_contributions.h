@@ -21,11 +21,14 @@ class OrganContributions {
     [[nodiscard]] static OrganContributions sunlit(
         const OrganReader& reader, std::optional<SurfaceSide> side = std::nullopt);
 
-    /// Includes another organ of a group.
-    void include(const OrganContributions& organ);
+    /// Includes another organ of a group. @param weight  of its light, above 0
+    void include(const OrganContributions& organ, double weight = 1);
 
     /// One contribution to the given parts of light, as flux (or sunlit area).
     [[nodiscard]] ContributionSize size(const LightParts& parts = kIncidentLight) const;
+    /// One contribution to a quantity, as flux, as estimate() includes it.
+    /// @param values  the quantity, per replicate
+    [[nodiscard]] ContributionSize size(Quantity quantity, std::span<const double> values) const;
 
     /// Estimates the given parts of light. @param unit  of the values, per flux
     [[nodiscard]] Estimate estimate(

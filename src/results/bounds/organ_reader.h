@@ -45,6 +45,11 @@ struct Incident {
         unoccluded_lower += part.unoccluded_lower;
         return *this;
     }
+    friend Incident operator*(double weight, const Incident& in) {
+        return {weight * in.direct_upper,    weight * in.direct_lower, weight * in.scattered_upper,
+                weight * in.scattered_lower, weight * in.absorbed,     weight * in.unoccluded_upper,
+                weight * in.unoccluded_lower};
+    }
 };
 
 /// Light of suns on one organ in one replicate that came straight from them: flux.

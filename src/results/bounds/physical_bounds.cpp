@@ -62,17 +62,16 @@ double OrganLimits::of(Quantity quantity, std::size_t band) const {
     return parts.is_absorbed ? std::min(emitted[band], most) : most;  // absorbed light fell on it
 }
 
-OrganLimits& OrganLimits::operator+=(const OrganLimits& other) {
-    const auto add = [](std::vector<double>& to, const std::vector<double>& from) {
+void OrganLimits::add(const OrganLimits& other, double weight) {
+    const auto add_to = [&](std::vector<double>& to, const std::vector<double>& from) {
         for (std::size_t b = 0; b < to.size(); ++b) {
-            to[b] += from[b];
+            to[b] += weight * from[b];
         }
     };
-    add(direct_upper, other.direct_upper);
-    add(direct_lower, other.direct_lower);
-    add(scattered, other.scattered);
-    sunlit_area += other.sunlit_area;
-    return *this;
+    add_to(direct_upper, other.direct_upper);
+    add_to(direct_lower, other.direct_lower);
+    add_to(scattered, other.scattered);
+    sunlit_area += weight * other.sunlit_area;
 }
 
 PhysicalBounds::PhysicalBounds(

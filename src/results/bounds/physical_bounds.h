@@ -28,8 +28,13 @@ struct OrganLimits {
 
     /// Limit of a quantity, as flux.
     [[nodiscard]] double of(Quantity quantity, std::size_t band) const;
+    /// Adds the limits of light times a positive weight.
+    void add(const OrganLimits& other, double weight);
     /// Adds the limits of both.
-    OrganLimits& operator+=(const OrganLimits& other);
+    OrganLimits& operator+=(const OrganLimits& other) {
+        add(other, 1);
+        return *this;
+    }
 };
 
 /// Upper limits of the light that the sources of a scene deliver to its organs.

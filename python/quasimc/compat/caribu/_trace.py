@@ -181,7 +181,7 @@ class Light:
             rows = np.searchsorted(self._sorted_ids, np.asarray(indices) + offset)
             rows = self._order[rows]
             estimates = self._result[quantity]
-            mean[indices] = estimates.mean[rows, number]
+            mean[indices] = estimates.values[rows, number]
             error[indices] = np.nan_to_num(estimates.standard_error[rows, number])
         return mean, error
 

@@ -1,0 +1,95 @@
+"""Scenes and runs as run files that hold all of them."""
+
+from __future__ import annotations
+
+import os
+
+import numpy as np
+
+from . import _core
+
+
+class Written:
+    """What a result was computed from: a scene, its meshes, and the light on it.
+
+    It refers to tables and meshes of a scene, which are never changed in place.
+    """
+
+    def __init__(self, name, folder, scene_table, meshes, light_table):
+        self.name = name
+        self.folder = os.getcwd() if folder is None else folder
+        self.scene_table = scene_table
+        self.meshes = meshes
+        self.light_table = light_table
+
+    def table(self, built):
+        """The run file as a dict. @param built: the organs of the scene"""
+        table = {"title": os.path.basename(self.name), **self.light_table, **self.scene_table}
+        organs = list(table.get("organ", []))
+        free = iter(free_ids(self.meshes, built))
+        for mesh in self.meshes:
+            organs.extend(_mesh_organs(mesh, free))
+        if organs:
+            table["organ"] = organs
+        return table
+
+    def lit(self):
+        """The same with some light: a scene without any can't be drawn."""
+        if {"source", "time"} & self.light_table.keys():
+            return self
+        light = {**self.light_table, "source": [{"type": "uniform_sky", "irradiance_horizontal": 1}]}
+        return Written(self.name, self.folder, self.scene_table, self.meshes, light)
+
+    def document(self, built):
+        return _core.Document(self.table(built), self.name, self.folder)
+
+
+def free_ids(meshes, organs):
+    """Ids that the scene gave to organs of meshes without one; meshes are the last in its order."""
+    counts = [len(mesh["starts"]) - 1 for mesh in meshes]
+    own = organs.ids[len(organs) - sum(counts) :]
+    starts = np.cumsum([0, *counts])
+    return [
+        int(organ)
+        for mesh, start, count in zip(meshes, starts, counts)
+        if mesh["ids"] is None
+        for organ in own[start : start + count]
+    ]
+
+
+def _mesh_organs(mesh, free):
+    """The organs of a mesh as tables of the shape "mesh"."""
+    of_faces = mesh["material_of_face"]
+    count = len(mesh["starts"]) - 1
+    corners = mesh["faces"]
+    if corners is None:
+        corners = np.arange(len(mesh["vertices"])).reshape(-1, 3)
+    order = mesh["order"]
+    for i in range(count):
+        rows = np.arange(mesh["starts"][i], mesh["starts"][i + 1])
+        rows = rows if order is None else order[rows]
+        used, faces = np.unique(corners[rows], return_inverse=True)
+        materials = {0} if of_faces is None else set(of_faces[rows].tolist())
+        organ = int(next(free)) if mesh["ids"] is None else int(mesh["ids"][i])
+        if len(materials) > 1:
+            raise ValueError(
+                f"{mesh['where']}: organ {organ} has several materials, which run files can't hold; "
+                "give its parts as organs"
+            )
+        table = {
+            "shape": "mesh",
+            "id": organ,
+            "material": mesh["materials"][materials.pop()],
+            "vertices": mesh["vertices"][used].tolist(),
+            "faces": faces.reshape(-1, 3).tolist(),
+            "measured": mesh["measured"],
+        }
+        if mesh["field_of_view_deg"] != 90:
+            table["field_of_view_deg"] = mesh["field_of_view_deg"]
+        if mesh["names"]:
+            table["name"] = mesh["names"][i]
+        if mesh["labels"]:
+            table["labels"] = {
+                key: values[i if len(values) > 1 else 0] for key, values in mesh["labels"]
+            }
+        yield table

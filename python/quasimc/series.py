@@ -1,0 +1,173 @@
+"""Results of time series, and their sums over days."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from . import _core
+from ._index import OrganIndex
+from ._light import Light, label_columns
+from .groups import Groups
+from .result import Result
+from .sensors import sensors_by_name
+from .sun_shade import parts_of
+
+
+class Series:
+    """The light of the time steps of ``[time]``, and daily sums.
+
+    ``len(series)`` is the number of time steps; ``series[i]`` is the `Result` of one. With
+    keep_times=False there are only sums: ``series[i]``, iteration and `to_pandas` raise KeyError.
+
+    Attributes
+    ----------
+    organs : Organs
+    times : list of dict
+        For each time step: time ("2024-06-21T12:00+02:00"), seconds (duration), sun_azimuth_deg,
+        sun_elevation_deg, direct and diffuse (W m-2 on the horizontal, full spectrum).
+    days : dict
+        Date -> `Sums`. Incomplete days of a stopped run are left out. Gaps of a weather file
+        (``gaps = "skip"``) are not time steps: their days are summed over the other time steps
+        (`Sums.seconds`).
+    total : Sums
+        Sum over all time steps.
+    stop : str
+        "finished", "time_limit" or "interrupted".
+    time_steps, completed, computed : int
+        Number of time steps; of those that were completed; of those that were computed (the
+        others are at night or scaled).
+    audit_p_value : float
+        Smallest p-value of the audits, corrected for their number.
+    """
+
+    def __init__(self, core, organs, warnings=(), sources=(), ratio_names=()):
+        self._core = core
+        self.organs = organs
+        self.warnings = list(warnings)
+        self.sources = list(sources)
+        self._ratio_names = list(ratio_names)
+        self.times = core.times
+        for name, value in core.facts.items():
+            setattr(self, name, value)
+
+    @cached_property
+    def _results(self):
+        others = self.organs, self.warnings, self.sources, self._ratio_names
+        return [
+            Result(core, *others, replicates)
+            for core, replicates in zip(self._core.results, self._core.replicates)
+        ]
+
+    @cached_property
+    def days(self):
+        return {
+            day["date"]: Sums(
+                day["values"], day["seconds"], self.organs, day["groups"], day["origins"],
+                day["sensors"], day["sun_shade"],
+            )
+            for day in self._core.days
+        }
+
+    @cached_property
+    def total(self):
+        return Sums(
+            self._core.total, self.total_seconds, self.organs, self._core.total_groups,
+            self._core.total_origins, self._core.total_sensors, self._core.total_sun_shade,
+        )
+
+    def __len__(self):
+        return len(self.times)
+
+    def _results_of_times(self):
+        """The results of the time steps. Raises KeyError if they were not kept."""
+        if not self._results and self.times:
+            raise KeyError("the time steps were not kept (keep_times=False)")
+        return self._results
+
+    def __getitem__(self, index):
+        if isinstance(index, str):
+            raise TypeError(
+                f"a Series has a result for each time step: use series[0][{index!r}] or "
+                f"series.total[{index!r}]"
+            )
+        return self._results_of_times()[index]
+
+    def __iter__(self):
+        return iter(self._results_of_times())
+
+    def to_pandas(self):
+        """Returns a pandas.DataFrame with a row for each time step and organ, indexed by both.
+
+        Raises KeyError if the time steps were not kept (keep_times=False); `days` and `total` have
+        tables of their own.
+        """
+        import pandas
+
+        names = [step["time"] for step in self.times]
+        tables = [result.to_pandas() for result in self._results_of_times()]
+        return pandas.concat(tables, keys=names, names=["time", "id"])
+
+    @property
+    def plot(self):
+        """Plots by matplotlib: SeriesPlots, with course."""
+        from .plotting import SeriesPlots
+
+        return SeriesPlots(self)
+
+    def __repr__(self):
+        return f"<Series: {len(self)} times, {len(self.organs)} organs, {self.stop}>"
+
+
+class Sums(Light):
+    """Light summed over a day, or over all days; indexed like a result.
+
+    Units are multiplied by time: J m-2 for W m-2, mol m-2 for umol m-2 s-1.
+
+    Attributes
+    ----------
+    seconds : float
+        Duration of the time steps that were summed.
+    groups : Groups
+        Sums over organs with their errors, as for a result.
+    sensors : dict
+        Name of a set -> `Sensors`.
+    """
+
+    def __init__(self, values, seconds, organs, groups=None, origins=None, sensors=None, sun_shade=None):
+        factors = np.array([_core.summed_unit(unit)[1] for unit in organs.units])[:, None]
+        parts = {
+            name: (light["values"][: len(organs)] * factors, None)
+            for name, light in (origins or {}).items()
+        }
+        super().__init__(
+            values[: len(organs)] * factors,
+            OrganIndex(organs),
+            organs,
+            origins=parts,
+            is_summed=True,
+        )
+        self.seconds = seconds
+        self.sensors = sensors_by_name(sensors, organs, is_sum=True)
+        self.groups = (
+            None
+            if groups is None
+            else Groups(groups, organs, factors=factors, origins=origins)
+        )
+        self._parts = sun_shade
+
+    @property
+    def sun_shade(self):
+        """Light of the sunlit and the shaded part of organs, with sun_shade="apart": SunShade."""
+        return parts_of(self._parts, self._index, self._of)
+
+    def to_pandas(self):
+        """Returns a pandas.DataFrame with a row for each organ, indexed by id; columns as for a result."""
+        import pandas
+
+        columns = self._columns()
+        organs = self._organs
+        labels = label_columns(organs.labels, columns)
+        columns = {"name": organs.names, **labels, "area": organs.areas, **columns}
+        return pandas.DataFrame(columns, index=pandas.Index(organs.ids, name="id"))
