@@ -102,21 +102,23 @@ def state_of(result):
         return result_of_text, (text_of(result, "json").decode(), "pickle", os.getcwd())
     document = result._written.table(result.organs), result._written.name, result._written.folder
     if not result.has_replicates:
-        return _result_of_json, (text_of(result, "json").decode(), result._written, result.run)
+        text = text_of(result, "json").decode()
+        return _result_of_json, (text, result._written, result.run, result._sensor_light)
     sums = _core.saved_sums(result._sums)
-    return _result_of_sums, (document, sums, result.run, result.warnings, result._written)
+    others = result.run, result._sensor_light, result.warnings, result._written
+    return _result_of_sums, (document, sums, *others)
 
 
-def _result_of_json(text, written, run):
+def _result_of_json(text, written, run, sensors):
     result = result_of_text(text, "pickle", written.folder)
-    result.run = run
+    result.run, result._sensor_light = run, sensors
     return result
 
 
-def _result_of_sums(document, sums, run, warnings, written):
+def _result_of_sums(document, sums, run, sensors, warnings, written):
     scene, core, sources, ratios, replicates = _core.restored(_core.Document(*document), [sums])
     result = Result(core, Organs(scene), warnings, sources, ratios, replicates, written)
-    result.run = run
+    result.run, result._sensor_light = run, sensors
     return result
 
 
@@ -129,6 +131,7 @@ class StoredCore:
         self.sunlit_fraction = core.sunlit_fraction
         self.ratios = core.ratios
         self.detectors = core.detectors
+        self.sensors = None
         self.origins = core.origins
         self.audit = rest.get("audit") or None
         bands = list(rest["energy"])

@@ -159,7 +159,7 @@ class StoredScene:
 
     _FIELDS = (
         "ids", "areas", "heights", "names", "labels", "bands", "length_unit", "has_ground",
-        "triangle_count", "organ_count", "up",
+        "triangle_count", "organ_count", "up", "sensors",
     )  # fmt: skip
 
     def __init__(self, scene, has_triangles=False):

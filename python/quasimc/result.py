@@ -59,6 +59,7 @@ class Result(Light):
             origins=origins_of(core.origins, parts, lambda light: light["values"][:count]),
         )
         self._core = core
+        self._sensor_light = core.sensors
         self._sums = replicates
         self._written = written  # what it was computed from; None: not a scene's run
         self._parts = parts
@@ -147,8 +148,13 @@ class Result(Light):
 
     @cached_property
     def sensors(self):
-        """Light on sensors: dict, name of a set -> `Sensors`, in the order in which they were added."""
-        return sensors_by_name(self._core.sensors, self.organs)
+        """Light on sensors: dict, name of a set -> `Sensors`, in the order in which they were added.
+
+        Raises ValueError for a result that was opened from a file.
+        """
+        if self._sensor_light is None and self.organs.sensor_sets:
+            raise ValueError("light on sensors is not read from files: run the scene")
+        return sensors_by_name(self._sensor_light, self.organs)
 
     @cached_property
     def sun_shade(self):

@@ -732,6 +732,8 @@ class Scene:
             raise ValueError(f"there is no part {index} of {count}: they are 0 to {count - 1}")
         with self._lock:
             organs = self._build()
+            if organs.sensor_sets:
+                raise ValueError("a scene with sensors has no parts: their light is no share of a run")
             light = self._light(self._built, sources, _OF_SCENE, options)
             if not light.has_fixed_paths:
                 raise ValueError(

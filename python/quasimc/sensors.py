@@ -74,7 +74,11 @@ class Sensors:
             return Estimates(self._sunlit, quantity, "", extensive=False)
         number = list(_core.quantities()).index(self._quantities[quantity])
         origins = {
-            name: (lambda name=name, values=values: self._estimates(f"{quantity}_from_{name}", values[:, number]))
+            name: (
+                lambda name=name, values=values: self._estimates(
+                    f"{quantity}_from_{name}", values[:, number]
+                )
+            )
             for name, values in self._origins.items()
         }
         return self._estimates(quantity, self._values[:, number], origins)

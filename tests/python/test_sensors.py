@@ -1,9 +1,12 @@
 """Sensors: Scene.add_sensors and Result.sensors."""
 
+import pickle
+
 import numpy as np
 import pytest
 
 import quasimc
+from canopies import canopy
 
 FEW = {"paths": 1024, "replicates": 4, "seed": 3}
 
@@ -39,7 +42,7 @@ def test_an_array_of_points_has_its_shape():
     ball = result.sensors["one"]
     assert ball.keys() == ["fluence_rate", "incident_direct", "incident_scattered"]
     assert ball["fluence_rate"]["PAR"].values == pytest.approx([300], rel=0.02)
-    assert len(result.organs) == 1
+    assert len(result.organs) == 0, "sensors are no organs"
 
 
 def test_a_regular_array_and_an_average():
@@ -103,3 +106,20 @@ def test_bad_input_is_told():
     result = plane().add_sensors([[0, 0, 1]]).run(**FEW)
     with pytest.raises(KeyError, match="incident_upper"):
         result.sensors["sensors"]["absorbed_flux"]
+
+
+def test_results_with_sensors_are_pickled_but_not_read_from_files(tmp_path):
+    scene = canopy()
+    scene.add_sensors([[0.5, 0.5, 0.5]], name="floor")
+    result = scene.run(**FEW)
+    back = pickle.loads(pickle.dumps(result))
+    assert back == result
+    for one in (back, pickle.loads(pickle.dumps(scene.run(**FEW, keep="estimates")))):
+        assert np.array_equal(
+            one.sensors["floor"]["incident_upper"].values,
+            result.sensors["floor"]["incident_upper"].values,
+        )
+    with pytest.raises(ValueError, match="not read from files"):
+        quasimc.open(result.save(tmp_path / "light.json")).sensors
+    with pytest.raises(ValueError, match="no parts"):
+        scene.part(0, 2)
