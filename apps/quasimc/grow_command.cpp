@@ -20,6 +20,7 @@
 #include "grow_environment.h"
 #include "grow_flags.h"
 #include "grow_outputs.h"
+#include "grow_pictures.h"
 #include "grow_plant.h"
 #include "grow_steps.h"
 #include "growth/plant.h"
@@ -38,6 +39,7 @@ struct Growth {
     GrowEnvironment* environment;  ///< may be null
     const GrowWriters& writers;
     StepTable& table;
+    GrowPictures* pictures;        ///< may be null
     quasimc::PlantWindow* window;  ///< may be null
 
     /// The plant after the last complete step.
@@ -53,6 +55,9 @@ void on_pass(const Growth& growth) {
         return;
     }
     growth.table.set_light(*growth.environment);
+    if (growth.pictures != nullptr) {
+        growth.pictures->set_light(*growth.environment);
+    }
     if (growth.window != nullptr) {
         growth.window->add(growth.environment->light());
     }
@@ -67,6 +72,9 @@ void on_step(const Growth& growth) {
             quasimc::counted(plant.plant().string().size(), "module"));
     }
     growth.writers.write_step(plant);
+    if (growth.pictures != nullptr) {
+        growth.pictures->add(plant);
+    }
     if (!growth.arguments.series.empty()) {
         growth.table.add(plant);
     }
@@ -199,6 +207,16 @@ std::unique_ptr<GrowEnvironment> make_environment(
     return nullptr;
 }
 
+std::unique_ptr<GrowPictures> make_pictures(
+    const GrowArguments& arguments, const std::vector<quasimc::InputFile>& inputs) {
+    if (!is_picture_name(arguments.output)) {
+        return nullptr;
+    }
+    return std::make_unique<GrowPictures>(
+        arguments.output, std::filesystem::path(arguments.model).filename().string(),
+        arguments.picture, inputs);
+}
+
 std::unique_ptr<quasimc::PlantWindow> open_window(const GrowArguments& arguments) {
     if (!arguments.view) {
         return nullptr;
@@ -208,11 +226,24 @@ std::unique_ptr<quasimc::PlantWindow> open_window(const GrowArguments& arguments
     return window;
 }
 
+quasimc::Faults write_pictures(const GrowPictures& pictures) {
+    quasimc::Faults faults;
+    try {
+        pictures.write();
+    } catch (const quasimc::InputError& error) {
+        faults.add(error);
+    }
+    return faults;
+}
+
 /// Writes the files of the end, prints the summary, and throws the errors.
 void finish_growth(
     const Growth& growth, GrowWriters& writers, quasimc::Faults faults, double seconds) {
     GrownPlant plant = growth.current();
     faults.add(writers.finish(plant));
+    if (growth.pictures != nullptr) {
+        faults.add(write_pictures(*growth.pictures));
+    }
     if (!growth.arguments.quiet) {
         print_summary(growth, plant, seconds);
     }
@@ -238,7 +269,9 @@ Exit grow(const GrowArguments& arguments) {
     prepare_series(arguments, table, outputs);
     check_numbered(outputs, arguments.steps >= 0 ? arguments.steps : model->steps());
     const auto environment = make_environment(arguments, *model, notices, interrupt.token());
-    GrowWriters writers(std::move(outputs), inputs_of(arguments, *model, environment.get()));
+    const std::vector<quasimc::InputFile> inputs = inputs_of(arguments, *model, environment.get());
+    GrowWriters writers(std::move(outputs), inputs);
+    const auto pictures = make_pictures(arguments, inputs);
     const auto window = open_window(arguments);
     const auto print = [](std::string_view text) {
         std::fwrite(text.data(), 1, text.size(), stderr);
@@ -249,7 +282,8 @@ Exit grow(const GrowArguments& arguments) {
         options.seed = static_cast<std::uint16_t>(*arguments.seed);
     }
     quasimc::Plant plant(model, environment.get(), notices, std::move(options));
-    const Growth growth{arguments, *model, plant, environment.get(), writers, table, window.get()};
+    const Growth growth{arguments, *model, plant,          environment.get(),
+                        writers,   table,  pictures.get(), window.get()};
     quasimc::Faults faults = grow_plant(growth, interrupt.token());
     is_grown = true;
     const bool is_stopped = interrupt.token().stop_requested();

@@ -13,6 +13,7 @@
 #include "files/input_files.h"
 #include "grow_stand.h"
 #include "quasimc/run.h"
+#include "resultio/describe_series.h"
 #include "results/units.h"
 #include "terminal.h"
 
@@ -158,7 +159,8 @@ std::vector<ShownValues> light_values(
         for (std::size_t b = 0; b < bands.size(); ++b) {
             ShownValues values{
                 .estimates = {},
-                .name = fmt::format("{}, {}", entry.name, bands[b].name),
+                .name =
+                    fmt::format("{}, {}", quasimc::describe_quantity(entry.name), bands[b].name),
                 .unit = quasimc::unit_of(entry, bands[b], length_unit),
                 .key = fmt::format("{}_{}", entry.name, bands[b].name),
                 .when = ""};

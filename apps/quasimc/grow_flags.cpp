@@ -49,9 +49,10 @@ std::vector<Flag> output_flags(GrowArguments& arguments) {
     return {
         {.name = "-o,--output",
          .target = &arguments.output,
-         .summary = "write the final plant in a geometry format, as VTP, or as a table of its "
-                    "organs (.csv), by the end of the name; %03d in a name is the number of the "
-                    "step, and every step is written",
+         .summary =
+             "write the final plant in a geometry format, as VTP, as a picture (.png), or as "
+             "a table of its organs (.csv), by the end of the name; %03d in a name is the "
+             "number of the step, and every step is written",
          .type_name = "FILE",
          .group = kOutput},
         {.name = "--series",
@@ -135,7 +136,8 @@ std::vector<Flag> flags_of_grow(GrowArguments& arguments) {
          .summary = "port of 127.0.0.1 for --view (0: any that is free)",
          .range = std::pair(0.0, 65535.0),
          .default_text = "0"}};
-    for (std::vector<Flag> more : {output_flags(arguments), shared_flags(arguments)}) {
+    for (std::vector<Flag> more :
+         {output_flags(arguments), view_flags(arguments.picture), shared_flags(arguments)}) {
         std::move(more.begin(), more.end(), std::back_inserter(flags));
     }
     return flags;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "show_view.h"
 
 /// The command line of `quasimc grow`.
 struct GrowArguments {
@@ -22,6 +23,7 @@ struct GrowArguments {
     bool is_batch = false;  ///< this and the following flags of cpfg have no effect
     std::string color_map, material_map;
     std::size_t string_bytes = 0;
+    ViewArguments picture;
 };
 
 /// The arguments with the view file and the specification that have the model's name, if they exist

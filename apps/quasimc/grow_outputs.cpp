@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/text.h"
+#include "grow_pictures.h"
 #include "growth/turtle/plain_geometry.h"
 #include "meshio/formats.h"
 #include "numbered_path.h"
@@ -99,7 +100,7 @@ void write_lit_shapes(
     format.write(field_scene(scene, all, colored == all.end() ? nullptr : &*colored), sink);
 }
 
-/// The file of the flag -o.
+/// The file of the flag -o, unless it is a picture.
 /// @throws InputError  if no format has the end of its name
 GrowOutput plant_output(const std::string& path, const std::string& where) {
     const std::string extension =
@@ -124,7 +125,7 @@ GrowOutput plant_output(const std::string& path, const std::string& where) {
         throw quasimc::InputError(
             {{where, fmt::format("'{}' is not a format that a plant can be written in", path),
               "the format follows from the end of its name",
-              fmt::format("use {}, vtp, csv", fmt::join(quasimc::writable_formats(), ", "))}});
+              fmt::format("use {}, vtp, png, csv", fmt::join(quasimc::writable_formats(), ", "))}});
     }
     return output;
 }
@@ -167,7 +168,7 @@ std::vector<GrowOutput> grow_outputs(const GrowArguments& arguments) {
     add(arguments.box, "--box",
         [](GrownPlant& plant, const TextSink& sink) { sink(box_line(plant.bounds())); });
     add(arguments.drawing, "--drawing", write_drawing);
-    if (!arguments.output.empty()) {
+    if (!arguments.output.empty() && !is_picture_name(arguments.output)) {
         outputs.push_back(plant_output(arguments.output, "-o"));
     }
     if (!arguments.series.empty()) {

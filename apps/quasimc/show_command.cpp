@@ -25,7 +25,7 @@ namespace {
 using quasimc::Faults;
 
 struct ShowArguments {
-    std::string file, output, minus, label;
+    std::string file, output, minus, label, framed;
     ValueChoice choice;
     ViewArguments view;
     bool plain = false, realistic = false;
@@ -164,19 +164,35 @@ bool is_numbered(
     return true;
 }
 
+ShownRun read_shown(const std::string& file, std::size_t point) {
+    const quasimc::FormatEntry* geometry = geometry_of(file);
+    return geometry != nullptr ? read_shown_geometry(file, *geometry) : read_shown_run(file, point);
+}
+
+/// Frames a scene together with that of another file.
+/// @param file  "": none
+void frame_with(
+    const std::string& file, const quasimc::Scene& scene, quasimc::ScenePicture& picture) {
+    if (!file.empty()) {
+        picture.framed = quasimc::shown_bounds(scene, picture.render.cuts);
+        picture.framed.include(
+            quasimc::shown_bounds(read_shown(file, 1).run.scene, picture.render.cuts));
+    }
+}
+
 Exit show(const ShowArguments& arguments) {
     const std::string path =
         arguments.output.empty() ? default_picture(arguments.file) : arguments.output;
     require_pictures("show");
     check_picture_name("-o", path);
-    const quasimc::FormatEntry* geometry = geometry_of(arguments.file);
-    const ShownRun shown = geometry != nullptr
-                               ? read_shown_geometry(arguments.file, *geometry)
-                               : read_shown_run(arguments.file, arguments.choice.point);
-    print_warnings(geometry != nullptr ? shown.run.warnings : std::vector<quasimc::Warning>());
+    const ShownRun shown = read_shown(arguments.file, arguments.choice.point);
+    print_warnings(
+        geometry_of(arguments.file) != nullptr ? shown.run.warnings
+                                               : std::vector<quasimc::Warning>());
     Faults faults;
     quasimc::ScenePicture base;
-    set_view(arguments.view, shown.run.scene, base, faults);
+    set_view(arguments.view, shown.run.scene.orientation(), base, faults);
+    frame_with(arguments.framed, shown.run.scene, base);
     const auto range = range_of(arguments.view, faults);
     faults.throw_if_any();
     const bool is_sequence = is_numbered(arguments, path, shown.run);
@@ -257,7 +273,23 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .summary = "show the surfaces without light",
          .group = kColors}};
     std::vector<Flag> view = view_flags(arguments.view);
+    for (Flag& flag : view) {
+        flag.excludes = flag.group == kColors ? "--error" : "";
+    }
     std::move(view.begin(), view.end(), std::back_inserter(flags));
+    flags.push_back(
+        {.name = "--frame",
+         .target = &arguments.framed,
+         .summary = "make room in the picture for this scene too: a result, run file or geometry "
+                    "file; pictures with the same frame can be compared",
+         .type_name = "FILE",
+         .group = "View"});
+    flags.push_back(
+        {.name = "--threads",
+         .target = &arguments.view.threads,
+         .summary = "threads; 0: all cores",
+         .group = "View",
+         .default_text = "0"});
     return flags;
 }
 

@@ -101,7 +101,7 @@ std::optional<quasimc::CutPlane> cut_of(std::string_view text, const quasimc::Or
 
 void set_cuts(
     const ViewArguments& arguments,
-    const quasimc::Scene& scene,
+    const quasimc::Orientation& axes,
     quasimc::ScenePicture& picture,
     Faults& faults) {
     std::string_view rest = arguments.cuts;
@@ -109,7 +109,7 @@ void set_cuts(
         const std::size_t comma = rest.find(',');
         const std::string_view text = rest.substr(0, comma);
         rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
-        if (const auto cut = cut_of(text, scene.orientation())) {
+        if (const auto cut = cut_of(text, axes)) {
             picture.render.cuts.push_back(*cut);
         } else {
             faults.add(
@@ -149,7 +149,7 @@ std::pair<double, double> range_of(const ViewArguments& arguments, Faults& fault
 
 void set_view(
     const ViewArguments& arguments,
-    const quasimc::Scene& scene,
+    const quasimc::Orientation& axes,
     quasimc::ScenePicture& picture,
     Faults& faults) {
     picture.view = view_of(arguments, scene.orientation(), faults);
@@ -157,7 +157,7 @@ void set_view(
     picture.has_annotations = !arguments.bare;
     picture.is_transparent = arguments.background == "transparent";
     picture.render.threads = static_cast<unsigned>(arguments.threads);
-    set_cuts(arguments, scene, picture, faults);
+    set_cuts(arguments, axes, picture, faults);
 }
 
 std::vector<Flag> view_flags(ViewArguments& arguments) {
@@ -201,15 +201,9 @@ std::vector<Flag> view_flags(ViewArguments& arguments) {
          .target = &arguments.bare,
          .summary = "without title, legend, scale bar and directions",
          .group = kView},
-        {.name = "--threads",
-         .target = &arguments.threads,
-         .summary = "threads; 0: all cores",
-         .group = kView,
-         .default_text = "0"},
         {.name = "--colormap",
          .target = &arguments.colors,
          .summary = "colours of the scale",
-         .excludes = "--error",
          .choices = maps,
          .group = "Colours",
          .default_text = arguments.colors},
@@ -217,6 +211,5 @@ std::vector<Flag> view_flags(ViewArguments& arguments) {
          .target = &arguments.range,
          .summary = "values of the first and the last colour: 0,500; default those of the picture",
          .type_name = "LOW,HIGH",
-         .excludes = "--error",
          .group = "Colours"}};
 }

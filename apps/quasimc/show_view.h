@@ -25,8 +25,9 @@ struct ViewArguments {
 [[nodiscard]] std::pair<double, double> range_of(
     const ViewArguments& arguments, quasimc::Faults& faults);
 /// Sets size, camera, clipping planes and annotations.
+/// @param axes  of the file, for clipping planes
 void set_view(
     const ViewArguments& arguments,
-    const quasimc::Scene& scene,
+    const quasimc::Orientation& axes,
     quasimc::ScenePicture& picture,
     quasimc::Faults& faults);

@@ -210,7 +210,8 @@ Image image_of(
 Image draw_on(const Rgb& background, const Scene& scene, const ScenePicture& picture) {
     const Layout layout(picture);
     const Camera camera(
-        picture.view, scene.orientation(), shown_bounds(scene, picture.render.cuts),
+        picture.view, scene.orientation(),
+        picture.framed.empty() ? shown_bounds(scene, picture.render.cuts) : picture.framed,
         layout.view_width, layout.view_height);
     Canvas canvas(picture.width, picture.height, background);
     canvas.put({0, layout.view_top}, image_of(scene, camera, picture, layout, background));

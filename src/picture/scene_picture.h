@@ -14,7 +14,8 @@ namespace quasimc {
 struct ScenePicture {
     std::string title, subtitle;
     ViewSpec view;
-    RenderSpec render;  ///< size and background are set here
+    Bounds framed = {};  ///< box that the camera frames; empty: the shown part of the scene
+    RenderSpec render;   ///< size and background are set here
     std::optional<TrueLightSpec>
         true_light;  ///< instead of colours; size, cuts and threads are set
     Legend legend;

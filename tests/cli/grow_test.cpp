@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "picture/image.h"
 #include "program.h"
 #include "support/http_get.h"
 #include "window/page.h"
@@ -143,6 +144,46 @@ TEST_F(GrowCommand, WritesEveryStep) {
     const std::string table = folder_.read("all/steps/steps.csv");
     expect_in(table, "\nstep,modules,organs,area\n0,1,0,0\n1,6,2,");
     expect_in(table, "\n3,16,6,");
+}
+
+/// Pictures of all steps have the frame of the whole growth; that of one step has its own.
+TEST_F(GrowCommand, DrawsEveryStepInOneFrame) {
+    if (!has_png()) {
+        GTEST_SKIP() << "built without pictures";
+    }
+    const auto grow = [this](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"grow", "asking.l", "--size", "300x200", "-o"});
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+    };
+    grow({"f%02d.png"});
+    grow({"last.png"});
+    grow({"first.png", "--steps", "1"});
+    EXPECT_FALSE(has("f00.png")) << "nothing is drawn";
+    EXPECT_TRUE(folder_.read("last.png").starts_with("\x89PNG"));
+    EXPECT_TRUE(folder_.read("f02.png") == folder_.read("last.png"));
+    EXPECT_FALSE(folder_.read("f01.png") == folder_.read("first.png"));
+    expect_refused({"grow", "plant.l", "-o", "p.png", "--camera", "north"}, 2, "--camera: 'north'");
+    expect_refused({"grow", "plant.l", "-o", "none/p.png"}, 1, "none/p.png");
+    folder_.write("bare.l", "lsystem: 1\naxiom: AB\nendlsystem\n");
+    expect_refused({"grow", "bare.l", "-o", "p.png"}, 1, "the plant of step 0 has no shape");
+    EXPECT_FALSE(has("p.png"));
+}
+
+/// A step has the colours of its light, on the scale of all steps.
+TEST_F(GrowCommand, DrawsTheLightOfEveryStep) {
+    if (!has_png()) {
+        GTEST_SKIP() << "built without pictures";
+    }
+    const auto drawn = [this](const std::string& name, std::vector<std::string> more) {
+        more.insert(more.begin(), {"grow", "asking.l", "-o", name, "--size", "300x200"});
+        const Outcome outcome = run(more);
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        return folder_.read("l2.png");
+    };
+    const std::string light = drawn("l%d.png", {"--light", "light.qmc"});
+    EXPECT_FALSE(light == drawn("l%d.png", {})) << "without light it is green";
+    EXPECT_FALSE(light == drawn("l%d.png", {"--light", "light.qmc", "--range", "0,9"}));
 }
 
 TEST_F(GrowCommand, WritesWhatGrewBeforeAnError) {

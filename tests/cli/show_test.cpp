@@ -171,6 +171,15 @@ TEST_F(ShowCommand, DrawsTimesDaysAndPoints) {
     EXPECT_EQ(run({"show", "out.json", "-o", "p.png", "--sweep-point", "0"}).status, 2);
 }
 
+TEST_F(ShowCommand, FramesAnotherSceneToo) {
+    folder_.write("small.tri", "0 0 0  1 0 0  0 0 1\n");
+    folder_.write("large.tri", "0 0 0  5 0 0  0 0 5\n");
+    const std::string alone = drawn({"small.tri"});
+    EXPECT_TRUE(drawn({"small.tri", "--frame", "small.tri"}) == alone);
+    EXPECT_FALSE(drawn({"small.tri", "--frame", "large.tri"}) == alone);
+    expect_fault({"show", "small.tri", "-o", "p.png", "--frame", "none.tri"}, "none.tri");
+}
+
 TEST_F(ShowCommand, WritesUnderNoNameThatPromisesSomethingElse) {
     ASSERT_EQ(run({"run", "run.toml"}).status, 0);
     for (const char* name : {"p.bmp", "p.jpg", "p.pdf", "p.png.txt", "fig.2"}) {
