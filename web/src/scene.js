@@ -28,6 +28,9 @@ export function makeRenderer(canvas) {
   return renderer;
 }
 
+/** The part of the width and height that a CPU renders while the scene moves; the browser enlarges it. */
+const kCoarse = 0.5;
+
 /** Side by side: the light, and the plant in its own colours. */
 const kLight = { angle: 0.06 };
 const kPlant = { angle: 0.3 };
@@ -40,6 +43,7 @@ export class SceneWindow {
   constructor(renderer, run, onView) {
     Object.assign(this, { renderer, run, onView, canvas: renderer.domElement, isAsked: false });
     this.isQuickAllowed = isSoftware(renderer.getContext());
+    this.ratio = renderer.getPixelRatio(); // of pixels at rest to those of CSS
     this.shading = 0;
     this.backdrop = null; // a scene behind all others
     this.scene = new Scene();
@@ -165,6 +169,7 @@ export class SceneWindow {
     this.hasDrawn = true;
     const { renderer, passes, budget } = this;
     const isQuick = this.isQuickAllowed && budget.isMoving;
+    this.#setRatio(isQuick ? kCoarse * this.ratio : this.ratio);
     renderer.setRenderTarget(null);
     renderer.clear();
     this.orbit.setRange();
@@ -180,13 +185,20 @@ export class SceneWindow {
     this.onView();
   }
 
+  /** Sets the size of the drawing buffer, which clears it. */
+  #setRatio(ratio) {
+    if (this.renderer.getPixelRatio() !== ratio) {
+      this.renderer.setPixelRatio(ratio);
+    }
+  }
+
   #drawPicture() {
     const { passes, renderer } = this;
     this.#drawOrgans(passes.full, passes.target);
     this.isPictureOld = this.budget.share < 1;
     passes.edges.shading.value = this.shading;
     renderer.setViewport(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
-    passes.drawEdges(this.camera, renderer.getPixelRatio());
+    passes.drawEdges(this.camera, this.ratio);
   }
 
   #drawBackdrop() {
@@ -201,7 +213,7 @@ export class SceneWindow {
   /** Draws organs in all views. @param target  render target; null: the screen */
   #drawOrgans(material, target) {
     const { renderer, passes } = this;
-    const ratio = target ? renderer.getPixelRatio() : 1;
+    const ratio = target ? this.ratio : 1;
     this.mesh.material = material;
     renderer.setRenderTarget(target);
     if (target) {
@@ -244,8 +256,7 @@ export class SceneWindow {
     const known = this.renderer.getSize(new Vector2());
     if (width > 0 && height > 0 && (width !== known.x || height !== known.y)) {
       this.renderer.setSize(width, height, false); // which clears the canvas
-      const ratio = this.renderer.getPixelRatio();
-      this.passes.setSize(Math.floor(width * ratio), Math.floor(height * ratio));
+      this.passes.setSize(Math.floor(width * this.ratio), Math.floor(height * this.ratio));
       this.orbit.setSize(this.#width, height);
       if (this.hasDrawn) {
         this.draw();
@@ -256,10 +267,9 @@ export class SceneWindow {
 
   /** The current picture, as a canvas. @param scale  pixels of it per pixel of the screen */
   picture(scale) {
-    const { renderer, passes } = this;
-    const before = renderer.getPixelRatio();
+    const { passes, ratio: before } = this;
     const resize = (ratio) => {
-      renderer.setPixelRatio(ratio);
+      this.ratio = ratio;
       passes.setSize(Math.floor(this.canvas.clientWidth * ratio), Math.floor(this.canvas.clientHeight * ratio));
     };
     const copy = document.createElement("canvas");
@@ -287,7 +297,7 @@ export class SceneWindow {
       this.#drawOrgans(this.passes.full, this.passes.target);
       this.isPictureOld = false;
     }
-    const ratio = this.renderer.getPixelRatio();
+    const { ratio } = this;
     const { height } = this.passes.target;
     return this.passes.organAt(Math.floor(x * ratio), height - 1 - Math.floor(y * ratio));
   }
