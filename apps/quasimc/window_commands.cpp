@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include "window/page.h"
 #include "window/window_data.h"
 #include "window/window_server.h"
+#include "window/window_sweep.h"
 
 namespace {
 
@@ -79,12 +81,39 @@ Exit report(const WindowArguments& arguments) {
     return Exit::done;
 }
 
+/// The data of a point of a sweep, and of its difference from another one.
+quasimc::WindowData read_point(
+    const std::string& file, std::size_t point, std::optional<std::size_t> minus) {
+    const ShownRun shown = read_result(file, point + 1);
+    const quasimc::ReadResult result{shown.run, shown.result_text, file};
+    if (!minus) {
+        return quasimc::make_window_data(result);
+    }
+    const ShownRun other = read_result(file, *minus + 1);
+    const quasimc::ReadResult subtracted{other.run, other.result_text, file};
+    return quasimc::make_window_data(result, &subtracted);
+}
+
+/// The files of a result; of all points of a sweep, unless one is chosen or subtracted from.
+quasimc::WindowFiles files_to_view(const WindowArguments& arguments) {
+    if (arguments.point == 0 && arguments.minus.empty()) {
+        const ShownRun shown = read_result(arguments.file, 0);
+        if (shown.run.sweep) {
+            (void)quasimc::make_window_data({shown.run, shown.result_text, arguments.file});
+            return quasimc::files_of_sweep(
+                shown.run.sweep->size(), 0, [file = arguments.file](auto point, auto minus) {
+                    return read_point(file, point, minus);
+                });
+        }
+    }
+    return quasimc::files_of(read_window_run(arguments).data);
+}
+
 Exit view(const WindowArguments& arguments) {
     quasimc::require_page("view");
     const InterruptWatch interrupt([] {});
     const quasimc::HttpServer server(
-        quasimc::ViewerRoutes(
-            quasimc::files_of(read_window_run(arguments).data), quasimc::random_token()),
+        quasimc::ViewerRoutes(files_to_view(arguments), quasimc::random_token()),
         static_cast<int>(arguments.port));
     fmt::print("{}\n", server.address());
     std::fflush(stdout);

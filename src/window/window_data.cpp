@@ -61,6 +61,18 @@ Json add_time(
     return time;
 }
 
+/// The values of every point, by key.
+Json json_points(const std::vector<SweepPoint>& points) {
+    Json all = Json::array();
+    for (const SweepPoint& point : points) {
+        Json& values = all.emplace_back(Json::object());
+        for (const SweptValue& value : point.values) {
+            values[value.key] = value.text;
+        }
+    }
+    return all;
+}
+
 /// Whether any time has a column in both results.
 bool has_difference(const Json& times) {
     return std::any_of(times.begin(), times.end(), [](const Json& time) {
@@ -136,6 +148,9 @@ WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
     all["times"] = std::move(times);
     if (difference) {
         all["minus"] = difference->json();
+    }
+    if (run.sweep) {
+        all["sweep"] = {{"point", run.point}, {"points", json_points(*run.sweep)}};
     }
     data.json = json_text(all);
     return data;

@@ -67,12 +67,13 @@ function oneOf(numbers, factor) {
 
 /** The data of a run; numbers of a time are read at the first request. */
 export class RunData {
-  static async load() {
-    const shape = readBytes("shape");
+  /** @param prefix  of the names of a point of a sweep */
+  static async load(prefix = "") {
+    const shape = readBytes(`${prefix}shape`);
     const colorMaps = readJson("colors");
-    const run = new RunData(await readJson("data"), await colorMaps, null, (blob) => readBytes(`values-${blob}`));
+    const run = new RunData(await readJson(`${prefix}data`), await colorMaps, null, (blob) => readBytes(`${prefix}values-${blob}`));
     if (!element("data")) {
-      run.readCourse = (column, organ) => request(`course-${column}-${organ}`).then((answer) => answer.arrayBuffer());
+      run.readCourse = (column, organ) => request(`${prefix}course-${column}-${organ}`).then((answer) => answer.arrayBuffer());
     }
     run.shape = readShape(await shape, run.count);
     return run;
@@ -91,6 +92,16 @@ export class RunData {
     this.columns = json.columns
       .map((column, number) => ({ ...column, number }))
       .filter((column) => json.times.some((time) => time.values[column.number] >= 0));
+  }
+
+  /** Whether other points of its sweep can be requested. */
+  get hasPoints() {
+    return this.json.sweep?.points.length > 1 && !element("data");
+  }
+
+  /** The result of the last time alone: the sum over all times. */
+  ofSum() {
+    return new RunData({ ...this.json, times: this.json.times.slice(-1) }, this.colorMaps, this.shape, this.readBlob);
   }
 
   has(time, column) {

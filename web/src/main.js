@@ -18,6 +18,7 @@ import { SkyDisc } from "./sky_disc.js";
 import { Stage } from "./stage.js";
 import { readAddress } from "./state.js";
 import { Strip } from "./strip.js";
+import { SweepView, pointNames } from "./sweep.js";
 import { Theme } from "./theme.js";
 import { Timeline } from "./timeline.js";
 
@@ -103,9 +104,15 @@ function listen(page, stage, strip, find) {
   });
 }
 
-/** Builds the page around a result. @param graphics  result of openGraphics() */
-export async function buildPage(run, timeline, graphics, live = null) {
-  const page = new Page(run, timeline, readAddress(location.hash), live);
+/**
+ * Builds the page around a result.
+ * @param graphics  result of openGraphics()
+ * @param live  LiveView or SweepView, if it changes
+ * @param time  key of the entry to show; null: that of the address
+ */
+export async function buildPage(run, timeline, graphics, live = null, time = null) {
+  const address = readAddress(location.hash);
+  const page = new Page(run, timeline, time === null ? address : { ...address, time }, live);
   const theme = new Theme(() => page.state.theme, () => page.values && page.notify("options"));
   const stage = graphics.renderer ? new Stage(page, graphics.renderer) : null;
   if (!stage) {
@@ -130,11 +137,21 @@ export async function buildPage(run, timeline, graphics, live = null) {
   return page;
 }
 
+/** Shows the points of a sweep, first the one in the address. */
+async function showSweep(first, graphics) {
+  const timeline = Timeline.ofPoints(first.json.sweep.points.map(pointNames));
+  const view = new SweepView(first);
+  const at = timeline.find(readAddress(location.hash).time) ?? timeline.steps[view.shown];
+  view.shown = at.index;
+  view.page = await buildPage((await view.run(at.index)).ofSum(), timeline, graphics, view, at.key);
+  view.readLight();
+}
+
 async function showResult() {
   const loading = RunData.load(); // loads while the slow context is made
   const graphics = openGraphics();
   const run = await loading;
-  await buildPage(run, Timeline.ofRun(run), graphics);
+  await (run.hasPoints ? showSweep(run, graphics) : buildPage(run, Timeline.ofRun(run), graphics));
   root.dataset.state = "ready";
 }
 

@@ -20,7 +20,7 @@ const nothing = (n) => () => new Float32Array(n).fill(NaN);
 const mapOf = (colors) => colors.map((color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)));
 
 export class Page {
-  /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress, see live_page.js */
+  /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress or a sweep, see live_page.js and sweep.js */
   constructor(run, timeline, chosen, live = null) {
     Object.assign(this, { run, timeline, live, hovered: null, pointed: null, parts: [], absent: "" });
     const start = { ...startOf(innerWidth, innerHeight), beside: run.json.grows === true };

@@ -64,8 +64,20 @@ export class Panel {
     this.mapField = field("Colours", this.maps.node);
     this.same = new Check("same", "Same scale for all times", null, (sameScale) => page.set({ sameScale, time: page.state.time }));
     this.log = new Check("log", "Logarithmic scale", null, (isLog) => page.set({ isLog }));
-    return section("Colour", true, field("Quantity", this.quantity), this.bandBox, field("Show", this.show.node), this.mapField,
+    return section("Colour", true, field("Quantity", this.quantity), this.bandBox, field("Show", this.show.node), ...this.#comparison(), this.mapField,
       make("div", { class: "field" }, this.same.node, this.log.node));
+  }
+
+  /** A list of points of a sweep from which the shown one can differ. */
+  #comparison() {
+    const { live, timeline } = this.page;
+    if (!live?.compare) {
+      return [];
+    }
+    const list = make("select", { id: "compared", "aria-label": "Compared with", onchange: () => live.compare(list.value === "" ? null : Number(list.value)) },
+      make("option", { value: "" }, "nothing"), timeline.steps.map(({ name, index }) => make("option", { value: index }, name)));
+    list.value = live.minus ?? "";
+    return [field("Compared with", list)];
   }
 
   /** The band to show of a quantity: the same one, if it has it. */

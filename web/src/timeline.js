@@ -39,6 +39,11 @@ export class Timeline {
     return new Timeline({ steps: frames.map((frame, index) => ({ ...describe(frame.label, 3600), index, key: `frame-${frame.number}`, isKnown: true, frame })) });
   }
 
+  /** The points of a sweep. @param names  see pointNames */
+  static ofPoints(names) {
+    return new Timeline({ steps: names.map((name, index) => ({ ...name, label: name.name, date: null, start: null, hours: 0, index, key: `point-${index + 1}`, isKnown: true })) });
+  }
+
   get isEmpty() {
     return this.steps.length + this.days.length + (this.total ? 1 : 0) < 2;
   }

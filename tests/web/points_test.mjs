@@ -1,0 +1,122 @@
+// The points of a sweep on the page: node points_test.mjs QUASIMC CHROMIUM PACKAGES [PICTURES]
+//
+// Rationale: a sweep is made to be compared; whoever looks at one point must reach all others, and see
+// what differs.
+// Expected behaviour: the strip has a bar for each point, as high as its light; keys and clicks go from
+// point to point; the numbers are those of the result, and differences those of two of its points.
+
+import assert from "node:assert/strict";
+import { execFileSync, spawn } from "node:child_process";
+import { once } from "node:events";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { createInterface } from "node:readline";
+
+const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
+const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
+const folder = mkdtempSync(path.join(tmpdir(), "quasimc-points-"));
+
+/** Two leaves under a sun of three heights. */
+const kRunFile = `
+title = "Two leaves under three suns"
+bands = ["PAR"]
+irradiance_unit = "W m-2"
+[sweep]
+source.sun.elevation_deg = [15, 45, 80]
+[run]
+paths = 1024
+[output]
+json = "points.json"
+[[source]]
+type = "directional"
+name = "sun"
+azimuth_deg = 180
+elevation_deg = 40
+irradiance_facing = 400
+[[material]]
+name = "leaf"
+reflectance = 0.1
+transmittance = 0.1
+[[organ]]
+id = 7
+name = "upper"
+material = "leaf"
+shape = "triangle"
+corners = [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0, 0.6, 1]]
+[[organ]]
+id = 8
+name = "lower"
+material = "leaf"
+shape = "triangle"
+corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
+`;
+
+/** The estimate of the upper leaf at a point of the result. */
+const upperAt = (result, point) => result.points[point].organs[0].absorbed_flux_density.PAR;
+
+const shown = (page) => page.locator("#time-title").textContent();
+const cardValue = (page) => page.locator("#cards article .number").first().textContent();
+
+async function checkPoints(page, address, result) {
+  await page.goto(address);
+  await page.waitForSelector("html[data-state=ready]");
+  assert.equal(await shown(page), "elevation 15°");
+  await page.waitForFunction(() => document.querySelectorAll("#strip .step").length === 3 && !document.querySelector("#strip .unknown"));
+  const heights = await page.locator("#strip .step").evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("height"))));
+  const lights = result.points.map(({ energy }) => energy.PAR.absorbed_by_organs.mean);
+  heights.forEach((height, i) => assert.ok(Math.abs(height / heights[2] - lights[i] / lights[2]) < 0.03, `${heights} for ${lights}`));
+  await page.keyboard.press("]");
+  await page.waitForFunction(() => document.getElementById("time-title").textContent === "elevation 45°");
+  await page.keyboard.press("/");
+  await page.keyboard.type("upper");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("#cards article");
+  const value = Number.parseFloat(await cardValue(page));
+  const { mean, standard_error: error } = upperAt(result, 1);
+  assert.ok(Math.abs(value - mean) <= Math.max(error, 0.001 * mean), `${value}, ${mean} ± ${error}`);
+  await page.waitForFunction(() => location.hash.includes("time=point-2"));
+  await page.reload();
+  await page.waitForSelector("html[data-state=ready]");
+  assert.equal(await shown(page), "elevation 45°", "the address keeps the point");
+}
+
+async function checkDifference(page, result) {
+  await page.getByLabel("Compared with").selectOption({ label: "elevation 15°" });
+  await page.waitForFunction(() => document.querySelector("#legend-title").textContent.includes("elevation 15°"));
+  const difference = upperAt(result, 1).mean - upperAt(result, 0).mean;
+  await page.waitForSelector("#cards article");
+  const value = Number.parseFloat(await cardValue(page));
+  assert.ok(Math.abs(value - difference) < 0.01 * difference, `${value}, ${difference}`);
+  if (pictures) {
+    await page.screenshot({ path: path.join(pictures, "points-difference.png") });
+  }
+  await page.getByLabel("Compared with").selectOption({ label: "nothing" });
+  await page.waitForFunction(() => !document.querySelector("#legend-title").textContent.includes("elevation"));
+}
+
+writeFileSync(path.join(folder, "points.toml"), kRunFile);
+execFileSync(quasimc, ["run", "points.toml", "--quiet"], { cwd: folder });
+const result = JSON.parse(readFileSync(path.join(folder, "points.json"), "utf8"));
+const server = spawn(quasimc, ["view", "points.json"], { cwd: folder, stdio: ["ignore", "pipe", "ignore"] });
+const [address] = await once(createInterface({ input: server.stdout }), "line");
+const browser = await chromium.launch({
+  executablePath,
+  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+});
+try {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  const faults = [];
+  page.on("pageerror", (error) => faults.push(String(error)));
+  await checkPoints(page, address, result);
+  if (pictures) {
+    await page.screenshot({ path: path.join(pictures, "points.png") });
+  }
+  await checkDifference(page, result);
+  assert.deepEqual(faults, []);
+} finally {
+  await browser.close();
+  server.kill();
+  rmSync(folder, { recursive: true, force: true });
+}
