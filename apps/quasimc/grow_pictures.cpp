@@ -40,9 +40,9 @@ quasimc::OutputPath GrowPictures::path_of(std::int64_t step) const {
 
 void GrowPictures::add(GrownPlant& plant) {
     last_step_ = plant.step();
-    const bool is_kept =
+    const bool stays =
         numbered_path(path_, 0) && !frames_.empty() && frames_.back().step != last_step_;
-    if (!is_kept && !frames_.empty()) {
+    if (!stays && !frames_.empty()) {
         frames_.pop_back();
     }
     if (plant.scene()) {

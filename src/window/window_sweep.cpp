@@ -41,22 +41,22 @@ class PointCache {
     explicit PointCache(ReadPoint read) : read_(std::move(read)) {}
 
     const WindowFiles& files(const PointKey& key) {
-        const auto found = std::ranges::find(kept_, key, &Kept::first);
-        if (found != kept_.end()) {
+        const auto found = std::ranges::find(cached_, key, &Entry::first);
+        if (found != cached_.end()) {
             return found->second;
         }
-        constexpr std::size_t kMaxKept = 8;
-        if (kept_.size() == kMaxKept) {
-            kept_.pop_front();
+        constexpr std::size_t kMaxCached = 8;
+        if (cached_.size() == kMaxCached) {
+            cached_.pop_front();
         }
-        kept_.emplace_back(key, files_of(read_(key.point, key.minus)));
-        return kept_.back().second;
+        cached_.emplace_back(key, files_of(read_(key.point, key.minus)));
+        return cached_.back().second;
     }
 
   private:
-    using Kept = std::pair<PointKey, WindowFiles>;
+    using Entry = std::pair<PointKey, WindowFiles>;
     ReadPoint read_;
-    std::deque<Kept> kept_;
+    std::deque<Entry> cached_;
 };
 
 }  // namespace

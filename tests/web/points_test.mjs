@@ -1,7 +1,7 @@
 // The points of a sweep on the page: node points_test.mjs QUASIMC CHROMIUM PACKAGES [PICTURES]
 //
-// Rationale: a sweep is made to be compared; whoever looks at one point must reach all others, and see
-// what differs.
+// Rationale: a sweep is made to be compared; from one point all others must be reached, and their differences
+// seen.
 // Expected behaviour: the strip has a bar for each point, as high as its light; keys and clicks go from
 // point to point; the numbers are those of the result, and differences those of two of its points.
 

@@ -1,4 +1,4 @@
-// The points of a finished sweep, in the place of times: each is a result of its own, read when it is shown.
+// The points of a finished sweep, shown like times: each is a result of its own, read when it is shown.
 
 import { RunData, readJson } from "./data.js";
 import { plantLight } from "./energy.js";
