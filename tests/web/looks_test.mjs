@@ -12,6 +12,7 @@ import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
+import { faintTexts } from "./access.mjs";
 import { countPixels, pixelsOf } from "./pixels.mjs";
 
 const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
@@ -127,28 +128,6 @@ async function checkNames(page) {
   found.forEach(([line, , rest]) => assert.match(rest, /^ "[^"]+"/, `no name: ${line}`));
 }
 
-/** The texts that stand out from what is behind them by less than 4.5 (WCAG 2, level AA), of which there must be none. */
-const kFaintTexts = () => {
-  const numbers = (color) => color.match(/[\d.]+/g).map(Number);
-  const luminance = (color) => numbers(color).slice(0, 3).reduce((sum, part, k) => {
-    const share = part / 255;
-    return sum + [0.2126, 0.7152, 0.0722][k] * (share <= 0.04045 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4);
-  }, 0);
-  const behind = (element) => {
-    const color = getComputedStyle(element).backgroundColor;
-    return (numbers(color)[3] ?? 1) > 0 || !element.parentElement ? color : behind(element.parentElement);
-  };
-  const own = (element) => [...element.childNodes].some((node) => node.nodeType === Node.TEXT_NODE && node.textContent.trim());
-  return [...document.body.querySelectorAll("*")].filter((element) =>
-    own(element) && element.checkVisibility() && !element.closest("noscript, script, option")).flatMap((element) => {
-    const style = getComputedStyle(element);
-    if (element.closest(".badge, .letter")) { return []; } // tested with their own colours
-    const [one, other] = [luminance(element.closest("svg") ? style.fill : style.color), luminance(behind(element))];
-    const contrast = (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05);
-    return contrast < 4.5 ? [`${contrast.toFixed(2)}: ${element.outerHTML.slice(0, 120)}`] : [];
-  });
-};
-
 async function checkColours(page) {
   const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const papers = [];
@@ -156,7 +135,7 @@ async function checkColours(page) {
     await page.emulateMedia({ colorScheme });
     await page.waitForSelector(`html[data-theme=${colorScheme}]`);
     papers.push(await paper());
-    assert.deepEqual(await page.evaluate(kFaintTexts), [], colorScheme);
+    assert.deepEqual(await page.evaluate(faintTexts), [], colorScheme);
     assert.ok(leafPixels(await canvasPixels(page)) > 1000, `${colorScheme}: no leaves are seen`);
     if (pictures) {
       await page.screenshot({ path: path.join(pictures, `looks-${colorScheme}.png`), fullPage: true });
