@@ -215,7 +215,7 @@ def encoded(pictures, every):
         pictures[0].save(
             file, "WEBP", save_all=True, append_images=pictures[1:], duration=times, loop=0,
             quality=quality, method=6, kmax=1)
-        if file.tell() <= MAX_BYTES:
+        if len(file.getbuffer()) <= MAX_BYTES:
             break
     return file.getvalue()
 

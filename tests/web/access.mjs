@@ -1,6 +1,6 @@
-// Obstacles for users who see little or have no mouse. The functions run in the page.
+// Obstacles for people that need contrast, or have no mouse. The functions run in the page.
 
-/** The texts that stand out from what is behind them by less than 4.5 (WCAG 2, level AA), of which there must be none. */
+/** The texts whose contrast to their background is below 4.5 (WCAG 2, level AA), of which there must be none. */
 export const faintTexts = () => {
   const numbers = (color) => color.match(/[\d.]+/g).map(Number);
   const luminance = (color) => numbers(color).slice(0, 3).reduce((sum, part, k) => {

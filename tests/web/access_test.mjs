@@ -120,7 +120,7 @@ async function checkTab(page) {
   }
 }
 
-/** Nothing moves for those who asked for it. */
+/** Nothing moves where reduced motion is asked for. */
 async function checkMotion(browser) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce" });
   await open(page, "");

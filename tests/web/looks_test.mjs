@@ -67,7 +67,8 @@ corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
 
 /** The canvas at rest. */
 async function canvasPixels(page) {
-  await page.waitForTimeout(400); // thinned out while it moves, whole a quarter of a second after
+  await page.waitForTimeout(400); // thinned out and coarse while it moves, whole a quarter of a second after
+  await page.waitForFunction(() => document.getElementById("canvas").width >= document.getElementById("canvas").clientWidth);
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   return pixelsOf(page, await page.locator("#canvas").screenshot());
 }
