@@ -8,7 +8,6 @@
 
 #include "base/text.h"
 #include "coupling/lighting.h"
-#include "files/output_files.h"
 #include "numbered_path.h"
 #include "show_colors.h"
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "files/output_files.h"
 #include "grow_environment.h"
 #include "grow_plant.h"
 #include "picture/scene_picture.h"

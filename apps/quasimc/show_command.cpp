@@ -214,10 +214,32 @@ Exit show(const ShowArguments& arguments) {
     return Exit::done;
 }
 
+constexpr const char* kColors = "Colours";  // a group of flags
+
+std::vector<Flag> flags_of_view(ShowArguments& arguments) {
+    std::vector<Flag> flags = view_flags(arguments.view);
+    for (Flag& flag : flags) {
+        flag.excludes = flag.group == kColors ? "--error" : "";
+    }
+    flags.push_back(
+        {.name = "--frame",
+         .target = &arguments.framed,
+         .summary = "make room in the picture for this scene too: a result, run file or geometry "
+                    "file; pictures with the same frame can be compared",
+         .type_name = "FILE",
+         .group = "View"});
+    flags.push_back(
+        {.name = "--threads",
+         .target = &arguments.view.threads,
+         .summary = "threads; 0: all cores",
+         .group = "View",
+         .default_text = "0"});
+    return flags;
+}
+
 /// All flags of `quasimc show`.
 std::vector<Flag> flags_of(ShowArguments& arguments) {
     ValueChoice& choice = arguments.choice;
-    const std::string kColors = "Colours";
     std::vector<Flag> flags{
         {"FILE", &arguments.file,
          "JSON result; or a run file or geometry file, whose surfaces are drawn", true},
@@ -272,24 +294,8 @@ std::vector<Flag> flags_of(ShowArguments& arguments) {
          .target = &arguments.plain,
          .summary = "show the surfaces without light",
          .group = kColors}};
-    std::vector<Flag> view = view_flags(arguments.view);
-    for (Flag& flag : view) {
-        flag.excludes = flag.group == kColors ? "--error" : "";
-    }
+    std::vector<Flag> view = flags_of_view(arguments);
     std::move(view.begin(), view.end(), std::back_inserter(flags));
-    flags.push_back(
-        {.name = "--frame",
-         .target = &arguments.framed,
-         .summary = "make room in the picture for this scene too: a result, run file or geometry "
-                    "file; pictures with the same frame can be compared",
-         .type_name = "FILE",
-         .group = "View"});
-    flags.push_back(
-        {.name = "--threads",
-         .target = &arguments.view.threads,
-         .summary = "threads; 0: all cores",
-         .group = "View",
-         .default_text = "0"});
     return flags;
 }
 
