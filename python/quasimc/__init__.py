@@ -24,7 +24,7 @@ from .growth import GrowthSession
 from ._light import Light, quantities
 from .materials import Material, Materials
 from .organs import Organs
-from .parts import Part, merge
+from .merging import Part, merge
 from .pictures import Page, Picture
 from .result import Ground, Result
 from .run_info import RunInfo

@@ -20,7 +20,7 @@ from ._written import Written
 from .errors import KeywordError, QuasimcWarning
 from .materials import Materials
 from .organs import Organs
-from .parts import Part
+from .merging import Part
 from .result import Result
 from .series import Series
 from .sources import Source
