@@ -152,7 +152,7 @@ void set_view(
     const quasimc::Orientation& axes,
     quasimc::ScenePicture& picture,
     Faults& faults) {
-    picture.view = view_of(arguments, scene.orientation(), faults);
+    picture.view = view_of(arguments, axes, faults);
     set_size(arguments, picture, faults);
     picture.has_annotations = !arguments.bare;
     picture.is_transparent = arguments.background == "transparent";
