@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the plants of the field examples: tree.obj, conifer.obj, bean.obj. Metres, z up.
 
-The names of their parts tell what they are: "layer2" over "leaf14", "trunk". Run files turn them
+The names of their parts say what they are: "layer2" over "leaf14", "trunk". Run files turn them
 into labels (labels_from).
 """
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// Gaps of a canopy as seen from positions in it, by zenith angle and azimuth, and what they tell of
-// the plant area above. Geometry alone: no light is needed.
+// Gaps of a canopy as seen from positions in it, by zenith angle and azimuth, and the plant
+// area indices that follow from them. Geometry alone: no light is needed.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace quasimc {
 
-/// Positions that look up, and the bins of the directions in which they look.
+/// Positions below a canopy, and the bins of the directions upwards from them.
 struct GapFractionSpec {
     std::string name = "gap_fraction";
     std::vector<Vec3> positions;  ///< at least one; the file's axes, unit of length
@@ -25,7 +25,7 @@ struct GapFractionSpec {
     std::vector<double> rings_deg = {0, 13, 28, 43, 58, 74};
     std::uint32_t azimuths = 8;  ///< equal sectors, the first begins at north, clockwise
     std::string where = {};      ///< condition on the organs that block the view; "": all
-    std::uint32_t rays = 4096;   ///< of each position and replicate, equally many in each bin
+    std::uint32_t rays = 4096;   ///< number for each position and replicate, equal for all bins
     std::uint32_t replicates = 8;
     std::uint64_t seed = 1;
     unsigned threads = 0;       ///< 0: all of the machine; does not change results
@@ -34,12 +34,12 @@ struct GapFractionSpec {
     [[nodiscard]] std::size_t rings() const { return rings_deg.size() - 1; }
 };
 
-/// What the gaps of one position, or of several, tell. Standard errors are those of the sampled
+/// Indices from the gaps of one position, or of several. Standard errors are those of the sampled
 /// directions; the differences between positions are not in them.
 ///
 /// With P the gap fraction of a bin, the contact number of a ring is K = -ln(P) (cos a + cos b) / 2
 /// for its bounds a and b, and the plant area index 2 sum(K (cos a - cos b)), where the last ring
-/// stands for all angles up to the horizon (Miller 1967, Australian Journal of Botany 15, eq. 6). A
+/// represents all angles up to the horizon (Miller 1967, Australian Journal of Botany 15, eq. 6). A
 /// bin without a gap counts as half a ray.
 struct GapIndices {
     std::vector<Estimate> gap;  ///< mean gap fraction, by ring
@@ -63,7 +63,7 @@ struct GapIndices {
 struct GapFractions {
     GapFractionSpec spec;
     std::vector<Estimate> gaps;           ///< see gap()
-    GapIndices all;                       ///< of all positions together
+    GapIndices all;                       ///< all positions together
     std::vector<GapIndices> by_position;  ///< per position
 
     /// The gap fraction of a sector of a ring as a position sees it, 0 to 1.

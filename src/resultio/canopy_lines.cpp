@@ -51,7 +51,7 @@ std::string shares_of(const GroupResults& groups, std::size_t band) {
                : fmt::format(" ({})", fmt::join(texts, ", "));
 }
 
-/// What falls on the ground turned into what does not.
+/// The complement of a fraction.
 Estimate complement(const Estimate& e) {
     return {1 - e.mean, e.standard_error, 1 - e.ci95_high, 1 - e.ci95_low};
 }

@@ -14,7 +14,7 @@ namespace quasimc {
 /// @param first  beginning of each row
 [[nodiscard]] std::string gap_rows(const GapFractions& found, const std::string& first);
 
-/// What gap fractions tell, in words for a terminal.
+/// Gap fractions and indices in words, for a terminal.
 [[nodiscard]] std::string describe_gaps(const GapFractions& found);
 
 }  // namespace quasimc

@@ -81,7 +81,7 @@ std::vector<GapFractionSpec> read_gap_fractions(TableReader& top, RunFileContext
         if (is_known) {
             context.reporter->fault(
                 node->line, fmt::format("gap_fraction '{}' exists already", spec->name),
-                "names tell their rows apart", "give it a name");
+                "names identify their rows", "give it a name");
         }
         specs.push_back(std::move(*spec));
     }

@@ -12,8 +12,7 @@ namespace quasimc {
 namespace {
 
 void check_rings(const std::vector<double>& rings, const std::string& where, Faults& faults) {
-    const bool rises =
-        std::adjacent_find(rings.begin(), rings.end(), std::greater_equal<>()) == rings.end();
+    const bool rises = std::is_sorted(rings.begin(), rings.end(), std::less_equal<>());
     const bool is_inside = std::all_of(
         rings.begin(), rings.end(), [](double angle) { return angle >= 0 && angle <= 90; });
     if (rings.size() < 2 || !rises || !is_inside) {

@@ -11,7 +11,7 @@ namespace quasimc {
 /// The rays that left the scene.
 struct GapCounts {
     std::size_t positions = 0, rings = 0, sectors = 0, replicates = 0;
-    std::uint32_t rays = 0;           ///< of each bin and replicate
+    std::uint32_t rays = 0;           ///< number in each bin of each replicate
     std::vector<std::uint32_t> open;  ///< see at()
 
     [[nodiscard]] std::size_t bins() const { return rings * sectors; }
@@ -27,7 +27,7 @@ struct GapCounts {
 /// The gap fraction of each sector, in the order of GapFractions::gap().
 [[nodiscard]] std::vector<Estimate> gaps_of(const GapCounts& counts);
 
-/// What the gaps of `count` positions from `first` on tell.
+/// Indices from the gaps of `count` positions from `first` on.
 [[nodiscard]] GapIndices gap_indices(
     const GapFractionSpec& spec, const GapCounts& counts, std::size_t first, std::size_t count);
 

@@ -57,10 +57,10 @@ class GapRays {
     Vec3 north_, east_;
 };
 
-/// Looks from a point.
-class Looker {
+/// Casts rays from points in the canopy.
+class ViewCaster {
   public:
-    Looker(const Scene& scene, const std::string& where, const std::stop_token& stop)
+    ViewCaster(const Scene& scene, const std::string& where, const std::stop_token& stop)
         : scene_(scene),
           caster_(data_of(scene).geometry, scene.cell(), Accelerator::embree, stop),
           blocks_(blocking_regions(scene, where)) {}
@@ -90,7 +90,7 @@ GapCounts count_gaps(const Scene& scene, const GapFractionSpec& spec, const std:
     GapCounts counts{spec.positions.size(), spec.rings(), spec.azimuths, spec.replicates, 0, {}};
     counts.rays = static_cast<std::uint32_t>((spec.rays + counts.bins() - 1) / counts.bins());
     counts.open.resize(counts.replicates * counts.positions * counts.bins());
-    const Looker looker(scene, spec.where, stop);
+    const ViewCaster caster(scene, spec.where, stop);
     const GapRays rays(spec, scene.orientation());
     const auto sampler = make_sampler("sobol");
     Executor(thread_count(spec.threads), {.stop = stop})
@@ -108,7 +108,7 @@ GapCounts count_gaps(const Scene& scene, const GapFractionSpec& spec, const std:
                 sampler->coordinates(stream, 0, 0, u);
                 sampler->coordinates(stream, 0, 1, v);
                 for (std::size_t i = 0; i < u.size(); ++i) {
-                    const bool is_open = looker.is_open(from, rays.direction(bin, u[i], v[i]));
+                    const bool is_open = caster.is_open(from, rays.direction(bin, u[i], v[i]));
                     counts.at(replicate, position, bin) += is_open ? 1 : 0;
                 }
             }
