@@ -9,7 +9,7 @@
 #include "commands.h"
 #include "files/output_files.h"
 #include "interrupt.h"
-#include "progress.h"
+#include "option_flags.h"
 #include "quasimc/quasimc.h"
 #include "resultio/gap_texts.h"
 #include "runfile/run_file.h"

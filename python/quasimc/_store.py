@@ -132,6 +132,7 @@ class StoredCore:
         self.ratios = core.ratios
         self.detectors = core.detectors
         self.sensors = None
+        self.sun_shade = core.sun_shade
         self.origins = core.origins
         self.audit = rest.get("audit") or None
         bands = list(rest["energy"])

@@ -68,7 +68,7 @@ class Groups(Light):
     @property
     def sun_shade(self):
         """Light of the sunlit and the shaded part of groups, with sun_shade="apart": SunShade."""
-        return parts_of(self._parts, self._index, self._of, self._first)
+        return parts_of(self._parts, self._index, self._organs, self._first)
 
     def keys(self):
         """Names of the quantities."""

@@ -160,7 +160,7 @@ class Sums(Light):
     @property
     def sun_shade(self):
         """Light of the sunlit and the shaded part of organs, with sun_shade="apart": SunShade."""
-        return parts_of(self._parts, self._index, self._of)
+        return parts_of(self._parts, self._index, self._organs)
 
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each organ, indexed by id; columns as for a result."""

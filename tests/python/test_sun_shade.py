@@ -1,8 +1,14 @@
+import os
+import pickle
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 import quasimc
 from canopies import FEW, canopy
+
+SOURCE = Path(os.environ["QUASIMC_SOURCE_DIR"])
 
 
 def test_parts_add_up_to_the_whole():
@@ -47,3 +53,14 @@ def test_parts_must_be_asked_for():
         result.sun_shade
     with pytest.raises(KeyError, match="there is no quantity 'light'"):
         canopy().run(**FEW, sun_shade="apart").sun_shade["light"]
+
+
+def test_pickled_and_saved_results_keep_the_parts(tmp_path):
+    scene = quasimc.load(SOURCE / "examples" / "01-leaves" / "leaves.toml")
+    result = scene.run(paths=64, replicates=4, sun_shade="apart")
+    name, band = "absorbed_flux_density_sunlit", result.bands[0]
+    values = result.sun_shade[name][band].values
+    again = pickle.loads(pickle.dumps(result))
+    np.testing.assert_array_equal(again.sun_shade[name][band].values, values)
+    opened = quasimc.open(result.save(tmp_path / "light.json"))
+    np.testing.assert_array_equal(opened.sun_shade[name][band].values, values)
