@@ -11,6 +11,7 @@ PYBIND11_MODULE(_core, module) {
     bind_scene(module);
     bind_catalogues(module);
     bind_sun(module);
+    bind_gap_fraction(module);
     bind_result(module);
     bind_replicates(module);
     bind_run(module);

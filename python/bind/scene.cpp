@@ -184,10 +184,10 @@ std::array<std::size_t, 2> counts_of(const SensorSet& set) {
     std::array<std::size_t, 2> counts = set.counts;
     const std::string* i = find_label(set.points.back().labels, "i");
     const std::string* j = find_label(set.points.back().labels, "j");
-    const auto columns = i != nullptr ? parse_integer(*i) : std::nullopt;
-    const auto rows = j != nullptr ? parse_integer(*j) : std::nullopt;
-    if (counts[0] == 0 && columns && rows && *columns > 0 && *rows > 0) {
-        counts = {static_cast<std::size_t>(*columns), static_cast<std::size_t>(*rows)};
+    const std::int64_t columns = i != nullptr ? parse_integer(*i).value_or(0) : 0;
+    const std::int64_t rows = j != nullptr ? parse_integer(*j).value_or(0) : 0;
+    if (counts[0] == 0 && columns > 0 && rows > 0) {
+        counts = {static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
     }
     return counts;
 }

@@ -18,6 +18,7 @@ from .errors import Error, InputError, KeywordError, QuasimcWarning, Stopped
 from .detectors import DetectorResult
 from .estimates import Estimates
 from .functions import align, propagate
+from .gap_fraction import GapFraction, GapIndices
 from .groups import Groups
 from .grow import GrowthStep, grow
 from .growth import GrowthSession
@@ -58,6 +59,8 @@ __all__ = [
     "Estimates",
     "Groups",
     "Ground",
+    "GapFraction",
+    "GapIndices",
     "GrowthSession",
     "GrowthStep",
     "InputError",

@@ -292,6 +292,21 @@ class Light(Mapping[str, Estimates]):
     def __iter__(self) -> Iterator[str]: ...
     def __len__(self) -> int: ...
 
+class GapIndices:
+    gap: Estimates
+    clumping: Estimates
+    sky_transmittance: Estimates
+    effective_plant_area_index: Estimates
+    plant_area_index: Estimates
+    clumping_index: Estimates
+
+class GapFraction:
+    gap: Estimates
+    rings_deg: Array
+    by_position: GapIndices
+    all: GapIndices
+    closed_bins: int
+
 class SunShade:
     def __getitem__(self, quantity: str) -> Estimates: ...
     def keys(self) -> list[str]: ...
@@ -547,6 +562,17 @@ class Scene:
     def __copy__(self) -> Scene: ...
     def __deepcopy__(self, memo: Any) -> Scene: ...
     def __eq__(self, other: object) -> bool: ...
+    def gap_fraction(
+        self,
+        positions: npt.ArrayLike,
+        rings_deg: Sequence[float] = ...,
+        azimuths: int = 8,
+        where: str = "",
+        rays: int = 4096,
+        replicates: int = 8,
+        seed: int = 1,
+        threads: int = 0,
+    ) -> GapFraction: ...
     def picture(
         self, path: str | os.PathLike[str] | None = None, **options: Any
     ) -> Picture: ...

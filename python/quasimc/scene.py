@@ -18,6 +18,7 @@ from ._meshes import digest, fault, mesh_arrays, owned, plain
 from ._progress import Listener
 from ._written import Written
 from .errors import KeywordError, QuasimcWarning
+from .gap_fraction import LAI_2000_RINGS, measure
 from .materials import Materials
 from .organs import Organs
 from .merging import Part
@@ -747,6 +748,45 @@ class Scene:
         written = self._written(sources, _OF_SCENE, options)
         document = written.table(organs), written.name, written.folder
         return Part(index, count, sums, method, document, warnings, written)
+
+    def gap_fraction(
+        self, positions, rings_deg=LAI_2000_RINGS, azimuths=8, where="", rays=4096,
+        replicates=8, seed=1, threads=0,
+    ):
+        """Measures the gaps of the canopy as seen upwards from positions in it; needs no light.
+
+        Parameters
+        ----------
+        positions : array_like
+            (3,) or (..., 3), in the axes and the unit of length of the scene.
+        rings_deg : sequence of float
+            Bounds of rings, degrees from the zenith, ascending within 0 to 90.
+        azimuths : int
+            Equal sectors of each ring, the first from north clockwise.
+        where : str
+            Condition on the organs that block the view ("kind == 'leaf'"); "": all.
+        rays : int
+            For each position and replicate.
+
+        Returns
+        -------
+        GapFraction
+
+        Raises
+        ------
+        InputError
+            If an argument is outside its domain, or a position below the ground.
+
+        Examples
+        --------
+        >>> scene.gap_fraction([[0, 0, 0.1]]).all.plant_area_index  # doctest: +SKIP
+        """
+        self.build()
+        keys = {
+            "azimuths": azimuths, "where": where, "rays": rays, "replicates": replicates,
+            "seed": seed, "threads": threads,
+        }
+        return measure(self._built, positions, rings_deg, keys)
 
     def picture(self, path=None, **options):
         """Draws the surfaces, without light, by the program (docs/guide/pictures.md).

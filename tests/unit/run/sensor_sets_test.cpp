@@ -273,8 +273,8 @@ INSTANTIATE_TEST_SUITE_P(
         Method::first_hits,
         Method::ray_bundles,
         Method::automatic),
-    [](const auto& info) {
-        return info.param == Method::automatic ? std::string("automatic") : name_of(info);
+    [](const auto& method) {
+        return method.param == Method::automatic ? std::string("automatic") : name_of(method);
     });
 
 TEST(SensorSets, DoNotDependOnThreads) {
