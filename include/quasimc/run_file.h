@@ -72,6 +72,8 @@ struct TableSpec {
     CsvForm form = CsvForm::wide;
     std::string where = {};                                ///< condition on its rows; "": all
     std::vector<std::string> quantities = {}, bands = {};  ///< names; empty: all
+    /// Names of the run's origins whose light is written beside all light; absent: all of them.
+    std::optional<std::vector<std::string>> origins = {};
     std::vector<CsvStatistic> statistics = {
         CsvStatistic::mean, CsvStatistic::standard_error, CsvStatistic::ci95_high};
     int digits = 17;            ///< significant; 17: the shortest exact text

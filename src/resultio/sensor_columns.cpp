@@ -55,7 +55,9 @@ class SensorColumns {
     std::vector<TableColumn> make() {
         add_light(SensorValue::kAll);
         for (std::size_t i = 0; i < origins_.size(); ++i) {
-            add_light(i);
+            if (is_of_table(table_, origins_[i])) {
+                add_light(i);
+            }
         }
         if (table_.times == CsvTimes::time_steps) {
             add_traits();

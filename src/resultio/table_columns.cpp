@@ -22,6 +22,14 @@ Estimate value_at(const std::vector<Estimate>& values, std::size_t row) {
     return values.empty() ? kUnknownEstimate : values[row];
 }
 
+constexpr std::size_t kAllLight = static_cast<std::size_t>(-1);
+
+/// All light, or that of an origin. @param light  a Result or a SeriesSum
+template <typename Light>
+const Light& of_origin(const Light& light, std::size_t origin) {
+    return origin == kAllLight ? light : light.origins[origin].light;
+}
+
 /// Collects the columns of a table.
 class ColumnList {
   public:
@@ -32,7 +40,15 @@ class ColumnList {
         const std::vector<Band>& bands = run_.scene.bands();
         for (std::size_t b = 0; b < bands.size(); ++b) {
             if (is_selected(table_.bands, bands[b].name)) {
-                add_light(b);
+                add_light(b, kAllLight);
+            }
+        }
+        const std::vector<std::string> origins = written_columns(run_).origins;
+        for (std::size_t i = 0; i < origins.size(); ++i) {
+            for (std::size_t b = 0; is_of_table(table_, origins[i]) && b < bands.size(); ++b) {
+                if (is_selected(table_.bands, bands[b].name)) {
+                    add_light(b, i, origins[i]);
+                }
             }
         }
         add_parts();
@@ -58,13 +74,15 @@ class ColumnList {
         std::string band,
         std::string unit,
         std::string_view summary,
-        At at) {
+        At at,
+        const std::string& origin = {}) {
         columns_.push_back(
             {std::string(quantity), std::move(band), std::move(unit), std::string(summary),
-             std::move(at)});
+             std::move(at), origin});
     }
 
-    void add_light(std::size_t b) {
+    /// @param origin  index, or kAllLight
+    void add_light(std::size_t b, std::size_t origin, const std::string& name = {}) {
         const Band& band = run_.scene.bands()[b];
         for (const QuantityEntry& entry : quantity_table()) {
             if (!is_selected(table_.quantities, entry.name)) {
@@ -72,16 +90,18 @@ class ColumnList {
             }
             const Quantity q = entry.quantity;
             const bool of_groups = is_of_groups_;
-            add(entry.name, band.name,
+            add(
+                entry.name, band.name,
                 column_unit(run_, table_.times, unit_of(entry, band, run_.scene.length_unit())),
-                entry.summary, [q, b, of_groups](const RowLight& light, std::size_t row) {
-                    if (light.sum != nullptr) {
-                        return of_groups ? light.sum->groups.at(row, q, b)
-                                         : light.sum->at(row, q, b);
-                    }
-                    return of_groups ? light.result->groups.at(row, q, b)
-                                     : light.result->at(row, q, b);
-                });
+                entry.summary,
+                [q, b, origin, of_groups](const RowLight& light, std::size_t row) {
+                    const auto at = [&](const auto& own) {
+                        return of_groups ? own.groups.at(row, q, b) : own.at(row, q, b);
+                    };
+                    return light.sum != nullptr ? at(of_origin(*light.sum, origin))
+                                                : at(of_origin(*light.result, origin));
+                },
+                name);
         }
     }
 
@@ -208,6 +228,11 @@ std::string column_unit(const RunFile& run, CsvTimes times, const std::string& o
     }
     const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
     return summed_unit(of_rate).name + (is_period ? "" : " d-1");
+}
+
+bool is_of_table(const TableSpec& table, const std::string& origin) {
+    return !table.origins ||
+           std::find(table.origins->begin(), table.origins->end(), origin) != table.origins->end();
 }
 
 std::vector<TableColumn> table_columns(const RunFile& run, const TableSpec& table) {

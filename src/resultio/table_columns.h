@@ -25,15 +25,15 @@ struct TableColumn {
 
     /// "absorbed_flux_PAR"
     [[nodiscard]] std::string name() const {
-        return (band.empty() ? quantity : quantity + "_" + band) + from_origin();
-    }
-    /// "_from_sun"
-    [[nodiscard]] std::string from_origin() const {
-        return origin.empty() ? "" : "_from_" + origin;
+        return (band.empty() ? quantity : quantity + "_" + band) +
+               (origin.empty() ? "" : "_from_" + origin);
     }
 };
 
-/// The estimates of a table of organs or groups, in their order.
+/// Whether the light of an origin of the run belongs to a table.
+[[nodiscard]] bool is_of_table(const TableSpec& table, const std::string& origin);
+
+/// The estimates of a table of organs or groups, with those of each origin.
 [[nodiscard]] std::vector<TableColumn> table_columns(const RunFile& run, const TableSpec& table);
 /// The estimates of a table of sensors, with those of each origin.
 [[nodiscard]] std::vector<TableColumn> sensor_columns(const RunFile& run, const TableSpec& table);

@@ -111,6 +111,10 @@ class TableWriter final : public OutputWriter {
     [[nodiscard]] bool is_of_sensors() const { return table_.rows == CsvRows::sensors; }
     /// The scene whose organs are the rows of a table of organs or sensors.
     [[nodiscard]] const Scene& scene() const { return sensors_ ? *sensors_ : run_->scene; }
+    [[nodiscard]] bool has_origins() const {
+        return std::ranges::any_of(
+            columns_, [](const TableColumn& column) { return !column.origin.empty(); });
+    }
     [[nodiscard]] bool is_narrow() const { return table_.form == CsvForm::narrow; }
 
     /// Sets what depends on the point of a sweep.
@@ -157,14 +161,19 @@ class TableWriter final : public OutputWriter {
             out += "# where: " + one_line(table_.where) + "\n";
         }
         for (const TableColumn& column : columns_) {
+            if (is_narrow() && !column.origin.empty()) {
+                continue;  // it is described with all light
+            }
             const std::string name =
                 is_narrow() && !column.band.empty()
-                    ? fmt::format(
-                          "quantity {}{} in {}", column.quantity, column.from_origin(), column.band)
+                    ? fmt::format("quantity {} in {}", column.quantity, column.band)
                 : is_narrow() ? "quantity " + column.quantity
                               : "column " + column.name();
             out += "# " + one_line(fmt::format("{} [{}]: {}", name, column.unit, column.summary)) +
                    "\n";
+        }
+        if (is_narrow() && has_origins()) {
+            out += "# column origin: origin of the light; all: light of all origins\n";
         }
         for (const CsvStatistic statistic : table_.statistics) {
             const StatisticRow& row = row_of(statistic);
@@ -190,7 +199,11 @@ class TableWriter final : public OutputWriter {
         }
         std::vector<std::string> numbers;
         if (is_narrow()) {
-            numbers = {"quantity", "band", "unit"};
+            numbers = {"quantity", "band"};
+            if (has_origins()) {
+                numbers.emplace_back("origin");
+            }
+            numbers.emplace_back("unit");
         }
         for (std::size_t c = 0; c < (is_narrow() ? 1 : columns_.size()); ++c) {
             for (const CsvStatistic statistic : table_.statistics) {
@@ -269,9 +282,12 @@ class TableWriter final : public OutputWriter {
             if (std::isnan(estimate.mean) && std::isnan(estimate.ci95_high)) {
                 continue;  // a group without this quantity, an organ that is not measured
             }
-            out += fmt::format(
-                "{},{},{},{}", start, csv_field(column.quantity + column.from_origin()),
-                csv_field(column.band), csv_field(column.unit));
+            out +=
+                fmt::format("{},{},{}", start, csv_field(column.quantity), csv_field(column.band));
+            if (has_origins()) {
+                out += "," + csv_field(column.origin.empty() ? "all" : column.origin);
+            }
+            out += "," + csv_field(column.unit);
             append_estimate(out, estimate);
             out += '\n';
         }

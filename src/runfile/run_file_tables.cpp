@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/table_rows.h"
+#include "runfile/written.h"
 
 namespace quasimc {
 namespace {
@@ -83,7 +84,7 @@ void read_statistics(TableReader& table, TableSpec& spec) {
 /// Refuses keys that the table of detectors has no use for.
 void check_detectors_table(TableReader& table, TableReader& top) {
     for (const std::string_view key :
-         {"per", "form", "where", "quantities", "bands", "statistics", "digits"}) {
+         {"per", "form", "where", "quantities", "bands", "origins", "statistics", "digits"}) {
         if (table.any(key) != nullptr) {
             table.fault_at(
                 key, fmt::format("{} in a table of detectors", key),
@@ -110,6 +111,7 @@ TableSpec read_table(
     spec.form = read_choice_of(table, "form", kForms);
     spec.quantities = table.texts("quantities").value_or(std::vector<std::string>{});
     spec.bands = table.texts("bands").value_or(std::vector<std::string>{});
+    spec.origins = table.texts("origins");
     spec.digits = static_cast<int>(table.integer("digits", kDigits).value_or(spec.digits));
     spec.where = table.text("where").value_or("");
     read_statistics(table, spec);
@@ -147,7 +149,18 @@ void read_tables(
 }
 
 void check_tables(const RunFile& run, Reporter& reporter) {
+    const std::vector<std::string> origins = all_columns(run).origins;
+    const std::vector<std::string_view> known(origins.begin(), origins.end());
     for (const TableSpec& table : run.output.tables) {
+        for (const std::string& name : table.origins.value_or(std::vector<std::string>{})) {
+            if (std::find(known.begin(), known.end(), name) == known.end()) {
+                reporter.faults.add(
+                    {table.location, fmt::format("origins: the run has no origin '{}'", name),
+                     origins.empty() ? "[run] has no origins"
+                                     : fmt::format("origins are {}", joined(known, ", ")),
+                     did_you_mean(name, known)});
+            }
+        }
         try {
             const TableRows rows(run, table);
         } catch (const InputError& error) {

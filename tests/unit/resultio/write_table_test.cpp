@@ -119,6 +119,28 @@ TEST(Tables, HaveTheNumbersOfTheShortForm) {
     }
 }
 
+TEST(Tables, HaveTheLightOfEachOriginOrOfSome) {
+    const auto with_origins = [](const std::string& keys) {
+        RunText text = tabulated(keys);
+        text.run += "origins = ['directional']\n";
+        return text;
+    };
+    const std::string all =
+        "quantities = ['absorbed_flux']\nbands = ['R']\nstatistics = ['mean']\n";
+    const auto wide = rows_of(written_table(with_origins(all)));
+    EXPECT_NE(wide[0].find("absorbed_flux_R,absorbed_flux_R_from_"), std::string::npos) << wide[0];
+    const auto none = rows_of(written_table(with_origins(all + "origins = []\n")));
+    EXPECT_TRUE(none[0].ends_with("absorbed_flux_R")) << none[0];
+    const auto narrow = rows_of(written_table(with_origins(all + "form = 'long'\n")));
+    EXPECT_NE(narrow[0].find("quantity,band,origin,unit,value"), std::string::npos) << narrow[0];
+    EXPECT_NE(narrow[1].find("absorbed_flux,R,all,"), std::string::npos) << narrow[1];
+    EXPECT_NE(narrow[2].find("absorbed_flux,R,"), std::string::npos) << narrow[2];
+    EXPECT_EQ(narrow[2].find(",all,"), std::string::npos) << narrow[2];
+    EXPECT_TRUE(mentions(
+        faults_of(with_origins("origins = ['moon']\n").text()),
+        "origins: the run has no origin 'moon'"));
+}
+
 TEST(Tables, DaysHaveDatesAndSums) {
     const RunText text = tabulated(
         "rows = 'groups'\nper = 'day'\nform = 'long'\nquantities = ['absorbed_flux']\n",
