@@ -75,7 +75,7 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
 
     @property
     def relative_error(self):
-        """standard_error / |value|; NaN where the value is 0."""
+        """standard_error / the absolute value; NaN where the value is 0."""
         with np.errstate(divide="ignore", invalid="ignore"):
             return np.where(self.values != 0, self.standard_error / np.abs(self.values), np.nan)
 

@@ -185,10 +185,8 @@ GapIndices gap_indices(
         without.push_back(numbers_of(spec, Gaps(counts, first, count, r)));
     }
     const auto estimate = [&](auto number) {
-        std::vector<double> values;
-        for (const Numbers& numbers : without) {
-            values.push_back(number(numbers));
-        }
+        std::vector<double> values(without.size());
+        std::transform(without.begin(), without.end(), values.begin(), number);
         return jackknife(number(whole), values);
     };
     GapIndices indices;
