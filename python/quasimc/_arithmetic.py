@@ -247,7 +247,7 @@ def warn_of_unknown(arguments):
     warn_here(
         [
             f"the replicates of {names} were not kept: errors of sums and differences are unknown; "
-            'run with keep="replicates", or use groups of the run'
+            'run with keep="replicates", or use groups of the run (of sensors, average=True)'
         ]
     )
 

@@ -45,6 +45,8 @@ class OrganIndex:
 
     def find(self, key):
         """The row of an organ, by id or name. Raises KeyError if there is none."""
+        if isinstance(key, (bool, np.bool_)):
+            raise TypeError("at() takes ids and names; a mask selects by light[mask]")
         position = self.organs.index_of(key)
         rows = np.flatnonzero(self.positions == position)
         if not len(rows):
@@ -76,6 +78,7 @@ class GroupIndex:
         return GroupIndex([self.keys[row] for row in rows], self.areas[rows])
 
     def find(self, key):
+        key = str(key) if key not in self.keys and str(key) in self.keys else key
         if key not in self.keys:
             near = difflib.get_close_matches(str(key), [str(k) for k in self.keys], 3)
             known = ", ".join(near or [str(k) for k in self.keys[:10]])

@@ -126,6 +126,8 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
             return self._band(key)
         if self.ndim == 0:
             raise IndexError(f"{self.name} is a single number")
+        if isinstance(key, tuple):
+            return self._by_axes(key)
         rows = self._rows(key)
         values = self._values[rows]
         source = self._source.take(rows) if self._source is not None and self._has_rows else None
@@ -142,6 +144,26 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
         is_one = np.ndim(rows) == 0
         index = None if self.index is None or is_one else self.index.take(rows)
         return self._mapped(values, source, index, lambda part: part[key])
+
+    def _by_axes(self, keys):
+        """An index for each axis; all but the last are integers, for each takes one axis away."""
+        if not all(np.ndim(key) == 0 and not isinstance(key, slice) for key in keys[:-1]):
+            raise TypeError(f"{self.name}[{keys}]: index axis by axis, as light[2][3]")
+        result = self
+        for key in keys:
+            result = result[key]
+        return result
+
+    def _flat(self):
+        """Several axes of rows, as of a grid of sensors, as one."""
+        kept = 1 if self.bands else 0
+        rows = -1 if self.size else 0
+        values = self._values.reshape(rows, *self.shape[self.ndim - kept:], 4)
+        return self._mapped(values, None, None, lambda part: part._flat())
+
+    @property
+    def _is_grid(self):
+        return self.ndim - (1 if self.bands else 0) > 1
 
     def _band(self, band):
         if band not in self.bands:
@@ -226,12 +248,12 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
     # Sums.
 
     def sum(self, axis=None, dtype=None, out=None, *, where=None, weights=None):
-        """The sum over the first axis, with its error; the axis of bands stays.
+        """The sum over organs, groups or sensors, with its error; the axis of bands stays.
 
         Parameters
         ----------
         axis : int or str
-            Only the first one can be summed: None, 0, or its name.
+            None: all but that of bands; 0 or its name: the first one.
         where : array_like of bool
             Mask of what is summed.
         weights : array_like
@@ -243,6 +265,9 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
             For a quantity per area without weights.
         """
         self._check_axis(axis, dtype, out)
+        if self._is_grid and axis is None:
+            where, weights = (None if one is None else np.ravel(one) for one in (where, weights))
+            return self._flat().sum(where=where, weights=weights)
         if weights is None and not self.extensive:
             raise ValueError(
                 f"{self.name} is per area: use the flux, average(), or mean() for the plain mean"
@@ -250,8 +275,10 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
         return self._weighted(np.ones(self.shape[0]) if weights is None else weights, where, "sum")
 
     def mean(self, axis=None, dtype=None, out=None, *, where=None):
-        """The plain mean over the first axis, with its error; the axis of bands stays."""
+        """The plain mean over organs, groups or sensors, with its error; the axis of bands stays."""
         self._check_axis(axis, dtype, out)
+        if self._is_grid and axis is None:
+            return self._flat().mean(where=None if where is None else np.ravel(where))
         mask = np.ones(self.shape[0], bool) if where is None else np.asarray(where, bool)
         count = np.count_nonzero(mask)
         if not count:

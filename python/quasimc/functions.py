@@ -8,6 +8,14 @@ from . import _arithmetic as arithmetic
 from .estimates import Estimates
 
 
+def _require_estimates(light, what):
+    for one in light:
+        if not isinstance(one, Estimates):
+            raise TypeError(
+                f"{what} takes Estimates, as result[quantity][band], not {type(one).__name__}"
+            )
+
+
 def propagate(function, *light, unit="", name=""):
     """Any function of estimates, with errors by the jackknife over replicates.
 
@@ -28,6 +36,7 @@ def propagate(function, *light, unit="", name=""):
         Their errors are those that replicates show: without the size of single contributions of
         light. Unknown if the replicates of `light` were not kept.
     """
+    _require_estimates(light, "propagate")
     index, bands = arithmetic._common(light)
     spread, bias = arithmetic.jackknife(function, light)
     if spread is None:
@@ -53,6 +62,9 @@ def propagate(function, *light, unit="", name=""):
 
 def align(a, b):
     """The estimates of the organs that both have, in the order of a: a pair of Estimates."""
+    _require_estimates((a, b), "align")
+    if a.index is None or b.index is None:
+        raise TypeError("align takes light of organs or groups: result[quantity][band]")
     rows = {key: row for row, key in enumerate(list(b.index.keys))}
     pairs = [(row, rows[key]) for row, key in enumerate(list(a.index.keys)) if key in rows]
     first, second = np.array(pairs, int).reshape(-1, 2).T

@@ -71,7 +71,7 @@ class Organs:
         Parameters
         ----------
         condition : str
-            As those of groups: "height > 0.5 and kind = leaf" (docs/guide/sums-layers-sensors.md).
+            As those of groups: "height > 0.5 and kind == 'leaf'" (docs/guide/sums-layers-sensors.md).
         **labels
             Values of labels, each one value or a list: ``where(kind="leaf", plant=[1, 2])``.
 
@@ -80,14 +80,19 @@ class Organs:
         InputError
             If the condition has an error.
         KeyError
-            If no organ has such a label.
+            If no organ has such a label, or the value.
         """
         mask = np.ones(len(self), bool)
         if condition is not None:
             mask &= self._scene.where(condition)[: len(self)]
         for key, values in labels.items():
             values = [values] if isinstance(values, str) or np.ndim(values) == 0 else values
-            mask &= np.isin(self.label(key), [str(value) for value in values])
+            own = self.label(key)
+            for value in values:
+                if str(value) not in own:
+                    known = ", ".join(sorted(set(own[own != ""]))[:10])
+                    raise KeyError(f"no organ has {key} = {value!r}; there are: {known}")
+            mask &= np.isin(own, [str(value) for value in values])
         return mask
 
     def label(self, key):

@@ -335,3 +335,18 @@ def test_intervals_contain_the_exact_value_as_often_as_they_say():
         for seed in range(1, 31)
     )
     assert half < 30 * 0.75, "a control: half a standard error contains it less often"
+
+
+def test_masks_are_no_ids_and_labels_exist():
+    light = canopy().run(**FEW)["absorbed_flux"]["PAR"]
+    with pytest.raises(TypeError, match="a mask selects by"):
+        light.at(np.ones(len(light), bool))
+    with pytest.raises(TypeError, match="takes Estimates"):
+        quasimc.propagate(np.sum, light.values)
+    with pytest.raises(TypeError, match="takes light of organs"):
+        quasimc.align(light.sum(), light.sum())
+
+
+def test_groups_are_found_by_numbers_too():
+    groups = canopy().run(**FEW).by("plant")["absorbed_flux"]["PAR"]
+    assert float(groups.at(1)) == float(groups.at("1"))

@@ -36,6 +36,11 @@ def test_an_array_of_points_has_its_shape():
     assert grid["incident_upper"]["PAR"].values == pytest.approx(np.full((3, 4), 100), rel=0.02)
     assert grid["incident_lower"]["NIR"].values == pytest.approx(np.full((3, 4), 25), rel=0.05)
     assert grid["incident_upper"]["PAR"].unit == "W m-2"
+    light = grid["incident_upper"]["PAR"]
+    assert float(light[2, 3].values) == light.values[2, 3]
+    assert grid["incident_upper"][2, 3, "PAR"].values == light.values[2, 3]
+    assert float(light.mean().values) == pytest.approx(light.values.mean())
+    assert light.mean(axis=0).shape == (4,)
     two = result.sensors["two"]
     assert two.shape == (2,) and list(two.names) == ["two 1", "two 2"]
     assert two["incident_lower"]["PAR"].values == pytest.approx([100, 100], rel=0.02)
