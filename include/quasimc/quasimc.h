@@ -7,6 +7,7 @@
 //   const quasimc::Result result = quasimc::run(file.scene, file.sources, file.spec);
 
 #include "quasimc/error.h"
+#include "quasimc/gap_fraction.h"
 #include "quasimc/material.h"
 #include "quasimc/mesh.h"
 #include "quasimc/result.h"
@@ -19,4 +20,5 @@
 #include "quasimc/share.h"
 #include "quasimc/source.h"
 #include "quasimc/sums.h"
+#include "quasimc/sun_shade.h"
 #include "quasimc/version.h"
