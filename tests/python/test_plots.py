@@ -148,7 +148,7 @@ def test_the_course_of_a_day_has_hours_and_bands_of_error():
     day = {"day": "2024-06-21", "utc_offset_hours": 2, "hours": [9, 13]}
     series = scene.run(time=day, paths=256, replicates=4, groups=["plant"])
     axes = series.plot.course("absorbed_flux", "PAR", by="plant")
-    expected = [r.groups["absorbed_flux"]["PAR"].at("1").values for r in series]
+    expected = [float(r.groups["absorbed_flux"]["PAR"].at("1")) for r in series]
     assert axes.lines[0].get_ydata() == pytest.approx(expected)
     assert axes.lines[0].get_xdata()[0].utcoffset().total_seconds() == 7200
     assert len(axes.collections) == 1 and axes.get_ylabel() == "absorbed flux, PAR [W]"
