@@ -9,8 +9,7 @@ namespace {
 /// Refuses numpy 2 where pybind11 reads its arrays wrongly: it knows their layout from 2.12 on.
 void check_numpy() {
     constexpr int kKnowsNumpy2 = 0x020C0000;
-    const auto version =
-        pybind11::module_::import("numpy").attr("__version__").cast<std::string>();
+    const auto version = pybind11::module_::import("numpy").attr("__version__").cast<std::string>();
     if (PYBIND11_VERSION_HEX < kKnowsNumpy2 && !std::string_view(version).starts_with("1.")) {
         throw pybind11::import_error(
             "this build of quasimc reads arrays of numpy " + version +
