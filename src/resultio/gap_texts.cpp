@@ -136,8 +136,9 @@ std::string describe_gaps(const GapFractions& found) {
     text += all.lai_2000 ? line("index of an LAI-2000", *all.lai_2000) : "";
     if (all.closed_bins > 0) {
         text += fmt::format(
-            "  {} of {} sectors without a gap; each counts as half a ray\n", all.closed_bins,
-            spec.positions.size() * spec.rings() * spec.azimuths);
+            "  {} of {} sectors without a gap; each counts as half a ray: take more rays, or fewer "
+            "azimuths\n",
+            all.closed_bins, spec.positions.size() * spec.rings() * spec.azimuths);
     }
     return text;
 }

@@ -48,6 +48,22 @@ void keep_last(std::vector<Estimate>& values, std::size_t count) {
         values.begin(), values.end() - static_cast<std::ptrdiff_t>(std::min(count, values.size())));
 }
 
+/// Adds a fault for each set with points that single precision cannot resolve in the scene.
+void check_reach(const Scene& scene, Faults& faults) {
+    constexpr double kMaxReach = 1e6;  // in radii of the scene
+    const double reach = kMaxReach * scene.bounds().radius();
+    for (const SensorSet& set : scene.sensors()) {
+        const bool is_near = std::ranges::all_of(set.points, [&](const SensorPoint& point) {
+            return length(point.position - scene.bounds().center()) + set.radius <= reach;
+        });
+        if (!is_near) {
+            faults.add(
+                {fmt::format("sensors '{}'", set.name), "a point is too far from the scene",
+                 "it must be within a million times the size of the scene", ""});
+        }
+    }
+}
+
 }  // namespace
 
 bool has_sensors(const Scene& scene) {
@@ -58,6 +74,7 @@ void check_sensor_light(const Scene& scene, const Sources& sources, Faults& faul
     if (!has_sensors(scene)) {
         return;
     }
+    check_reach(scene, faults);
     const std::string where = fmt::format("sensors '{}'", scene.sensors().front().name);
     const char* as_organs =
         "describe them as [[organ]] of a material with transmittance = 1 and transmission_model = "

@@ -48,6 +48,10 @@ void check_condition(
     }
 }
 
+/// The largest distance from the scene, in radii of the scene: further away, single precision
+/// cannot resolve it.
+constexpr double kMaxReach = 1e6;
+
 /// The lowest point of the ground, if there is one.
 std::optional<double> lowest_ground(const Scene& scene) {
     const auto ground = std::find_if(
@@ -61,6 +65,16 @@ void check_positions(
     const Scene& scene, const GapFractionSpec& spec, const std::string& where, Faults& faults) {
     if (spec.positions.empty()) {
         faults.add({where, "it has no positions", "", "give `at`"});
+    }
+    const Vec3 middle = scene.bounds().center();
+    const double reach = kMaxReach * scene.bounds().radius();
+    const bool are_near = std::ranges::all_of(spec.positions, [&](const Vec3& position) {
+        return length(scene.orientation().inward(position) - middle) <= reach;
+    });
+    if (!are_near) {
+        faults.add(
+            {where, "a position is too far from the scene, or not finite",
+             "it must be within a million times the size of the scene", ""});
     }
     const std::optional<double> ground = lowest_ground(scene);
     std::size_t below = 0, first = 0;

@@ -30,12 +30,21 @@ struct Numbers {
     double effective = 0, corrected = 0, clumping_index = 0, instrument = 0;
 };
 
+/// What a sector without a gap counts as, in rays, and what it may as well count as.
+constexpr double kClosed = 0.5, kLeastClosed = 0.25, kMostClosed = 1;
+
 /// The gap fractions of the bins of some positions, without one replicate.
 class Gaps {
   public:
     /// @param omitted  a replicate, or that of none: counts.replicates
-    Gaps(const GapCounts& counts, std::size_t first, std::size_t count, std::size_t omitted)
-        : counts_(counts), positions_(count), open_(count * counts.bins()) {
+    /// @param closed  see kClosed
+    Gaps(
+        const GapCounts& counts,
+        std::size_t first,
+        std::size_t count,
+        std::size_t omitted,
+        double closed = kClosed)
+        : counts_(counts), positions_(count), closed_(closed), open_(count * counts.bins()) {
         const std::size_t replicates = counts.replicates - (omitted < counts.replicates ? 1 : 0);
         rays_ = static_cast<double>(replicates) * counts.rays;
         for (std::size_t r = 0; r < counts.replicates; ++r) {
@@ -45,62 +54,64 @@ class Gaps {
         }
     }
 
-    /// The mean over the sectors of a ring as one position sees it.
-    [[nodiscard]] double mean(std::size_t position, std::size_t ring) const {
-        double sum = 0;
-        for (std::size_t s = 0; s < counts_.sectors; ++s) {
-            sum += open_[position * counts_.bins() + ring * counts_.sectors + s];
-        }
-        return sum / (rays_ * static_cast<double>(counts_.sectors));
-    }
-    /// The mean over all positions.
+    /// The mean gap fraction of a ring.
     [[nodiscard]] double mean(std::size_t ring) const {
-        double sum = 0;
-        for (std::size_t position = 0; position < positions_; ++position) {
-            sum += mean(position, ring);
-        }
-        return sum / static_cast<double>(positions_);
+        return mean_over(0, positions_, ring, [](double open) { return open; }) / rays_;
     }
-    /// ln of a gap fraction that is a mean of `bins` bins; 0 counts as half a ray.
-    [[nodiscard]] double log_of(double gap, std::size_t bins) const {
-        return std::log(gap > 0 ? gap : 0.5 / (rays_ * static_cast<double>(bins)));
-    }
+    /// ln of the mean gap fraction of a ring; of a closed one, that of a closed sector.
     [[nodiscard]] double log_of_mean(std::size_t ring) const {
-        return log_of(mean(ring), positions_ * counts_.sectors);
+        return std::log(not_closed(mean(ring) * rays_) / rays_);
+    }
+    /// The same with closed sectors as in mean_log(), which is at most this.
+    [[nodiscard]] double log_of_closed_mean(std::size_t ring) const {
+        return std::log(
+            mean_over(0, positions_, ring, [this](double open) { return not_closed(open); }) /
+            rays_);
     }
     /// The mean of ln over positions.
     [[nodiscard]] double mean_log_of_positions(std::size_t ring) const {
         double sum = 0;
         for (std::size_t position = 0; position < positions_; ++position) {
-            sum += log_of(mean(position, ring), counts_.sectors);
+            const double open = mean_over(position, 1, ring, [](double of_bin) { return of_bin; });
+            sum += std::log(not_closed(open) / rays_);
         }
         return sum / static_cast<double>(positions_);
     }
     /// The mean of ln over sectors and positions.
     [[nodiscard]] double mean_log(std::size_t ring) const {
-        double sum = 0;
-        for (std::size_t position = 0; position < positions_; ++position) {
-            for (std::size_t s = 0; s < counts_.sectors; ++s) {
-                const std::size_t bin = ring * counts_.sectors + s;
-                sum += log_of(open_[position * counts_.bins() + bin] / rays_, 1);
-            }
-        }
-        return sum / static_cast<double>(positions_ * counts_.sectors);
+        return mean_over(0, positions_, ring, [this](double open) {
+            return std::log(not_closed(open) / rays_);
+        });
     }
     [[nodiscard]] std::size_t closed_bins() const {
         return static_cast<std::size_t>(std::count(open_.begin(), open_.end(), 0.0));
     }
 
   private:
+    [[nodiscard]] double not_closed(double open) const { return open > 0 ? open : closed_; }
+    /// The mean of a function of the rays that leave, over the sectors of a ring and positions.
+    template <typename Function>
+    [[nodiscard]] double mean_over(
+        std::size_t first, std::size_t count, std::size_t ring, const Function& function) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < count * counts_.sectors; ++i) {
+            const std::size_t position = first + i / counts_.sectors;
+            const std::size_t bin = ring * counts_.sectors + i % counts_.sectors;
+            sum += function(open_[position * counts_.bins() + bin]);
+        }
+        return sum / static_cast<double>(count * counts_.sectors);
+    }
+
     const GapCounts& counts_;
     std::size_t positions_;
-    double rays_ = 0;  // of each bin
-    std::vector<double> open_;
+    double closed_;
+    double rays_ = 0;           // of each bin
+    std::vector<double> open_;  // rays that leave, by bin
 };
 
 Numbers numbers_of(const GapFractionSpec& spec, const Gaps& gaps) {
     Numbers numbers;
-    double sky = 0;
+    double sky = 0, random = 0;
     for (std::size_t ring = 0; ring < spec.rings(); ++ring) {
         const bool is_last = ring + 1 == spec.rings();
         const double high = cosine(spec.rings_deg[ring]), low = cosine(spec.rings_deg[ring + 1]);
@@ -112,28 +123,31 @@ Numbers numbers_of(const GapFractionSpec& spec, const Gaps& gaps) {
         const double weight = (high + low) * (high - end);
         numbers.effective += of_mean * weight;
         numbers.corrected += of_sectors * weight;
-        numbers.clumping.push_back(of_sectors > 0 ? of_mean / of_sectors : kNan);
+        const double of_closed_mean = -gaps.log_of_closed_mean(ring);
+        random += of_closed_mean * weight;
+        numbers.clumping.push_back(of_sectors > 0 ? of_closed_mean / of_sectors : kNan);
         if (ring < kInstrumentWeights.size()) {
             numbers.instrument += -2 * gaps.mean_log_of_positions(ring) * kInstrumentWeights[ring] /
                                   kInstrumentPaths[ring];
         }
     }
     numbers.sky_transmittance /= sky;
-    numbers.clumping_index = numbers.corrected > 0 ? numbers.effective / numbers.corrected : kNan;
+    numbers.clumping_index = numbers.corrected > 0 ? random / numbers.corrected : kNan;
     return numbers;
 }
 
 /// The estimate of a function of the gaps: its value for all replicates, with the standard error
-/// of the jackknife.
+/// of the jackknife, and that of what closed sectors count as.
 /// @param without  its values without one replicate each
-Estimate jackknife(double value, std::span<const double> without) {
+/// @param closed  half the difference by that count
+Estimate jackknife(double value, std::span<const double> without, double closed) {
     const double mean = mean_of(without);
     double squares = 0;
     for (const double x : without) {
         squares += (x - mean) * (x - mean);
     }
     const auto n = static_cast<double>(without.size());
-    const double error = n > 1 ? std::sqrt(squares * (n - 1) / n) : kNan;
+    const double error = n > 1 ? std::hypot(std::sqrt(squares * (n - 1) / n), closed) : kNan;
     const double half =
         n > 1 ? error * interval_quantile(static_cast<unsigned>(without.size()) - 1) : kNan;
     return not_negative({value, error, value - half, value + half});
@@ -180,6 +194,10 @@ GapIndices gap_indices(
     const GapFractionSpec& spec, const GapCounts& counts, std::size_t first, std::size_t count) {
     const Gaps gaps(counts, first, count, counts.replicates);
     const Numbers whole = numbers_of(spec, gaps);
+    const auto with_closed = [&](double closed) {
+        return numbers_of(spec, Gaps(counts, first, count, counts.replicates, closed));
+    };
+    const Numbers least = with_closed(kLeastClosed), most = with_closed(kMostClosed);
     std::vector<Numbers> without;
     for (std::size_t r = 0; r < counts.replicates && counts.replicates > 1; ++r) {
         without.push_back(numbers_of(spec, Gaps(counts, first, count, r)));
@@ -187,7 +205,8 @@ GapIndices gap_indices(
     const auto estimate = [&](auto number) {
         std::vector<double> values(without.size());
         std::transform(without.begin(), without.end(), values.begin(), number);
-        return jackknife(number(whole), values);
+        const double closed = std::abs(number(least) - number(most)) / 2;
+        return jackknife(number(whole), values, closed);
     };
     GapIndices indices;
     for (std::size_t ring = 0; ring < spec.rings(); ++ring) {

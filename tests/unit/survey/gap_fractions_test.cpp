@@ -177,6 +177,8 @@ TEST(GapFractions, ReportAllFaultsAtOnce) {
     EXPECT_NE(text.find("1 of 2 positions below the ground (first: position 1)"), std::string::npos)
         << text;
     EXPECT_THROW(static_cast<void>(gap_fractions(roof(), spec)), InputError);
+    EXPECT_THROW(
+        static_cast<void>(gap_fractions(roof(), looking_from({{1e25, 0, 0}}))), InputError);
 }
 
 }  // namespace

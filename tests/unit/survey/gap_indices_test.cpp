@@ -79,6 +79,21 @@ TEST(GapIndices, CountAClosedSectorAsHalfARay) {
     EXPECT_GT(indices.gap[0].ci95_high, 0);
 }
 
+TEST(GapIndices, AreTheSameForTheSameSkyWhereNothingIsOpen) {
+    GapFractionSpec one = spec_of(8), four = spec_of(8);
+    four.positions.assign(4, Vec3{});
+    const std::vector<double> closed(8, 0.0);
+    const GapIndices a = gap_indices(one, counts_of(one, closed), 0, 1);
+    const GapIndices b = gap_indices(four, counts_of(four, closed), 0, 4);
+    EXPECT_DOUBLE_EQ(a.effective_plant_area_index.mean, b.effective_plant_area_index.mean);
+    EXPECT_NEAR(a.clumping_index.mean, 1, 1e-12);
+    EXPECT_NEAR(b.clumping_index.mean, 1, 1e-12);
+    // A closed sector may count as a quarter of a ray or a whole one: ln 2 to either side.
+    EXPECT_NEAR(
+        a.plant_area_index.standard_error / a.plant_area_index.mean,
+        std::log(2.0) / std::log(2.0 * 8 * 100000), 1e-9);
+}
+
 TEST(GapIndices, WithoutLeavesHaveNoClumping) {
     const GapFractionSpec spec = spec_of(3);
     const GapIndices indices = gap_indices(spec, counts_of(spec, {1, 1, 1}), 0, 1);
