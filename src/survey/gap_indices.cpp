@@ -30,8 +30,8 @@ struct Numbers {
     double effective = 0, corrected = 0, clumping_index = 0, instrument = 0;
 };
 
-/// What a sector without a gap counts as, in rays, and what it may as well count as.
-constexpr double kClosed = 0.5, kLeastClosed = 0.25, kMostClosed = 1;
+/// The number of rays for which a sector without a gap counts, and the range of its uncertainty.
+constexpr double kClosed = 0.5, kMinClosed = 0.25, kMaxClosed = 1;
 
 /// The gap fractions of the bins of some positions, without one replicate.
 class Gaps {
@@ -197,7 +197,7 @@ GapIndices gap_indices(
     const auto with_closed = [&](double closed) {
         return numbers_of(spec, Gaps(counts, first, count, counts.replicates, closed));
     };
-    const Numbers least = with_closed(kLeastClosed), most = with_closed(kMostClosed);
+    const Numbers least = with_closed(kMinClosed), most = with_closed(kMaxClosed);
     std::vector<Numbers> without;
     for (std::size_t r = 0; r < counts.replicates && counts.replicates > 1; ++r) {
         without.push_back(numbers_of(spec, Gaps(counts, first, count, r)));
