@@ -55,17 +55,20 @@ Numbers array_of(const std::vector<Estimate>& estimates, std::vector<py::ssize_t
     return array;
 }
 
+/// The result of a computation, meanwhile without the lock of the interpreter.
+template <typename Compute>
+auto unlocked(const Compute& compute) {
+    const py::gil_scoped_release release;
+    return compute();
+}
+
 Numbers combined(
     const ReplicateSums& kept,
     const RowStarts& starts,
     const OrganIndices& organs,
     const Numbers& weights) {
     const std::vector<OrganWeights> rows = rows_of(starts, organs, weights);
-    std::vector<Estimate> values;
-    {
-        const py::gil_scoped_release release;
-        values = combine(kept.sums, *kept.scene, kept.spec, rows);
-    }
+    const auto values = unlocked([&] { return combine(kept.sums, *kept.scene, kept.spec, rows); });
     return array_of(
         values, {static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(kQuantities),
                  static_cast<py::ssize_t>(kept.sums->bands())});
@@ -77,11 +80,8 @@ Numbers combined_sunlit(
     const OrganIndices& organs,
     const Numbers& weights) {
     const std::vector<OrganWeights> rows = rows_of(starts, organs, weights);
-    std::vector<Estimate> values;
-    {
-        const py::gil_scoped_release release;
-        values = combine_sunlit(kept.sums, *kept.scene, kept.spec, rows);
-    }
+    const auto values =
+        unlocked([&] { return combine_sunlit(kept.sums, *kept.scene, kept.spec, rows); });
     return array_of(values, {static_cast<py::ssize_t>(values.size())});
 }
 
@@ -107,12 +107,10 @@ py::tuple replicates(
     const Numbers& weights,
     std::size_t quantity) {
     const std::vector<OrganWeights> rows = rows_of(starts, organs, weights);
-    CombinedReplicates all;
-    {
-        const py::gil_scoped_release release;
-        all = combine_replicates(
+    const CombinedReplicates all = unlocked([&] {
+        return combine_replicates(
             kept.sums, *kept.scene, kept.spec, rows, quantity_table().at(quantity).quantity);
-    }
+    });
     return tuple_of(all, kept, rows.size(), kept.sums->bands());
 }
 
@@ -122,11 +120,8 @@ py::tuple sunlit_replicates(
     const OrganIndices& organs,
     const Numbers& weights) {
     const std::vector<OrganWeights> rows = rows_of(starts, organs, weights);
-    CombinedReplicates all;
-    {
-        const py::gil_scoped_release release;
-        all = combine_sunlit_replicates(kept.sums, *kept.scene, kept.spec, rows);
-    }
+    const CombinedReplicates all = unlocked(
+        [&] { return combine_sunlit_replicates(kept.sums, *kept.scene, kept.spec, rows); });
     return tuple_of(all, kept, rows.size(), 1);
 }
 

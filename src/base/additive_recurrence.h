@@ -19,4 +19,8 @@ namespace quasimc {
     return u;
 }
 
+/// The steps of an additive recurrence in two dimensions, with the root of x^3 = x + 1 (Roberts
+/// 2018): fractions of a turn.
+inline constexpr std::array kPlaneSteps{0.7548776662466927, 0.5698402909980532};
+
 }  // namespace quasimc

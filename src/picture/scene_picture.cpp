@@ -12,6 +12,7 @@
 
 #include "base/vec3.h"
 #include "quasimc/error.h"
+#include "scene/scene.h"
 
 namespace quasimc {
 namespace {
@@ -239,12 +240,8 @@ std::string draw_scene(const Scene& scene, const ScenePicture& picture) {
         throw InputError(
             {{"--clip", "nothing of the scene is left", "the scene is on the other side", ""}});
     }
-    constexpr double kMaxReach = 1e6;  // in radii: single precision resolves no more
-    if (picture.view.fisheye && !(length(*picture.view.fisheye - scene.bounds().center()) <=
-                                  kMaxReach * scene.bounds().radius())) {
-        throw InputError(
-            {{"--camera", "the fisheye is too far from the scene",
-              "it must be within a million times the size of the scene", ""}});
+    if (picture.view.fisheye && !is_in_reach(scene, *picture.view.fisheye)) {
+        throw InputError({{"--camera", "the fisheye is too far from the scene", kReachRule, ""}});
     }
     constexpr Rgb kWhite{255, 255, 255}, kBlack{0, 0, 0};
     const Image on_white = draw_on(kWhite, scene, picture);

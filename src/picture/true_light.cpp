@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "base/additive_recurrence.h"
 #include "base/checks.h"
 #include "base/parallel.h"
 #include "base/vec3.h"
@@ -199,11 +200,11 @@ class TrueLight {
     /// Uniformly distributed points of the unit square (the lattice of the plastic number), by
     /// pixel.
     static std::pair<double, double> point_of(std::uint64_t key, int i) {
-        constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
         const auto unit = [](std::uint64_t bits) {
             return static_cast<double>(bits >> 11U) * 0x1p-53;
         };
-        const double u0 = unit(key) + i * kFirst, u1 = unit(mix64(key)) + i * kSecond;
+        const double u0 = unit(key) + i * kPlaneSteps[0],
+                     u1 = unit(mix64(key)) + i * kPlaneSteps[1];
         return {u0 - std::floor(u0), u1 - std::floor(u1)};
     }
 
@@ -244,9 +245,9 @@ std::vector<LinearRgb> colors_of_bands(const std::vector<Band>& bands) {
     std::vector<LinearRgb> colors(bands.size());
     LinearRgb total{};
     for (std::size_t b = 0; b < bands.size(); ++b) {
-        const auto known = span_of_band(bands[b].name);
-        const double from = bands[b].to_nm > 0 ? bands[b].from_nm : known ? known->from_nm : 0;
-        const double to = bands[b].to_nm > 0 ? bands[b].to_nm : known ? known->to_nm : 0;
+        const SpectralSpan span =
+            span_of_band(bands[b].name, bands[b].from_nm, bands[b].to_nm).value_or(SpectralSpan{});
+        const double from = span.from_nm, to = span.to_nm;
         for (std::size_t c = 0; c < kChannels.size() && to > from; ++c) {
             colors[b][c] = overlap(from, to, kChannels[c][0], kChannels[c][1]) / (to - from);
         }

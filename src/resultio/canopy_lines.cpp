@@ -18,10 +18,8 @@ namespace {
 
 bool is_par(const Band& band) {
     constexpr double kFrom = 400, kTo = 700;
-    const auto known = span_of_band(band.name);
-    const double from = band.to_nm > 0 ? band.from_nm : known ? known->from_nm : 0;
-    const double to = band.to_nm > 0 ? band.to_nm : known ? known->to_nm : 0;
-    return from == kFrom && to == kTo;
+    const auto span = span_of_band(band.name, band.from_nm, band.to_nm);
+    return span && span->from_nm == kFrom && span->to_nm == kTo;
 }
 
 std::string with_error(std::string_view words, const Estimate& e) {

@@ -11,10 +11,6 @@
 namespace quasimc {
 namespace {
 
-bool is_chosen(const std::vector<std::string>& names, std::string_view name) {
-    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 /// By row, whether a sensor is a sphere.
 std::vector<bool> spheres_of(const Scene& scene) {
     std::vector<bool> spheres;
@@ -26,17 +22,12 @@ std::vector<bool> spheres_of(const Scene& scene) {
 
 /// An estimate of a row, of all light or of an origin.
 struct SensorValue {
-    static constexpr std::size_t kAll = static_cast<std::size_t>(-1);
     Quantity quantity;
     std::size_t band, origin;
 
     [[nodiscard]] Estimate at(const RowLight& light, std::size_t row) const {
-        if (light.sum != nullptr) {
-            const SeriesSum& own = origin == kAll ? *light.sum : light.sum->origins[origin].light;
-            return own.at(row, quantity, band);
-        }
-        const Result& own = origin == kAll ? *light.result : light.result->origins[origin].light;
-        return own.at(row, quantity, band);
+        return light.sum != nullptr ? of_origin(*light.sum, origin).at(row, quantity, band)
+                                    : of_origin(*light.result, origin).at(row, quantity, band);
     }
 };
 
@@ -53,7 +44,7 @@ class SensorColumns {
     }
 
     std::vector<TableColumn> make() {
-        add_light(SensorValue::kAll);
+        add_light(kAllLight);
         for (std::size_t i = 0; i < origins_.size(); ++i) {
             if (is_of_table(table_, origins_[i])) {
                 add_light(i);
@@ -72,14 +63,14 @@ class SensorColumns {
             for (const QuantityEntry& entry : quantity_table()) {
                 const bool is_side = entry.quantity == Quantity::incident_upper ||
                                      entry.quantity == Quantity::incident_lower;
-                if (is_chosen(table_.bands, bands[b].name) && is_of_sensors(entry.quantity) &&
-                    is_chosen(table_.quantities, entry.name) && (has_sides_ || !is_side)) {
+                if (is_selected(table_.bands, bands[b].name) && is_of_sensors(entry.quantity) &&
+                    is_selected(table_.quantities, entry.name) && (has_sides_ || !is_side)) {
                     add_column(
                         entry.name, entry.summary, b, {entry.quantity, b, origin}, is_side, false);
                 }
             }
-            if (has_spheres_ && is_chosen(table_.bands, bands[b].name) &&
-                is_chosen(table_.quantities, kFluenceRate)) {
+            if (has_spheres_ && is_selected(table_.bands, bands[b].name) &&
+                is_selected(table_.quantities, kFluenceRate)) {
                 // All light on a sphere is on its upper side.
                 add_column(
                     kFluenceRate, "light from all directions, on a sphere", b,
@@ -104,12 +95,11 @@ class SensorColumns {
         };
         columns_.push_back(
             {std::string(name), own.name, column_unit(run_, table_.times, own.unit),
-             std::string(summary), at,
-             value.origin == SensorValue::kAll ? "" : origins_[value.origin]});
+             std::string(summary), at, value.origin == kAllLight ? "" : origins_[value.origin]});
     }
 
     void add_traits() {
-        if (is_chosen(table_.quantities, "sunlit_fraction")) {
+        if (is_selected(table_.quantities, "sunlit_fraction")) {
             columns_.push_back(
                 {"sunlit_fraction", "", "1", "fraction lit directly by directional sources",
                  [](const RowLight& light, std::size_t row) {
@@ -118,7 +108,7 @@ class SensorColumns {
                  }});
         }
         for (std::size_t i = 0;
-             is_chosen(table_.quantities, "ratios") && i < run_.spec.ratios.size(); ++i) {
+             is_selected(table_.quantities, "ratios") && i < run_.spec.ratios.size(); ++i) {
             columns_.push_back(
                 {"ratio_" + run_.spec.ratios[i], "", "1", "ratio of incident light, both sides",
                  [i](const RowLight& light, std::size_t row) {

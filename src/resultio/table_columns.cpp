@@ -14,20 +14,8 @@
 namespace quasimc {
 namespace {
 
-bool is_selected(const std::vector<std::string>& names, std::string_view name) {
-    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
 Estimate value_at(const std::vector<Estimate>& values, std::size_t row) {
     return values.empty() ? kUnknownEstimate : values[row];
-}
-
-constexpr std::size_t kAllLight = static_cast<std::size_t>(-1);
-
-/// All light, or that of an origin. @param light  a Result or a SeriesSum
-template <typename Light>
-const Light& of_origin(const Light& light, std::size_t origin) {
-    return origin == kAllLight ? light : light.origins[origin].light;
 }
 
 /// Collects the columns of a table.
@@ -228,6 +216,10 @@ std::string column_unit(const RunFile& run, CsvTimes times, const std::string& o
     }
     const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
     return summed_unit(of_rate).name + (is_period ? "" : " d-1");
+}
+
+bool is_selected(const std::vector<std::string>& names, std::string_view name) {
+    return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
 
 bool is_of_table(const TableSpec& table, const std::string& origin) {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -30,8 +31,18 @@ struct TableColumn {
     }
 };
 
+/// Whether a list of names, of which none means all, has one.
+[[nodiscard]] bool is_selected(const std::vector<std::string>& names, std::string_view name);
 /// Whether the light of an origin of the run belongs to a table.
 [[nodiscard]] bool is_of_table(const TableSpec& table, const std::string& origin);
+
+inline constexpr auto kAllLight = static_cast<std::size_t>(-1);
+/// The light of an origin by its index, or for kAllLight that of all. @param light  a Result or a
+/// SeriesSum
+template <typename Light>
+[[nodiscard]] const Light& of_origin(const Light& light, std::size_t origin) {
+    return origin == kAllLight ? light : light.origins[origin].light;
+}
 
 /// The estimates of a table of organs or groups, with those of each origin.
 [[nodiscard]] std::vector<TableColumn> table_columns(const RunFile& run, const TableSpec& table);

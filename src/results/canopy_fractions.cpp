@@ -3,17 +3,11 @@
 #include "results/bounds/organ_reader.h"
 #include "results/flows.h"
 #include "results/groups.h"
+#include "scene/lint.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
-
-const Organ* find_ground(const Scene& scene) {
-    const auto found = std::find_if(
-        scene.organs().begin(), scene.organs().end(),
-        [](const Organ& organ) { return organ.is_ground; });
-    return found == scene.organs().end() ? nullptr : &*found;
-}
 
 bool is_infinite(const Scene& scene) {
     return scene.cell().along_x && scene.cell().along_y;
@@ -71,7 +65,7 @@ std::vector<std::vector<double>> horizontal_flux(
     const BandFlows& flows, const Scene& scene, const EvaluationSpec& spec) {
     const bool infinite = is_infinite(scene);
     const bool is_known =
-        infinite || (find_ground(scene) != nullptr && !spec.horizontal_irradiance.empty());
+        infinite || (ground_of(scene) != nullptr && !spec.horizontal_irradiance.empty());
     std::vector<std::vector<double>> incident(is_known ? flows.size() : 0);
     for (std::size_t b = 0; b < incident.size(); ++b) {
         for (const Flows& one : flows[b]) {
@@ -84,7 +78,7 @@ std::vector<std::vector<double>> horizontal_flux(
 
 std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    const Organ* ground = find_ground(scene);
+    const Organ* ground = ground_of(scene);
     const bool infinite = is_infinite(scene);
     std::vector<std::vector<double>> incident = horizontal_flux(flows, scene, spec);
     std::vector<CanopyFractions> fractions(incident.size());
@@ -107,7 +101,7 @@ std::vector<CanopyFractions> evaluate_canopy(
 }
 
 std::vector<CanopyFractions> zero_canopy(const Scene& scene) {
-    const bool is_known = is_infinite(scene) || find_ground(scene) != nullptr;
+    const bool is_known = is_infinite(scene) || ground_of(scene) != nullptr;
     return std::vector<CanopyFractions>(
         is_known ? scene.bands().size() : 0,
         {0, kUnknownEstimate, kUnknownEstimate, kUnknownEstimate, kUnknownEstimate});

@@ -69,7 +69,7 @@ struct Combination {
     }
 };
 
-/// Calls use(index, light) for each weighted sum, on all threads.
+/// Calls use(index, light) for each weighted sum that is known, on all threads.
 template <typename Use>
 void for_each_sum(const Combination& in, const LightCombiner& combiner, const Use& use) {
     constexpr std::size_t kSumsPerBatch = 4096;
@@ -82,8 +82,11 @@ void for_each_sum(const Combination& in, const LightCombiner& combiner, const Us
             combiner.add_up(
                 in.of[first + i], static_cast<std::uint32_t>(block % replicates), light[i]);
         });
-        parallel_blocks(
-            batch, in.spec.threads, [&](std::uint64_t i, unsigned) { use(first + i, light[i]); });
+        parallel_blocks(batch, in.spec.threads, [&](std::uint64_t i, unsigned) {
+            if (in.is_known(in.of[first + i])) {
+                use(first + i, light[i]);
+            }
+        });
     }
 }
 
@@ -124,9 +127,6 @@ std::vector<Estimate> combine(
     const std::size_t bands = combiner.bands(), row = kQuantities * bands;
     std::vector<Estimate> values(of.size() * row, kUnknownEstimate);
     for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        if (!in.is_known(of[index])) {
-            return;
-        }
         const std::vector<OrganContributions> contributions = combiner.contributions(of[index]);
         const OrganLimits limits = limits_of(in, bounds, of[index]);
         for (std::size_t b = 0; b < bands; ++b) {
@@ -149,11 +149,11 @@ std::vector<Estimate> combine_sunlit(
     const Combination in{sums, scene, spec, of};
     const LightCombiner combiner(sums, scene, spec);
     const PhysicalBounds bounds(scene, spec, sums->emitted_flux);
-    std::vector<Estimate> values(combiner.has_sun() ? of.size() : 0, kUnknownEstimate);
+    if (!combiner.has_sun()) {
+        return {};
+    }
+    std::vector<Estimate> values(of.size(), kUnknownEstimate);
     for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        if (values.empty() || !in.is_known(of[index])) {
-            return;
-        }
         const double area = area_of(in, of[index]);
         std::vector<double> fractions = light.sunlit;
         for (double& each : fractions) {
@@ -180,9 +180,6 @@ CombinedReplicates combine_replicates(
     all.values.resize(combiner.replicates() * of.size() * bands, kUnknownEstimate.mean);
     all.sizes.resize(of.size() * bands);
     for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        if (!in.is_known(of[index])) {
-            return;
-        }
         const std::vector<OrganContributions> contributions = combiner.contributions(of[index]);
         for (std::size_t b = 0; b < bands; ++b) {
             const auto samples = combiner.samples(light, b, 1)[static_cast<std::size_t>(quantity)];
@@ -209,9 +206,6 @@ CombinedReplicates combine_sunlit_replicates(
     all.values.resize(combiner.replicates() * of.size(), kUnknownEstimate.mean);
     all.sizes.resize(of.size());
     for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        if (!in.is_known(of[index])) {
-            return;
-        }
         for (std::size_t r = 0; r < light.sunlit.size(); ++r) {
             all.values[r * of.size() + index] = light.sunlit[r];
         }

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.h"
@@ -39,15 +40,11 @@ LightParts without_scattered(LightParts parts) {
     return parts;
 }
 
-double sunlit_area(const OrganReader& reader, std::uint32_t replicate, Surface surface) {
-    switch (surface) {
-        case Surface::upper:
-            return reader.sunlit_area(replicate, SurfaceSide::upper);
-        case Surface::lower:
-            return reader.sunlit_area(replicate, SurfaceSide::lower);
-        default:
-            return reader.sunlit_area(replicate);
-    }
+/// The side of a surface; none: both.
+std::optional<SurfaceSide> side_of(Surface surface) {
+    return surface == Surface::absorbed_by_both ? std::nullopt
+           : surface == Surface::upper          ? std::optional(SurfaceSide::upper)
+                                                : std::optional(SurfaceSide::lower);
 }
 
 double beam_on(const Beam& beam, Surface surface) {
@@ -70,7 +67,7 @@ SunShadeSamples read_parts(const OrganReader& reader, Surface surface, std::size
         samples.direct[r] = in.of(without_scattered(parts));
         samples.beam[r] = beam_on(reader.beam(r, band), surface);
         samples.other[r] = std::max(0.0, in.of(parts) - samples.beam[r]);  // but for rounding
-        samples.lit[r] = sunlit_area(reader, r, surface);
+        samples.lit[r] = reader.sunlit_area(r, side_of(surface));
     }
     return samples;
 }
@@ -112,6 +109,16 @@ std::vector<double> times(std::vector<double> values, double factor) {
 
 void add(std::vector<double>& to, const std::vector<double>& from) {
     std::transform(to.begin(), to.end(), from.begin(), to.begin(), std::plus());
+}
+
+/// Adds the light of an organ to that of its group.
+void add_parts(const SunShadeSamples& own, double area, SunShadeSamples& sum) {
+    add(sum.direct, own.direct);
+    add(sum.beam, own.beam);
+    add(sum.other, own.other);
+    add(sum.lit, own.lit);
+    const double per_area = area > 0 ? 1 / area : 0;
+    add(sum.other_on_lit, product_across_replicates(own.lit, times(own.other, per_area)));
 }
 
 /// The input of the estimates of a surface in a band.
@@ -178,15 +185,15 @@ Estimate estimate_of(Part part, const PartInput& given, bool is_group) {
     }
 }
 
-OrganContributions sunlit_contributions(const OrganReader& reader, Surface surface) {
-    switch (surface) {
-        case Surface::upper:
-            return OrganContributions::sunlit(reader, SurfaceSide::upper);
-        case Surface::lower:
-            return OrganContributions::sunlit(reader, SurfaceSide::lower);
-        default:
-            return OrganContributions::sunlit(reader);
-    }
+/// Contributions to the sunlit areas of all surfaces.
+using SunlitContributions = std::array<OrganContributions, kSurfaces.size()>;
+
+SunlitContributions sunlit_contributions(const OrganReader& reader) {
+    SunlitContributions all;
+    std::transform(kSurfaces.begin(), kSurfaces.end(), all.begin(), [&](Surface surface) {
+        return OrganContributions::sunlit(reader, side_of(surface));
+    });
+    return all;
 }
 
 /// Puts all estimates of a surface in a band.
@@ -210,40 +217,44 @@ void put_parts(
 void SunShadeEvaluator::evaluate(const Organ& organ, std::span<Estimate> values) const {
     const OrganReader reader(reader_, scene_, spec_, organ);
     const double per_area = organ.area > 0 ? 1 / organ.area : 0;
+    const SunlitContributions sunlit = sunlit_contributions(reader);
     for (std::size_t band = 0; band < sums_->bands(); ++band) {
         const OrganContributions light(reader, band);
-        for (const Surface surface : kSurfaces) {
-            SunShadeSamples samples = read_parts(reader, surface, band);
+        for (std::size_t i = 0; i < kSurfaces.size(); ++i) {
+            SunShadeSamples samples = read_parts(reader, kSurfaces[i], band);
             samples.other_on_lit = product_of_means(samples.lit, times(samples.other, per_area));
-            const OrganContributions sunlit = sunlit_contributions(reader, surface);
             put_parts(
-                {samples, organ.area, light_of(surface), light, sunlit, reader.is_flat()}, surface,
-                false, band, values);
+                {samples, organ.area, light_of(kSurfaces[i]), light, sunlit[i], reader.is_flat()},
+                kSurfaces[i], false, band, values);
         }
     }
 }
 
 void SunShadeEvaluator::evaluate(const OrganGroup& group, std::span<Estimate> values) const {
+    SunlitContributions sunlit;
+    for (const std::uint32_t index : group.organs) {
+        const SunlitContributions own =
+            sunlit_contributions({reader_, scene_, spec_, scene_.organs()[index]});
+        for (std::size_t i = 0; i < sunlit.size(); ++i) {
+            sunlit[i].include(own[i]);
+        }
+    }
     for (std::size_t band = 0; band < sums_->bands(); ++band) {
-        for (const Surface surface : kSurfaces) {
-            SunShadeSamples all(sums_->replicates.size());
-            OrganContributions light, sunlit;
-            for (const std::uint32_t index : group.organs) {
-                const Organ& organ = scene_.organs()[index];
-                const OrganReader reader(reader_, scene_, spec_, organ);
-                const SunShadeSamples own = read_parts(reader, surface, band);
-                add(all.direct, own.direct);
-                add(all.beam, own.beam);
-                add(all.other, own.other);
-                add(all.lit, own.lit);
-                const double per_area = organ.area > 0 ? 1 / organ.area : 0;
-                add(all.other_on_lit,
-                    product_across_replicates(own.lit, times(own.other, per_area)));
-                light.include(OrganContributions(reader, band));
-                sunlit.include(sunlit_contributions(reader, surface));
+        OrganContributions light;
+        std::vector<SunShadeSamples> all(
+            kSurfaces.size(), SunShadeSamples(sums_->replicates.size()));
+        for (const std::uint32_t index : group.organs) {
+            const Organ& organ = scene_.organs()[index];
+            const OrganReader reader(reader_, scene_, spec_, organ);
+            light.include(OrganContributions(reader, band));
+            for (std::size_t i = 0; i < kSurfaces.size(); ++i) {
+                add_parts(read_parts(reader, kSurfaces[i], band), organ.area, all[i]);
             }
+        }
+        for (std::size_t i = 0; i < kSurfaces.size(); ++i) {
             put_parts(
-                {all, group.area, light_of(surface), light, sunlit}, surface, true, band, values);
+                {all[i], group.area, light_of(kSurfaces[i]), light, sunlit[i]}, kSurfaces[i], true,
+                band, values);
         }
     }
 }

@@ -50,16 +50,14 @@ void keep_last(std::vector<Estimate>& values, std::size_t count) {
 
 /// Adds a fault for each set with points that single precision cannot resolve in the scene.
 void check_reach(const Scene& scene, Faults& faults) {
-    constexpr double kMaxReach = 1e6;  // in radii of the scene
-    const double reach = kMaxReach * scene.bounds().radius();
     for (const SensorSet& set : scene.sensors()) {
         const bool is_near = std::ranges::all_of(set.points, [&](const SensorPoint& point) {
-            return length(point.position - scene.bounds().center()) + set.radius <= reach;
+            return is_in_reach(scene, point.position, set.radius);
         });
         if (!is_near) {
             faults.add(
                 {fmt::format("sensors '{}'", set.name), "a point is too far from the scene",
-                 "it must be within a million times the size of the scene", ""});
+                 kReachRule, ""});
         }
     }
 }
@@ -126,6 +124,7 @@ RunSpec spec_of_sensors(const Scene& scene, const RunSpec& spec) {
                                                     more * static_cast<double>(spec.max_paths))))
                                : 0;
     own.target = TargetScope::automatic;
+    own.sun_shade = SunShade::together;
     own.groups.clear();
     own.layers = 0;
     own.layer_heights.clear();

@@ -44,6 +44,7 @@ Result zero_result(const Scene& scene, const RunSpec& spec) {
     dark.chosen.reason = "no source gives light; nothing was computed";
     if (!scene.sensors().empty()) {
         RunSpec plain = spec;
+        plain.sun_shade = SunShade::together;
         plain.groups.clear();
         plain.layers = 0;
         plain.layer_heights.clear();

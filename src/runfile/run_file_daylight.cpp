@@ -126,10 +126,7 @@ std::string read_sky_model(TableReader& table, std::string_view key, std::string
 std::vector<SpectralSpan> band_spans(TableReader& table, const std::vector<Band>& bands) {
     std::vector<SpectralSpan> spans;
     for (const Band& band : bands) {
-        std::optional<SpectralSpan> span = span_of_band(band.name);
-        if (band.to_nm > 0) {
-            span = SpectralSpan{band.from_nm, band.to_nm};
-        }
+        std::optional<SpectralSpan> span = span_of_band(band.name, band.from_nm, band.to_nm);
         const auto count = count_of(band.unit);
         if (!span) {
             table.fault(

@@ -95,6 +95,10 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     }
     if (rows == CsvRows::sensors) {
         names.push_back(kFluenceRate);
+        if (times == CsvTimes::time_steps) {
+            names.insert(names.end(), {"sunlit_fraction", "ratios"});
+        }
+        return names;
     }
     const bool is_of_groups = rows == CsvRows::groups;
     for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {

@@ -50,6 +50,11 @@ RegionIndex SceneData::region_of(std::uint32_t triangle) const {
                : instance_regions[geometry->ranges().find(triangle)];
 }
 
+bool is_in_reach(const Scene& scene, const Vec3& center, double radius) {
+    constexpr double kMaxRadii = 1e6;
+    return length(center - scene.bounds().center()) + radius <= kMaxRadii * scene.bounds().radius();
+}
+
 std::vector<bool> used_materials(const Scene& scene) {
     std::vector<bool> is_used(data_of(scene).materials.size());
     for (const Region& region : scene.regions()) {

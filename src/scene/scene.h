@@ -65,6 +65,11 @@ struct SceneAccess {
     return SceneAccess::data(scene);
 }
 
+/// Whether the ray caster of a scene, in single precision, resolves a disk about a point (z up): it
+/// is finite, and within a million radii of the scene.
+[[nodiscard]] bool is_in_reach(const Scene& scene, const Vec3& center, double radius = 0);
+inline constexpr const char* kReachRule = "it must be within a million times the size of the scene";
+
 /// Whether an organ uses each material, by MaterialId. Unused materials must not change results.
 [[nodiscard]] std::vector<bool> used_materials(const Scene& scene);
 

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <functional>
-#include <optional>
 
 #include <fmt/format.h>
 
 #include "quasimc/gap_fraction.h"
 #include "results/organ_height.h"
 #include "results/organ_values.h"
+#include "scene/lint.h"
 
 namespace quasimc {
 namespace {
@@ -48,38 +48,22 @@ void check_condition(
     }
 }
 
-/// The largest distance from the scene, in radii of the scene: further away, single precision
-/// cannot resolve it.
-constexpr double kMaxReach = 1e6;
-
-/// The lowest point of the ground, if there is one.
-std::optional<double> lowest_ground(const Scene& scene) {
-    const auto ground = std::find_if(
-        scene.organs().begin(), scene.organs().end(),
-        [](const Organ& organ) { return organ.is_ground; });
-    return ground == scene.organs().end() ? std::nullopt
-                                          : std::optional(height_of(scene, *ground).low);
-}
-
 void check_positions(
     const Scene& scene, const GapFractionSpec& spec, const std::string& where, Faults& faults) {
     if (spec.positions.empty()) {
         faults.add({where, "it has no positions", "", "give `at`"});
     }
-    const Vec3 middle = scene.bounds().center();
-    const double reach = kMaxReach * scene.bounds().radius();
     const bool are_near = std::ranges::all_of(spec.positions, [&](const Vec3& position) {
-        return length(scene.orientation().inward(position) - middle) <= reach;
+        return is_in_reach(scene, scene.orientation().inward(position));
     });
     if (!are_near) {
-        faults.add(
-            {where, "a position is too far from the scene, or not finite",
-             "it must be within a million times the size of the scene", ""});
+        faults.add({where, "a position is too far from the scene, or not finite", kReachRule, ""});
     }
-    const std::optional<double> ground = lowest_ground(scene);
+    const Organ* ground = ground_of(scene);
+    const double lowest = ground == nullptr ? 0 : height_of(scene, *ground).low;
     std::size_t below = 0, first = 0;
-    for (std::size_t i = 0; i < spec.positions.size() && ground; ++i) {
-        if (scene.orientation().inward(spec.positions[i]).z < *ground) {
+    for (std::size_t i = 0; i < spec.positions.size() && ground != nullptr; ++i) {
+        if (scene.orientation().inward(spec.positions[i]).z < lowest) {
             first = below++ == 0 ? i : first;
         }
     }

@@ -102,7 +102,10 @@ Daylight DaylightSpectra::from_fraction(double amount, LightUnit unit, double fr
     return {scale * one.direct, scale * one.diffuse};
 }
 
-std::optional<SpectralSpan> span_of_band(std::string_view name) {
+std::optional<SpectralSpan> span_of_band(std::string_view name, double from_nm, double to_nm) {
+    if (to_nm > 0) {
+        return SpectralSpan{from_nm, to_nm};
+    }
     const std::string lower = lower_case(name);
     for (const NamedSpan& known : kNamed) {
         if (known.name == lower) {

@@ -53,8 +53,10 @@ class DaylightSpectra {
     double clearest_ = 0;            // diffuse fraction of the clear sky's spectrum
 };
 
-/// The band with a name ("PAR", "red", "far_red", "NIR", "blue", "green", "UV"; any case and the
-/// short forms R, FR, B, G too); nothing for other names.
-[[nodiscard]] std::optional<SpectralSpan> span_of_band(std::string_view name);
+/// The wavelengths of a band: its own, or those that its name has ("PAR", "red", "far_red", "NIR",
+/// "blue", "green", "UV"; any case and the short forms R, FR, B, G too); nothing for other names.
+/// @param from_nm, to_nm  its own; to_nm 0: not given
+[[nodiscard]] std::optional<SpectralSpan> span_of_band(
+    std::string_view name, double from_nm = 0, double to_nm = 0);
 
 }  // namespace quasimc

@@ -149,7 +149,7 @@ OrganContributions OrganContributions::sunlit(
     all.bound_ = !all.has_points_ && strategies.empty() ? one : 0;
     double area = 0;
     for (std::uint32_t r = 0; r < reader.replicates(); ++r) {
-        area += (side ? reader.sunlit_area(r, *side) : reader.sunlit_area(r)) / count;
+        area += reader.sunlit_area(r, side) / count;
     }
     for (std::size_t i = 0; !all.has_points_ && i < strategies.size(); ++i) {
         if (!strategies[i].has_suns) {

@@ -167,15 +167,16 @@ class OrganReader {
             [&](std::uint32_t region) { sum += region_incident(replicate, region, band); });
         return sum;
     }
-    [[nodiscard]] double sunlit_area(std::uint32_t replicate) const {
-        return area_of(
-            replicate, [&](std::uint32_t region) { return reader_.blocks.sunlit(region); });
-    }
-    /// The area whose given side is lit; with LightBlocks::has_sun_shade().
-    [[nodiscard]] double sunlit_area(std::uint32_t replicate, SurfaceSide side) const {
-        const double upper = area_of(
-            replicate, [&](std::uint32_t region) { return reader_.blocks.sunlit_upper(region); });
-        return side == SurfaceSide::upper ? upper : sunlit_area(replicate) - upper;
+    /// The area of which a given side is lit, or either.
+    /// @param side  with LightBlocks::has_sun_shade()
+    [[nodiscard]] double sunlit_area(
+        std::uint32_t replicate, std::optional<SurfaceSide> side = std::nullopt) const {
+        const auto area = [&](auto bin) {
+            return area_of(
+                replicate, [&](std::uint32_t region) { return (reader_.blocks.*bin)(region); });
+        };
+        const double upper = side ? area(&LightBlocks::sunlit_upper) : 0;
+        return side == SurfaceSide::upper ? upper : area(&LightBlocks::sunlit) - upper;
     }
     /// With LightBlocks::has_sun_shade().
     [[nodiscard]] Beam beam(std::uint32_t replicate, std::size_t band) const {

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <stop_token>
 
+#include "base/additive_recurrence.h"
 #include "base/distribution.h"
 #include "base/stop.h"
 #include "solvers/block_runner.h"
@@ -180,7 +181,7 @@ class FromOrgans final : public Solver {
         const SideBlocks& unoccluded,
         Tally& tally) const {
         constexpr std::uint32_t kOfSensor = 8;
-        constexpr double kShift0 = 0.7548776662466927, kShift1 = 0.5698402909980532;
+        constexpr auto kShifts = kPlaneSteps;
         const bool is_random = next_event_.dimensions() > 0;
         double u0 = is_random ? coordinate(stream, point.index, 2) : 0;
         double u1 = is_random ? coordinate(stream, point.index, 3) : 0;
@@ -190,8 +191,8 @@ class FromOrgans final : public Solver {
         for (std::uint32_t i = 0; i < count; ++i) {
             const LightSample sample = next_event_.sample_light(u0, u1, point.p, view);
             rays += add_direct(point, sample, 1. / count, unoccluded, tally);
-            u0 = std::min(u0 + kShift0 - (u0 + kShift0 < 1 ? 0 : 1), kBelowOne);
-            u1 = std::min(u1 + kShift1 - (u1 + kShift1 < 1 ? 0 : 1), kBelowOne);
+            u0 = std::min(u0 + kShifts[0] - (u0 + kShifts[0] < 1 ? 0 : 1), kBelowOne);
+            u1 = std::min(u1 + kShifts[1] - (u1 + kShifts[1] < 1 ? 0 : 1), kBelowOne);
         }
         return rays;
     }

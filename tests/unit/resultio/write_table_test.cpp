@@ -189,6 +189,12 @@ TEST(Tables, OfSensorsAreSelectedByLabelsAndPositions) {
     EXPECT_EQ(rows[1], "2,bench 2,0.7,0.2,8,bench,7,1,2,incident_upper,R,W m-2,1");
 }
 
+TEST(Tables, OfSensorsHaveNoLightOfParts) {
+    EXPECT_TRUE(mentions(
+        faults_of(with_sensors("quantities = ['incident_upper_sunlit']\n").text()),
+        "quantities: there is no 'incident_upper_sunlit' in such a table"));
+}
+
 /// Both sides in JSON, and the fluence rate of a sphere; no sensor among the organs.
 TEST(Sensors, AreBesideTheOrgansInJson) {
     const RunFile run = read_text(with_sensors("").text());

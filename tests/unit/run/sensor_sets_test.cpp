@@ -8,6 +8,7 @@
 
 #include "quasimc/series.h"
 #include "results/evaluate.h"
+#include "run/zero_result.h"
 #include "statistical/scenes.h"
 #include "support/listening.h"
 #include "support/random_leaves.h"
@@ -342,6 +343,22 @@ TEST(SensorSets, AddUpByOrigin) {
 }
 
 /// Two times of a day, the second half as bright, and a night.
+/// Sunlit and shaded parts are those of organs.
+TEST(SensorSets, HaveNoLightOfParts) {
+    SceneBuilder builder = square_above_ground();
+    builder.add_sensors(set_facing("up", {20, 20, 2}, {}));
+    const Scene scene = std::move(builder).build();
+    RunSpec spec = spec_for_sensors(64);
+    const Sources lights{sun(30, {1}), sky({1})};
+    const Result together = run(scene, lights, spec);
+    spec.sun_shade = SunShade::apart;
+    const Result apart = run(scene, lights, spec);
+    EXPECT_FALSE(apart.sun_shade.empty());
+    EXPECT_TRUE(apart.sensors->sun_shade.empty());
+    EXPECT_EQ(upper(apart, 0).mean, upper(together, 0).mean);
+    EXPECT_TRUE(zero_result(scene, spec).sensors->sun_shade.empty());
+}
+
 TEST(SensorSets, AreSummedOverDays) {
     SceneBuilder builder = infinite_stand();
     builder.add_sensors(set_at("points", {{.5, .5, .1}, {.2, .5, 2}}));
