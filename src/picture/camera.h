@@ -10,9 +10,9 @@ namespace quasimc {
 
 /// Position of the camera: it always aims at the centre of the visible box.
 struct ViewSpec {
-    double azimuth_deg = 200;   ///< of the camera, from north over east
-    double elevation_deg = 20;  ///< of the camera, -90 to 90
-    double fov_deg = 0;         ///< of the longer side, at most 150; 0: orthographic
+    double azimuth_deg = 200;   ///< azimuth of the camera, from north over east
+    double elevation_deg = 20;  ///< elevation of the camera, -90 to 90
+    double fov_deg = 0;         ///< angle of the longer side, at most 150; 0: orthographic
     /// A point (z up) that looks up through a fisheye lens instead: the sky is a circle with the
     /// zenith in its middle, north above and east on the left; the distance from the middle is
     /// proportional to the zenith angle.

@@ -17,9 +17,9 @@ struct CutPlane {
 
 /// The first hit of a camera ray.
 struct PrimaryHit {
-    Hit hit;  ///< of the caster's mesh, local coordinates
+    Hit hit;  ///< in the caster's mesh, local coordinates
     std::uint32_t region = 0;
-    Vec3 direction;  ///< of the ray, unit
+    Vec3 direction;  ///< unit vector along the ray
 };
 
 /// Casts camera rays into a clipped scene. A periodic scene is reduced to one cell, but for a
