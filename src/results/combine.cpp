@@ -66,7 +66,7 @@ QuantitySamples LightCombiner::samples(
 
 namespace {
 
-/// What is summed.
+/// The light that a weighted sum is of.
 enum class SummedLight { bands, sunlit };
 
 /// The light that is combined.
