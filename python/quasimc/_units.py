@@ -20,6 +20,14 @@ def _powers(unit):
     return powers
 
 
+def factors_of(unit):
+    """Symbols of a unit with their powers: dict. Raises ValueError for a text of another form."""
+    powers = _powers(unit)
+    if powers is None:
+        raise ValueError(f"the unit {unit!r} is not written as 'umol m-2 s-1'; see with_unit()")
+    return powers
+
+
 def product(a, b, power=1):
     """The unit of a times b to a whole power; "" if it can't be written."""
     left, right = _powers(a), _powers(b)

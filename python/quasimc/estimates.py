@@ -471,6 +471,30 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
         frame.attrs["units"] = dict.fromkeys(columns, self._units[0]) if not self.bands else self.units
         return frame
 
+    def to_pint(self, registry=None):
+        """The values and their standard errors as two quantities of pint.
+
+        Parameters
+        ----------
+        registry : pint.UnitRegistry
+            Default: the one of the application.
+
+        Returns
+        -------
+        tuple
+            Two pint.Quantity, each of the shape of the estimates.
+
+        Raises
+        ------
+        ValueError
+            If the bands have different units: choose one, ``light["PAR"].to_pint()``.
+        ImportError
+            If pint is missing.
+        """
+        from ._exchange import to_pint
+
+        return to_pint(np.array(self.values), np.array(self.standard_error), self.unit, registry)
+
 
 def _restored(values, name, units, bands, index, spread, origins, extensive):
     parts = {origin: (lambda part=part: part) for origin, part in origins.items()}

@@ -394,6 +394,24 @@ class Result(Light):
         }
         return frame
 
+    def to_pyvista(self):
+        """Returns a pyvista.PolyData: the triangles of the organs with their light.
+
+        Cells have the arrays "organ" (ids), "name", ``label_<key>``, and the columns of `to_pandas`:
+        ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``, equal for all triangles of an organ.
+        Coordinates are in the axes and the length unit of the scene. The ground is not among them.
+
+        Raises ImportError if pyvista is missing, and ValueError if the triangles were not stored.
+        """
+        from ._exchange import to_pyvista
+
+        columns = self._columns()
+        if self._has_sunlit:
+            columns.update(estimate_columns("sunlit_fraction", self["sunlit_fraction"]))
+        for name, estimates in self.ratios.items():
+            columns.update(estimate_columns(f"ratio_{name}", estimates))
+        return to_pyvista(self.organs, columns)
+
     def to_xarray(self):
         """Returns an xarray.Dataset with the dimensions organ, band and statistic.
 

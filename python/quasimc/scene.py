@@ -279,6 +279,33 @@ class Scene:
             self._put(mesh, self._numbered)
         return self
 
+    def add_trimesh(self, mesh, *, material, **keys):
+        """Adds the triangles of a trimesh.Trimesh, in the length unit of the scene.
+
+        The face attribute "organ", if there is one, has the ids of organs; `organ` overrides it.
+        Other keywords, the value that is returned and errors are those of `add_mesh`.
+        """
+        from ._exchange import of_trimesh
+
+        vertices, faces, organ = of_trimesh(mesh)
+        return self.add_mesh(
+            vertices, faces, material=material, organ=keys.pop("organ", organ), **keys
+        )
+
+    def add_pyvista(self, mesh, *, material, **keys):
+        """Adds the surface of a data set of pyvista, in the length unit of the scene.
+
+        Polygons are divided into triangles. The array of cells "organ", if there is one, has the ids
+        of organs; `organ` overrides it. Other keywords, the value that is returned and errors are
+        those of `add_mesh`.
+        """
+        from ._exchange import of_pyvista
+
+        vertices, faces, organ = of_pyvista(mesh)
+        return self.add_mesh(
+            vertices, faces, material=material, organ=keys.pop("organ", organ), **keys
+        )
+
     def replace(
         self,
         name,
@@ -816,6 +843,26 @@ class Scene:
         if path is not None:
             picture.save(path)
         return picture
+
+    def to_trimesh(self):
+        """Returns a trimesh.Trimesh of all organs, with the face attribute "organ": their ids.
+
+        Coordinates are in the axes and the length unit of the scene. The ground is not among them.
+        Raises ImportError if trimesh is missing.
+        """
+        from ._exchange import to_trimesh
+
+        return to_trimesh(self.organs)
+
+    def to_pyvista(self):
+        """Returns a pyvista.PolyData of all organs: cells with "organ" (ids), "name", ``label_<key>``.
+
+        Coordinates are in the axes and the length unit of the scene. The ground is not among them.
+        Raises ImportError if pyvista is missing.
+        """
+        from ._exchange import to_pyvista
+
+        return to_pyvista(self.organs)
 
     def show(self, **options):
         """Shows the picture of the surfaces: in a notebook, or in the browser; see `picture`.

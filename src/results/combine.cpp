@@ -1,6 +1,8 @@
 #include "results/combine.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 #include "results/bounds/physical_bounds.h"
@@ -10,6 +12,15 @@ namespace quasimc {
 
 CombinedLight LightCombiner::empty() const {
     return {std::vector<Incident>(replicates() * bands()), std::vector<double>(replicates())};
+}
+
+void CombinedLight::add(const CombinedLight& other) {
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        light[i] += other.light[i];
+    }
+    for (std::size_t r = 0; r < sunlit.size(); ++r) {
+        sunlit[r] += other.sunlit[r];
+    }
 }
 
 void LightCombiner::add_up(
@@ -55,63 +66,111 @@ QuantitySamples LightCombiner::samples(
 
 namespace {
 
+/// The light that a weighted sum is of.
+enum class SummedLight { bands, sunlit };
+
 /// The light that is combined.
 struct Combination {
     const Sums& sums;
     const Scene& scene;
     const EvaluationSpec& spec;
-    std::span<const OrganWeights> of;
+    const LightCombiner& combiner;
+    SummedLight light;
+    const PhysicalBounds* bounds = nullptr;  ///< null: limits are not needed
+};
 
-    [[nodiscard]] bool is_known(const OrganWeights& one) const {
-        return std::ranges::all_of(one.organs, [&](std::uint32_t organ) {
-            return is_measured(sums, scene.organs()[organ]);
-        });
+/// All that a weighted sum needs of its organs.
+struct OrganSum {
+    CombinedLight light;
+    std::vector<OrganContributions> contributions;  ///< by band; one of the sunlit area
+    OrganLimits limits;
+    double largest_weight = 0;
+    double area = 0;
+    bool is_known = true;  ///< whether all organs are measured
+
+    explicit OrganSum(const Combination& in)
+        : light(in.combiner.empty()),
+          contributions(in.light == SummedLight::sunlit ? 1 : in.combiner.bands()),
+          limits(in.bounds ? in.bounds->none() : OrganLimits({})) {}
+
+    void add(const OrganSum& part) {
+        light.add(part.light);
+        for (std::size_t i = 0; i < contributions.size(); ++i) {
+            contributions[i].include(part.contributions[i]);
+        }
+        limits += part.limits;
+        largest_weight = std::max(largest_weight, part.largest_weight);
+        area += part.area;
+        is_known = is_known && part.is_known;
+    }
+    /// Limits of the sum: all emitted light may fall on the organ of the largest weight.
+    [[nodiscard]] OrganLimits limits_of_sum() const {
+        OrganLimits all = limits;
+        for (double& emitted : all.emitted) {
+            emitted *= largest_weight;
+        }
+        return all;
     }
 };
 
-/// Calls use(index, light) for each weighted sum that is known, on all threads.
-template <typename Use>
-void for_each_sum(const Combination& in, const LightCombiner& combiner, const Use& use) {
-    constexpr std::size_t kSumsPerBatch = 4096;
-    for (std::size_t first = 0; first < in.of.size(); first += kSumsPerBatch) {
-        const std::size_t batch = std::min(kSumsPerBatch, in.of.size() - first);
-        std::vector<CombinedLight> light(batch, combiner.empty());
-        const std::size_t replicates = combiner.replicates();
-        parallel_blocks(batch * replicates, in.spec.threads, [&](std::uint64_t block, unsigned) {
-            const std::size_t i = block / replicates;
-            combiner.add_up(
-                in.of[first + i], static_cast<std::uint32_t>(block % replicates), light[i]);
-        });
-        parallel_blocks(batch, in.spec.threads, [&](std::uint64_t i, unsigned) {
-            if (in.is_known(in.of[first + i])) {
-                use(first + i, light[i]);
-            }
-        });
+OrganSum sum_of(const Combination& in, const OrganWeights& of) {
+    OrganSum sum(in);
+    sum.is_known = std::ranges::all_of(of.organs, [&](std::uint32_t organ) {
+        return is_measured(in.sums, in.scene.organs()[organ]);
+    });
+    if (!sum.is_known) {
+        return sum;
     }
-}
-
-/// All emitted light may fall on the organ of the largest weight.
-OrganLimits limits_of(
-    const Combination& in, const PhysicalBounds& bounds, const OrganWeights& one) {
-    OrganLimits sum = bounds.none(), own = sum;
-    double largest = one.weights.empty() ? 1 : 0;
-    for (std::size_t i = 0; i < one.organs.size(); ++i) {
-        bounds.find(in.scene.organs()[one.organs[i]], own);
-        sum.add(own, one.weight(i));
-        largest = std::max(largest, one.weight(i));
+    for (std::uint32_t r = 0; r < in.combiner.replicates(); ++r) {
+        in.combiner.add_up(of, r, sum.light);
     }
-    for (double& emitted : sum.emitted) {
-        emitted *= largest;
+    sum.contributions = in.light == SummedLight::sunlit
+                            ? std::vector{in.combiner.sunlit_contributions(of)}
+                            : in.combiner.contributions(of);
+    OrganLimits own = sum.limits;
+    for (std::size_t i = 0; i < of.organs.size(); ++i) {
+        const Organ& organ = in.scene.organs()[of.organs[i]];
+        sum.largest_weight = std::max(sum.largest_weight, of.weight(i));
+        sum.area += organ.area * of.weight(i);
+        if (in.bounds) {
+            in.bounds->find(organ, own);
+            sum.limits.add(own, of.weight(i));
+        }
     }
     return sum;
 }
 
-double area_of(const Combination& in, const OrganWeights& one) {
-    double area = 0;
-    for (std::size_t i = 0; i < one.organs.size(); ++i) {
-        area += in.scene.organs()[one.organs[i]].area * one.weight(i);
+/// Calls use(index, sum) for each weighted sum that is known, on all threads. Long sums are formed
+/// in parts of equal size, so that one sum occupies all threads and has the same bits on any
+/// number.
+template <typename Use>
+void for_each_sum(const Combination& in, std::span<const OrganWeights> of, const Use& use) {
+    constexpr std::size_t kSumsPerBatch = 4096, kOrgansPerPart = 1024;
+    for (std::size_t first = 0; first < of.size(); first += kSumsPerBatch) {
+        const std::span batch = of.subspan(first, std::min(kSumsPerBatch, of.size() - first));
+        std::vector<OrganWeights> parts;
+        std::vector<std::size_t> starts;  // of each sum, among the parts
+        for (const OrganWeights& sum : batch) {
+            starts.push_back(parts.size());
+            for (std::size_t i = 0; i < sum.organs.size(); i += kOrgansPerPart) {
+                parts.push_back(sum.part(i, kOrgansPerPart));
+            }
+        }
+        starts.push_back(parts.size());
+        std::vector<std::optional<OrganSum>> sums(parts.size());
+        parallel_blocks(parts.size(), in.spec.threads, [&](std::uint64_t i, unsigned) {
+            sums[i] = sum_of(in, parts[i]);
+        });
+        parallel_blocks(batch.size(), in.spec.threads, [&](std::uint64_t i, unsigned) {
+            OrganSum all = starts[i] == starts[i + 1] ? OrganSum(in) : std::move(*sums[starts[i]]);
+            for (std::size_t part = starts[i] + 1; part < starts[i + 1]; ++part) {
+                all.add(*sums[part]);
+            }
+            if (all.is_known) {
+                use(first + i, all);
+            }
+        });
     }
-    return area;
 }
 
 }  // namespace
@@ -121,20 +180,20 @@ std::vector<Estimate> combine(
     const Scene& scene,
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of) {
-    const Combination in{sums, scene, spec, of};
     const LightCombiner combiner(sums, scene, spec);
     const PhysicalBounds bounds(scene, spec, sums->emitted_flux);
+    const Combination in{sums, scene, spec, combiner, SummedLight::bands, &bounds};
     const std::size_t bands = combiner.bands(), row = kQuantities * bands;
     std::vector<Estimate> values(of.size() * row, kUnknownEstimate);
-    for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        const std::vector<OrganContributions> contributions = combiner.contributions(of[index]);
-        const OrganLimits limits = limits_of(in, bounds, of[index]);
+    for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
+        const OrganLimits limits = sum.limits_of_sum();
         for (std::size_t b = 0; b < bands; ++b) {
-            const QuantitySamples samples = combiner.samples(light, b, 1);
+            const QuantitySamples samples = combiner.samples(sum.light, b, 1);
             for (const QuantityEntry& entry : quantity_table()) {
                 const auto q = static_cast<std::size_t>(entry.quantity);
                 values[index * row + q * bands + b] = not_above(
-                    contributions[b].estimate(entry, 1, samples[q]), limits.of(entry.quantity, b));
+                    sum.contributions[b].estimate(entry, 1, samples[q]),
+                    limits.of(entry.quantity, b));
             }
         }
     });
@@ -146,23 +205,20 @@ std::vector<Estimate> combine_sunlit(
     const Scene& scene,
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of) {
-    const Combination in{sums, scene, spec, of};
     const LightCombiner combiner(sums, scene, spec);
     const PhysicalBounds bounds(scene, spec, sums->emitted_flux);
+    const Combination in{sums, scene, spec, combiner, SummedLight::sunlit, &bounds};
     if (!combiner.has_sun()) {
         return {};
     }
     std::vector<Estimate> values(of.size(), kUnknownEstimate);
-    for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        const double area = area_of(in, of[index]);
-        std::vector<double> fractions = light.sunlit;
+    for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
+        std::vector<double> fractions = sum.light.sunlit;
         for (double& each : fractions) {
-            each *= area > 0 ? 1 / area : 0;
+            each *= sum.area > 0 ? 1 / sum.area : 0;
         }
-        const Estimate fraction =
-            combiner.sunlit_contributions(of[index]).estimate_sunlit(area, fractions);
-        values[index] =
-            not_above(scaled(fraction, area), limits_of(in, bounds, of[index]).sunlit_area);
+        const Estimate fraction = sum.contributions.front().estimate_sunlit(sum.area, fractions);
+        values[index] = not_above(scaled(fraction, sum.area), sum.limits.sunlit_area);
     });
     return values;
 }
@@ -173,20 +229,20 @@ CombinedReplicates combine_replicates(
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of,
     Quantity quantity) {
-    const Combination in{sums, scene, spec, of};
     const LightCombiner combiner(sums, scene, spec);
+    const Combination in{sums, scene, spec, combiner, SummedLight::bands};
     const std::size_t bands = combiner.bands();
     CombinedReplicates all;
     all.values.resize(combiner.replicates() * of.size() * bands, kUnknownEstimate.mean);
     all.sizes.resize(of.size() * bands);
-    for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        const std::vector<OrganContributions> contributions = combiner.contributions(of[index]);
+    for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
         for (std::size_t b = 0; b < bands; ++b) {
-            const auto samples = combiner.samples(light, b, 1)[static_cast<std::size_t>(quantity)];
+            const auto samples =
+                combiner.samples(sum.light, b, 1)[static_cast<std::size_t>(quantity)];
             for (std::size_t r = 0; r < samples.size(); ++r) {
                 all.values[(r * of.size() + index) * bands + b] = samples[r];
             }
-            all.sizes[index * bands + b] = contributions[b].size(quantity, samples);
+            all.sizes[index * bands + b] = sum.contributions[b].size(quantity, samples);
         }
     });
     return all;
@@ -197,19 +253,19 @@ CombinedReplicates combine_sunlit_replicates(
     const Scene& scene,
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of) {
-    const Combination in{sums, scene, spec, of};
     const LightCombiner combiner(sums, scene, spec);
+    const Combination in{sums, scene, spec, combiner, SummedLight::sunlit};
     CombinedReplicates all;
     if (!combiner.has_sun()) {
         return all;
     }
     all.values.resize(combiner.replicates() * of.size(), kUnknownEstimate.mean);
     all.sizes.resize(of.size());
-    for_each_sum(in, combiner, [&](std::size_t index, const CombinedLight& light) {
-        for (std::size_t r = 0; r < light.sunlit.size(); ++r) {
-            all.values[r * of.size() + index] = light.sunlit[r];
+    for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
+        for (std::size_t r = 0; r < sum.light.sunlit.size(); ++r) {
+            all.values[r * of.size() + index] = sum.light.sunlit[r];
         }
-        all.sizes[index] = combiner.sunlit_contributions(of[index]).size();
+        all.sizes[index] = sum.contributions.front().size();
     });
     return all;
 }

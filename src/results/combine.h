@@ -2,6 +2,7 @@
 
 // Weighted sums of the light of organs, with the errors of the sums.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,6 +22,12 @@ struct OrganWeights {
     std::span<const double> weights = {};   ///< one for each; empty: all 1
 
     [[nodiscard]] double weight(std::size_t i) const { return weights.empty() ? 1 : weights[i]; }
+    /// At most `count` organs from `first` on.
+    [[nodiscard]] OrganWeights part(std::size_t first, std::size_t count) const {
+        const std::size_t size = std::min(count, organs.size() - first);
+        return {
+            organs.subspan(first, size), weights.empty() ? weights : weights.subspan(first, size)};
+    }
 };
 
 /// The light of several organs together, per replicate: errors of organs that shade one another are
@@ -28,6 +35,9 @@ struct OrganWeights {
 struct CombinedLight {
     std::vector<Incident> light;  ///< [band * replicates + replicate], flux
     std::vector<double> sunlit;   ///< [replicate], area; 0 without directional sources
+
+    /// Adds the light of other organs.
+    void add(const CombinedLight& other);
 };
 
 /// Adds up the light of organs. All arguments of the constructor must outlive it.

@@ -100,6 +100,7 @@ void OrganContributions::read_points(const OrganReader& reader, std::size_t band
 
 void OrganContributions::read_strategies(const OrganReader& reader, std::size_t band) {
     const double count = reader.replicates();
+    kinds_.reserve(2 * reader.sums().data().strategies.size() + 2);
     for (std::size_t i = 0; i < reader.sums().data().strategies.size(); ++i) {
         const SamplingStrategy& strategy = reader.sums().data().strategies[i];
         const bool is_path = strategy.by == SampledBy::paths;

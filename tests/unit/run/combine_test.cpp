@@ -15,11 +15,11 @@
 namespace quasimc::test {
 namespace {
 
-Scene make_leaves() {
+Scene make_leaves(std::size_t leaves = 8) {
     SceneBuilder builder = make_builder(2);
     builder.add_material(diffuse("leaf", .3, .2, 2));
     builder.add_material(diffuse("soil", .2, 0, 2));
-    for (const auto& leaf : random_leaves(8, .6, 1, 3)) {
+    for (const auto& leaf : random_leaves(leaves, .6, 1, 3)) {
         builder.add_organ(organ("", "leaf", {leaf}));
     }
     OrganSpec border = organ("border", "leaf", floor_of(0, .2, 0, .2, .3));
@@ -31,13 +31,14 @@ Scene make_leaves() {
 
 /// Sums of a run, and all that is needed to read them.
 struct Kept {
-    Scene scene = make_leaves();
+    Scene scene;
     Sources sources{sun(30, {1, 2}), sky({.5, .2})};
     RunSpec spec;
     Sums sums;
     EvaluationSpec evaluation;
 
-    explicit Kept(Method method, std::uint64_t paths = 512) : spec(spec_of(method, paths)) {
+    explicit Kept(Method method, std::uint64_t paths = 512, std::size_t leaves = 8)
+        : scene(make_leaves(leaves)), spec(spec_of(method, paths)) {
         sums = Simulator().sums(scene, sources, spec);
         evaluation = evaluation_of(scene, sources, spec);
     }
@@ -120,6 +121,32 @@ TEST(CombineOf, NoOrgansIsZero) {
     const Estimate none = kept.combined({}).front();
     EXPECT_EQ(none.mean, 0);
     EXPECT_EQ(none.standard_error, 0);
+}
+
+/// Organs of long sums are read in parts.
+TEST(CombineOf, ManyOrgansIsTheirGroup) {
+    const Kept kept(Method::light_tracing, 4096, 3000);
+    const GroupResults groups = evaluate_run(kept.sums, kept.scene, kept.spec, kept.sources).groups;
+    const OrganGroup& all = groups.groups.front();
+    ASSERT_EQ(all.organs.size(), 3000U);
+    const auto absorbed = static_cast<std::size_t>(Quantity::absorbed_flux);
+    expect_same(
+        kept.combined({all.organs})[absorbed * 2], groups.at(0, Quantity::absorbed_flux, 0));
+}
+
+TEST(CombineOf, ManyOrgansHasTheSameBitsOnAnyNumberOfThreads) {
+    Kept kept(Method::light_tracing, 4096, 3000);
+    std::vector<std::uint32_t> organs(3000);
+    std::iota(organs.begin(), organs.end(), 0);
+    kept.evaluation.threads = 1;
+    const std::vector<Estimate> one = kept.combined({organs});
+    kept.evaluation.threads = 3;
+    const std::vector<Estimate> three = kept.combined({organs});
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ(one[i].mean, three[i].mean);
+        EXPECT_EQ(one[i].standard_error, three[i].standard_error);
+        EXPECT_EQ(one[i].ci95_high, three[i].ci95_high);
+    }
 }
 
 }  // namespace
