@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "quasimc/quasimc.h"
+#include "resultio/describe_result.h"
 #include "resultio/describe_series.h"
 #include "resultio/field_formats.h"
 #include "resultio/output_input.h"
@@ -106,7 +107,7 @@ void draw_picture(
                                             run.scene.bands().front(), run.series.has_value());
     values.estimates.resize(run.scene.organs().size(), quasimc::kUnknownEstimate);
     quasimc::ScenePicture picture;
-    picture.title = title_of(run);
+    picture.title = quasimc::title_of(run);
     color_by_value(run.scene, values, {}, picture);
     picture.to_suns = suns_of(sources_at(run, values.when), run.series.has_value());
     sink(draw_scene(run.scene, picture));

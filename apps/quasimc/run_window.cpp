@@ -9,6 +9,7 @@
 
 #include "interrupt.h"
 #include "progress.h"
+#include "resultio/describe_result.h"
 #include "show_values.h"
 #include "window/page.h"
 #include "window/window_parts.h"
@@ -37,7 +38,7 @@ void RunWindow::next_run(const quasimc::RunFile& run) {
         .scene = std::make_shared<const quasimc::Scene>(run.scene),
         .bands = run.scene.bands(),
         .ratios = run.spec.ratios,
-        .title = title_of(run),
+        .title = quasimc::title_of(run),
         .head = quasimc::window_run_head(run)});
 }
 

@@ -15,6 +15,7 @@
 #include "option_flags.h"
 #include "picture/scene_picture.h"
 #include "quasimc/quasimc.h"
+#include "resultio/describe_result.h"
 #include "show_colors.h"
 #include "show_true_light.h"
 #include "show_values.h"
@@ -136,7 +137,7 @@ std::vector<Frame> frames_of(
         const auto& true_light = frame.picture.true_light;
         const quasimc::Sources* sources =
             true_light ? true_light->sources : sources_at(shown.run, frame.when);
-        frame.picture.title = title_of(shown.run);
+        frame.picture.title = quasimc::title_of(shown.run);
         frame.picture.to_suns = suns_of(sources, shown.run.series.has_value());
     }
     return frames;

@@ -8,11 +8,6 @@
 #include "meshio/geometry_scene.h"
 #include "quasimc/quasimc.h"
 
-/// The title of a run, or else its file.
-[[nodiscard]] inline const std::string& title_of(const quasimc::RunFile& run) {
-    return run.title.empty() ? run.path : run.title;
-}
-
 /// The choice of numbers to show.
 struct ValueChoice {
     std::string quantity = "absorbed_flux_density", band;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -45,6 +46,10 @@ std::string reason(const RunSpec& spec, StopReason stop) {
 }
 
 }  // namespace
+
+std::string title_of(const RunFile& run) {
+    return run.title.empty() ? std::filesystem::path(run.path).filename().string() : run.title;
+}
 
 std::vector<std::string> audit_lines(const RunFile& run, const Result& result) {
     if (!result.audit) {

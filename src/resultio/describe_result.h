@@ -1,6 +1,6 @@
 #pragma once
 
-// Texts on audits, and on runs that ended early.
+// Texts on titles, audits, and runs that ended early.
 
 #include <string>
 #include <vector>
@@ -10,6 +10,9 @@
 #include "runfile/run_file.h"
 
 namespace quasimc {
+
+/// The title of a run, or else the name of its file without folders.
+[[nodiscard]] std::string title_of(const RunFile& run);
 
 /// The outcome of a result's audit, one line for the whole and one for each of the first bands;
 /// none without an audit.

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "quasimc/error.h"
+#include "resultio/describe_result.h"
 #include "resultio/json_parts.h"
 #include "resultio/read_rows.h"
 #include "window/window_difference.h"
@@ -143,7 +144,7 @@ WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
               "times are matched by their labels", "choose results of the same times and bands"}});
     }
     Json all = json_window_scene(scene, columns);
-    all["title"] = run.title.empty() ? run.path : run.title;
+    all["title"] = title_of(run);
     all["head"] = json_value(head);
     all["times"] = std::move(times);
     if (difference) {

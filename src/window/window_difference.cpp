@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "quasimc/error.h"
+#include "resultio/describe_result.h"
 #include "resultio/json_parts.h"
 
 namespace quasimc {
@@ -37,7 +38,7 @@ RowsQuery window_query(const RunFile& run, const std::vector<WindowColumn>& colu
 
 WindowDifference::WindowDifference(
     const Scene& scene, const std::vector<WindowColumn>& columns, const ReadResult& minus)
-    : title_(minus.run.title.empty() ? minus.run.path : minus.run.title) {
+    : title_(title_of(minus.run)) {
     std::unordered_map<std::int64_t, std::size_t> known;
     for (const Organ& organ : minus.run.scene.organs()) {
         known.emplace(organ.id, known.size());

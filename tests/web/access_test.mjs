@@ -7,56 +7,26 @@
 // 4.5 (WCAG 2.2, level AA), every control has a name and is reached by keys, and Tab shows where it is.
 
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
+import { spawn } from "node:child_process";
 import { once } from "node:events";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
-import path from "node:path";
 import { createInterface } from "node:readline";
-import { pathToFileURL } from "node:url";
 import { faintTexts, moving, nameless, unreachable } from "./access.mjs";
+import { Workshop, kDay, open as openAt, twoLeaves } from "./workshop.mjs";
 
-const [quasimc, executablePath, packages] = process.argv.slice(2);
-const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
-const folder = mkdtempSync(path.join(tmpdir(), "quasimc-access-"));
-const run = (...words) => execFileSync(quasimc, words, { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
+const workshop = new Workshop("access");
 
 /** Two leaves above a ground, from hour to hour. */
-const runFile = (reflectance, json) => `title = "Two leaves"
-bands = ["PAR", "NIR"]
-irradiance_unit = "W m-2"
-[site]
-latitude_deg = 45
-longitude_deg = 0
-[time]
-day = "2024-06-21"
-utc_offset_hours = 0
-[run]
+const runFile = (reflectance) => `title = "Two leaves"
+bands = ["PAR", "NIR"]${kDay}[run]
 paths = 256
-[output]
-json = "${json}"
 [ground]
-material = "leaf"
+material = "soil"
 x = [-1, 1]
 y = [-1, 1]
 [[material]]
-name = "leaf"
+name = "soil"
 reflectance = ${reflectance}
-transmittance = 0.1
-[[organ]]
-name = "upper"
-labels = { kind = "blade", plant = "1" }
-material = "leaf"
-shape = "triangle"
-corners = [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0, 0.6, 1]]
-[[organ]]
-name = "lower"
-labels = { kind = "stem", plant = "1" }
-material = "leaf"
-shape = "triangle"
-corners = [[-0.8, -0.8, 0.5], [0.8, -0.8, 0.5], [0, 0.9, 0.5]]
-`;
+${twoLeaves()}`;
 
 /** The states of a finished result, as addresses. */
 const kStates = {
@@ -70,11 +40,7 @@ async function checkState(page, name) {
   }
 }
 
-async function open(page, hash) {
-  await page.goto("about:blank");
-  await page.goto(`${pathToFileURL(path.join(folder, "two.html")).href}#${hash}`);
-  await page.waitForSelector("html[data-state=ready]");
-}
+const open = (page, hash) => openAt(page, `${workshop.address("two")}#${hash}`);
 
 async function checkStates(browser) {
   for (const [size, viewport] of Object.entries({ desk: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } })) {
@@ -130,7 +96,7 @@ async function checkMotion(browser) {
 }
 
 async function checkLive(browser) {
-  const program = spawn(quasimc, ["run", "two.toml", "--view", "--json", "live.json"], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
+  const program = spawn(workshop.quasimc, ["run", "two.toml", "--view", "--json", "live.json"], { cwd: workshop.folder, stdio: ["ignore", "ignore", "pipe"] });
   try {
     let address = "";
     for await (const line of createInterface({ input: program.stderr })) {
@@ -174,23 +140,15 @@ async function checkTheChecks(page) {
   }
 }
 
-const browser = await chromium.launch({
-  executablePath,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-try {
-  writeFileSync(path.join(folder, "two.toml"), runFile(0.1, "two.json"));
-  writeFileSync(path.join(folder, "other.toml"), runFile(0.5, "other.json"));
-  run("run", "two.toml", "--quiet");
-  run("run", "other.toml", "--quiet");
-  run("report", "two.json", "--minus", "other.json", "-o", "two.html");
+workshop.compute("two", runFile(0.1));
+workshop.compute("other", runFile(0.5));
+workshop.report("two", "--minus", "other.json");
+await workshop.use(async (browser) => {
   await checkStates(browser);
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+  const page = await workshop.page(browser);
   await checkTab(page);
   await checkTheChecks(page);
   await checkMotion(browser);
   await checkLive(browser);
-} finally {
-  await browser.close();
-  rmSync(folder, { recursive: true, force: true });
-}
+  assert.deepEqual(workshop.faults, []);
+});

@@ -6,19 +6,13 @@
 // from what is behind it, and where light comes from is shown as long as it is asked for.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
 import path from "node:path";
-import { pathToFileURL } from "node:url";
 import { faintTexts } from "./access.mjs";
 import { countPixels, pixelsOf } from "./pixels.mjs";
+import { Workshop, open, twoLeaves } from "./workshop.mjs";
 
-const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
-const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
-const folder = mkdtempSync(path.join(tmpdir(), "quasimc-looks-"));
-const run = (...words) => execFileSync(quasimc, words, { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
+const workshop = new Workshop("looks");
+const { pictures } = workshop;
 
 /** Two leaves under sun, sky and a lamp, to a target: a page with all it can have. */
 const kRunFile = `
@@ -29,8 +23,6 @@ irradiance_unit = "W m-2"
 [run]
 paths = 256
 max_paths = 4096
-[output]
-json = "two.json"
 [[source]]
 type = "sun"
 name = "sun"
@@ -46,24 +38,7 @@ irradiance_horizontal = [100, 80]
 type = "point"
 name = "lamp"
 position = [0.9, 0.9, 1.4]
-power = [10, 10]
-[[material]]
-name = "leaf"
-reflectance = 0.1
-transmittance = 0.1
-[[organ]]
-name = "upper"
-labels = { kind = "blade", plant = "1" }
-material = "leaf"
-shape = "triangle"
-corners = [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0, 0.6, 1]]
-[[organ]]
-name = "lower"
-labels = { kind = "stem", plant = "1" }
-material = "leaf"
-shape = "triangle"
-corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
-`;
+power = [10, 10]${twoLeaves(1)}`;
 
 /** The canvas at rest. */
 async function canvasPixels(page) {
@@ -211,11 +186,8 @@ ${organs.join("")}`;
 /** Charts of a single organ, and of one that is far brighter than all others, show what there is. */
 async function checkOddCharts(page) {
   const show = async (leaves) => {
-    writeFileSync(path.join(folder, "run.toml"), sunnyRun(leaves));
-    run("run", "run.toml", "--quiet");
-    run("report", "run.json", "-o", "run.html");
-    await page.goto(pathToFileURL(path.join(folder, "run.html")).href);
-    await page.waitForSelector("html[data-state=ready]");
+    workshop.compute("run", sunnyRun(leaves));
+    await open(page, workshop.report("run"));
   };
   await show([["only", [[-1, -1, 1], [1, -1, 1], [0, 1, 1]]]]);
   for (const chart of ["#histogram", "#profile"]) {
@@ -232,27 +204,16 @@ async function checkOddCharts(page) {
   assert.match(await page.locator("#legend").textContent(), /▲ up to 0\.[4-9]/);
 }
 
-const browser = await chromium.launch({
-  executablePath,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-try {
-  writeFileSync(path.join(folder, "two.toml"), kRunFile);
-  run("run", "two.toml", "--quiet");
-  run("report", "two.json", "-o", "two.html");
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-  const faults = [];
-  page.on("pageerror", (error) => faults.push(String(error)));
-  await page.goto(pathToFileURL(path.join(folder, "two.html")).href);
-  await page.waitForSelector("html[data-state=ready]");
+workshop.compute("two", kRunFile);
+workshop.report("two");
+await workshop.use(async (browser) => {
+  const page = await workshop.page(browser);
+  await open(page, workshop.address("two"));
   await checkKeys(page);
   await checkNames(page);
   await checkColours(page);
   await checkLights(page);
   await checkPrint(page);
   await checkOddCharts(page);
-  assert.deepEqual(faults, []);
-} finally {
-  await browser.close();
-  rmSync(folder, { recursive: true, force: true });
-}
+  assert.deepEqual(workshop.faults, []);
+});

@@ -6,17 +6,11 @@
 // point to point; the numbers are those of the result, and differences those of two of its points.
 
 import assert from "node:assert/strict";
-import { execFileSync, spawn } from "node:child_process";
-import { once } from "node:events";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
 import path from "node:path";
-import { createInterface } from "node:readline";
+import { Workshop, open, twoLeaves } from "./workshop.mjs";
 
-const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
-const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
-const folder = mkdtempSync(path.join(tmpdir(), "quasimc-points-"));
+const workshop = new Workshop("points");
+const { pictures } = workshop;
 
 /** Two leaves under a sun of three heights. */
 const kRunFile = `
@@ -27,31 +21,12 @@ irradiance_unit = "W m-2"
 source.sun.elevation_deg = [15, 45, 80]
 [run]
 paths = 1024
-[output]
-json = "points.json"
 [[source]]
 type = "directional"
 name = "sun"
 azimuth_deg = 180
 elevation_deg = 40
-irradiance_facing = 400
-[[material]]
-name = "leaf"
-reflectance = 0.1
-transmittance = 0.1
-[[organ]]
-id = 7
-name = "upper"
-material = "leaf"
-shape = "triangle"
-corners = [[-0.5, -0.5, 1], [0.5, -0.5, 1], [0, 0.6, 1]]
-[[organ]]
-id = 8
-name = "lower"
-material = "leaf"
-shape = "triangle"
-corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
-`;
+irradiance_facing = 400${twoLeaves()}`;
 
 /** The estimate of the upper leaf at a point of the result. */
 const upperAt = (result, point) => result.points[point].organs[0].absorbed_flux_density.PAR;
@@ -60,8 +35,7 @@ const shown = (page) => page.locator("#time-title").textContent();
 const cardValue = (page) => page.locator("#cards article .number").first().textContent();
 
 async function checkPoints(page, address, result) {
-  await page.goto(address);
-  await page.waitForSelector("html[data-state=ready]");
+  await open(page, address);
   assert.equal(await shown(page), "elevation 15°");
   await page.waitForFunction(() => document.querySelectorAll("#strip .step").length === 3 && !document.querySelector("#strip .unknown"));
   const heights = await page.locator("#strip .step").evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("height"))));
@@ -96,27 +70,13 @@ async function checkDifference(page, result) {
   await page.waitForFunction(() => !document.querySelector("#legend-title").textContent.includes("elevation"));
 }
 
-writeFileSync(path.join(folder, "points.toml"), kRunFile);
-execFileSync(quasimc, ["run", "points.toml", "--quiet"], { cwd: folder });
-const result = JSON.parse(readFileSync(path.join(folder, "points.json"), "utf8"));
-const server = spawn(quasimc, ["view", "points.json"], { cwd: folder, stdio: ["ignore", "pipe", "ignore"] });
-const [address] = await once(createInterface({ input: server.stdout }), "line");
-const browser = await chromium.launch({
-  executablePath,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-try {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-  const faults = [];
-  page.on("pageerror", (error) => faults.push(String(error)));
-  await checkPoints(page, address, result);
+const result = workshop.compute("points", kRunFile);
+await workshop.use(async (browser) => {
+  const page = await workshop.page(browser);
+  await checkPoints(page, await workshop.view("points"), result);
   if (pictures) {
     await page.screenshot({ path: path.join(pictures, "points.png") });
   }
   await checkDifference(page, result);
-  assert.deepEqual(faults, []);
-} finally {
-  await browser.close();
-  server.kill();
-  rmSync(folder, { recursive: true, force: true });
-}
+  assert.deepEqual(workshop.faults, []);
+});

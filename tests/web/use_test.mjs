@@ -6,20 +6,15 @@
 // organs; the address restores the view; a saved picture shows what the page shows.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { tmpdir } from "node:os";
+import { readFileSync } from "node:fs";
 import path from "node:path";
-import { pathToFileURL } from "node:url";
 import { estimate, interval, plain, unitText } from "../../web/src/format.js";
 import { countPixels, pixelsOf } from "./pixels.mjs";
+import { kDay, Workshop, open as openAt } from "./workshop.mjs";
 
-const [quasimc, executablePath, packages, pictures] = process.argv.slice(2);
-const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
-const folder = mkdtempSync(path.join(tmpdir(), "quasimc-use-"));
-const run = (...words) => execFileSync(quasimc, words, { cwd: folder, stdio: ["ignore", "pipe", "inherit"] });
-const address = pathToFileURL(path.join(folder, "day.html")).href;
+const workshop = new Workshop("use");
+const { folder, pictures } = workshop;
+const address = workshop.address("day");
 
 /** Twelve leaves in a spiral around a stem, from hour to hour. */
 function runFile() {
@@ -31,18 +26,8 @@ function runFile() {
     return `[[organ]]\nname = "leaf ${i + 1}"\nlabels = { kind = "leaf" }\nmaterial = "leaf"\nshape = "mesh"\nvertices = [${vertices}]\nfaces = [[0, 1, 2], [3, 4, 5]]\n`;
   });
   return `title = "A plant of twelve leaves"
-bands = ["PAR"]
-irradiance_unit = "W m-2"
-[site]
-latitude_deg = 45
-longitude_deg = 0
-[time]
-day = "2024-06-21"
-utc_offset_hours = 0
-[run]
+bands = ["PAR"]${kDay}[run]
 paths = 2048
-[output]
-json = "day.json"
 [[material]]
 name = "leaf"
 reflectance = 0.1
@@ -67,9 +52,7 @@ function leafBox(pixels) {
 }
 
 async function open(page, hash = "") {
-  await page.goto("about:blank");
-  await page.goto(address + hash);
-  await page.waitForSelector("html[data-state=ready]");
+  await openAt(page, address + hash);
   await page.waitForTimeout(800); // at rest
 }
 
@@ -241,14 +224,12 @@ async function checkReading(page) {
 /** Another result taken away: the difference of each organ, grey where its error is larger. */
 async function checkDifference(page, result) {
   const makeOther = (name, change) => {
-    writeFileSync(path.join(folder, `${name}.toml`), change(runFile().replace("day.json", `${name}.json`)));
-    run("run", `${name}.toml`, "--quiet");
-    run("report", "day.json", "--minus", `${name}.json`, "-o", `${name}.html`);
-    return JSON.parse(readFileSync(path.join(folder, `${name}.json`)));
+    const other = workshop.compute(name, change(runFile()));
+    workshop.run("report", "day.json", "--minus", `${name}.json`, "-o", `${name}.html`);
+    return other;
   };
   const grey = async (name) => {
-    await page.goto(`${pathToFileURL(path.join(folder, `${name}.html`)).href}#show=difference&pins=["12"]&directions=false`);
-    await page.waitForSelector("html[data-state=ready]");
+    await openAt(page, `${workshop.address(name)}#show=difference&pins=["12"]&directions=false`);
     await page.waitForTimeout(800);
     return countPixels(await scenePixels(page), (red, green, blue) => Math.abs(red - 196) < 14 && Math.abs(green - 201) < 14 && Math.abs(blue - 198) < 14);
   };
@@ -300,19 +281,11 @@ function checkDigits() {
   assert.equal(unitText("umol m-2 s-1"), "µmol\u00a0m⁻²\u00a0s⁻¹");
 }
 
-writeFileSync(path.join(folder, "day.toml"), runFile());
-run("run", "day.toml", "--quiet");
-run("report", "day.json", "-o", "day.html");
-const result = JSON.parse(readFileSync(path.join(folder, "day.json")));
-const browser = await chromium.launch({
-  executablePath,
-  args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
-});
-try {
+const result = workshop.compute("day", runFile());
+workshop.report("day");
+await workshop.use(async (browser) => {
   checkDigits();
-  const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
-  const faults = [];
-  page.on("pageerror", (error) => faults.push(String(error)));
+  const page = await workshop.page(browser);
   await checkFraming(browser);
   await checkPins(page, result);
   await checkPlay(page);
@@ -321,8 +294,5 @@ try {
   await checkReading(page);
   await checkTokens(page);
   await checkDifference(page, result);
-  assert.deepEqual(faults, []);
-} finally {
-  await browser.close();
-  rmSync(folder, { recursive: true, force: true });
-}
+  assert.deepEqual(workshop.faults, []);
+});

@@ -38,6 +38,8 @@ export class Legend {
   constructor(page, parent) {
     Object.assign(this, { page, parent, isFlat: matchMedia("(max-width: 640px) and (min-height: 480px)") });
     this.isFlat.addEventListener("change", () => this.draw());
+    const isTouch = matchMedia("(pointer: coarse)").matches;
+    this.hint = make("p", { id: "hint" }, isTouch ? "Tap an organ to read and pin it" : "Point at an organ to read it, click to pin it");
   }
 
   draw() {
@@ -50,7 +52,7 @@ export class Legend {
     this.arrows = make("div");
     this.parent.replaceChildren(
       make("h2", { id: "legend-title", title: run.json.columns[page.column].quantity }, title), make("p", { class: "note", id: "legend-note" }, note),
-      ...(isError ? [this.#classes()] : [this.#scale(), ...this.#quality()]));
+      ...(isError ? [this.#classes()] : [this.#scale(), ...this.#quality()]), this.hint);
     this.mark();
     page.notify("legend");
   }
@@ -133,6 +135,7 @@ export class Legend {
   /** Arrows at the values of organs that are pinned or pointed at. */
   mark() {
     const { page } = this;
+    this.hint.hidden = page.pins.length > 0 || page.state.beside;
     if (page.state.show === "error" || !page.values || !this.position) {
       return;
     }

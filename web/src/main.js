@@ -126,8 +126,6 @@ export async function buildPage(run, timeline, graphics, live = null, time = nul
     page.pins.includes(organ) || page.pin(organ);
     stage?.lookAt(organ);
   });
-  byId("hint").textContent = matchMedia("(pointer: coarse)").matches ? "Tap an organ to read and pin it" : "Point at an organ to read it, click to pin it";
-  byId("hint").hidden = false;
   page.parts = [theme, new Head(page), new Panel(page, byId("panel"), (azimuth, elevation) => stage?.lookFrom(azimuth, elevation)), ...(stage ? [stage, new Legend(page, byId("legend"))] : []),
     new Drawer(page), strip, new Cards(page, byId("cards"), zoom), find, ...(stage ? [new SkyDisc(page, byId("disc"), () => stage.window.orbit.view)] : [])];
   find.scene();

@@ -104,7 +104,6 @@ export class Stage {
     const hovered = page.hovered !== null && !page.pins.includes(page.hovered) ? [[page.hovered, own]] : [];
     this.window.mark([...hovered, ...pins].slice(0, kMaxMarks));
     this.#placeBadges();
-    byId("hint").hidden = page.pins.length > 0 || page.state.beside;
     requestAnimationFrame(() => this.#fit()); // cards may cover the scene
   }
 
