@@ -14,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-constexpr double kDay = 24, kHour = 3600;
+constexpr double kHour = 3600;
 
 const std::string& unit_of_control(const RunFile& run, const LampControl& control) {
     return run.scene.bands()[control.band].unit;
@@ -60,6 +60,7 @@ std::string describe_hours(const TimeSeries& series, const ControlOutcome& outco
         }
     }
     std::vector<std::string> texts;
+    texts.reserve(hours.size());
     for (const auto& [from, to] : hours) {
         texts.push_back(clock_text(from) + "-" + clock_text(to));
     }
