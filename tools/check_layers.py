@@ -51,6 +51,7 @@ PUBLIC_HEADERS = {
     "result.h": "results",
     "run.h": "run",
     "gap_fraction.h": "survey",
+    "lamp_control.h": "series",
     "series.h": "series",
     "run_file.h": "runfile",
     "result_file.h": "resultio",

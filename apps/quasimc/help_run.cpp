@@ -14,6 +14,14 @@
 
 namespace {
 
+/// The run of a point, with its lamps under control as the first process has them.
+std::unique_ptr<quasimc::RunFile> take_run(quasimc::RunSweep& sweep, std::size_t point) {
+    auto run = std::make_unique<quasimc::RunFile>(sweep.take(point));
+    quasimc::Simulator simulator;
+    quasimc::control_lamps(*run, simulator);
+    return run;
+}
+
 /// @param run, taken  last run taken, and its point
 void help_with_dealt(
     quasimc::RunTeam& team,
@@ -26,7 +34,7 @@ void help_with_dealt(
         std::size_t first = order.time_step;
         for (std::size_t point = order.point; point < sweep.size(); ++point, first = 0) {
             if (point != taken) {
-                run = std::make_unique<quasimc::RunFile>(sweep.take(point));
+                run = take_run(sweep, point);
             }
             runs.trace(run->scene, quasimc::time_steps_of(*run), run->spec, first);
         }
@@ -52,7 +60,7 @@ Exit help_run(const RunArguments& arguments, quasimc::RunTeam& team) {
             std::rethrow_exception(failure);
         }
         const std::size_t point = order.point;
-        auto run = std::make_unique<quasimc::RunFile>(stored->runs.take(point));
+        auto run = take_run(stored->runs, point);
         order = helper.help(run->scene, quasimc::time_steps_of(*run), run->spec, team, order);
         if (order.kind == quasimc::TeamOrder::kDealt) {
             help_with_dealt(team, stored->runs, order, std::move(run), point);

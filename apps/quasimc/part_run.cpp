@@ -33,11 +33,11 @@ void trace_points(
     ProgressLine line(progress_lines(arguments));
     const quasimc::Work all({&line});
     const double each = 1 / static_cast<double>(sweep.size());
-    std::size_t before = 0;  // time steps of the points before
+    quasimc::Simulator simulator;  // for lamps under control
+    std::size_t before = 0;        // time steps of the points before
     for (std::size_t point = 0; point < sweep.size(); ++point) {
-        const std::optional<quasimc::RunFile> later =
-            point == 0 ? std::nullopt : std::optional(sweep.take(point));
-        const quasimc::RunFile& run = later ? *later : first;
+        quasimc::RunFile run = point == 0 ? first : sweep.take(point);
+        quasimc::control_lamps(run, simulator);
         const std::vector<quasimc::TimeStep> time_steps = quasimc::time_steps_of(run);
         try {
             quasimc::trace_share(

@@ -98,6 +98,7 @@ void SweepRun::stay() const {
 std::unique_ptr<quasimc::RunFile> SweepRun::next_file(std::size_t point) {
     const quasimc::Stopwatch watch;
     auto run = std::make_unique<quasimc::RunFile>(sweep_.take(point));
+    quasimc::control_lamps(*run, simulator_);
     reading_seconds_ += watch.seconds();
     apply_choice(arguments_.choice, *run);
     return run;

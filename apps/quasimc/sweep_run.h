@@ -65,13 +65,13 @@ class SweepRun final : private quasimc::SumsSource {
     double reading_seconds_ = 0;  // for all points, before and between their runs
     std::size_t point_ = 0;
     std::size_t time_steps_before_ = 0;  // of the points before
+    quasimc::Simulator simulator_;       // before the first run, whose lamps it controls
     std::unique_ptr<quasimc::RunFile> run_;
     RunWriters writers_;
     std::optional<InterruptWatch> interrupt_;  // before members with threads or files
     CheckpointRun checkpoint_;
     ProgressLine progress_line_;
     std::optional<RunWindow> window_;
-    quasimc::Simulator simulator_;
     quasimc::Deadline deadline_;                 // for all points
     quasimc::Work work_;                         // for all points
     std::vector<quasimc::TimeStep> time_steps_;  // of the current point

@@ -8,6 +8,7 @@
 
 #include "quasimc/error.h"
 #include "quasimc/gap_fraction.h"
+#include "quasimc/lamp_control.h"
 #include "quasimc/material.h"
 #include "quasimc/mesh.h"
 #include "quasimc/result.h"

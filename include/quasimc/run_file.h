@@ -15,6 +15,7 @@
 
 #include "quasimc/error.h"
 #include "quasimc/gap_fraction.h"
+#include "quasimc/lamp_control.h"
 #include "quasimc/result.h"
 #include "quasimc/run.h"
 #include "quasimc/scene.h"
@@ -54,10 +55,12 @@ struct TimeSeries {
                                      ///< its first and last: "2024-04-01/2024-09-30"
     std::vector<std::string> words;  ///< site, models and units, for headers
     CumulativeSky cumulative_sky = CumulativeSky::none;
+    std::vector<LampControl> controls = {};     ///< [[control]]
+    std::vector<ControlOutcome> outcomes = {};  ///< per control, from control_lamps()
 };
 
 /// The contents of the rows of a table.
-enum class CsvRows { organs, groups, sensors, detectors };
+enum class CsvRows { organs, groups, sensors, detectors, control };
 enum class CsvTimes { time_steps, days };
 /// One row for each organ, group or sensor, or for each of its numbers.
 enum class CsvForm { wide, narrow };
@@ -162,6 +165,11 @@ class RunSweep {
   private:
     std::unique_ptr<State> state_;
 };
+
+/// Switches and dims the lamps of [[control]] at all times of a run, by the light at their sensors,
+/// which is computed for it. Does nothing without [[control]].
+/// @throws InputError  as run() does
+void control_lamps(RunFile& run, Simulator& simulator);
 
 /// The times to compute: those of [time] or else a single one, an instant, with the sources of the
 /// run.

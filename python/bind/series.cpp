@@ -8,6 +8,7 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
+#include "control.h"
 #include "options/options.h"
 #include "replicates.h"
 #include "result.h"
@@ -66,9 +67,14 @@ std::shared_ptr<SeriesHandle> run_times(
     all->scene = scene.scene;
     all->spec = light.light.spec;
     WatchedWork(on_progress).run([&](const RunControl& control) {
+        Simulator simulator;
+        all->series.outcomes = control_lamps(
+            {*scene.scene, light.light.sources, light.light.spec, all->series.controls}, simulator,
+            all->series.time_steps);
         RunControl own = control;
         own.listeners.push_back(all.get());
-        all->summary = run_series(*scene.scene, all->series.time_steps, light.light.spec, own);
+        all->summary = run_series(
+            std::move(simulator), *scene.scene, all->series.time_steps, light.light.spec, own);
     });
     all->summary.total = reported_sum(std::move(all->summary.total));
     return all;
@@ -178,6 +184,17 @@ void bind_series(py::module_& module) {
                 const auto& total = self.cast<const SeriesHandle&>().summary.total;
                 return parts_dict(total.sun_shade, &total.sunlit_hours, self);
             })
+        .def_property_readonly(
+            "step_times",
+            [](const SeriesHandle& all) {
+                py::list times;
+                for (const TimeStepNotes& notes : all.series.notes) {
+                    times.append(notes.time);
+                }
+                return times;
+            })
+        .def_property_readonly(
+            "control", [](const SeriesHandle& all) { return controls_of(all.series, *all.scene); })
         .def_property_readonly("facts", &facts_of_series);
     module.def(
         "run_series", &run_times, py::arg("scene"), py::arg("light"), py::arg("keeps_times"),

@@ -15,6 +15,7 @@ from ._core import version as __version__
 from ._progress import Progress
 from ._store import open_result as open
 from .errors import Error, InputError, KeywordError, QuasimcWarning, Stopped
+from .control import Control, ControlDay
 from .detectors import DetectorResult
 from .estimates import Estimates
 from .functions import align, propagate
@@ -54,6 +55,8 @@ def shapes():
 
 
 __all__ = [
+    "Control",
+    "ControlDay",
     "DetectorResult",
     "Error",
     "Estimates",

@@ -30,7 +30,7 @@ from .sources import Source
 _SCENE_KEYS = ("material", "organ", "geometry", "ground", "cell", "sensors", "detector")
 
 #: Keys of a document whose entries are added one by one, and may have a name.
-_LISTS = ("organ", "geometry", "sensors", "detector", "source")
+_LISTS = ("organ", "geometry", "sensors", "detector", "source", "control")
 
 #: Keys of a document by which materials and meshes are checked.
 _FRAME_KEYS = (
@@ -507,6 +507,31 @@ class Scene:
             keys["at"] = _rows_of_points(points)
         return self._add("sensors", {"name": name, **self._with_paths(keys)})
 
+    def add_control(self, sources, sensors, **keys):
+        """Has lamps switched and dimmed by the light at sensors, in runs with time steps.
+
+        `Series.control` has the outcome (docs/reference/run-file.md#control).
+
+        Parameters
+        ----------
+        sources : str
+            Pattern of the names of lamps: "hps *".
+        sensors : str
+            Name of flat sensors, of whose upper sides the mean is taken.
+        **keys
+            on_below, daily_target, set_point, dim_min, electrical_power_w, band.
+
+        Raises
+        ------
+        InputError
+            By the run, with all errors.
+
+        Examples
+        --------
+        >>> scene.add_control("hps *", "bench", on_below=150, daily_target=14)  # doctest: +SKIP
+        """
+        return self._add("control", {"sources": sources, "sensors": sensors, **keys})
+
     def add_detector(self, type, **keys):
         """Adds a detector, which sorts light that organs do not report (docs/reference/detectors.md)."""
         return self._add("detector", {"type": type, **keys})
@@ -657,6 +682,8 @@ class Scene:
             table.pop("time", None)
         elif time is not _OF_SCENE:
             table["time"] = dict(time)
+        if "time" not in table and (time is None or sources is not None):
+            table.pop("control", None)
         if run_options:
             table["run"] = {**table.get("run", {}), **plain(dict(run_options))}
         return table

@@ -9,6 +9,7 @@ import numpy as np
 from . import _core
 from ._index import OrganIndex
 from ._light import Light, label_columns
+from .control import Control
 from .groups import Groups
 from .result import Result
 from .sensors import sensors_by_name
@@ -76,6 +77,12 @@ class Series:
             self._core.total, self.total_seconds, self.organs, self._core.total_groups,
             self._core.total_origins, self._core.total_sensors, self._core.total_sun_shade,
         )
+
+    @cached_property
+    def control(self):
+        """Lamps under control (`Scene.add_control`): a dict, pattern of the lamps -> `Control`."""
+        times = self._core.step_times
+        return {own["sources"]: Control(own, times) for own in self._core.control}
 
     def __len__(self):
         return len(self.times)

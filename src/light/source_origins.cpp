@@ -28,24 +28,6 @@ const OriginKind* find_origin_kind(std::string_view name) {
     return found == kOriginKinds.end() ? nullptr : found;
 }
 
-/// Whether a text is that of a pattern, in which `*` means any characters.
-bool fits_pattern(std::string_view text, std::string_view pattern) {
-    const std::size_t star = pattern.find('*');
-    if (star == std::string_view::npos) {
-        return text == pattern;
-    }
-    if (!text.starts_with(pattern.substr(0, star))) {
-        return false;
-    }
-    const std::string_view rest = pattern.substr(star + 1);
-    for (std::size_t at = star; at <= text.size(); ++at) {
-        if (fits_pattern(text.substr(at), rest)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 bool fits(const Source& source, std::string_view entry) {
     const OriginKind* kind = find_origin_kind(entry);
     return kind != nullptr ? kind->has(source)
@@ -85,6 +67,23 @@ void check_kind(const OriginKind& kind, const Sources& sources, Faults& faults) 
 }
 
 }  // namespace
+
+bool fits_pattern(std::string_view text, std::string_view pattern) {
+    const std::size_t star = pattern.find('*');
+    if (star == std::string_view::npos) {
+        return text == pattern;
+    }
+    if (!text.starts_with(pattern.substr(0, star))) {
+        return false;
+    }
+    const std::string_view rest = pattern.substr(star + 1);
+    for (std::size_t at = star; at <= text.size(); ++at) {
+        if (fits_pattern(text.substr(at), rest)) {
+            return true;
+        }
+    }
+    return false;
+}
 
 std::vector<std::string> complete_origins(
     const Sources& sources, std::span<const std::string> entries) {

@@ -14,6 +14,9 @@ namespace quasimc {
 /// The origin of sources that fit no entry of RunSpec::origins.
 inline constexpr std::string_view kOtherOrigin = "other";
 
+/// Whether a text is that of a pattern, in which `*` means any characters.
+[[nodiscard]] bool fits_pattern(std::string_view text, std::string_view pattern);
+
 /// The origins of light, and the origin of each source.
 struct SourceOrigins {
     std::vector<std::string> names;  ///< empty: light is not kept apart

@@ -58,26 +58,6 @@ std::string describe_quantity(std::string_view name) {
     return words;
 }
 
-SummedUnit summed_unit(const std::string& unit) {
-    constexpr double kMicro = 1e-6;
-    if (!unit.empty() && unit.front() >= '0' && unit.front() <= '9') {  // "1e-4 W"
-        const std::size_t end = std::min(unit.find(' '), unit.size() - 1) + 1;
-        SummedUnit summed = summed_unit(unit.substr(end));
-        summed.name = unit.substr(0, end) + summed.name;
-        return summed;
-    }
-    if (unit.starts_with("W ") || unit == "W") {
-        return {"J" + unit.substr(1), 1};
-    }
-    constexpr std::string_view kPerSecond = " s-1";
-    const std::size_t per_second = unit.find(kPerSecond);
-    if (unit.starts_with("umol ") && per_second != std::string::npos) {
-        return {
-            unit.substr(1, per_second - 1) + unit.substr(per_second + kPerSecond.size()), kMicro};
-    }
-    return {unit + " s", 1};
-}
-
 SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
     std::vector<double> factors;
     for (const Band& band : run.scene.bands()) {

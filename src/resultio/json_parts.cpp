@@ -10,15 +10,6 @@
 namespace quasimc {
 namespace {
 
-Json estimate_of(const Estimate& estimate) {
-    const Estimate e = reported(estimate);
-    return {
-        {"mean", e.mean},
-        {"standard_error", e.standard_error},
-        {"ci95_low", e.ci95_low},
-        {"ci95_high", e.ci95_high}};
-}
-
 Json inputs_of(const std::vector<InputFile>& inputs) {
     Json list = Json::array();
     for (const InputFile& input : inputs) {
@@ -87,11 +78,11 @@ Json energy_of(std::span<const Band> bands, const std::string& length_unit, cons
             {"unit", flux_unit(bands[b].unit, length_unit)},
             {"emitted", budget.emitted.mean},
             {"emitted_standard_error", budget.emitted.standard_error},
-            {"absorbed_by_organs", estimate_of(budget.absorbed_by_organs)},
-            {"absorbed_by_ground", estimate_of(budget.absorbed_by_ground)},
-            {"escaped", estimate_of(budget.escaped)},
-            {"cut_off", estimate_of(budget.cut_off)},
-            {"imbalance", estimate_of(budget.imbalance)},
+            {"absorbed_by_organs", json_estimate(budget.absorbed_by_organs)},
+            {"absorbed_by_ground", json_estimate(budget.absorbed_by_ground)},
+            {"escaped", json_estimate(budget.escaped)},
+            {"cut_off", json_estimate(budget.cut_off)},
+            {"imbalance", json_estimate(budget.imbalance)},
             {"closure_error", budget.closure_error}};
     }
     return object;
@@ -126,7 +117,7 @@ Json canopy_of(const Scene& scene, const Result& result) {
         one["unit"] = flux_unit(band.unit, scene.length_unit());
         one["incident"] = result.canopy[b].incident;
         for (const FractionEntry& entry : fraction_table()) {
-            one[std::string(entry.name)] = estimate_of(result.canopy[b].*entry.part);
+            one[std::string(entry.name)] = json_estimate(result.canopy[b].*entry.part);
         }
     }
     return object;
@@ -142,7 +133,7 @@ Json detectors_of(const Scene& scene, const Result& result) {
         for (std::size_t i = 0; i < detector.bins.size(); ++i) {
             Json flux = Json::object();
             for (std::size_t b = 0; b < scene.bands().size(); ++b) {
-                flux[scene.bands()[b].name] = estimate_of(detector.at(i, b));
+                flux[scene.bands()[b].name] = json_estimate(detector.at(i, b));
             }
             bins.push_back({{"bin", detector.bins[i]}, {"flux", flux}});
         }
@@ -157,6 +148,15 @@ Json detectors_of(const Scene& scene, const Result& result) {
 }
 
 }  // namespace
+
+Json json_estimate(const Estimate& estimate) {
+    const Estimate e = reported(estimate);
+    return {
+        {"mean", e.mean},
+        {"standard_error", e.standard_error},
+        {"ci95_low", e.ci95_low},
+        {"ci95_high", e.ci95_high}};
+}
 
 Json json_head(const RunFile& run) {
     return {{"format", "quasimc-result"},      {"format_version", kResultVersion},

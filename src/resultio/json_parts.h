@@ -33,6 +33,7 @@ inline constexpr int kResultVersion = 2;
     std::span<const Band> bands, const std::string& length_unit, const Result& result);
 /// A result of a run file: also requested method, audit, canopy and detectors.
 [[nodiscard]] Json json_light(const RunFile& run, const Result& result);
+[[nodiscard]] Json json_estimate(const Estimate& estimate);
 [[nodiscard]] Json json_vector(const Vec3& vector);
 
 /// The names of quantities, bands and ratios, quoted, and which of them are written.
@@ -41,6 +42,9 @@ struct JsonNames {
     WrittenColumns columns;
 };
 [[nodiscard]] JsonNames json_names(const RunFile& run, WrittenColumns columns);
+
+/// The member "control" of a series: its lamps under control, sums in the unit of summed_unit().
+[[nodiscard]] Json json_controls(const RunFile& run);
 
 // Rows, each on one line: there may be millions.
 /// An organ with its estimates.

@@ -10,6 +10,7 @@
 #include "quasimc/run_file.h"
 #include "quasimc/version.h"
 #include "resultio/canopy_lines.h"
+#include "resultio/control_texts.h"
 #include "resultio/describe_result.h"
 #include "resultio/describe_series.h"
 #include "resultio/summary_parts.h"
@@ -359,6 +360,9 @@ std::string Summary::series_quality() const {
             return summed_unit(flux_unit(band.unit, run_->scene.length_unit())).name;
         });
         text += canopy_lines(*run_, *canopy_, nullptr);
+    }
+    for (const std::string& words : describe_controls(*run_)) {
+        text += line("control", words);
     }
     if (medians_.empty()) {
         return text + line("errors", "absorbed flux: no standard error could be estimated");

@@ -271,6 +271,9 @@ void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
     json_.begin('{', "total");
     write_sum(json_, *run_, summary.total);
     json_.end('}');
+    if (!run_->series->outcomes.empty()) {
+        json_.members({{"control", json_controls(*run_)}});
+    }
     json_.members(
         {{"completed",
           {{"time_steps", time_steps_},

@@ -15,6 +15,7 @@
 #include "resultio/describe_series.h"
 #include "resultio/output_input.h"
 #include "resultio/table_columns.h"
+#include "resultio/write_control.h"
 #include "runfile/table_rows.h"
 #include "scene/sensors.h"
 #include "text/line_scanner.h"
@@ -350,6 +351,9 @@ std::unique_ptr<OutputWriter> make_sensors_daily_csv(const OutputInput& input) {
 std::unique_ptr<OutputWriter> make_table(const OutputInput& input) {
     if (input.table->rows == CsvRows::detectors) {
         return make_detectors(input);
+    }
+    if (input.table->rows == CsvRows::control) {
+        return make_control_table(input);
     }
     return std::make_unique<TableWriter>(input.run, *input.table, input.sink);
 }

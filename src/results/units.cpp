@@ -64,6 +64,26 @@ std::string flux_unit(const std::string& irradiance_unit, const std::string& len
     return unit.factor == 1 ? unit.name : factor_text(unit.factor) + " " + unit.name;
 }
 
+SummedUnit summed_unit(const std::string& unit) {
+    constexpr double kMicro = 1e-6;
+    if (!unit.empty() && unit.front() >= '0' && unit.front() <= '9') {  // "1e-4 W"
+        const std::size_t end = std::min(unit.find(' '), unit.size() - 1) + 1;
+        SummedUnit summed = summed_unit(unit.substr(end));
+        summed.name = unit.substr(0, end) + summed.name;
+        return summed;
+    }
+    if (unit.starts_with("W ") || unit == "W") {
+        return {"J" + unit.substr(1), 1};
+    }
+    constexpr std::string_view kPerSecond = " s-1";
+    const std::size_t per_second = unit.find(kPerSecond);
+    if (unit.starts_with("umol ") && per_second != std::string::npos) {
+        return {
+            unit.substr(1, per_second - 1) + unit.substr(per_second + kPerSecond.size()), kMicro};
+    }
+    return {unit + " s", 1};
+}
+
 std::string unit_of(
     const QuantityEntry& quantity, const Band& band, const std::string& length_unit) {
     return quantity.is_flux ? flux_unit(band.unit, length_unit) : band.unit;

@@ -24,6 +24,13 @@ struct FluxUnit {
 [[nodiscard]] std::string flux_unit(
     const std::string& irradiance_unit, const std::string& length_unit);
 
+/// A unit summed over time: "J m-2" for "W m-2", "mol m-2" for "umol m-2 s-1", "lx s" for "lx".
+struct SummedUnit {
+    std::string name;
+    double factor = 1;  ///< from unit x s
+};
+[[nodiscard]] SummedUnit summed_unit(const std::string& unit);
+
 /// The unit of a quantity in a band.
 [[nodiscard]] std::string unit_of(
     const QuantityEntry& quantity, const Band& band, const std::string& length_unit);

@@ -222,6 +222,18 @@ void Simulator::State::add_sensors(
     result.sensors = std::make_shared<const Result>(std::move(sensors));
 }
 
+Result Simulator::State::light_on_sensors(
+    const Scene& scene, const Sources& sources, const RunSpec& spec) {
+    Faults faults;
+    check_run(scene, sources, spec, faults);
+    faults.throw_if_any();
+    EarlyStop never({});
+    const RunControl control;
+    const Scene all = scene_with_sensors(scene);
+    const RunSpec own = spec_of_sensors(scene, spec);
+    return sensors_of(trace({all, sources, own, control, {}, {}, {}, Clock::now()}, never), scene);
+}
+
 Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     std::optional<PreparedScene> prepared;
     prepared.emplace(

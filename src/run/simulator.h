@@ -52,6 +52,9 @@ class Simulator::State {
         return plan_run({scene, sources, spec, sampler_for(spec.sampler), caster_, stop, false});
     }
     [[nodiscard]] std::size_t builds() const { return caster_.builds(); }
+    /// The light on the sensors of a scene alone, by the paths of the specification.
+    [[nodiscard]] Result light_on_sensors(
+        const Scene& scene, const Sources& sources, const RunSpec& spec);
     /// Cached for the next run: see CachedRayCaster::caster_for().
     [[nodiscard]] std::shared_ptr<const RayCaster> caster_for(
         const Scene& scene, Accelerator accelerator, const std::stop_token& stop) {

@@ -135,6 +135,22 @@ std::vector<GapFractionSpec> read_on_known_ground(
     return gap_fractions;
 }
 
+/// Reads [time], and the lamps that are controlled at its times.
+/// @param scene  see read_controls()
+std::optional<TimeSeries> read_series(
+    TableReader& top,
+    const RunFileContext& context,
+    const SourceList& sources,
+    const Scene* scene) {
+    std::optional<TimeSeries> series = read_time(top, context, sources);
+    std::vector<LampControl> controls =
+        read_controls(top, context, sources, series ? &*series : nullptr, scene);
+    if (series) {
+        series->controls = std::move(controls);
+    }
+    return series;
+}
+
 /// Reads the keys that all sections need.
 RunFileContext read_context(TableReader& top, InputFiles& files) {
     read_format_version(top);
@@ -174,7 +190,7 @@ Sections read_sections(
     apply_overrides(overrides, sections.options, top.reporter());
     read_materials(top, context, builder);
     sections.sources = read_sources(top, context);
-    sections.series = read_time(top, context, sections.sources);
+    sections.series = read_series(top, context, sections.sources, nullptr);
     known.same = known.same != nullptr && can_build_on(builder, *known.same) ? known.same : nullptr;
     if (known.same != nullptr) {
         pass_over(top, {"organ", "geometry", "cell"});
@@ -294,7 +310,7 @@ void check_gaps(const Scene& scene, const std::vector<GapFractionSpec>& specs, R
 FrameOfRun read_frame(
     const Node& document, InputFiles& files, const AddOrgans& add_organs, Reporter& reporter) {
     TableReader top(document, "", reporter);
-    pass_over(top, {"title", "run", "source", "light_file", "output", "table"});
+    pass_over(top, {"title", "run", "source", "light_file", "control", "output", "table"});
     refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     SceneBuilder builder = begin_scene(context);
@@ -406,6 +422,14 @@ bool is_dark(const Sources& sources) {
     });
 }
 
+void control_lamps(RunFile& run, Simulator& simulator) {
+    if (run.series) {
+        run.series->outcomes = control_lamps(
+            {run.scene, run.sources, run.spec, run.series->controls}, simulator,
+            run.series->time_steps);
+    }
+}
+
 std::vector<TimeStep> time_steps_of(const RunFile& run) {
     if (run.series) {
         return run.series->time_steps;
@@ -496,7 +520,7 @@ LightOfRun read_light_document(
     Sections sections;
     read_run_options(top, sections.options);
     sections.sources = read_sources(top, context);
-    sections.series = read_time(top, context, sections.sources);
+    sections.series = read_series(top, context, sections.sources, &scene);
     top.finish();
     if (reporter.faults.empty()) {
         Faults faults;

@@ -178,6 +178,17 @@ void move_points(const Affine& transform, std::vector<Vec3>& points);
 /// Reads [[sensors]]; context.ground is set if there is one.
 void read_sensors(TableReader& top, RunFileContext& context, SceneBuilder& builder);
 
+// run_file_control.cpp
+/// Reads [[control]].
+/// @param series  null without [time], or after its faults
+/// @param scene  the scene if it was read before; null: its sensors are in the same document
+[[nodiscard]] std::vector<LampControl> read_controls(
+    TableReader& top,
+    const RunFileContext& context,
+    const SourceList& sources,
+    const TimeSeries* series,
+    const Scene* scene);
+
 // run_file_geometry.cpp
 void read_geometry(TableReader& top, RunFileContext& context, SceneBuilder& builder);
 

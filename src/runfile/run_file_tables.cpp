@@ -17,11 +17,12 @@ namespace {
 template <typename Enum, std::size_t kCount>
 using NamesOf = std::array<std::pair<std::string_view, Enum>, kCount>;
 
-constexpr NamesOf<CsvRows, 4> kRows{
+constexpr NamesOf<CsvRows, 5> kRows{
     {{"organs", CsvRows::organs},
      {"groups", CsvRows::groups},
      {"sensors", CsvRows::sensors},
-     {"detectors", CsvRows::detectors}}};
+     {"detectors", CsvRows::detectors},
+     {"control", CsvRows::control}}};
 constexpr NamesOf<CsvTimes, 2> kTimes{{{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}}};
 constexpr NamesOf<CsvForm, 2> kForms{{{"wide", CsvForm::wide}, {"long", CsvForm::narrow}}};
 constexpr NamesOf<CsvStatistic, 4> kStatisticNames{
@@ -96,6 +97,21 @@ void check_detectors_table(TableReader& table, TableReader& top) {
     }
 }
 
+/// Refuses keys that the table of controls has no use for.
+void check_control_table(TableReader& table, TableReader& top) {
+    for (const std::string_view key :
+         {"form", "where", "quantities", "bands", "origins", "statistics", "digits"}) {
+        if (table.any(key) != nullptr) {
+            table.fault_at(
+                key, fmt::format("{} in a table of controls", key),
+                "it always has a row for each control and time or day", "remove it");
+        }
+    }
+    if (top.any("control") == nullptr) {
+        table.fault_at("rows", "rows = \"control\" without [[control]]");
+    }
+}
+
 TableSpec read_table(
     const Node& node, TableReader& top, const InputFiles& files, const std::vector<Band>& bands) {
     constexpr Range kDigits{1, 17};
@@ -117,6 +133,9 @@ TableSpec read_table(
     read_statistics(table, spec);
     if (spec.rows == CsvRows::detectors) {
         check_detectors_table(table, top);
+    }
+    if (spec.rows == CsvRows::control) {
+        check_control_table(table, top);
     }
     if (spec.rows == CsvRows::sensors && top.any("sensors") == nullptr) {
         table.fault_at("rows", "rows = \"sensors\" without [[sensors]]");

@@ -51,6 +51,7 @@ struct SceneAccess {
     static Scene build_on(const BuilderData& given, const Scene& scene);
     static Scene with_repeated_bands(const Scene& scene, std::size_t times);
     static Scene with_sensors(const Scene& scene);
+    static Scene with_other_sensors(const Scene& scene, std::vector<SensorSet> sensors);
     static Scene of_sensors(const Scene& scene);
 
   private:

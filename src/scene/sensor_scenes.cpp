@@ -158,6 +158,12 @@ Scene SceneAccess::with_sensors(const Scene& scene) {
     return all;
 }
 
+Scene SceneAccess::with_other_sensors(const Scene& scene, std::vector<SensorSet> sensors) {
+    Scene other = scene;
+    other.sensors_ = std::make_shared<const std::vector<SensorSet>>(std::move(sensors));
+    return other;
+}
+
 Scene SceneAccess::of_sensors(const Scene& scene) {
     SceneData data = *scene.data_;
     const MaterialId material{static_cast<std::uint32_t>(data.materials.size())};
@@ -176,6 +182,10 @@ Scene SceneAccess::of_sensors(const Scene& scene) {
 
 Scene scene_with_sensors(const Scene& scene) {
     return SceneAccess::with_sensors(scene);
+}
+
+Scene scene_with_other_sensors(const Scene& scene, std::vector<SensorSet> sensors) {
+    return SceneAccess::with_other_sensors(scene, std::move(sensors));
 }
 
 Scene scene_of_sensors(const Scene& scene) {

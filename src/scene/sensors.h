@@ -44,6 +44,10 @@ struct SensorOrgans {
 /// an area of 1. It has no triangles of them.
 [[nodiscard]] Scene scene_of_sensors(const Scene& scene);
 
+/// Returns the scene with other sensors.
+/// @param sensors  complete, as those of a scene
+[[nodiscard]] Scene scene_with_other_sensors(const Scene& scene, std::vector<SensorSet> sensors);
+
 /// The position of each result, z up: of its point, or the mean of several.
 [[nodiscard]] std::vector<Vec3> sensor_positions(const Scene& scene);
 

@@ -21,7 +21,7 @@ file(MAKE_DIRECTORY "${work}")
 file(RENAME "${work}/prefix" "${work}/moved")
 
 # What users see of the library. Whoever adds to it, adds it here.
-set(public capi.h error.h gap_fraction.h material.h mesh.h quasimc.h result.h result_file.h run.h run_file.h run_spec.h scene.h series.h
+set(public capi.h error.h gap_fraction.h lamp_control.h material.h mesh.h quasimc.h result.h result_file.h run.h run_file.h run_spec.h scene.h series.h
            share.h source.h sums.h sun_shade.h version.h)
 list(TRANSFORM public PREPEND quasimc/)
 file(GLOB_RECURSE installed RELATIVE "${work}/moved/include" "${work}/moved/include/*")

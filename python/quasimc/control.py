@@ -1,0 +1,80 @@
+"""Lamps that are switched and dimmed by the light at sensors."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from .estimates import Estimates
+
+
+class Control:
+    """What a ``[[control]]`` made of its lamps, by time and by day.
+
+    ``series.control["hps *"].light.values`` is the light at the sensors of the control at each time.
+
+    Attributes
+    ----------
+    sources, sensors, band : str
+        Pattern of its lamps; set of sensors, of whose upper sides the mean is taken; band.
+    lamp_count : int
+    factor : numpy.ndarray
+        (times,): factor on the light of the lamps, mean over the time, 0 to 1.
+    on : numpy.ndarray
+        (times,): part of the time in which they are on, dimmed or not.
+    kwh : numpy.ndarray
+        (times,): electrical energy.
+    is_near_threshold : numpy.ndarray of bool
+        (times,): whether daylight is within two standard errors of on_below.
+    daylight, lamps, light : Estimates
+        (times,): daylight at the sensors, that of the lamps, and all light, in the unit of the band.
+    days : dict
+        Date -> `ControlDay`.
+    """
+
+    def __init__(self, own, times):
+        self.sources, self.sensors, self.band = own["sources"], own["sensors"], own["band"]
+        self.lamp_count = own["lamp_count"]
+        self.factor = np.array(own["factor"])
+        self.on = np.array(own["on"])
+        self.kwh = np.array(own["kwh"])
+        self.is_near_threshold = np.array(own["is_near_threshold"], dtype=bool)
+        self.daylight, self.lamps, self.light = (
+            Estimates(np.array(own[name]).reshape(-1, 4), name, own["unit"], extensive=False)
+            for name in ("daylight", "lamps", "light")
+        )
+        self.days = {date: ControlDay(day, own["sum_unit"]) for date, day in own["days"].items()}
+        self._times = times
+
+    def to_pandas(self):
+        """Returns a pandas.DataFrame with a row for each time."""
+        import pandas
+
+        columns = {"factor": self.factor, "on": self.on, "kwh": self.kwh}
+        for name in ("daylight", "lamps", "light"):
+            light = getattr(self, name)
+            columns[name], columns[f"{name}_se"] = light.values, light.standard_error
+        return pandas.DataFrame(columns, index=pandas.Index(self._times, name="time"))
+
+    def __repr__(self):
+        hours = sum(day.hours_on for day in self.days.values())
+        kwh = sum(day.kwh for day in self.days.values())
+        return f"<Control {self.sources!r}: {self.lamp_count} lamps, on {hours:.1f} h, {kwh:.3g} kWh>"
+
+
+class ControlDay:
+    """A day of lamps under control.
+
+    Attributes
+    ----------
+    hours_on, kwh, hours_near_threshold : float
+    lamps, light : Estimates
+        Sums over the day at the sensors, without axes: light of the lamps, and all light; mol m-2 or
+        J m-2.
+    """
+
+    def __init__(self, own, unit):
+        self.hours_on, self.kwh = own["hours_on"], own["kwh"]
+        self.hours_near_threshold = own["hours_near_threshold"]
+        self.lamps, self.light = (
+            Estimates(np.array(own[name]), name, unit, extensive=False) for name in ("lamps", "light")
+        )
