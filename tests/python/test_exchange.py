@@ -41,7 +41,7 @@ def test_meshes_of_trimesh_become_one_organ_or_those_that_are_given():
 def test_several_meshes_of_trimesh_are_refused_with_what_to_do():
     trimesh = pytest.importorskip("trimesh")
     both = trimesh.Scene([trimesh.creation.box(), trimesh.creation.icosphere()])
-    with pytest.raises(quasimc.InputError, match="add each mesh"):
+    with pytest.raises(TypeError, match="add each mesh"):
         empty().add_trimesh(both, material="leaf")
 
 
@@ -82,7 +82,7 @@ def test_results_for_pyvista_have_light_and_errors_on_cells():
 
 def test_objects_of_another_kind_are_refused():
     for add in (empty().add_trimesh, empty().add_pyvista):
-        with pytest.raises(quasimc.InputError):
+        with pytest.raises(TypeError):
             add(leaves(1)[0], material="leaf")
 
 
