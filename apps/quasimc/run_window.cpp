@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "interrupt.h"
-#include "progress.h"
 #include "resultio/describe_result.h"
 #include "show_values.h"
 #include "window/page.h"
@@ -34,19 +33,26 @@ RunWindow::RunWindow(const quasimc::RunFile& first, int port) : server_(site_of(
 void RunWindow::next_run(const quasimc::RunFile& run) {
     run_ = &run;
     newest_.reset();
+    finished_ = 0;
+    std::vector<std::string> coming;
+    for (const std::size_t step : lit_steps()) {
+        coming.push_back(label_of(step));
+    }
     scene_ = std::make_shared<const quasimc::LiveScene>(quasimc::LiveScene{
         .scene = std::make_shared<const quasimc::Scene>(run.scene),
         .bands = run.scene.bands(),
         .ratios = run.spec.ratios,
         .title = quasimc::title_of(run),
+        .coming = std::move(coming),
         .head = quasimc::window_run_head(run)});
 }
 
 void RunWindow::on_progress(const quasimc::Progress& progress) {
-    window_->send(describe_progress(progress), progress.fraction);
+    window_->send(describe(progress), progress.fraction);
 }
 
 void RunWindow::on_time_step(const quasimc::TimeStepResult& step) {
+    finished_ += run_->series && !run_->series->time_steps[step.time_step].sources.empty() ? 1 : 0;
     add(step.time_step, step.result);
 }
 
@@ -110,6 +116,38 @@ std::string RunWindow::label_of(std::size_t time_step) const {
         label += (label.empty() ? "" : ", ") + run_->series->notes[time_step].time;
     }
     return label;
+}
+
+std::vector<std::size_t> RunWindow::lit_steps() const {
+    std::vector<std::size_t> steps;
+    for (std::size_t i = 0; run_->series && i < run_->series->time_steps.size(); ++i) {
+        if (!run_->series->time_steps[i].sources.empty()) {
+            steps.push_back(i);
+        }
+    }
+    return steps;
+}
+
+/// "Computing: 9 of 17 hours, about 40 s left".
+std::string RunWindow::describe(const quasimc::Progress& progress) const {
+    std::string text = "Computing: ";
+    if (run_->sweep) {
+        text += fmt::format("point {} of {}, ", run_->point + 1, run_->sweep->size());
+    }
+    if (run_->series) {
+        constexpr double kHour = 3600;
+        const auto& steps = run_->series->time_steps;
+        const bool is_hourly = std::ranges::all_of(
+            steps, [](const quasimc::TimeStep& step) { return step.seconds == kHour; });
+        text += fmt::format(
+            "{} of {} {}, ", finished_, lit_steps().size(), is_hourly ? "hours" : "times");
+    }
+    text += fmt::format(
+        "about {:.0f} s left", std::max(0.0, progress.expected_seconds - progress.seconds));
+    if (progress.fraction_at_target > 0) {
+        text += fmt::format(", {:.1f} % at the target", 100 * progress.fraction_at_target);
+    }
+    return text;
 }
 
 void RunWindow::finish(quasimc::StopReason stop) {

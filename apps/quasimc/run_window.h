@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "quasimc/quasimc.h"
 #include "window/live_window.h"
@@ -43,6 +45,8 @@ class RunWindow final : public quasimc::RunListener {
     void show(const quasimc::RunSoFar& run);
     void add(std::size_t time_step, quasimc::Result result);
     [[nodiscard]] std::string label_of(std::size_t time_step) const;
+    [[nodiscard]] std::vector<std::size_t> lit_steps() const;
+    [[nodiscard]] std::string describe(const quasimc::Progress& progress) const;
 
     std::shared_ptr<quasimc::LiveWindow> window_ = std::make_shared<quasimc::LiveWindow>();
     quasimc::HttpServer server_;
@@ -50,6 +54,7 @@ class RunWindow final : public quasimc::RunListener {
     std::shared_ptr<const quasimc::LiveScene> scene_;
     std::optional<std::size_t> newest_;  // time step of the newest frame, within the point
     std::size_t shown_ = 0;              // replicates in the shown result
+    std::size_t finished_ = 0;           // time steps with light, within the point
     Clock::time_point not_before_;       // earliest time of the next result
     Clock::time_point ask_after_;        // earliest time of the next pause
 };

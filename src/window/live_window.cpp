@@ -97,6 +97,7 @@ std::vector<WindowColumn> columns_of(const LiveScene& scene) {
 std::string scene_json(const LiveScene& scene) {
     Json json = json_window_scene(*scene.scene, columns_of(scene));
     json["title"] = scene.title;
+    json["coming"] = scene.coming;
     json["grows"] = scene.grows;
     return json_text_with(json, "head", scene.head);
 }

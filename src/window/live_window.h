@@ -24,8 +24,9 @@ struct LiveScene {
     std::vector<Band> bands;  ///< bands of all results
     std::vector<std::string> ratios = {};
     std::string title;
-    std::string head = "{}";  ///< JSON: the run, as in a result
-    bool grows = false;       ///< a growing plant; the page also shows it without light
+    std::vector<std::string> coming = {};  ///< labels of all frames, as far as they are known
+    std::string head = "{}";               ///< JSON: the run, as in a result
+    bool grows = false;  ///< a growing plant; the page also shows it without light
 };
 
 /// A state of a run that is being computed: a step of growth, or the light of a time as it is known

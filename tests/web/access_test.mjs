@@ -7,11 +7,8 @@
 // 4.5 (WCAG 2.2, level AA), every control has a name and is reached by keys, and Tab shows where it is.
 
 import assert from "node:assert/strict";
-import { spawn } from "node:child_process";
-import { once } from "node:events";
-import { createInterface } from "node:readline";
 import { faintTexts, moving, nameless, unreachable } from "./access.mjs";
-import { Workshop, kDay, open as openAt, twoLeaves } from "./workshop.mjs";
+import { Workshop, kDay, open, twoLeaves } from "./workshop.mjs";
 
 const workshop = new Workshop("access");
 
@@ -40,14 +37,14 @@ async function checkState(page, name) {
   }
 }
 
-const open = (page, hash) => openAt(page, `${workshop.address("two")}#${hash}`);
+const openState = (page, hash) => open(page, `${workshop.address("two")}#${hash}`);
 
 async function checkStates(browser) {
   for (const [size, viewport] of Object.entries({ desk: { width: 1280, height: 800 }, phone: { width: 390, height: 844 } })) {
     for (const theme of ["light", "dark"]) {
       const page = await browser.newPage({ viewport, colorScheme: theme });
       for (const [name, hash] of Object.entries(kStates)) {
-        await open(page, hash);
+        await openState(page, hash);
         await checkState(page, `${size}, ${theme}, ${name}`);
       }
       if (size === "desk") {
@@ -70,7 +67,7 @@ const kFocus = () => {
 
 /** Tab goes through the page, and every stop is seen. */
 async function checkTab(page) {
-  await open(page, "");
+  await openState(page, "");
   const stops = new Set();
   for (let i = 0; i < 120; ++i) {
     await page.keyboard.press("Tab");
@@ -89,39 +86,27 @@ async function checkTab(page) {
 /** Nothing moves where reduced motion is asked for. */
 async function checkMotion(browser) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, reducedMotion: "reduce" });
-  await open(page, "");
+  await openState(page, "");
   assert.deepEqual(await page.evaluate(moving), []);
   assert.equal(await page.getByRole("button", { name: "Play" }).count(), 0, "play is offered");
   await page.close();
 }
 
 async function checkLive(browser) {
-  const program = spawn(workshop.quasimc, ["run", "two.toml", "--view", "--json", "live.json"], { cwd: workshop.folder, stdio: ["ignore", "ignore", "pipe"] });
-  try {
-    let address = "";
-    for await (const line of createInterface({ input: program.stderr })) {
-      address = line.match(/http:\S+/)?.[0] ?? "";
-      if (address) {
-        break;
-      }
-    }
-    program.stderr.resume();
-    for (const theme of ["light", "dark"]) {
-      const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, colorScheme: theme });
-      await page.goto(address);
-      await page.waitForSelector("html[data-state=ready]");
-      await checkState(page, `${theme}, followed`);
-      await page.close();
-    }
-  } finally {
-    program.kill();
-    await once(program, "exit");
+  const { program, address, ended } = await workshop.follow("two", "--json", "live.json");
+  for (const theme of ["light", "dark"]) {
+    const page = await browser.newPage({ viewport: { width: 1280, height: 800 }, colorScheme: theme });
+    await open(page, address);
+    await checkState(page, `${theme}, followed`);
+    await page.close();
   }
+  program.kill();
+  await ended;
 }
 
 /** The checks find what they are for. */
 async function checkTheChecks(page) {
-  await open(page, "");
+  await openState(page, "");
   await page.evaluate(() => {
     const add = (tag, text, style, attributes = {}) => {
       const made = Object.assign(document.createElement(tag), { textContent: text });

@@ -5,6 +5,7 @@
 // Expected behaviour: names are short, hints cover no plant, and what is not there yet, or is not there at all, is said.
 
 import assert from "node:assert/strict";
+import { writeFileSync } from "node:fs";
 import { pixelsOf } from "./pixels.mjs";
 import { Workshop, kDay, open, twoLeaves } from "./workshop.mjs";
 
@@ -49,11 +50,63 @@ async function checkHint(browser, address) {
   }
 }
 
+/** While shapes are read, the page has its title and its final form. */
+async function checkLoading(browser, address) {
+  const page = await workshop.page(browser, { viewport: { width: 1024, height: 768 }, colorScheme: "dark" });
+  let go;
+  const asked = new Promise((done) => (go = done));
+  await page.route("**/shape", async (route) => {
+    await asked;
+    await route.continue();
+  });
+  await page.goto(address);
+  const loading = page.locator("#loading");
+  await loading.filter({ hasText: "Reading the shapes of 2 organs…" }).waitFor();
+  assert.equal(await page.locator("#title").textContent(), "day.json");
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), "dark");
+  const boxes = () => page.evaluate(() => ["head", "panel", "stage", "histogram"].map((id) => document.getElementById(id).getBoundingClientRect()).map(({ x, y, width }) => [x, y, width].map(Math.round)));
+  const before = await boxes();
+  if (workshop.pictures) {
+    await page.screenshot({ path: `${workshop.pictures}/loading.png` });
+  }
+  go();
+  await page.waitForSelector("html[data-state=ready]");
+  assert.ok(!(await loading.isVisible()), "it has been loaded");
+  const after = await boxes();
+  assert.deepEqual(before.slice(0, 3), after.slice(0, 3), "parts of the page have moved");
+  await page.context().close();
+}
+
+/** A run that is followed says how many of its hours are computed; those to come are dashed. */
+async function checkFollowed(browser) {
+  writeFileSync(workshop.inFolder("slow.toml"), kRunFile.replace("paths = 256", "paths = 1048576\nreplicates = 4\nmethod = \"light_tracing\"\nthreads = 1"));
+  const { program, address, ended } = await workshop.follow("slow", "--json", "slow.json");
+  const page = await workshop.page(browser);
+  await page.goto(address);
+  const said = page.locator("#progress").filter({ hasText: /^Computing: [1-9]\d* of 1[5-7] hours, about \d+ s left$/ });
+  await said.waitFor();
+  const [, done, all] = /(\d+) of (\d+)/.exec(await said.textContent()).map(Number);
+  await page.waitForSelector("#strip .unknown");
+  const coming = await page.locator("#strip rect.unknown").count();
+  assert.ok(done < all && coming > 0 && coming <= all - done + 1, `${coming} hours to come after ${done} of ${all}`);
+  if (workshop.pictures) {
+    await page.screenshot({ path: `${workshop.pictures}/followed.png` });
+  }
+  await page.waitForSelector("html[data-ended]");
+  assert.ok(await page.locator("#strip .step").count() >= all, "hours are missing");
+  assert.equal(await page.locator("#strip .unknown").count(), 0);
+  program.kill("SIGINT");
+  await ended;
+  await page.context().close();
+}
+
 workshop.compute("day", kRunFile);
 const address = workshop.report("day");
 await workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   await checkTitle(page, address);
   await checkHint(browser, address);
+  await checkLoading(browser, await workshop.view("day"));
+  await checkFollowed(browser);
   assert.deepEqual(workshop.faults, []);
 });

@@ -51,6 +51,21 @@ export class Workshop {
     return (await once(createInterface({ input: program.stdout }), "line"))[0];
   }
 
+  /** Runs NAME.toml with a page that follows it. @returns {program, address, ended} */
+  async follow(name, ...words) {
+    const program = spawn(this.quasimc, ["run", `${name}.toml`, "--view", ...words], { cwd: this.folder, stdio: ["ignore", "ignore", "pipe"] });
+    this.programs.push(program);
+    const lines = createInterface({ input: program.stderr });
+    for await (const line of lines) {
+      const address = line.match(/http:\S+/)?.[0];
+      if (address) {
+        program.stderr.resume();
+        return { program, address, ended: once(program, "exit") };
+      }
+    }
+    throw new Error(`${name}: no page`);
+  }
+
   /** A browser that draws on the processor. */
   launch() {
     return this.chromium.launch({ executablePath: this.executablePath, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });

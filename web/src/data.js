@@ -67,11 +67,16 @@ function oneOf(numbers, factor) {
 
 /** The data of a run; numbers of a time are read at the first request. */
 export class RunData {
-  /** @param prefix  of the names of a point of a sweep */
-  static async load(prefix = "") {
+  /**
+   * @param prefix  of the names of a point of a sweep
+   * @param announce  called with the result before its shapes are read
+   */
+  static async load(prefix = "", announce = () => {}) {
     const shape = readBytes(`${prefix}shape`);
     const colorMaps = readJson("colors");
-    const run = new RunData(await readJson(`${prefix}data`), await colorMaps, null, (blob) => readBytes(`${prefix}values-${blob}`));
+    const json = await readJson(`${prefix}data`);
+    announce(json);
+    const run = new RunData(json, await colorMaps, null, (blob) => readBytes(`${prefix}values-${blob}`));
     if (!element("data")) {
       run.readCourse = (column, organ) => request(`${prefix}course-${column}-${organ}`).then((answer) => answer.arrayBuffer());
     }

@@ -3,6 +3,7 @@
 import { byId } from "./dom.js";
 import { plantLight } from "./energy.js";
 import { Follower, LiveRun } from "./live.js";
+import { awaiting } from "./loading.js";
 import { Timeline } from "./timeline.js";
 
 const root = document.documentElement;
@@ -72,8 +73,8 @@ export async function followRun(openGraphics, buildPage) {
       return; // nothing is drawn where nothing has changed
     }
     shown = news;
-    const timeline = Timeline.ofFrames(frames);
-    const key = timeline.steps[at]?.key ?? "";
+    const timeline = Timeline.ofFrames(frames, (run ?? page.run).json.coming);
+    const key = timeline.steps.find(({ index }) => index === at)?.key ?? "";
     if (page === null) {
       page = await buildPage(run, timeline, graphics, new LiveView(live, follower));
       root.dataset.state = "ready";
@@ -83,6 +84,7 @@ export async function followRun(openGraphics, buildPage) {
   };
   const follower = new Follower(live, show, showProgress);
   root.dataset.state = "waiting";
+  awaiting("The scene is being prepared, and its first light is being computed…");
   showProgress("Waiting for the first light", -1);
   await follower.follow();
   root.dataset.ended = "yes";

@@ -8,6 +8,7 @@ import { Find } from "./find.js";
 import { many } from "./format.js";
 import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
+import { announce, prepare, showTitle } from "./loading.js";
 import { isLive } from "./live.js";
 import { followRun } from "./live_page.js";
 import { Page } from "./page.js";
@@ -42,9 +43,7 @@ class Head {
 
   scene() {
     const { json, count, shape } = this.page.run;
-    document.title = `${json.title} — QuasiMC`;
-    byId("title").textContent = json.title;
-    byId("title").title = json.title;
+    showTitle(json.title);
     byId("subtitle").textContent = `${many(count, "organ")} · ${many(shape.triangles, "triangle")}${json.head.run_file?.cell ? " · one cell of an infinite stand" : ""}`;
     const warnings = json.head.warnings?.length ?? 0;
     byId("warnings").hidden = warnings === 0;
@@ -146,13 +145,14 @@ async function showSweep(first, graphics) {
 }
 
 async function showResult() {
-  const loading = RunData.load(); // loads while the slow context is made
+  const loading = RunData.load("", announce); // loads while the slow context is made
   const graphics = openGraphics();
   const run = await loading;
   await (run.hasPoints ? showSweep(run, graphics) : buildPage(run, Timeline.ofRun(run), graphics));
   root.dataset.state = "ready";
 }
 
+prepare();
 const starting = isLive() ? followRun(openGraphics, buildPage) : showResult();
 starting.catch((error) => {
   console.error(error);

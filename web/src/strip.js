@@ -276,8 +276,9 @@ export class Strip {
     this.page.set({ sameScale: true, time: this.page.state.time });
     this.page.say("Playing, on one scale for all times");
     const go = async () => {
-      const at = this.steps.findIndex(({ key }) => key === this.page.entry.key);
-      await this.page.goTo(this.steps[(at + 1) % this.steps.length]);
+      const known = this.steps.filter(({ isKnown }) => isKnown);
+      const at = known.findIndex(({ key }) => key === this.page.entry.key);
+      await this.page.goTo(known[(at + 1) % known.length]);
     };
     this.timer = setInterval(go, kEvery);
     go();

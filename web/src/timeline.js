@@ -34,9 +34,16 @@ export class Timeline {
     return new Timeline({ steps, days, total: total ? { index: total.index, key: "sum", isKnown: true, name } : null, single: of("")[0] ?? null });
   }
 
-  /** The frames of a run in progress. @param frames  [{label, number}] */
-  static ofFrames(frames) {
-    return new Timeline({ steps: frames.map((frame, index) => ({ ...describe(frame.label, 3600), index, key: `frame-${frame.number}`, isKnown: true, frame })) });
+  /**
+   * The frames of a run in progress, and the times that are still to be computed.
+   * @param frames  [{label, number}]
+   * @param all  labels of all times in their order, as far as they are known
+   */
+  static ofFrames(frames, all = []) {
+    const steps = frames.map((frame, index) => ({ ...describe(frame.label, 3600), index, key: `frame-${frame.number}`, isKnown: true, frame }));
+    const newest = Math.max(-1, ...frames.map(({ label }) => all.indexOf(label))); // nights are not among them
+    const coming = all.slice(newest + 1);
+    return new Timeline({ steps: [...steps, ...coming.map((label) => ({ ...describe(label, 3600), index: -1, key: `coming-${label}`, isKnown: false }))] });
   }
 
   /** The points of a sweep. @param names  see pointNames */
