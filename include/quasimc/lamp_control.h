@@ -16,24 +16,24 @@ struct TimeStep;  // quasimc/series.h
 /// Rules for some of the lamps of a series. All of them hold, each from the means of a time.
 struct LampControl {
     std::string sources = {};  ///< a pattern of names of lamps, in which `*` means any characters
-    std::string sensors = {};  ///< the name of a set, of whose upper sides the mean is taken
+    std::string sensors = {};  ///< the name of a set; the mean of their upper sides counts
     std::size_t band = 0;
-    std::optional<double> on_below = {};  ///< of daylight, irradiance unit: above it they are off
-    /// Of all light, irradiance unit x s: from then on they are off until midnight.
+    std::optional<double> on_below = {};  ///< lamps are off above this daylight, irradiance unit
+    /// Lamps are off until midnight once all light of the day is that, irradiance unit x s.
     std::optional<double> daily_target = {};
-    /// Of all light, irradiance unit: they are dimmed to it.
+    /// Lamps are dimmed so that all light is that, irradiance unit.
     std::optional<double> set_point = {};
     double dim_min = 0.1;           ///< the smallest factor that they can be dimmed to, 0 to 1
-    double electrical_power_w = 0;  ///< of each lamp; proportional to its light
+    double electrical_power_w = 0;  ///< per lamp; proportional to its light
 };
 
 /// Lamps at a time, and the light at the sensors of their control.
 struct ControlStep {
-    double factor = 0;  ///< on the light of the lamps, mean over the time: 0 to 1
+    double factor = 0;  ///< by which the lamps are dimmed, mean over the time: 0 to 1
     double on = 0;      ///< part of the time in which they are on, dimmed or not
     double kwh = 0;
     Estimate daylight = {};  ///< irradiance unit
-    Estimate lamps = {};     ///< of the lamps of the control, with the factor
+    Estimate lamps = {};     ///< light of the lamps of the control, with the factor
     Estimate light = {};     ///< all light
     /// Whether daylight is within two standard errors of LampControl::on_below.
     bool is_near_threshold = false;
@@ -45,7 +45,7 @@ struct ControlDay {
     Estimate lamps = {}, light = {};  ///< irradiance unit x s
 };
 
-/// What a control made of the lamps of a series.
+/// The lamps of a control in a series.
 struct ControlOutcome {
     std::size_t lamps = 0;                ///< their number
     std::vector<ControlStep> steps = {};  ///< per time step

@@ -8,7 +8,7 @@ namespace quasimc {
 struct ControlledLight {
     double daylight = 0;
     double other_lamps = 0;
-    double lamps = 0;  ///< of the lamps of the control, without the control
+    double lamps = 0;  ///< light of the lamps of the control, undimmed
 };
 
 /// The sum of a day, irradiance unit x s.

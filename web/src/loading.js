@@ -1,4 +1,4 @@
-// What is seen before the first picture: title, size, theme and parts of the page, at their final places.
+// The page before its first picture: title, size, theme and parts as they will be.
 
 import { byId } from "./dom.js";
 import { many } from "./format.js";
