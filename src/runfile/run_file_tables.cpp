@@ -23,7 +23,8 @@ constexpr NamesOf<CsvRows, 5> kRows{
      {"sensors", CsvRows::sensors},
      {"detectors", CsvRows::detectors},
      {"control", CsvRows::control}}};
-constexpr NamesOf<CsvTimes, 2> kTimes{{{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}}};
+constexpr NamesOf<CsvTimes, 3> kTimes{
+    {{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}, {"period", CsvTimes::period}}};
 constexpr NamesOf<CsvForm, 2> kForms{{{"wide", CsvForm::wide}, {"long", CsvForm::narrow}}};
 constexpr NamesOf<CsvStatistic, 4> kStatisticNames{
     {{"mean", CsvStatistic::mean},
@@ -107,6 +108,11 @@ void check_control_table(TableReader& table, TableReader& top) {
                 "it always has a row for each control and time or day", "remove it");
         }
     }
+    if (table.text("per") == "period") {
+        table.fault_at(
+            "per", "per = \"period\" in a table of controls", "it has rows by time or day",
+            "give \"day\"");
+    }
     if (top.any("control") == nullptr) {
         table.fault_at("rows", "rows = \"control\" without [[control]]");
     }
@@ -142,8 +148,10 @@ TableSpec read_table(
     }
     check_list(table, "quantities", spec.quantities, table_quantities(spec.rows, spec.times));
     check_list(table, "bands", spec.bands, names_in(bands));
-    if (spec.times == CsvTimes::days && top.any("time") == nullptr) {
-        table.fault_at("per", "per = \"day\" without [time]", "daily sums need [time]");
+    if (is_summed(spec.times) && top.any("time") == nullptr) {
+        table.fault_at(
+            "per", fmt::format("per = \"{}\" without [time]", *table.text("per")),
+            "sums over time need [time]");
     }
     table.finish();
     return spec;
