@@ -24,6 +24,9 @@ class SensorReader {
     /// Empty after a fault.
     std::optional<SensorSet> read() {
         SensorSet set{.name = table_.text("name").value_or("sensors")};
+        if (set.name.empty()) {
+            table_.fault_at("name", "its name is empty");
+        }
         table_.rename(fmt::format("sensors '{}'", set.name));
         set.where = table_.where();
         set.radius = table_.real("size", kRadius).value_or(0);

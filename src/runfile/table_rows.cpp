@@ -73,6 +73,14 @@ bool TableRows::has(const OrganGroup& group) const {
     });
 }
 
+bool TableRows::is_empty(const RunFile& run) const {
+    if (where_) {
+        const std::vector<OrganGroup> groups = make_groups(run.scene, group_spec(run.spec));
+        return std::ranges::none_of(groups, [&](const OrganGroup& group) { return has(group); });
+    }
+    return !organs_.empty() && std::ranges::find(organs_, true) == organs_.end();
+}
+
 std::vector<std::string> group_keys(const RunFile& run) {
     const std::vector<std::string_view> known = label_keys(run.scene);
     std::vector<std::string> keys;

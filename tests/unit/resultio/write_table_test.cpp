@@ -316,6 +316,42 @@ TEST(Tables, FaultsSayWhatToDo) {
     EXPECT_TRUE(mentions(faults_of(nameless.text()), "table: file is missing"));
 }
 
+std::vector<std::string> warnings_of(const RunText& text) {
+    std::vector<std::string> texts;
+    for (const Warning& warning : read_text(text.text()).warnings) {
+        texts.push_back(warning.where + ": " + warning.text);
+    }
+    return texts;
+}
+
+TEST(Tables, WarnOfConditionsThatNoRowFulfils) {
+    const std::string problem = ": where: no row of the table fulfils \"";
+    for (const auto& [keys, condition] : std::vector<std::pair<std::string, std::string>>{
+             {"", "kind == 'root'"},
+             {"rows = 'groups'\n", "by == 'plant' and plant == 3"},
+             {"rows = 'organs'\n", "height > 10"}}) {
+        const std::string where = "where = \"" + condition + "\"\n";
+        EXPECT_TRUE(mentions(warnings_of(tabulated(keys + where)), problem + condition + "\""))
+            << keys;
+    }
+    EXPECT_TRUE(
+        mentions(warnings_of(with_sensors("where = \"sensors == 'bench' and z > 9\"\n")), problem));
+    EXPECT_FALSE(mentions(warnings_of(tabulated("where = \"kind == 'stem'\"\n")), problem));
+    EXPECT_FALSE(
+        mentions(warnings_of(tabulated("rows = 'groups'\nwhere = \"by == 'all'\"\n")), problem));
+}
+
+TEST(GroupKeys, WarnOfConditionsThatNoOrganFulfils) {
+    RunText text = tabulated("");
+    text.run =
+        "[run]\ngroups = ['plant', 'roots: plant where height < 0', 'top: where height > 1']\n";
+    const auto warnings = warnings_of(text);
+    EXPECT_TRUE(
+        mentions(warnings, "[run]: groups: no organ belongs to \"roots: plant where height < 0\""))
+        << ::testing::PrintToString(warnings);
+    EXPECT_FALSE(mentions(warnings, "top"));
+}
+
 TEST(GroupKeys, AreWrittenAsTablesToo) {
     RunText text = tabulated("");
     text.run =

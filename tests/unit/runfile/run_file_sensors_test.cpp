@@ -102,9 +102,35 @@ TEST(RunFileSensors, RefuseWhatTheyAreNot) {
         {"at: the scale of copy 1 is 2 (a sensor has a size of its own); give size"});
     expect_faults(
         with_sensors("at = [[0, 0, 1]]\nmaterial = 'leaf'\n").text(), {"unknown key 'material'"});
+    RunText nameless;
+    nameless.rest = "[[sensors]]\nname = ''\nat = [[0, 0, 1]]\n";
+    expect_faults(nameless.text(), {"its name is empty"});
     expect_faults(
         with_sensors("at = [[0, 0, 1]]\n[[sensors]]\nname = 'bench'\nat = [[0, 0, 2]]\n").text(),
         {"sensors 'bench': other sensors have this name"});
+}
+
+/// An angle that is left out is 0.
+TEST(RunFileSensors, FaceTheHorizonWithoutAnElevation) {
+    const SensorSet set = read_set("at = [[0, 0, 2]]\nfacing = { azimuth_deg = 180 }\n");
+    expect_vector(set.points[0].facing, {0, -1, 0});
+}
+
+TEST(RunFileSensors, HaveTheQuantitiesOfTheirReceiversInTables) {
+    const std::string table = "[[table]]\nfile = 'b.csv'\nrows = 'sensors'\nquantities = ";
+    const std::string flat = "at = [[0, 0, 1]]\n";
+    const std::string sphere = flat + "receiver = 'sphere'\n";
+    expect_faults(
+        with_sensors(flat, table + "['incident_upper', 'fluence_rate']\n").text(),
+        {"quantities: no sensor has a fluence_rate (it is the light on a sphere); give sensors "
+         "receiver = \"sphere\""});
+    expect_faults(
+        with_sensors(sphere, table + "['incident_lower']\n").text(),
+        {"quantities: no sensor has an incident_lower (all are spheres, which have no sides); "
+         "give \"fluence_rate\""});
+    const std::string both = "[[sensors]]\nname = 'ball'\n" + sphere;
+    EXPECT_NO_THROW(read_text(
+        with_sensors(flat, both + table + "['incident_upper', 'fluence_rate']\n").text()));
 }
 
 TEST(RunFileSensors, AreNeededByTheirTables) {
