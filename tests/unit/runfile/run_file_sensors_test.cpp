@@ -110,6 +110,27 @@ TEST(RunFileSensors, RefuseWhatTheyAreNot) {
         {"sensors 'bench': other sensors have this name"});
 }
 
+TEST(RunFileSensors, AreRepeatedAtHeights) {
+    const std::string at = "at = [[1, 2, 0.5], [3, 4, 0.5]]\n";
+    const auto sets =
+        read_text(with_sensors(at + "average = true\nheights = [0, 1.5]\n").text()).scene.sensors();
+    ASSERT_EQ(sets.size(), 2U);
+    EXPECT_EQ(sets[0].name, "bench at 0");
+    EXPECT_EQ(sets[1].name, "bench at 1.5");
+    EXPECT_TRUE(sets[1].is_averaged);
+    expect_vector(sets[1].points[1].position, {3, 4, 2});
+    EXPECT_EQ(sets[1].points[1].name, "bench 2 at 1.5");
+    const std::string y_up = "up = 'y'\n";
+    RunText text = with_sensors("at = [[1, 0, 2]]\nheights = [3]\n");
+    text.top += y_up;
+    expect_vector(read_text(text.text()).scene.sensors().at(0).points[0].position, {2, 1, 3});
+    expect_faults(with_sensors(at + "heights = []\n").text(), {"heights is not a list"});
+    expect_faults(with_sensors(at + "heights = [1, 1]\n").text(), {"heights has 1 twice"});
+    expect_faults(
+        with_sensors(at + "heights = [1, -1]\n", "[ground]\nmaterial = 'leaf'\n").text(),
+        {"z is below the ground at 2 of 2 points"});
+}
+
 /// An angle that is left out is 0.
 TEST(RunFileSensors, FaceTheHorizonWithoutAnElevation) {
     const SensorSet set = read_set("at = [[0, 0, 2]]\nfacing = { azimuth_deg = 180 }\n");
