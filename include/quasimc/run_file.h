@@ -61,7 +61,11 @@ struct TimeSeries {
 
 /// The contents of the rows of a table.
 enum class CsvRows { organs, groups, sensors, detectors, control };
-enum class CsvTimes { time_steps, days };
+/// The times of its rows: each, or sums over each day or over all of them.
+enum class CsvTimes { time_steps, days, period };
+[[nodiscard]] constexpr bool is_summed(CsvTimes times) {
+    return times != CsvTimes::time_steps;
+}
 /// One row for each organ, group or sensor, or for each of its numbers.
 enum class CsvForm { wide, narrow };
 /// The numbers of an estimate that are written.

@@ -22,15 +22,6 @@ bool is_par(const Band& band) {
     return span && span->from_nm == kFrom && span->to_nm == kTo;
 }
 
-std::string with_error(std::string_view words, const Estimate& e) {
-    constexpr int kDecimals = 4;
-    const std::string text =
-        fmt::format("{} {}", words, with_decimals(reported(e).mean, kDecimals));
-    return std::isfinite(e.standard_error) && e.standard_error > 0
-               ? fmt::format("{} +- {:.1g}", text, e.standard_error)
-               : text;
-}
-
 /// " (maize 0.565, bean 0.254)": the shares of the first requested groups, if they are few.
 std::string shares_of(const GroupResults& groups, std::size_t band) {
     constexpr std::size_t kMaxGroups = 6;
@@ -56,7 +47,16 @@ Estimate complement(const Estimate& e) {
 
 }  // namespace
 
+std::string with_error(const Estimate& e) {
+    constexpr int kDecimals = 4;
+    const std::string text = with_decimals(reported(e).mean, kDecimals);
+    return std::isfinite(e.standard_error) && e.standard_error > 0
+               ? fmt::format("{} +- {:.1g}", text, e.standard_error)
+               : text;
+}
+
 void CanopySum::add(const Result& result, double weight) {
+    by_height_.add(result, weight);
     bands_.resize(result.canopy.size());
     for (std::size_t b = 0; b < bands_.size(); ++b) {
         const double incident = weight * result.canopy[b].incident;
@@ -74,7 +74,6 @@ void CanopySum::add(const Result& result, double weight) {
 }
 
 std::vector<std::string> CanopySum::lines(const RunFile& run, const GroupResults* groups) const {
-    constexpr std::size_t kMaxBands = 4;
     std::vector<std::string> lines;
     for (std::size_t b = 0; b < std::min(bands_.size(), kMaxBands); ++b) {
         const OfBand& sums = bands_[b];
@@ -88,7 +87,7 @@ std::vector<std::string> CanopySum::lines(const RunFile& run, const GroupResults
         std::vector<std::string> words;
         const auto add = [&](std::string_view name, const Estimate& e, const std::string& rest) {
             if (!std::isnan(e.mean)) {
-                words.push_back(with_error(name, e) + rest);
+                words.push_back(fmt::format("{} {}{}", name, with_error(e), rest));
             }
         };
         if (!(sums.incident > 0)) {
@@ -101,6 +100,8 @@ std::vector<std::string> CanopySum::lines(const RunFile& run, const GroupResults
         add("ground", fractions.ground_absorptance, "");
         lines.push_back(fmt::format("{}: {}", one_line(band.name), fmt::join(words, ", ")));
     }
+    const std::vector<std::string> by_height = by_height_.lines(run);
+    lines.insert(lines.end(), by_height.begin(), by_height.end());
     return lines;
 }
 

@@ -26,7 +26,7 @@ std::vector<PartColumn> part_columns(const WrittenColumns& columns) {
 }
 
 std::string quantity_of(const PartColumn& column, CsvTimes times) {
-    return std::string(times == CsvTimes::days ? column.entry.of_sums : column.entry.name);
+    return std::string(is_summed(times) ? column.entry.of_sums : column.entry.name);
 }
 
 std::string name_of(const RunFile& run, const PartColumn& column, CsvTimes times) {
@@ -39,9 +39,9 @@ std::string name_of(const RunFile& run, const PartColumn& column, CsvTimes times
 std::string unit_of(const RunFile& run, const PartColumn& column, CsvTimes times) {
     const std::string& of_band = run.scene.bands()[column.band].unit;
     if (!column.entry.has_bands()) {
-        return times == CsvTimes::days ? "h" : "1";
+        return is_summed(times) ? "h" : "1";
     }
-    const bool is_sum = times == CsvTimes::days && column.entry.part == SunShadePart::direct;
+    const bool is_sum = is_summed(times) && column.entry.part == SunShadePart::direct;
     return is_sum ? summed_unit(of_band).name : of_band;
 }
 
@@ -51,7 +51,7 @@ std::string per_day(const PartColumn& column, CsvTimes times) {
 }
 
 std::string summary_of(const PartColumn& column, CsvTimes times) {
-    const bool is_same = times == CsvTimes::time_steps || column.entry.part == SunShadePart::direct;
+    const bool is_same = !is_summed(times) || column.entry.part == SunShadePart::direct;
     const char* more = is_same                    ? ""
                        : column.entry.has_bands() ? ", mean over area and time"
                                                   : " x time";

@@ -50,7 +50,7 @@ class SensorColumns {
                 add_light(i);
             }
         }
-        if (table_.times == CsvTimes::time_steps) {
+        if (!is_summed(table_.times)) {
             add_traits();
         }
         return std::move(columns_);

@@ -273,7 +273,7 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
 
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
-    CanopySum canopy;
+    CanopySum canopy(run.scene);
     canopy.add(result, 1);
     std::string text =
         sampling_line(run.spec, result) + stopped_line(describe_stop(run.spec, result)) +
@@ -343,7 +343,7 @@ void Summary::on_time_step(const TimeStepResult& step) {
         add_energy(result.budget[b], factor * seconds, energy_[b]);
     }
     seconds_ += seconds;
-    canopy_ = canopy_ ? canopy_ : std::make_shared<CanopySum>();
+    canopy_ = canopy_ ? canopy_ : std::make_shared<CanopySum>(run_->scene);
     canopy_->add(result, seconds);
     escaped_by_difference_ = escaped_by_difference_ || result.escaped_by_difference;
     const ErrorStatistics errors = error_statistics(run_->scene, result);

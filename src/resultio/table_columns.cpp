@@ -40,7 +40,7 @@ class ColumnList {
             }
         }
         add_parts();
-        if (table_.times == CsvTimes::time_steps) {
+        if (!is_summed(table_.times)) {
             add_traits();
         } else {
             add_hours();
@@ -123,8 +123,9 @@ class ColumnList {
             return;
         }
         const bool of_groups = is_of_groups_;
+        const std::string hours = table_.times == CsvTimes::days ? "h d-1" : "h";
         if (is_selected(table_.quantities, kSunlitHours)) {
-            add(kSunlitHours, "", "h d-1", "sunlit fraction of the area x time",
+            add(kSunlitHours, "", hours, "sunlit fraction of the area x time",
                 [of_groups](const RowLight& light, std::size_t row) {
                     return value_at(
                         of_groups ? light.sum->groups.sunlit_fraction : light.sum->sunlit_hours,
@@ -132,7 +133,7 @@ class ColumnList {
                 });
         }
         if (of_groups && is_selected(table_.quantities, kSunlitAreaHours)) {
-            add(kSunlitAreaHours, "", run_.scene.length_unit() + "2 h d-1",
+            add(kSunlitAreaHours, "", run_.scene.length_unit() + "2 " + hours,
                 "sunlit_hours times the area", [](const RowLight& light, std::size_t row) {
                     return value_at(light.sum->groups.sunlit_area, row);
                 });
@@ -185,7 +186,7 @@ class ColumnList {
     }
 
     void add_fractions(std::size_t b) {
-        if (table_.times == CsvTimes::days) {
+        if (is_summed(table_.times)) {
             return;
         }
         const std::string& band = run_.scene.bands()[b].name;
@@ -211,10 +212,11 @@ class ColumnList {
 }  // namespace
 
 std::string column_unit(const RunFile& run, CsvTimes times, const std::string& of_rate) {
-    if (times == CsvTimes::time_steps) {
+    if (!is_summed(times)) {
         return of_rate;
     }
-    const bool is_period = run.series && run.series->cumulative_sky == CumulativeSky::period;
+    const bool is_period = times == CsvTimes::period ||
+                           (run.series && run.series->cumulative_sky == CumulativeSky::period);
     return summed_unit(of_rate).name + (is_period ? "" : " d-1");
 }
 

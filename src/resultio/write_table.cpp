@@ -69,21 +69,24 @@ class TableWriter final : public OutputWriter {
         : run_(&run), table_(table), sink_(std::move(sink)) {
         begin_run();
         labels_ = is_of_groups() ? group_keys(run) : label_columns(scene());
-        if (table_.times == CsvTimes::days) {
+        if (is_summed(table_.times)) {
             write_head(nullptr);
         }
     }
 
-    void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
+    void next_run(const RunFile& run, const SeriesSummary& series_summary) override {
+        finish(series_summary);
         run_ = &run;
         begin_run();
     }
     [[nodiscard]] bool wants(SeriesPart part) const override {
-        return part == (table_.times == CsvTimes::days ? SeriesPart::days : SeriesPart::time_steps);
+        return part == (table_.times == CsvTimes::days     ? SeriesPart::days
+                        : table_.times == CsvTimes::period ? SeriesPart::total
+                                                           : SeriesPart::time_steps);
     }
 
     void on_time_step(const TimeStepResult& step) override {
-        if (table_.times == CsvTimes::days || (is_of_sensors() && !step.result.sensors)) {
+        if (is_summed(table_.times) || (is_of_sensors() && !step.result.sensors)) {
             return;
         }
         if (!std::exchange(has_head_, true)) {
@@ -97,17 +100,34 @@ class TableWriter final : public OutputWriter {
         write_rows(csv_point_fields(*run_) + time, {&result, nullptr}, result.groups);
     }
 
-    void on_day(std::size_t day, const SeriesSum& raw) override {
-        if (table_.times != CsvTimes::days || (is_of_sensors() && !raw.sensors)) {
-            return;
+    void on_day(std::size_t day, const SeriesSum& sum) override {
+        if (table_.times == CsvTimes::days) {
+            write_sum(run_->series->days[day], sum);
         }
-        const SeriesSum sum = in_summed_units(*run_, raw);
-        const std::string first = fmt::format(
-            "{}{},{},", csv_point_fields(*run_), run_->series->days[day], shortest(sum.seconds));
-        write_rows(first, {nullptr, is_of_sensors() ? sum.sensors.get() : &sum}, sum.groups);
+    }
+
+    /// Writes the sum over a period, unless some of its time steps are missing.
+    void finish(const SeriesSummary& series_summary) override {
+        if (table_.times == CsvTimes::period &&
+            series_summary.completed == run_->series->time_steps.size()) {
+            const std::vector<std::string>& days = run_->series->days;
+            write_sum(
+                days.size() == 1 ? days.front() : days.front() + "/" + days.back(),
+                series_summary.total);
+        }
     }
 
   private:
+    void write_sum(const std::string& date, const SeriesSum& raw) {
+        if (is_of_sensors() && !raw.sensors) {
+            return;
+        }
+        const SeriesSum sum = in_summed_units(*run_, raw);
+        const std::string first =
+            fmt::format("{}{},{},", csv_point_fields(*run_), date, shortest(sum.seconds));
+        write_rows(first, {nullptr, is_of_sensors() ? sum.sensors.get() : &sum}, sum.groups);
+    }
+
     [[nodiscard]] bool is_of_groups() const { return table_.rows == CsvRows::groups; }
     [[nodiscard]] bool is_of_sensors() const { return table_.rows == CsvRows::sensors; }
     /// The scene whose organs are the rows of a table of organs or sensors.
@@ -128,7 +148,7 @@ class TableWriter final : public OutputWriter {
         rows_ = TableRows(*run_, table_);
     }
 
-    /// @param result  first time step; null in a table of days
+    /// @param result  first time step; null in a table of sums
     void write_head(const Result* result) {
         const RunFile& run = *run_;
         std::vector<std::string> names = csv_point_names(run);

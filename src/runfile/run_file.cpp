@@ -479,7 +479,7 @@ RunFile read_run_document(
         std::move(sections.sources.notes),
         std::move(warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
-    check_tables(run, reporter);
+    check_rows(run, reporter);
     check_gaps(run.scene, run.gap_fractions, reporter);
     throw_in_order(reporter);
     return run;

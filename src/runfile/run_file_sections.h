@@ -99,7 +99,7 @@ void add_run_faults(const Faults& found, const RunOptions& options, Reporter& re
 void read_tables(
     TableReader& top, const InputFiles& files, const std::vector<Band>& bands, OutputSpec& output);
 /// Checks the conditions of tables.
-void check_tables(const RunFile& run, Reporter& reporter);
+void check_rows(RunFile& run, Reporter& reporter);
 
 // run_file_detectors.cpp
 void read_detectors(TableReader& top, SceneBuilder& builder);

@@ -1,5 +1,6 @@
 // Reads [[sensors]].
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -13,7 +14,7 @@
 namespace quasimc {
 namespace {
 
-constexpr Range kRadius{0, 1e30};
+constexpr Range kRadius{0, 1e30}, kHeights{-1e30, 1e30};
 
 /// Reads one table.
 class SensorReader {
@@ -21,9 +22,12 @@ class SensorReader {
     SensorReader(const Node& node, RunFileContext& context)
         : context_(context), table_(node, "sensors", *context.reporter) {}
 
-    /// Empty after a fault.
-    std::optional<SensorSet> read() {
+    /// The set, or one for each of its heights; empty after a fault.
+    std::vector<SensorSet> read() {
         SensorSet set{.name = table_.text("name").value_or("sensors")};
+        if (set.name.empty()) {
+            table_.fault_at("name", "its name is empty");
+        }
         table_.rename(fmt::format("sensors '{}'", set.name));
         set.where = table_.where();
         set.radius = table_.real("size", kRadius).value_or(0);
@@ -31,20 +35,62 @@ class SensorReader {
         read_receiver(set);
         const Vec3 facing = read_facing();
         const Labels labels = read_labels(table_);
+        const std::vector<double> heights = read_heights();
         const auto copies = read_copies(table_, set.name, context_);
         if (table_.any("at") == nullptr) {
             table_.missing("at");
         }
         table_.finish();
         if (!copies || table_.failed()) {
-            return std::nullopt;
+            return {};
         }
         add_points(*copies, facing, labels, set);
-        check_heights(*copies);
-        return table_.failed() ? std::nullopt : std::optional(std::move(set));
+        check_above_ground(*copies, heights.empty() ? 0 : std::ranges::min(heights));
+        return table_.failed() ? std::vector<SensorSet>{} : at_heights(std::move(set), heights);
     }
 
   private:
+    /// Reads heights; empty if there are none, or after a fault.
+    std::vector<double> read_heights() {
+        const Node* node = table_.any("heights");
+        std::vector<double> heights;
+        if (node == nullptr) {
+            return heights;
+        }
+        const auto* list = node->as<Node::List>();
+        if (list == nullptr || list->empty()) {
+            table_.fault_at("heights", "heights is not a list", "", "give [0.2, 0.5, 1]");
+            return heights;
+        }
+        for (const Node& item : *list) {
+            const auto height = table_.real_at("heights", item, kHeights);
+            if (height && std::ranges::find(heights, *height) != heights.end()) {
+                table_.fault_at("heights", fmt::format("heights has {} twice", shortest(*height)));
+            }
+            heights.push_back(height.value_or(0));
+        }
+        return heights;
+    }
+
+    /// Repeats a set above its points.
+    [[nodiscard]] std::vector<SensorSet> at_heights(
+        SensorSet set, const std::vector<double>& heights) const {
+        if (heights.empty()) {
+            return {std::move(set)};
+        }
+        std::vector<SensorSet> sets;
+        for (const double height : heights) {
+            SensorSet& own = sets.emplace_back(set);
+            const std::string suffix = fmt::format(" at {}", shortest(height));
+            own.name += suffix;
+            for (SensorPoint& point : own.points) {
+                point.name += suffix;
+                point.position += context_.orientation.outward({0, 0, height});
+            }
+        }
+        return sets;
+    }
+
     void read_receiver(SensorSet& set) {
         constexpr std::array<std::string_view, 2> kReceivers{"cosine", "sphere"};
         const bool is_sphere = table_.choice("receiver", kReceivers) == "sphere";
@@ -136,8 +182,8 @@ class SensorReader {
         }
     }
 
-    /// Reports points below the ground.
-    void check_heights(const std::vector<Copy>& copies) {
+    /// Reports points below the ground. @param lift  of all points
+    void check_above_ground(const std::vector<Copy>& copies, double lift) {
         const Orientation& axes = context_.orientation;
         std::size_t below = 0;
         std::string first;
@@ -146,7 +192,7 @@ class SensorReader {
             const auto height = context_.ground != nullptr
                                     ? ground_height(*context_.ground, axes, p.x, p.y)
                                     : std::nullopt;
-            if (height && p.z < *height) {
+            if (height && p.z + lift < *height) {
                 first = below > 0 ? first
                         : copy.i  ? fmt::format("{},{}", *copy.i, *copy.j)
                                   : std::to_string(copy.number);
@@ -171,8 +217,8 @@ class SensorReader {
 
 void read_sensors(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
     for (const Node* node : top.tables("sensors")) {
-        if (auto set = SensorReader(*node, context).read()) {
-            builder.add_sensors(std::move(*set));
+        for (SensorSet& set : SensorReader(*node, context).read()) {
+            builder.add_sensors(std::move(set));
         }
     }
 }

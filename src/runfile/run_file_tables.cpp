@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "results/group_request.h"
+#include "results/groups.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/table_rows.h"
 #include "runfile/written.h"
@@ -23,7 +25,8 @@ constexpr NamesOf<CsvRows, 5> kRows{
      {"sensors", CsvRows::sensors},
      {"detectors", CsvRows::detectors},
      {"control", CsvRows::control}}};
-constexpr NamesOf<CsvTimes, 2> kTimes{{{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}}};
+constexpr NamesOf<CsvTimes, 3> kTimes{
+    {{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}, {"period", CsvTimes::period}}};
 constexpr NamesOf<CsvForm, 2> kForms{{{"wide", CsvForm::wide}, {"long", CsvForm::narrow}}};
 constexpr NamesOf<CsvStatistic, 4> kStatisticNames{
     {{"mean", CsvStatistic::mean},
@@ -107,6 +110,11 @@ void check_control_table(TableReader& table, TableReader& top) {
                 "it always has a row for each control and time or day", "remove it");
         }
     }
+    if (table.text("per") == "period") {
+        table.fault_at(
+            "per", "per = \"period\" in a table of controls", "it has rows by time or day",
+            "give \"day\"");
+    }
     if (top.any("control") == nullptr) {
         table.fault_at("rows", "rows = \"control\" without [[control]]");
     }
@@ -142,11 +150,79 @@ TableSpec read_table(
     }
     check_list(table, "quantities", spec.quantities, table_quantities(spec.rows, spec.times));
     check_list(table, "bands", spec.bands, names_in(bands));
-    if (spec.times == CsvTimes::days && top.any("time") == nullptr) {
-        table.fault_at("per", "per = \"day\" without [time]", "daily sums need [time]");
+    if (is_summed(spec.times) && top.any("time") == nullptr) {
+        table.fault_at(
+            "per", fmt::format("per = \"{}\" without [time]", *table.text("per")),
+            "sums over time need [time]");
     }
     table.finish();
     return spec;
+}
+
+/// Refuses origins that a run does not have.
+void check_origins(
+    const TableSpec& table, const std::vector<std::string>& origins, Reporter& reporter) {
+    const std::vector<std::string_view> known(origins.begin(), origins.end());
+    for (const std::string& name : table.origins.value_or(std::vector<std::string>{})) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            reporter.faults.add(
+                {table.location, fmt::format("origins: the run has no origin '{}'", name),
+                 origins.empty() ? "[run] has no origins"
+                                 : fmt::format("origins are {}", joined(known, ", ")),
+                 did_you_mean(name, known)});
+        }
+    }
+}
+
+/// Refuses light on sides in tables of spheres, and light on spheres in tables without one.
+void check_receivers(const TableSpec& table, const Scene& scene, Reporter& reporter) {
+    const auto has = [&](Receiver receiver) {
+        return std::ranges::any_of(
+            scene.sensors(), [&](const SensorSet& set) { return set.receiver == receiver; });
+    };
+    for (const std::string& name : table.quantities) {
+        const bool is_of_sphere = name == kFluenceRate;
+        const bool is_of_side = name.starts_with("incident_");
+        if (is_of_sphere && !has(Receiver::sphere)) {
+            reporter.faults.add(
+                {table.location, "quantities: no sensor has a fluence_rate",
+                 "it is the light on a sphere", "give sensors receiver = \"sphere\""});
+        } else if (is_of_side && !has(Receiver::cosine)) {
+            reporter.faults.add(
+                {table.location, fmt::format("quantities: no sensor has an {}", name),
+                 "all are spheres, which have no sides", "give \"fluence_rate\""});
+        }
+    }
+}
+
+/// Refuses a condition with an error, and warns of one that no row fulfils.
+void check_condition(const TableSpec& table, RunFile& run, Reporter& reporter) {
+    try {
+        const TableRows rows(run, table);
+        if (!table.where.empty() && rows.is_empty(run)) {
+            run.warnings.push_back(
+                {table.location,
+                 fmt::format("where: no row of the table fulfils \"{}\"", table.where)});
+        }
+    } catch (const InputError& error) {
+        for (const Fault& fault : error.faults()) {
+            reporter.faults.add(
+                {table.location, "where: " + fault.problem, fault.why, fault.suggestion});
+        }
+    }
+}
+
+/// Warns of groups whose condition no organ fulfils.
+void warn_of_empty_groups(RunFile& run, const std::string& file) {
+    const std::vector<std::string_view> known = label_keys(run.scene);
+    const std::vector<OrganGroup> groups = make_groups(run.scene, group_spec(run.spec));
+    for (const std::string& text : run.spec.groups) {
+        const std::string by = parse_group(text, known).by;
+        if (std::ranges::none_of(groups, [&](const OrganGroup& group) { return group.by == by; })) {
+            run.warnings.push_back(
+                {file, fmt::format("[run]: groups: no organ belongs to \"{}\"", text)});
+        }
+    }
 }
 
 }  // namespace
@@ -167,28 +243,16 @@ void read_tables(
     }
 }
 
-void check_tables(const RunFile& run, Reporter& reporter) {
+void check_rows(RunFile& run, Reporter& reporter) {
     const std::vector<std::string> origins = all_columns(run).origins;
-    const std::vector<std::string_view> known(origins.begin(), origins.end());
     for (const TableSpec& table : run.output.tables) {
-        for (const std::string& name : table.origins.value_or(std::vector<std::string>{})) {
-            if (std::find(known.begin(), known.end(), name) == known.end()) {
-                reporter.faults.add(
-                    {table.location, fmt::format("origins: the run has no origin '{}'", name),
-                     origins.empty() ? "[run] has no origins"
-                                     : fmt::format("origins are {}", joined(known, ", ")),
-                     did_you_mean(name, known)});
-            }
+        check_origins(table, origins, reporter);
+        if (table.rows == CsvRows::sensors) {
+            check_receivers(table, run.scene, reporter);
         }
-        try {
-            const TableRows rows(run, table);
-        } catch (const InputError& error) {
-            for (const Fault& fault : error.faults()) {
-                reporter.faults.add(
-                    {table.location, "where: " + fault.problem, fault.why, fault.suggestion});
-            }
-        }
+        check_condition(table, run, reporter);
     }
+    warn_of_empty_groups(run, reporter.file);
 }
 
 }  // namespace quasimc

@@ -73,6 +73,14 @@ bool TableRows::has(const OrganGroup& group) const {
     });
 }
 
+bool TableRows::is_empty(const RunFile& run) const {
+    if (where_) {
+        const std::vector<OrganGroup> groups = make_groups(run.scene, group_spec(run.spec));
+        return std::ranges::none_of(groups, [&](const OrganGroup& group) { return has(group); });
+    }
+    return !organs_.empty() && std::ranges::find(organs_, true) == organs_.end();
+}
+
 std::vector<std::string> group_keys(const RunFile& run) {
     const std::vector<std::string_view> known = label_keys(run.scene);
     std::vector<std::string> keys;
@@ -95,7 +103,7 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     }
     if (rows == CsvRows::sensors) {
         names.push_back(kFluenceRate);
-        if (times == CsvTimes::time_steps) {
+        if (!is_summed(times)) {
             names.insert(names.end(), {"sunlit_fraction", "ratios"});
         }
         return names;
@@ -105,9 +113,9 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
         names.push_back(share_table()[i].name);
     }
     for (const SunShadeEntry& entry : sun_shade_table()) {
-        names.push_back(times == CsvTimes::days ? entry.of_sums : entry.name);
+        names.push_back(is_summed(times) ? entry.of_sums : entry.name);
     }
-    if (times == CsvTimes::days) {
+    if (is_summed(times)) {
         names.push_back(kSunlitHours);
         if (is_of_groups) {
             names.push_back(kSunlitAreaHours);

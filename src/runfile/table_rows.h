@@ -25,6 +25,8 @@ class TableRows {
         return organs_.empty() || organs_[organ];
     }
     [[nodiscard]] bool has(const OrganGroup& group) const;
+    /// Whether there is no row. @param run  that of the constructor
+    [[nodiscard]] bool is_empty(const RunFile& run) const;
 
   private:
     void select_sensors(const Scene& scene, const WhereExpression& where);

@@ -28,7 +28,7 @@ Result canopy_of(double incident, double transmittance, double absorptance) {
 }
 
 TEST(CanopyLines, SpeakOfParWhereTheBandIsPar) {
-    CanopySum sum;
+    CanopySum sum(run_of_three_bands().scene);
     sum.add(canopy_of(10, .25, .5), 1);
     const std::vector<std::string> lines = sum.lines(run_of_three_bands(), nullptr);
     ASSERT_EQ(lines.size(), 3U);
@@ -38,7 +38,7 @@ TEST(CanopyLines, SpeakOfParWhereTheBandIsPar) {
 }
 
 TEST(CanopyLines, WeighTimesByTheirLight) {
-    CanopySum sum;
+    CanopySum sum(run_of_three_bands().scene);
     sum.add(canopy_of(10, .25, .5), 3600);
     sum.add(canopy_of(30, .5, .25), 3600);
     Result night = canopy_of(0, std::nan(""), std::nan(""));
@@ -50,7 +50,7 @@ TEST(CanopyLines, WeighTimesByTheirLight) {
 }
 
 TEST(CanopyLines, NameTheSharesOfFewGroups) {
-    CanopySum sum;
+    CanopySum sum(run_of_three_bands().scene);
     sum.add(canopy_of(10, .25, .5), 1);
     GroupResults groups;
     groups.bands = 3;
@@ -73,7 +73,7 @@ TEST(CanopyLines, NameTheSharesOfFewGroups) {
 }
 
 TEST(CanopyLines, AreNoneWhereNothingIsKnown) {
-    EXPECT_TRUE(CanopySum().lines(run_of_three_bands(), nullptr).empty());
+    EXPECT_TRUE(CanopySum(run_of_three_bands().scene).lines(run_of_three_bands(), nullptr).empty());
 }
 
 }  // namespace

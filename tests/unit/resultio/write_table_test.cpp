@@ -1,8 +1,12 @@
 // The tables of [[table]].
 
+#include <cmath>
+#include <memory>
+
 #include <gtest/gtest.h>
 
 #include "quasimc/run.h"
+#include "quasimc/series.h"
 #include "resultio/output_input.h"
 #include "text/line_scanner.h"
 #include "unit/runfile/io_testing.h"
@@ -160,6 +164,72 @@ TEST(Tables, DaysHaveDatesAndSums) {
         "date,seconds,by,value_of,organs,area,plant,kind,quantity,band,unit,value,se,ci95_high");
 }
 
+/// The text of every table of a run with [time].
+std::vector<std::string> written_sums(const RunText& text, std::size_t completed_less = 0) {
+    const RunFile run = read_text(text.text());
+    std::vector<std::string> texts(run.output.tables.size());
+    std::vector<std::unique_ptr<OutputWriter>> writers;
+    RunControl control;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const TextSink sink = [&texts, i](std::string_view piece) { texts[i] += piece; };
+        writers.push_back(make_table({run, sink, "", "", &run.output.tables[i]}));
+        control.listeners.push_back(writers.back().get());
+    }
+    SeriesSummary summary = run_series(run.scene, run.series->time_steps, run.spec, control);
+    summary.completed -= completed_less;
+    for (const auto& writer : writers) {
+        writer->finish(summary);
+    }
+    return texts;
+}
+
+const std::string kTwoDays =
+    "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\nfrom = '2024-06-21'\n"
+    "to = '2024-06-22'\nutc_offset_hours = 1\nhours = [11, 13]\n";
+const std::string kSumsOfPlants =
+    "rows = 'groups'\nwhere = \"by == 'plant'\"\nquantities = ['absorbed_flux']\nbands = ['R']\n"
+    "statistics = ['mean', 'se']\n";
+
+double number_at(const std::string& row, std::size_t column) {
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < column; ++i) {
+        begin = row.find(',', begin) + 1;
+    }
+    return std::stod(row.substr(begin));
+}
+
+/// The days of a period are independent: means add up, and squares of standard errors.
+TEST(Tables, OfAPeriodHaveTheSumOfItsDays) {
+    const auto texts = written_sums(tabulated(
+        kSumsOfPlants + "per = 'day'\n[[table]]\nfile = 'period.csv'\n" + kSumsOfPlants +
+            "per = 'period'\n",
+        kTwoDays));
+    const auto days = rows_of(texts.at(0)), period = rows_of(texts.at(1));
+    ASSERT_EQ(days.size(), 5U);
+    ASSERT_EQ(period.size(), 3U);
+    EXPECT_EQ(period[0], days[0]);
+    EXPECT_NE(texts[0].find("absorbed_flux_R [J d-1]"), std::string::npos) << texts[0];
+    EXPECT_NE(texts[1].find("absorbed_flux_R [J]"), std::string::npos);
+    EXPECT_TRUE(period[1].starts_with("2024-06-21/2024-06-22,14400,plant,1,")) << period[1];
+    constexpr std::size_t kMean = 8;
+    for (std::size_t plant = 1; plant <= 2; ++plant) {
+        const double first = number_at(days[plant], kMean),
+                     second = number_at(days[plant + 2], kMean);
+        EXPECT_GT(first, 0);
+        EXPECT_NEAR(number_at(period[plant], kMean), first + second, 1e-12 * first);
+        EXPECT_NEAR(
+            number_at(period[plant], kMean + 1),
+            std::hypot(number_at(days[plant], kMean + 1), number_at(days[plant + 2], kMean + 1)),
+            1e-12 * first);
+    }
+}
+
+TEST(Tables, OfAPeriodHaveNoRowsWithoutAllOfItsTimes) {
+    const RunText text = tabulated(kSumsOfPlants + "per = 'period'\n", kTwoDays);
+    EXPECT_EQ(rows_of(written_sums(text).at(0)).size(), 3U);
+    EXPECT_EQ(rows_of(written_sums(text, 1).at(0)).size(), 1U);
+}
+
 /// Sensors above the leaves, below which there is no light.
 RunText with_sensors(const std::string& table) {
     return tabulated(
@@ -217,6 +287,8 @@ TEST(Tables, FaultsSayWhatToDo) {
         {"rows = 'group'\n", "rows: 'group' is not one of organs, groups, sensors, detectors"},
         {"form = 'short'\n", "form: 'short' is not one of wide, long"},
         {"per = 'day'\n", "per = \"day\" without [time]"},
+        {"per = 'period'\n", "per = \"period\" without [time]"},
+        {"rows = 'control'\nper = 'period'\n", "per = \"period\" in a table of controls"},
         {"quantities = ['absorbed_fluxx']\n",
          "quantities: there is no 'absorbed_fluxx' in such a table; did you mean 'absorbed_flux'?"},
         {"quantities = ['sunlit_area']\n", "there is no 'sunlit_area' in such a table"},
@@ -242,6 +314,42 @@ TEST(Tables, FaultsSayWhatToDo) {
     RunText nameless = tabulated("");
     nameless.rest += "[[table]]\n";
     EXPECT_TRUE(mentions(faults_of(nameless.text()), "table: file is missing"));
+}
+
+std::vector<std::string> warnings_of(const RunText& text) {
+    std::vector<std::string> texts;
+    for (const Warning& warning : read_text(text.text()).warnings) {
+        texts.push_back(warning.where + ": " + warning.text);
+    }
+    return texts;
+}
+
+TEST(Tables, WarnOfConditionsThatNoRowFulfils) {
+    const std::string problem = ": where: no row of the table fulfils \"";
+    for (const auto& [keys, condition] : std::vector<std::pair<std::string, std::string>>{
+             {"", "kind == 'root'"},
+             {"rows = 'groups'\n", "by == 'plant' and plant == 3"},
+             {"rows = 'organs'\n", "height > 10"}}) {
+        const std::string where = "where = \"" + condition + "\"\n";
+        EXPECT_TRUE(mentions(warnings_of(tabulated(keys + where)), problem + condition + "\""))
+            << keys;
+    }
+    EXPECT_TRUE(
+        mentions(warnings_of(with_sensors("where = \"sensors == 'bench' and z > 9\"\n")), problem));
+    EXPECT_FALSE(mentions(warnings_of(tabulated("where = \"kind == 'stem'\"\n")), problem));
+    EXPECT_FALSE(
+        mentions(warnings_of(tabulated("rows = 'groups'\nwhere = \"by == 'all'\"\n")), problem));
+}
+
+TEST(GroupKeys, WarnOfConditionsThatNoOrganFulfils) {
+    RunText text = tabulated("");
+    text.run =
+        "[run]\ngroups = ['plant', 'roots: plant where height < 0', 'top: where height > 1']\n";
+    const auto warnings = warnings_of(text);
+    EXPECT_TRUE(
+        mentions(warnings, "[run]: groups: no organ belongs to \"roots: plant where height < 0\""))
+        << ::testing::PrintToString(warnings);
+    EXPECT_FALSE(mentions(warnings, "top"));
 }
 
 TEST(GroupKeys, AreWrittenAsTablesToo) {

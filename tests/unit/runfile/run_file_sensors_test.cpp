@@ -102,9 +102,56 @@ TEST(RunFileSensors, RefuseWhatTheyAreNot) {
         {"at: the scale of copy 1 is 2 (a sensor has a size of its own); give size"});
     expect_faults(
         with_sensors("at = [[0, 0, 1]]\nmaterial = 'leaf'\n").text(), {"unknown key 'material'"});
+    RunText nameless;
+    nameless.rest = "[[sensors]]\nname = ''\nat = [[0, 0, 1]]\n";
+    expect_faults(nameless.text(), {"its name is empty"});
     expect_faults(
         with_sensors("at = [[0, 0, 1]]\n[[sensors]]\nname = 'bench'\nat = [[0, 0, 2]]\n").text(),
         {"sensors 'bench': other sensors have this name"});
+}
+
+TEST(RunFileSensors, AreRepeatedAtHeights) {
+    const std::string at = "at = [[1, 2, 0.5], [3, 4, 0.5]]\n";
+    const auto sets =
+        read_text(with_sensors(at + "average = true\nheights = [0, 1.5]\n").text()).scene.sensors();
+    ASSERT_EQ(sets.size(), 2U);
+    EXPECT_EQ(sets[0].name, "bench at 0");
+    EXPECT_EQ(sets[1].name, "bench at 1.5");
+    EXPECT_TRUE(sets[1].is_averaged);
+    expect_vector(sets[1].points[1].position, {3, 4, 2});
+    EXPECT_EQ(sets[1].points[1].name, "bench 2 at 1.5");
+    const std::string y_up = "up = 'y'\n";
+    RunText text = with_sensors("at = [[1, 0, 2]]\nheights = [3]\n");
+    text.top += y_up;
+    expect_vector(read_text(text.text()).scene.sensors().at(0).points[0].position, {2, 1, 3});
+    expect_faults(with_sensors(at + "heights = []\n").text(), {"heights is not a list"});
+    expect_faults(with_sensors(at + "heights = [1, 1]\n").text(), {"heights has 1 twice"});
+    expect_faults(
+        with_sensors(at + "heights = [1, -1]\n", "[ground]\nmaterial = 'leaf'\n").text(),
+        {"z is below the ground at 2 of 2 points"});
+}
+
+/// An angle that is left out is 0.
+TEST(RunFileSensors, FaceTheHorizonWithoutAnElevation) {
+    const SensorSet set = read_set("at = [[0, 0, 2]]\nfacing = { azimuth_deg = 180 }\n");
+    expect_vector(set.points[0].facing, {0, -1, 0});
+}
+
+TEST(RunFileSensors, HaveTheQuantitiesOfTheirReceiversInTables) {
+    const std::string table = "[[table]]\nfile = 'b.csv'\nrows = 'sensors'\nquantities = ";
+    const std::string flat = "at = [[0, 0, 1]]\n";
+    const std::string sphere = flat + "receiver = 'sphere'\n";
+    expect_faults(
+        with_sensors(flat, table + "['incident_upper', 'fluence_rate']\n").text(),
+        {"quantities: no sensor has a fluence_rate (it is the light on a sphere); give sensors "
+         "receiver = \"sphere\""});
+    expect_faults(
+        with_sensors(sphere, table + "['incident_lower']\n").text(),
+        {"quantities: no sensor has an incident_lower (all are spheres, which have no sides); "
+         "give \"fluence_rate\""});
+    const std::string both = "[[sensors]]\nname = 'ball'\n" + sphere;
+    EXPECT_NO_THROW(read_text(
+        with_sensors(flat, both + table + "['incident_upper', 'fluence_rate']\n").text()));
 }
 
 TEST(RunFileSensors, AreNeededByTheirTables) {
