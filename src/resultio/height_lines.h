@@ -27,10 +27,10 @@ class TransmittanceSum {
     struct Level {
         std::string name;
         std::size_t row = 0;  ///< among the results of sensors
-        double height = 0;    ///< of its points, z up
+        double height = 0;    ///< z up
     };
     struct OfBand {
-        double incident = 0;                     ///< on the horizontal, per area
+        double incident = 0;                     ///< horizontal irradiance
         std::vector<double> amounts, variances;  ///< by level
     };
     [[nodiscard]] std::string text_of(const OfBand& band, const std::string& unit) const;
