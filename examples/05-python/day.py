@@ -9,9 +9,8 @@ RUN_FILE = Path(__file__).parent.parent / "04-first-canopy" / "maize.toml"
 
 def main() -> None:
     scene = quasimc.load(RUN_FILE)
-    hours = {"day": "2024-06-21", "utc_offset_hours": 2, "hours": [6, 22], "step_minutes": 120}
-    series = scene.run(time=hours, paths=1024)
-    assert isinstance(series, quasimc.Series)
+    hours = quasimc.day("2024-06-21", utc_offset_hours=2, hours=[6, 22], step_minutes=120)
+    series = scene.series(hours, paths=1024)
     for time_step, result in zip(series.times, series):
         light = result.groups["absorbed_flux"].values[0]
         print(time_step["time"], *(f"{band} {x:8.3f}" for band, x in zip(result.bands, light)))

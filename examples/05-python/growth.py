@@ -19,8 +19,8 @@ def main() -> None:
     scene = quasimc.Scene("PAR")
     scene.add_material("leaf", reflectance=0.08, transmittance=0.06)
     scene.add_material("soil", reflectance=0.15)
-    scene.set_ground("soil")
-    scene.set_cell(x=[-0.15, 0.15], y=[-0.15, 0.15])
+    scene.ground = quasimc.Ground("soil")
+    scene.cell = quasimc.Cell(x=[-0.15, 0.15], y=[-0.15, 0.15])
     sky = quasimc.sky("cie_overcast", irradiance_horizontal=200)
 
     session = quasimc.GrowthSession(scene)

@@ -28,7 +28,7 @@ from .materials import Material, Materials
 from .organs import Organs
 from .merging import Part, merge
 from .pictures import Page, Picture
-from .result import Ground, Result
+from .result import GroundLight, Result
 from .run_info import RunInfo
 from .scene import Scene, load, options
 from .sensors import Sensors
@@ -45,6 +45,7 @@ from .sources import (
     uniform_sky,
 )
 from .sun_position import SunPosition, sun_day, sun_position
+from .values import Cell, Ground, Site, Time, day, days, times, weather
 
 
 def shapes():
@@ -57,11 +58,13 @@ def shapes():
 __all__ = [
     "Control",
     "ControlDay",
+    "Cell",
     "DetectorResult",
     "Error",
     "Estimates",
     "Groups",
     "Ground",
+    "GroundLight",
     "GapFraction",
     "GapIndices",
     "GrowthSession",
@@ -82,13 +85,17 @@ __all__ = [
     "Scene",
     "Sensors",
     "Series",
+    "Site",
     "Source",
     "Stopped",
     "Sums",
     "SunPosition",
     "SunShade",
+    "Time",
     "__version__",
     "align",
+    "day",
+    "days",
     "directional",
     "grow",
     "lamp",
@@ -104,5 +111,7 @@ __all__ = [
     "sun",
     "sun_day",
     "sun_position",
+    "times",
     "uniform_sky",
+    "weather",
 ]

@@ -2,7 +2,7 @@ import datetime
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping, MutableMapping, Sequence
 from pathlib import Path
-from typing import Any, Literal, Union, overload
+from typing import Any, Literal, TypeVar, Union, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,9 @@ from . import sources as sources
 __version__: str
 
 Numbers = Union[float, Sequence[float], Mapping[str, float]]
-Time = Union[str, datetime.datetime]
+Instant = Union[str, datetime.datetime]
+Date = Union[str, datetime.date]
+Interval = Sequence[float]
 Array = npt.NDArray[np.float64]
 PerOrgan = Union[str, int, Mapping[int, object], Sequence[object], npt.NDArray[Any]]
 
@@ -60,7 +62,7 @@ def directional(
 ) -> Source: ...
 def sun(
     *,
-    time: Time | None = None,
+    time: Instant | None = None,
     azimuth_deg: float | None = None,
     elevation_deg: float | None = None,
     disk: bool | None = None,
@@ -103,7 +105,7 @@ class SunPosition:
 def sun_position(
     latitude_deg: float,
     longitude_deg: float,
-    time: Time,
+    time: Instant,
     *,
     elevation_m: float = 0.0,
     pressure_hpa: float | None = None,
@@ -111,7 +113,7 @@ def sun_position(
     delta_t_s: float | None = None,
 ) -> SunPosition: ...
 def sun_day(
-    latitude_deg: float, longitude_deg: float, date: Time, *, elevation_m: float = 0.0
+    latitude_deg: float, longitude_deg: float, date: Date, *, elevation_m: float = 0.0
 ) -> dict[str, Any]: ...
 
 Number = Union[float, int, npt.NDArray[Any]]
@@ -315,7 +317,7 @@ class SunShade:
     def __len__(self) -> int: ...
     def to_pandas(self) -> Any: ...
 
-class Ground(Light): ...
+class GroundLight(Light): ...
 
 class Groups(Light):
     groups: list[dict[str, Any]]
@@ -408,7 +410,7 @@ class Result(Light):
     @property
     def has_replicates(self) -> bool: ...
     @property
-    def ground(self) -> Ground | None: ...
+    def ground(self) -> GroundLight | None: ...
     @property
     def ratios(self) -> dict[str, Estimates]: ...
     @property
@@ -564,6 +566,84 @@ class Part:
 
 def merge(parts: Iterable[Part]) -> Result: ...
 
+_V = TypeVar("_V", bound="_Value")
+
+class _Value:
+    def table(self) -> dict[str, Any]: ...
+    def replace(self: _V, **keys: Any) -> _V: ...
+    def __eq__(self, other: object) -> bool: ...
+
+class Ground(_Value):
+    material: str
+    height: float | None
+    x: Interval | None
+    y: Interval | None
+    z: Interval | None
+    name: str | None
+    measured: bool | None
+    file: str | None
+    format: str | None
+    transform: Any
+    def __init__(
+        self,
+        material: str,
+        *,
+        height: float | None = None,
+        x: Interval | None = None,
+        y: Interval | None = None,
+        z: Interval | None = None,
+        name: str | None = None,
+        measured: bool | None = None,
+        file: str | os.PathLike[str] | None = None,
+        format: str | None = None,
+        transform: Any = None,
+    ) -> None: ...
+
+class Cell(_Value):
+    x: Interval | None
+    y: Interval | None
+    z: Interval | None
+    file: str | None
+    def __init__(
+        self,
+        x: Interval | None = None,
+        y: Interval | None = None,
+        z: Interval | None = None,
+        *,
+        file: str | os.PathLike[str] | None = None,
+    ) -> None: ...
+
+class Site(_Value):
+    latitude_deg: float
+    longitude_deg: float
+    elevation_m: float | None
+    pressure_hpa: float | None
+    temperature_c: float | None
+    def __init__(
+        self,
+        latitude_deg: float,
+        longitude_deg: float,
+        *,
+        elevation_m: float | None = None,
+        pressure_hpa: float | None = None,
+        temperature_c: float | None = None,
+    ) -> None: ...
+
+class Time(_Value):
+    def __init__(self, **keys: Any) -> None: ...
+    def __getattr__(self, key: str) -> Any: ...
+
+def day(date: Date, *, utc_offset_hours: float, **keys: Any) -> Time: ...
+def days(start: Date, end: Date, *, utc_offset_hours: float, **keys: Any) -> Time: ...
+def times(sequence: Any, **keys: Any) -> Time: ...
+def weather(
+    path: str | os.PathLike[str],
+    *,
+    start: Date | None = None,
+    end: Date | None = None,
+    **keys: Any,
+) -> Time: ...
+
 class Scene:
     def part(
         self,
@@ -584,7 +664,7 @@ class Scene:
         length_unit: str | None = None,
         up: Literal["z", "y"] | None = None,
         north: Sequence[float] | None = None,
-        site: Mapping[str, float] | None = None,
+        site: Site | None = None,
         title: str | None = None,
     ) -> None: ...
     def __copy__(self) -> Scene: ...
@@ -650,27 +730,57 @@ class Scene:
     def add_control(self, sources: str, sensors: str, **keys: Any) -> Scene: ...
     def add_detector(self, type: str, **keys: Any) -> Scene: ...
     def add_source(self, source: Source | str, **keys: Any) -> Scene: ...
-    def set_ground(self, material: str, **keys: Any) -> Scene: ...
-    def set_cell(
-        self,
-        x: Sequence[float] | None = None,
-        y: Sequence[float] | None = None,
-        z: Sequence[float] | None = None,
-    ) -> Scene: ...
+    ground: Ground | None
+    cell: Cell | None
+    site: Site | None
+    time: Time | None
     def build(self) -> Organs: ...
     @property
     def organs(self) -> Organs: ...
     @property
     def warnings(self) -> list[str]: ...
-    @overload
     def run(
         self,
         sources: SourcesArgument = None,
         *,
-        time: Mapping[str, Any],
         progress: ProgressArgument = None,
-        keep_times: bool = True,
         keep: Literal["auto", "replicates", "estimates"] = "auto",
+        sampler: str = ...,
+        method: str = ...,
+        paths: int = ...,
+        replicates: int = ...,
+        seed: int = ...,
+        threads: int = ...,
+        target_error: float = ...,
+        target_fraction: float = ...,
+        target: str = ...,
+        target_quantity: str = ...,
+        target_bands: Sequence[str] = ...,
+        max_seconds: float = ...,
+        max_paths: int = ...,
+        path_allocation: str = ...,
+        time_method: str = ...,
+        ratios: Sequence[str] = ...,
+        groups: Sequence[str] = ...,
+        origins: Sequence[str] = ...,
+        sun_shade: str = ...,
+        layers: int = ...,
+        layer_heights: Sequence[float] = ...,
+        direct_light: str = ...,
+        audit: float = ...,
+        max_depth: int = ...,
+        roulette_threshold: float = ...,
+        start_area: str = ...,
+        accelerator: str = ...,
+        tally_memory_mb: float = ...,
+    ) -> Result: ...
+    def series(
+        self,
+        time: Time | None = None,
+        sources: SourcesArgument = None,
+        *,
+        progress: ProgressArgument = None,
+        keep: Literal["auto", "replicates", "estimates", "sums"] = "auto",
         sampler: str = ...,
         method: str = ...,
         paths: int = ...,
@@ -700,119 +810,6 @@ class Scene:
         accelerator: str = ...,
         tally_memory_mb: float = ...,
     ) -> Series: ...
-    @overload
-    def run(
-        self,
-        sources: Sources,
-        *,
-        time: None = ...,
-        progress: ProgressArgument = None,
-        keep_times: bool = True,
-        keep: Literal["auto", "replicates", "estimates"] = "auto",
-        sampler: str = ...,
-        method: str = ...,
-        paths: int = ...,
-        replicates: int = ...,
-        seed: int = ...,
-        threads: int = ...,
-        target_error: float = ...,
-        target_fraction: float = ...,
-        target: str = ...,
-        target_quantity: str = ...,
-        target_bands: Sequence[str] = ...,
-        max_seconds: float = ...,
-        max_paths: int = ...,
-        path_allocation: str = ...,
-        time_method: str = ...,
-        ratios: Sequence[str] = ...,
-        groups: Sequence[str] = ...,
-        origins: Sequence[str] = ...,
-        sun_shade: str = ...,
-        layers: int = ...,
-        layer_heights: Sequence[float] = ...,
-        direct_light: str = ...,
-        audit: float = ...,
-        max_depth: int = ...,
-        roulette_threshold: float = ...,
-        start_area: str = ...,
-        accelerator: str = ...,
-        tally_memory_mb: float = ...,
-    ) -> Result: ...
-    @overload
-    def run(
-        self,
-        sources: None = None,
-        *,
-        time: None,
-        progress: ProgressArgument = None,
-        keep_times: bool = True,
-        keep: Literal["auto", "replicates", "estimates"] = "auto",
-        sampler: str = ...,
-        method: str = ...,
-        paths: int = ...,
-        replicates: int = ...,
-        seed: int = ...,
-        threads: int = ...,
-        target_error: float = ...,
-        target_fraction: float = ...,
-        target: str = ...,
-        target_quantity: str = ...,
-        target_bands: Sequence[str] = ...,
-        max_seconds: float = ...,
-        max_paths: int = ...,
-        path_allocation: str = ...,
-        time_method: str = ...,
-        ratios: Sequence[str] = ...,
-        groups: Sequence[str] = ...,
-        origins: Sequence[str] = ...,
-        sun_shade: str = ...,
-        layers: int = ...,
-        layer_heights: Sequence[float] = ...,
-        direct_light: str = ...,
-        audit: float = ...,
-        max_depth: int = ...,
-        roulette_threshold: float = ...,
-        start_area: str = ...,
-        accelerator: str = ...,
-        tally_memory_mb: float = ...,
-    ) -> Result: ...
-    @overload
-    def run(
-        self,
-        sources: None = None,
-        *,
-        progress: ProgressArgument = None,
-        keep_times: bool = True,
-        keep: Literal["auto", "replicates", "estimates"] = "auto",
-        sampler: str = ...,
-        method: str = ...,
-        paths: int = ...,
-        replicates: int = ...,
-        seed: int = ...,
-        threads: int = ...,
-        target_error: float = ...,
-        target_fraction: float = ...,
-        target: str = ...,
-        target_quantity: str = ...,
-        target_bands: Sequence[str] = ...,
-        max_seconds: float = ...,
-        max_paths: int = ...,
-        path_allocation: str = ...,
-        time_method: str = ...,
-        ratios: Sequence[str] = ...,
-        groups: Sequence[str] = ...,
-        origins: Sequence[str] = ...,
-        sun_shade: str = ...,
-        layers: int = ...,
-        layer_heights: Sequence[float] = ...,
-        direct_light: str = ...,
-        audit: float = ...,
-        max_depth: int = ...,
-        roulette_threshold: float = ...,
-        start_area: str = ...,
-        accelerator: str = ...,
-        tally_memory_mb: float = ...,
-    ) -> Result | Series: ...
 
 class GrowthSession:
     def __init__(self, scene: Scene) -> None: ...

@@ -11,7 +11,7 @@ from ._meshes import fault
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
-from .scene import _OF_SCENE, Scene, warn_here
+from .scene import Scene, warn_here
 
 
 class GrowthStep:
@@ -185,7 +185,7 @@ def _stand(scene, sources, materials, material, quantity, options):
     return _core.PlantStand(
         scene._whole_document(),
         scene._mesh_list(),
-        scene._light_document(sources, _OF_SCENE, options),
+        scene._light_document(sources, None, options),
         materials,
         material or "",
         quantity,

@@ -12,7 +12,7 @@ from ._meshes import integers, mesh_arrays
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
-from .scene import _OF_SCENE, largest_sums, warn_here
+from .scene import largest_sums, warn_here
 
 
 class GrowthSession:
@@ -142,9 +142,7 @@ class GrowthSession:
             built = self._core.scene()
             if self._core.scene_builds > builds:
                 warn_here(built.warnings)
-            light = self._scene._light(built, sources, _OF_SCENE, options)
-            if light.has_times:
-                raise ValueError("a growth step has no time steps: pass sources, or use Scene.run")
+            light = self._scene._light(built, sources, None, options)
             warn_here(light.warnings)
             with Listener(progress) as listener:
                 core, replicates = self._core.run(light, largest_sums(keep), listener.callback)

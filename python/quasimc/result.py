@@ -20,7 +20,7 @@ from .sensors import sensors_by_name
 from .sun_shade import parts_of
 
 
-class Ground(Light):
+class GroundLight(Light):
     """The light on the ground: ``result.ground["absorbed_flux"]["PAR"]`` is one number."""
 
     def __getitem__(self, quantity):
@@ -86,11 +86,11 @@ class Result(Light):
 
     @cached_property
     def ground(self):
-        """The light on the ground: Ground; None without one."""
+        """The light on the ground: GroundLight; None without one."""
         if not self.organs.has_ground:
             return None
         last = len(self.organs)
-        return Ground(
+        return GroundLight(
             self._core.values[last:],
             GroupIndex(["ground"], self.organs._scene.areas[last:]),
             self.organs,

@@ -25,6 +25,7 @@ from .merging import Part
 from .result import Result
 from .series import Series
 from .sources import Source
+from .values import Cell, Ground, Site, Time, checked_time
 
 #: Keys of a document that say what light falls on.
 _SCENE_KEYS = ("material", "organ", "geometry", "ground", "cell", "sensors", "detector")
@@ -37,8 +38,17 @@ _FRAME_KEYS = (
     "bands", "band", "irradiance_unit", "length_unit", "up", "north", "material", "material_file",
 )
 
-#: The time of a run that is not given one: that of the scene.
-_OF_SCENE = object()
+#: Names of earlier versions.
+_RENAMED = {
+    "set_ground": 'assign scene.ground = quasimc.Ground("soil")',
+    "set_cell": "assign scene.cell = quasimc.Cell(x=(0, 1), y=(0, 1))",
+}
+
+#: Keywords that another call has.
+_ELSEWHERE = {
+    "time": "days and seasons are scene.series(quasimc.day(...))",
+    "keep_times": 'sums alone are scene.series(..., keep="sums")',
+}
 
 
 def options():
@@ -92,8 +102,8 @@ class Scene:
         "z" or "y": the axis that points up.
     north : sequence of 3 floats
         Horizontal direction of azimuth 0. Default: y, or x if y is up.
-    site : dict
-        latitude_deg, longitude_deg, elevation_m and others, for the position of the sun.
+    site : Site
+        For the position of the sun.
     title : str
     """
 
@@ -114,13 +124,13 @@ class Scene:
             "length_unit": length_unit,
             "up": up,
             "north": north,
-            "site": site,
         }
         self._init(
             plain({**_band_keys(bands), **{k: v for k, v in given.items() if v is not None}}),
             "scene",
             None,
         )
+        self.site = site
 
     def _init(self, table, name, folder):
         self._table = table
@@ -550,24 +560,69 @@ class Scene:
             self._append("source", table)
         return self
 
-    def set_ground(self, material, **keys):
-        """Sets the ground: material; height, x, y, name, measured, or file of a surface.
+    @property
+    def ground(self):
+        """The ground: Ground or None. ``scene.ground = quasimc.Ground("soil")``."""
+        return self._value("ground", Ground)
 
-        The path of a file is used as in `add_file`.
-        """
-        if "file" in keys:
-            keys["file"] = self._path(keys["file"])
-        with self._lock.to_change():
-            self._set("ground", plain({"material": material, **keys}))
-        return self
+    @ground.setter
+    def ground(self, value):
+        self._assign("ground", Ground, value)
 
-    def set_cell(self, x=None, y=None, z=None):
-        """Makes the scene periodic along the given axes: x=(low, high), ..."""
-        cell = {"x": x, "y": y, "z": z}
-        given = {key: plain(list(value)) for key, value in cell.items() if value is not None}
+    @property
+    def cell(self):
+        """The periodic cell: Cell or None. ``scene.cell = quasimc.Cell(x=(0, 1), y=(0, 1))``."""
+        return self._value("cell", Cell)
+
+    @cell.setter
+    def cell(self, value):
+        self._assign("cell", Cell, value)
+
+    @property
+    def site(self):
+        """The site on the Earth: Site or None."""
+        return self._value("site", Site)
+
+    @site.setter
+    def site(self, value):
+        self._assign("site", Site, value)
+
+    @property
+    def time(self):
+        """The time steps of `series`: Time or None. A run file's ``[time]`` is one."""
+        return self._value("time", Time)
+
+    @time.setter
+    def time(self, value):
+        self._assign("time", Time, value)
+
+    def _value(self, key, kind):
+        table = self._table.get(key)
+        return None if table is None else kind._of(table)
+
+    def _assign(self, key, kind, value):
+        if value is not None and not isinstance(value, kind):
+            raise fault(
+                f"scene.{key}", f"{value!r} is no {kind.__name__}", "",
+                f"assign quasimc.{kind.__name__}(...) or None",
+            )
         with self._lock.to_change():
-            self._set("cell", given)
-        return self
+            if value is None:
+                self._table.pop(key, None)
+            else:
+                self._table[key] = self._with_file(value.table())
+            self._document = None
+            if key in _SCENE_KEYS or key == "site":
+                self._built = None
+
+    def _with_file(self, table):
+        """A table whose file is kept as its path means now."""
+        return {k: self._path(v) if k == "file" else v for k, v in table.items()}
+
+    def __getattr__(self, name):
+        if name in _RENAMED:
+            raise AttributeError(f"Scene has no {name!r}: {_RENAMED[name]}")
+        raise AttributeError(f"Scene has no {name!r}")
 
     def _path(self, file):
         """A path as it is kept: what it means does not change with the current folder."""
@@ -651,7 +706,7 @@ class Scene:
         self.build()
         return self._built.warnings
 
-    def _written(self, sources=None, time=_OF_SCENE, options=()):
+    def _written(self, sources=None, time=None, options=()):
         """The scene and the light on it, as a run file that holds them."""
         whole = self._document is not None or not self._meshes
         table = self._table if whole else _numbered(self._table, self._meshes.values())
@@ -666,9 +721,11 @@ class Scene:
         return _core.Light(self._light_document(sources, time, run_options), built)
 
     def _light_document(self, sources, time, run_options):
-        """The document of the light of a run."""
-        unchanged = sources is None and time is _OF_SCENE and not run_options
-        if unchanged and self._document is not None:
+        """The document of the light of a run; of an instant, if `time` is None."""
+        if time is None and sources is None and "time" in self._table:
+            raise ValueError("the scene has time steps: use scene.series(), or pass sources")
+        is_of_scene = sources is None and not run_options and time == self.time
+        if is_of_scene and self._document is not None:
             return self._document
         return self._document_of(self._light_table(sources, time, run_options))
 
@@ -677,62 +734,45 @@ class Scene:
         table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
         if sources is not None:
             table["source"] = _source_tables(sources)
+        if time is not None:
+            table["time"] = time.table()
+        else:
             table.pop("time", None)
-        if time is None:
-            table.pop("time", None)
-        elif time is not _OF_SCENE:
-            table["time"] = dict(time)
-        if "time" not in table and (time is None or sources is not None):
-            table.pop("control", None)
+            table.pop("control", None)  # lamps are controlled by the hour
         if run_options:
             table["run"] = {**table.get("run", {}), **plain(dict(run_options))}
         return table
 
-    def run(
-        self,
-        sources=None,
-        *,
-        time=_OF_SCENE,
-        progress=None,
-        keep_times=True,
-        keep="auto",
-        **options,
-    ):
-        """Computes the light on every organ.
+    def run(self, sources=None, *, progress=None, keep="auto", **options):
+        """Computes the light on every organ at an instant.
 
         Ctrl-C stops a run; its result contains the completed paths, if there are any.
 
         Parameters
         ----------
         sources : Source or dict, or list of them
-            They replace the sources of the scene, and the ``[time]`` of a loaded scene. Default: the
-            sources of the scene. Paths of files are relative to the current folder (for a loaded
-            scene: to the folder of its file).
-        time : dict or None
-            The keys of ``[time]`` (day, times, from and to, weather, ...) for many time steps; `sources`
-            shine at all of them. None: no time steps. Default: without `sources`, the ``[time]`` of a
-            loaded scene.
+            They replace the sources of the scene. Default: the sources of the scene. Paths of files
+            are relative to the current folder (for a loaded scene: to the folder of its file).
         progress : bool or callable
             True: a progress bar on stderr. A function is called repeatedly with a `Progress`; an
             exception from it ends the run.
-        keep_times : bool
-            For runs with time steps: keep the result of each, or only sums.
         keep : str
             "replicates": keep the sums of all replicates, by which sums over organs and differences
             of results have errors; "estimates": only the estimates of organs and groups; "auto":
-            replicates that need up to 256 MB. Of runs with time steps "replicates" keeps those of
-            every time, and "auto" none; sums over days have errors for `groups` alone.
+            replicates that need up to 256 MB.
         **options
             Run options, as in ``[run]``; `quasimc.options()` lists them.
 
         Returns
         -------
-        Result; or Series for a run with time steps, given by `time` or by a loaded scene.
+        Result
 
         Raises
         ------
         InputError
             With all errors.
+        ValueError
+            If the scene was loaded with ``[time]`` and no sources are passed.
         Stopped
             If max_seconds passed before there was a result.
         KeyboardInterrupt
@@ -740,29 +780,65 @@ class Scene:
         """
         with self._lock:
             organs = self._build()
+            light = self._light(self._built, sources, None, options)
+            warn_here(light.warnings)
+            with Listener(progress) as listener:
+                core, replicates = self._simulator.run(
+                    self._built, light, largest_sums(keep), listener.callback
+                )
+            notes = [*self._built.warnings, *light.warnings]
+        written = self._written(sources, None, options)
+        result = Result(
+            core, organs, notes, light.source_notes, light.ratio_names, replicates, written
+        )
+        _warn_of_stop(result.run.stop)
+        return result
+
+    def series(self, time=None, sources=None, *, progress=None, keep="auto", **options):
+        """Computes the light on every organ at many time steps, and its sums over days.
+
+        Parameters
+        ----------
+        time : Time
+            `quasimc.day`, `days`, `times` or `weather`: sun and sky. Default: `Scene.time`.
+        sources : Source or dict, or list of them
+            They shine at all time steps, beside sun and sky, and replace the sources of the scene.
+        progress, **options
+            As of `run`.
+        keep : str
+            "estimates": keep the result of each time step; "replicates": with the sums of all
+            replicates; "sums": keep sums over days alone, for long seasons; "auto": "estimates". Sums
+            over days have errors for `groups` alone.
+
+        Returns
+        -------
+        Series
+
+        Raises
+        ------
+        InputError, Stopped, KeyboardInterrupt
+            As of `run`.
+        ValueError
+            If there is no time.
+
+        Examples
+        --------
+        >>> scene.series(quasimc.day("2024-06-21", utc_offset_hours=2))  # doctest: +SKIP
+        """
+        time = self.time if time is None else checked_time(time)
+        if time is None:
+            raise ValueError('which time? give quasimc.day("2024-06-21", utc_offset_hours=1), ...')
+        size = largest_sums("estimates" if keep in ("auto", "sums") else keep)
+        with self._lock:
+            organs = self._build()
             light = self._light(self._built, sources, time, options)
             warn_here(light.warnings)
             with Listener(progress) as listener:
-                if light.has_times:
-                    size = largest_sums("estimates" if keep == "auto" else keep)
-                    core = _core.run_series(
-                        self._built, light, keep_times, size, listener.callback
-                    )
-                    kind = Series
-                else:
-                    core, replicates = self._simulator.run(
-                        self._built, light, largest_sums(keep), listener.callback
-                    )
-                    kind = Result
+                core = _core.run_series(self._built, light, keep != "sums", size, listener.callback)
             notes = [*self._built.warnings, *light.warnings]
-        kept = ()
-        if not light.has_times:
-            kept = (replicates, self._written(sources, time, options))
-        result = kind(core, organs, notes, light.source_notes, light.ratio_names, *kept)
-        stop = result.stop if light.has_times else result.run.stop
-        if stop == "interrupted":
-            warn_here(["interrupted: the result contains the paths completed so far"])
-        return result
+        series = Series(core, organs, notes, light.source_notes, light.ratio_names)
+        _warn_of_stop(series.stop)
+        return series
 
     def part(self, index, count, sources=None, *, progress=None, **options):
         """Computes an exact share of a run, for other processes or machines; see `quasimc.merge`.
@@ -789,7 +865,7 @@ class Scene:
             organs = self._build()
             if organs.sensor_sets:
                 raise ValueError("a scene with sensors has no parts: their light is no share of a run")
-            light = self._light(self._built, sources, _OF_SCENE, options)
+            light = self._light(self._built, sources, None, options)
             if not light.has_fixed_paths:
                 raise ValueError(
                     "a part has no target_error, max_paths, max_seconds, audit or time: give paths"
@@ -799,7 +875,7 @@ class Scene:
                     self._built, light, index, count, listener.callback
                 )
             warnings = [*self._built.warnings, *light.warnings]
-        written = self._written(sources, _OF_SCENE, options)
+        written = self._written(sources, None, options)
         document = written.table(organs), written.name, written.folder
         return Part(index, count, sums, method, document, warnings, written)
 
@@ -954,8 +1030,9 @@ def _check_keywords(options):
     known = [option["key"] for option in _core.options()]
     for key in options:
         if key not in known:
-            near = difflib.get_close_matches(key, [*known, "time", "progress", "keep"], 1)
+            near = difflib.get_close_matches(key, [*known, "progress", "keep"], 1)
             hint = f"; did you mean {near[0]!r}?" if near else "; quasimc.options() lists them"
+            hint = f"; {_ELSEWHERE[key]}" if key in _ELSEWHERE else hint
             text = f"run() has no keyword {key!r}{hint}"
             raise KeywordError(text, [{"where": "run()", "problem": text, "why": "", "suggestion": ""}])
 
@@ -1018,6 +1095,11 @@ def _numbered(table, meshes):
             organ = {"id": largest, **organ}
         numbered.append(organ)
     return {**table, "organ": numbered}
+
+
+def _warn_of_stop(stop):
+    if stop == "interrupted":
+        warn_here(["interrupted: the result contains the paths completed so far"])
 
 
 def warn_here(texts):

@@ -17,10 +17,10 @@ from .sun_shade import parts_of
 
 
 class Series:
-    """The light of the time steps of ``[time]``, and daily sums.
+    """The light of many time steps, and daily sums.
 
     ``len(series)`` is the number of time steps; ``series[i]`` is the `Result` of one. With
-    keep_times=False there are only sums: ``series[i]``, iteration and `to_pandas` raise KeyError.
+    keep="sums" there are only sums: ``series[i]``, iteration and `to_pandas` raise KeyError.
 
     Attributes
     ----------
@@ -90,7 +90,7 @@ class Series:
     def _results_of_times(self):
         """The results of the time steps. Raises KeyError if they were not kept."""
         if not self._results and self.times:
-            raise KeyError("the time steps were not kept (keep_times=False)")
+            raise KeyError('the time steps were not kept (keep="sums")')
         return self._results
 
     def __getitem__(self, index):
@@ -107,7 +107,7 @@ class Series:
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each time step and organ, indexed by both.
 
-        Raises KeyError if the time steps were not kept (keep_times=False); `days` and `total` have
+        Raises KeyError if the time steps were not kept (keep="sums"); `days` and `total` have
         tables of their own.
         """
         import pandas

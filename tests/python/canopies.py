@@ -25,7 +25,7 @@ def canopy(count=20):
     scene.add_material("soil", reflectance=[0.1, 0.2])
     vertices, faces, organ = leaves(count)
     scene.add_mesh(vertices, faces, organ=organ, material="leaf", labels={"plant": 1})
-    scene.set_ground("soil", x=[-1, 2], y=[-1, 2])
+    scene.ground = quasimc.Ground("soil", x=[-1, 2], y=[-1, 2])
     scene.add_source(quasimc.sun(azimuth_deg=135, elevation_deg=50, irradiance_facing=[400, 380]))
     scene.add_source(quasimc.sky(irradiance_horizontal=[80, 20]))
     return scene

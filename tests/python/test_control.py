@@ -5,12 +5,12 @@ import pytest
 
 import quasimc
 
-DAY = {"day": "2024-12-15", "utc_offset_hours": 1}
+DAY = quasimc.day("2024-12-15", utc_offset_hours=1)
 LAMP = 100 * 16 * math.pi  # 100 W m-2 on the sensor, 2 m below
 
 
 def room(**rules):
-    scene = quasimc.Scene("PAR", site={"latitude_deg": 52, "longitude_deg": 6}, length_unit="m")
+    scene = quasimc.Scene("PAR", site=quasimc.Site(52, 6), length_unit="m")
     scene.add_material("leaf", reflectance=0)
     scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=1)
     scene.add_sensors([5, 5, 0], name="bench")
@@ -20,7 +20,7 @@ def room(**rules):
 
 
 def test_lamps_end_within_a_time_at_the_daily_target():
-    series = room(daily_target=1e6, electrical_power_w=500).run(time=DAY, paths=256)
+    series = room(daily_target=1e6, electrical_power_w=500).series(DAY, paths=256)
     control = series.control["hps"]
     part = 1e6 / 360000 - 2
     factor = np.zeros(24)
@@ -45,17 +45,18 @@ def test_lamps_end_within_a_time_at_the_daily_target():
 
 def test_without_control_there_is_none():
     scene = room()
-    assert scene.run(time=DAY, paths=64).control == {}
+    assert scene.series(DAY, paths=64).control == {}
 
 
-def test_a_run_without_times_has_no_control():
+def test_a_run_of_an_instant_has_no_control():
     scene = room(on_below=50)
-    with pytest.raises(quasimc.InputError, match=r"it needs \[time\]"):
-        scene.run(paths=64)
+    lamp = quasimc.lamp("point", position=[5, 5, 2], power=LAMP, name="hps")
+    light = scene.run(lamp, paths=64).sensors["bench"]["incident_upper"]["PAR"]
+    assert float(light.values[0]) == pytest.approx(100, rel=1e-4)
 
 
 def test_mistakes_are_reported():
     scene = room(on_below=50).add_control("hps", "bech", set_point=100)
     with pytest.raises(quasimc.InputError, match="no sensors are called 'bech'; there is bench") as error:
-        scene.run(time=DAY, paths=64)
+        scene.series(DAY, paths=64)
     assert "belongs to control 'hps' too" in str(error.value)

@@ -11,7 +11,8 @@ def soil():
     scene = quasimc.Scene("PAR")
     scene.add_material("leaf", reflectance=0.1, transmittance=0.05)
     scene.add_material("soil", reflectance=0.2)
-    return scene.set_ground("soil", x=[-2, 2], y=[-2, 2])
+    scene.ground = quasimc.Ground("soil", x=[-2, 2], y=[-2, 2])
+    return scene
 
 
 def leaf(organ, step):

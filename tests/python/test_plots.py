@@ -144,9 +144,9 @@ def test_convergence_shows_the_rounds(result):
 
 def test_the_course_of_a_day_has_hours_and_bands_of_error():
     scene = canopy()
-    scene._table["site"] = {"latitude_deg": 52, "longitude_deg": 5}
-    day = {"day": "2024-06-21", "utc_offset_hours": 2, "hours": [9, 13]}
-    series = scene.run(time=day, paths=256, replicates=4, groups=["plant"])
+    scene.site = quasimc.Site(52, 5)
+    day = quasimc.day("2024-06-21", utc_offset_hours=2, hours=[9, 13])
+    series = scene.series(day, paths=256, replicates=4, groups=["plant"])
     axes = series.plot.course("absorbed_flux", "PAR", by="plant")
     expected = [float(r.groups["absorbed_flux"]["PAR"].at("1")) for r in series]
     assert axes.lines[0].get_ydata() == pytest.approx(expected)

@@ -89,8 +89,8 @@ def changes_of(scene):
         lambda: scene.add_file("leaf.obj", material="leaf"),
         lambda: scene.add_detector("escaped_by_zenith"),
         lambda: scene.add_source(quasimc.sky(irradiance_horizontal=[1, 1])),
-        lambda: scene.set_ground("leaf"),
-        lambda: scene.set_cell(x=[0, 1]),
+        lambda: setattr(scene, "ground", quasimc.Ground("leaf")),
+        lambda: setattr(scene, "cell", quasimc.Cell(x=[0, 1])),
     ]
 
 

@@ -235,7 +235,9 @@ def test_a_scene_can_be_changed_after_a_run():
 
 
 def test_a_scene_repeats_in_its_cell():
-    scene = canopy().set_ground("soil").set_cell(x=[0, 1], y=[0, 1])
+    scene = canopy()
+    scene.ground = quasimc.Ground("soil")
+    scene.cell = quasimc.Cell(x=[0, 1], y=[0, 1])
     result = scene.run(**FEW)
     parts = [result.canopy[key]["PAR"] for key in ("reflectance", "absorptance", "ground_absorptance")]
     error = sum(part.standard_error for part in parts)
@@ -292,19 +294,21 @@ hours = [11, 13]
 def test_passed_sources_replace_the_times_of_a_scene_that_was_loaded(tmp_path):
     (tmp_path / "day.toml").write_text(DAY)
     scene = quasimc.load(tmp_path / "day.toml")
-    assert len(scene.run()) == 2
+    assert scene.time == quasimc.day("2024-06-21", utc_offset_hours=1, hours=[11, 13])
+    assert len(scene.series()) == 2
+    with pytest.raises(ValueError, match="use scene.series"):
+        scene.run()
     sun = quasimc.sun(azimuth_deg=180, elevation_deg=60, irradiance_facing=1500)
     result = scene.run([sun], paths=64)
     expected = 1500 * np.sin(np.radians(60))
     assert result["incident_upper"]["PAR"].values[0] == pytest.approx(expected, rel=1e-3)
-    with pytest.raises(quasimc.InputError, match="no source of light"):
-        scene.run(time=None)
-    assert isinstance(scene.run(sun, time=None), quasimc.Result)
-    hour = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [12, 13]}
-    series = scene.run(sun, time=hour)
+    hour = quasimc.day("2024-06-21", utc_offset_hours=1, hours=[12, 13])
+    series = scene.series(hour, sun)
     assert len(series) == 1
     assert series[0]["incident_upper"]["PAR"].values[0] > expected + 1
-    assert len(scene.run()) == 2, "the scene is as it was"
+    assert len(scene.series()) == 2, "the scene is as it was"
+    with pytest.raises(quasimc.KeywordError, match="scene.series"):
+        scene.run(sun, time=hour)
 
 
 def test_lists_go_by_the_order_in_which_organs_appear():

@@ -15,8 +15,8 @@ def plane(reflectance=0.5):
     """An infinite plane that reflects a part of the light."""
     scene = quasimc.Scene(["PAR", "NIR"], length_unit="m")
     scene.add_material("soil", reflectance=reflectance)
-    scene.set_cell(x=(0, 1), y=(0, 2))
-    scene.set_ground("soil")
+    scene.cell = quasimc.Cell(x=(0, 1), y=(0, 2))
+    scene.ground = quasimc.Ground("soil")
     scene.add_source("uniform_sky", irradiance_horizontal=[100, 50])
     return scene
 
@@ -75,14 +75,14 @@ def test_sensors_change_no_number_of_the_organs():
 
 
 def test_days_and_origins():
-    site = {"latitude_deg": 50, "longitude_deg": 8}
+    site = quasimc.Site(50, 8)
     scene = quasimc.Scene({"PAR": "umol m-2 s-1"}, length_unit="m", site=site)
     scene.add_material("soil", reflectance=0.2)
-    scene.set_cell(x=(0, 1), y=(0, 1))
-    scene.set_ground("soil")
+    scene.cell = quasimc.Cell(x=(0, 1), y=(0, 1))
+    scene.ground = quasimc.Ground("soil")
     scene.add_sensors([[0.5, 0.5, 1], [0.2, 0.5, 1]], name="points")
-    series = scene.run(
-        time={"day": "2024-06-21", "utc_offset_hours": 1, "hours": [11, 13]},
+    series = scene.series(
+        quasimc.day("2024-06-21", utc_offset_hours=1, hours=[11, 13]),
         origins=["sun", "sky"],
         **FEW,
     )

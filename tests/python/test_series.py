@@ -4,12 +4,12 @@ import pytest
 import quasimc
 from canopies import FEW, leaves
 
-DAY = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [10, 13], "step_minutes": 60}
+DAY = quasimc.day("2024-06-21", utc_offset_hours=1, hours=[10, 13], step_minutes=60)
 
 
 @pytest.fixture(scope="module")
 def scene():
-    site = {"latitude_deg": 52, "longitude_deg": 5.7}
+    site = quasimc.Site(52, 5.7)
     scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"}, site=site)
     scene.add_material("leaf", reflectance=[0.08, 0.45], transmittance=[0.06, 0.45])
     scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=0.1)
@@ -18,7 +18,7 @@ def scene():
 
 @pytest.fixture(scope="module")
 def series(scene):
-    return scene.run(time=DAY, paths=512)
+    return scene.series(DAY, paths=512)
 
 
 def test_every_time_has_a_result(series):
@@ -54,13 +54,13 @@ def test_tables_have_a_row_for_each_time_and_organ(series):
 
 
 def test_times_need_not_be_kept(scene, series):
-    sums = scene.run(time=DAY, paths=512, keep_times=False)
+    sums = scene.series(DAY, paths=512, keep="sums")
     assert np.array_equal(
         sums.total["absorbed_flux"].values, series.total["absorbed_flux"].values
     )
     assert len(sums) == 3
     for use in (lambda: sums[0], lambda: list(sums), sums.to_pandas):
-        with pytest.raises(KeyError, match="keep_times"):
+        with pytest.raises(KeyError, match="sums"):
             use()
 
 
@@ -73,13 +73,13 @@ def test_sums_have_no_sunlit_fraction(series):
 
 def test_groups_are_summed_over_days():
     scene = quasimc.Scene({"PAR": "umol m-2 s-1", "NIR": "W m-2"},
-                          site={"latitude_deg": 52, "longitude_deg": 5.7})
+                          site=quasimc.Site(52, 5.7))
     scene.add_material("leaf", reflectance=[0.08, 0.45], transmittance=[0.06, 0.45])
     for plant in (1, 1, 2):
         x = len(scene._table.get("organ", [])) / 2
         scene.add_organ("disk", material="leaf", center=[x, 0, 1], normal=[0, 0, 1], radius=0.1,
                         labels={"plant": plant})
-    series = scene.run(time=DAY, paths=512, groups=["plant"])
+    series = scene.series(DAY, paths=512, groups=["plant"])
     for sums in (series.total, series.days["2024-06-21"]):
         assert [(g["by"], g["value"]) for g in sums.groups.groups] == [
             ("all", ""), ("plant", "1"), ("plant", "2")
@@ -96,15 +96,15 @@ def test_groups_are_summed_over_days():
 
 def test_a_callback_is_told_of_all_times(scene):
     seen = []
-    scene.run(time=DAY, paths=1 << 16, progress=lambda p: seen.append(p.fraction))
+    scene.series(DAY, paths=1 << 16, progress=lambda p: seen.append(p.fraction))
     assert seen == sorted(seen)
 
 
 def test_means_of_sums_lie_in_their_intervals():
-    scene = quasimc.Scene("PAR", site={"latitude_deg": 52, "longitude_deg": 5.7})
+    scene = quasimc.Scene("PAR", site=quasimc.Site(52, 5.7))
     scene.add_material("leaf", reflectance=0.8, transmittance=0.2)
     scene.add_mesh(*leaves(30)[:2], organ=leaves(30)[2], material="leaf", labels={"plant": 1})
-    series = scene.run(time=DAY, groups=["plant"], **FEW)
+    series = scene.series(DAY, groups=["plant"], **FEW)
     for sums in (series.total, series.days["2024-06-21"]):
         for table in (sums, sums.groups):
             light = table["absorbed_flux"]
@@ -112,14 +112,14 @@ def test_means_of_sums_lie_in_their_intervals():
 
 
 def test_times_keep_their_replicates_if_asked():
-    scene = quasimc.Scene(["PAR", "NIR"], site={"latitude_deg": 52, "longitude_deg": 5})
+    scene = quasimc.Scene(["PAR", "NIR"], site=quasimc.Site(52, 5))
     scene.add_material("leaf", reflectance=0.1, transmittance=0.1)
     for i in range(6):
         scene.add_organ("disk", material="leaf", center=[0.1 * i, 0, 1 + 0.1 * i], normal=[0, 0, 1],
                         radius=0.2, labels={"half": i // 3})
-    day = {"day": "2024-06-21", "utc_offset_hours": 2, "hours": [2, 8]}
-    options = dict(time=day, paths=256, replicates=4, groups=["half"], origins=["sun", "sky"])
-    series = scene.run(**options, keep="replicates", method="light_tracing")
+    day = quasimc.day("2024-06-21", utc_offset_hours=2, hours=[2, 8])
+    options = dict(paths=256, replicates=4, groups=["half"], origins=["sun", "sky"])
+    series = scene.series(day, **options, keep="replicates", method="light_tracing")
     assert any(result.has_replicates for result in series)
     for result in series:
         light = result["absorbed_flux"]
@@ -128,5 +128,5 @@ def test_times_keep_their_replicates_if_asked():
             groups = result.groups["absorbed_flux"]
             theirs = (groups if part is light else groups.origin("sky")).at("0")
             np.testing.assert_allclose(mine._values, theirs._values, rtol=1e-12, atol=1e-15)
-    plain = scene.run(**options)
+    plain = scene.series(day, **options)
     assert not any(result.has_replicates for result in plain)

@@ -62,7 +62,7 @@ def test_a_sun_by_time_needs_a_place():
     sun = quasimc.sun(time=noon, irradiance_facing=100)
     with pytest.raises(quasimc.InputError, match="site"):
         flat_leaf().run(sun, **FEW)
-    site = {"latitude_deg": 52, "longitude_deg": 15}
+    site = quasimc.Site(52, 15)
     light = flat_leaf(site=site).run(sun, **FEW)["incident_upper"]["PAR"]
     position = quasimc.sun_position(52, 15, noon)
     assert light.values[0] == pytest.approx(100 * position.vector[2], rel=1e-3)

@@ -31,11 +31,11 @@ def test_parts_add_up_to_the_whole():
 
 def test_days_have_hours_in_the_sun():
     stand = quasimc.Scene(
-        {"PAR": "umol m-2 s-1"}, length_unit="m", site={"latitude_deg": 45, "longitude_deg": 8})
+        {"PAR": "umol m-2 s-1"}, length_unit="m", site=quasimc.Site(45, 8))
     stand.add_material("leaf", reflectance=0.1)
     stand.add_mesh([[0, 0, 1], [1, 0, 1], [0, 1, 1]], [[0, 1, 2]], material="leaf")
-    day = {"day": "2024-06-21", "utc_offset_hours": 1, "hours": [10, 12]}
-    series = stand.run(time=day, paths=256, sun_shade="apart")
+    day = quasimc.day("2024-06-21", utc_offset_hours=1, hours=[10, 12])
+    series = stand.series(day, paths=256, sun_shade="apart")
     for light in (series.days["2024-06-21"], series.total, series.total.groups):
         parts = light.sun_shade
         assert parts["sunlit_hours"].unit == "h"

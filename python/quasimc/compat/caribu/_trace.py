@@ -9,6 +9,7 @@ import numpy as np
 
 from ...scene import Scene
 from ...sources import directional
+from ...values import Cell, Ground
 from ...errors import QuasimcWarning
 from ._errors import CaribuRunError
 
@@ -142,10 +143,10 @@ class TracedScene:
             scene.add_mesh(sensors[self._lit_sensors], material=SENSOR, organ=ids)
         if ground is not None:
             scene.add_material("ground", reflectance=ground[1])
-            scene.set_ground("ground", height=ground[0])
+            scene.ground = Ground("ground", height=ground[0])
         if domain is not None:
             x, y = sorted(domain[::2]), sorted(domain[1::2])
-            scene.set_cell(x=x, y=y)
+            scene.cell = Cell(x=x, y=y)
         with warnings.catch_warnings():
             # Triangles of Caribu may coincide: the first of them gets the light.
             warnings.simplefilter("ignore", QuasimcWarning)
