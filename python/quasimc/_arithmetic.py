@@ -241,7 +241,7 @@ def unknown(means):
 
 def warn_of_unknown(arguments):
     """Says why errors are not known, at the line of the caller."""
-    from .scene import warn_here
+    from ._warn import warn_here
 
     names = ", ".join(sorted({light.name for light in arguments if light._source is None}))
     warn_here(

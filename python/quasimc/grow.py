@@ -11,7 +11,8 @@ from ._meshes import fault
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
-from .scene import Scene, warn_here
+from ._warn import warn_here
+from .scene import Scene
 
 
 class GrowthStep:

@@ -12,7 +12,8 @@ from ._meshes import integers, mesh_arrays
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
-from .scene import largest_sums, warn_here
+from ._runs import largest_sums
+from ._warn import warn_here
 
 
 class GrowthSession:

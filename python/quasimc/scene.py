@@ -1,54 +1,29 @@
-"""Scenes and runs."""
+"""Scenes."""
 
 from __future__ import annotations
 
 import copy
 import difflib
 import os
-import sys
-import warnings
 from collections import Counter
 from collections.abc import Mapping
 
 import numpy as np
 
 from . import _core
+from ._assigned import Assigned
 from ._lock import OneAtATime
 from ._meshes import digest, fault, mesh_arrays, owned, plain
-from ._progress import Listener
-from ._written import Written
-from .errors import KeywordError, QuasimcWarning
-from .gap_fraction import LAI_2000_RINGS, measure
+from ._runs import Runs
+from ._tables import FRAME_KEYS, numbered
+from ._views import Views
+from ._warn import warn_here
 from .materials import Materials
 from .organs import Organs
-from .merging import Part
-from .result import Result
-from .series import Series
 from .sources import Source
-from .values import Cell, Ground, Site, Time, checked_time
-
-#: Keys of a document that say what light falls on.
-_SCENE_KEYS = ("material", "organ", "geometry", "ground", "cell", "sensors", "detector")
 
 #: Keys of a document whose entries are added one by one, and may have a name.
 _LISTS = ("organ", "geometry", "sensors", "detector", "source", "control")
-
-#: Keys of a document by which materials and meshes are checked.
-_FRAME_KEYS = (
-    "bands", "band", "irradiance_unit", "length_unit", "up", "north", "material", "material_file",
-)
-
-#: Names of earlier versions.
-_RENAMED = {
-    "set_ground": 'assign scene.ground = quasimc.Ground("soil")',
-    "set_cell": "assign scene.cell = quasimc.Cell(x=(0, 1), y=(0, 1))",
-}
-
-#: Keywords that another call has.
-_ELSEWHERE = {
-    "time": "days and seasons are scene.series(quasimc.day(...))",
-    "keep_times": 'sums alone are scene.series(..., keep="sums")',
-}
 
 
 def options():
@@ -82,7 +57,7 @@ def _rows_of_points(points):
     ]
 
 
-class Scene:
+class Scene(Assigned, Runs, Views):
     """Organs and their materials, optionally a ground and a periodic cell.
 
     Arguments have the names of the run file (docs/reference/run-file.md). Arrays are copied: later
@@ -407,7 +382,7 @@ class Scene:
 
     def _frame_of(self, materials):
         """Materials, checked, for meshes to be checked against."""
-        table = {key: self._table[key] for key in _FRAME_KEYS if key in self._table}
+        table = {key: self._table[key] for key in FRAME_KEYS if key in self._table}
         return _core.Frame(self._document_of({**table, "material": materials}))
 
     def _check_name(self, name):
@@ -560,70 +535,6 @@ class Scene:
             self._append("source", table)
         return self
 
-    @property
-    def ground(self):
-        """The ground: Ground or None. ``scene.ground = quasimc.Ground("soil")``."""
-        return self._value("ground", Ground)
-
-    @ground.setter
-    def ground(self, value):
-        self._assign("ground", Ground, value)
-
-    @property
-    def cell(self):
-        """The periodic cell: Cell or None. ``scene.cell = quasimc.Cell(x=(0, 1), y=(0, 1))``."""
-        return self._value("cell", Cell)
-
-    @cell.setter
-    def cell(self, value):
-        self._assign("cell", Cell, value)
-
-    @property
-    def site(self):
-        """The site on the Earth: Site or None."""
-        return self._value("site", Site)
-
-    @site.setter
-    def site(self, value):
-        self._assign("site", Site, value)
-
-    @property
-    def time(self):
-        """The time steps of `series`: Time or None. A run file's ``[time]`` is one."""
-        return self._value("time", Time)
-
-    @time.setter
-    def time(self, value):
-        self._assign("time", Time, value)
-
-    def _value(self, key, kind):
-        table = self._table.get(key)
-        return None if table is None else kind._of(table)
-
-    def _assign(self, key, kind, value):
-        if value is not None and not isinstance(value, kind):
-            raise fault(
-                f"scene.{key}", f"{value!r} is no {kind.__name__}", "",
-                f"assign quasimc.{kind.__name__}(...) or None",
-            )
-        with self._lock.to_change():
-            if value is None:
-                self._table.pop(key, None)
-            else:
-                self._table[key] = self._with_file(value.table())
-            self._document = None
-            if key in _SCENE_KEYS or key == "site":
-                self._built = None
-
-    def _with_file(self, table):
-        """A table whose file is kept as its path means now."""
-        return {k: self._path(v) if k == "file" else v for k, v in table.items()}
-
-    def __getattr__(self, name):
-        if name in _RENAMED:
-            raise AttributeError(f"Scene has no {name!r}: {_RENAMED[name]}")
-        raise AttributeError(f"Scene has no {name!r}")
-
     def _path(self, file):
         """A path as it is kept: what it means does not change with the current folder."""
         return os.fspath(file) if self._folder is not None else os.path.abspath(file)
@@ -686,7 +597,7 @@ class Scene:
         return self._organs
 
     def _whole_document(self):
-        table = _numbered(self._table, self._meshes.values())
+        table = numbered(self._table, self._meshes.values())
         if self._document is not None and table is self._table:
             return self._document
         return self._document_of(table)
@@ -705,281 +616,6 @@ class Scene:
         """Possible problems of the scene: list of str. Builds the scene."""
         self.build()
         return self._built.warnings
-
-    def _written(self, sources=None, time=None, options=()):
-        """The scene and the light on it, as a run file that holds them."""
-        whole = self._document is not None or not self._meshes
-        table = self._table if whole else _numbered(self._table, self._meshes.values())
-        scene = {key: table[key] for key in table if key in (*_SCENE_KEYS, *_FRAME_KEYS)}
-        light = self._light_table(sources, time, dict(options))
-        light.pop("output", None)
-        tables = [_with_own_lists(one) for one in (scene, light)]
-        return Written(self._name, self._folder, tables[0], self._mesh_list(), tables[1])
-
-    def _light(self, built, sources, time, run_options):
-        """What quasimc._core calls the light of a run, on a scene that was built."""
-        return _core.Light(self._light_document(sources, time, run_options), built)
-
-    def _light_document(self, sources, time, run_options):
-        """The document of the light of a run; of an instant, if `time` is None."""
-        if time is None and sources is None and "time" in self._table:
-            raise ValueError("the scene has time steps: use scene.series(), or pass sources")
-        is_of_scene = sources is None and not run_options and time == self.time
-        if is_of_scene and self._document is not None:
-            return self._document
-        return self._document_of(self._light_table(sources, time, run_options))
-
-    def _light_table(self, sources, time, run_options):
-        _check_keywords(run_options)
-        table = {key: value for key, value in self._table.items() if key not in _SCENE_KEYS}
-        if sources is not None:
-            table["source"] = _source_tables(sources)
-        if time is not None:
-            table["time"] = time.table()
-        else:
-            table.pop("time", None)
-            table.pop("control", None)  # lamps are controlled by the hour
-        if run_options:
-            table["run"] = {**table.get("run", {}), **plain(dict(run_options))}
-        return table
-
-    def run(self, sources=None, *, progress=None, keep="auto", **options):
-        """Computes the light on every organ at an instant.
-
-        Ctrl-C stops a run; its result contains the completed paths, if there are any.
-
-        Parameters
-        ----------
-        sources : Source or dict, or list of them
-            They replace the sources of the scene. Default: the sources of the scene. Paths of files
-            are relative to the current folder (for a loaded scene: to the folder of its file).
-        progress : bool or callable
-            True: a progress bar on stderr. A function is called repeatedly with a `Progress`; an
-            exception from it ends the run.
-        keep : str
-            "replicates": keep the sums of all replicates, by which sums over organs and differences
-            of results have errors; "estimates": only the estimates of organs and groups; "auto":
-            replicates that need up to 256 MB.
-        **options
-            Run options, as in ``[run]``; `quasimc.options()` lists them.
-
-        Returns
-        -------
-        Result
-
-        Raises
-        ------
-        InputError
-            With all errors.
-        ValueError
-            If the scene was loaded with ``[time]`` and no sources are passed.
-        Stopped
-            If max_seconds passed before there was a result.
-        KeyboardInterrupt
-            If Ctrl-C was pressed before there was a result.
-        """
-        with self._lock:
-            organs = self._build()
-            light = self._light(self._built, sources, None, options)
-            warn_here(light.warnings)
-            with Listener(progress) as listener:
-                core, replicates = self._simulator.run(
-                    self._built, light, largest_sums(keep), listener.callback
-                )
-            notes = [*self._built.warnings, *light.warnings]
-        written = self._written(sources, None, options)
-        result = Result(
-            core, organs, notes, light.source_notes, light.ratio_names, replicates, written
-        )
-        _warn_of_stop(result.run.stop)
-        return result
-
-    def series(self, time=None, sources=None, *, progress=None, keep="auto", **options):
-        """Computes the light on every organ at many time steps, and its sums over days.
-
-        Parameters
-        ----------
-        time : Time
-            `quasimc.day`, `days`, `times` or `weather`: sun and sky. Default: `Scene.time`.
-        sources : Source or dict, or list of them
-            They shine at all time steps, beside sun and sky, and replace the sources of the scene.
-        progress, **options
-            As of `run`.
-        keep : str
-            "estimates": keep the result of each time step; "replicates": with the sums of all
-            replicates; "sums": keep sums over days alone, for long seasons; "auto": "estimates". Sums
-            over days have errors for `groups` alone.
-
-        Returns
-        -------
-        Series
-
-        Raises
-        ------
-        InputError, Stopped, KeyboardInterrupt
-            As of `run`.
-        ValueError
-            If there is no time.
-
-        Examples
-        --------
-        >>> scene.series(quasimc.day("2024-06-21", utc_offset_hours=2))  # doctest: +SKIP
-        """
-        time = self.time if time is None else checked_time(time)
-        if time is None:
-            raise ValueError('which time? give quasimc.day("2024-06-21", utc_offset_hours=1), ...')
-        size = largest_sums("estimates" if keep in ("auto", "sums") else keep)
-        with self._lock:
-            organs = self._build()
-            light = self._light(self._built, sources, time, options)
-            warn_here(light.warnings)
-            with Listener(progress) as listener:
-                core = _core.run_series(self._built, light, keep != "sums", size, listener.callback)
-            notes = [*self._built.warnings, *light.warnings]
-        series = Series(core, organs, notes, light.source_notes, light.ratio_names)
-        _warn_of_stop(series.stop)
-        return series
-
-    def part(self, index, count, sources=None, *, progress=None, **options):
-        """Computes an exact share of a run, for other processes or machines; see `quasimc.merge`.
-
-        Parameters
-        ----------
-        index, count : int
-            Which of how many, from 0.
-        sources, progress, **options
-            As of `run`, the same for all parts. Paths are fixed: targets and limits are refused.
-
-        Returns
-        -------
-        Part
-
-        Raises
-        ------
-        ValueError
-            If there is no such part, or the run has a target, a limit, an audit or time steps.
-        """
-        if not 0 <= index < count:
-            raise ValueError(f"there is no part {index} of {count}: they are 0 to {count - 1}")
-        with self._lock:
-            organs = self._build()
-            if organs.sensor_sets:
-                raise ValueError("a scene with sensors has no parts: their light is no share of a run")
-            light = self._light(self._built, sources, None, options)
-            if not light.has_fixed_paths:
-                raise ValueError(
-                    "a part has no target_error, max_paths, max_seconds, audit or time: give paths"
-                )
-            with Listener(progress) as listener:
-                sums, *method = self._simulator.part(
-                    self._built, light, index, count, listener.callback
-                )
-            warnings = [*self._built.warnings, *light.warnings]
-        written = self._written(sources, None, options)
-        document = written.table(organs), written.name, written.folder
-        return Part(index, count, sums, method, document, warnings, written)
-
-    def gap_fraction(
-        self, positions, rings_deg=LAI_2000_RINGS, azimuths=8, where="", rays=4096,
-        replicates=8, seed=1, threads=0,
-    ):
-        """Measures the gaps of the canopy as seen upwards from positions in it; needs no light.
-
-        Parameters
-        ----------
-        positions : array_like
-            (3,) or (..., 3), in the axes and the unit of length of the scene.
-        rings_deg : sequence of float
-            Bounds of rings, degrees from the zenith, ascending within 0 to 90.
-        azimuths : int
-            Equal sectors of each ring, the first from north clockwise.
-        where : str
-            Condition on the organs that block the view ("kind == 'leaf'"); "": all.
-        rays : int
-            For each position and replicate.
-
-        Returns
-        -------
-        GapFraction
-
-        Raises
-        ------
-        InputError
-            If an argument is outside its domain, or a position below the ground.
-
-        Examples
-        --------
-        >>> scene.gap_fraction([[0, 0, 0.1]]).all.plant_area_index  # doctest: +SKIP
-        """
-        self.build()
-        keys = {
-            "azimuths": azimuths, "where": where, "rays": rays, "replicates": replicates,
-            "seed": seed, "threads": threads,
-        }
-        return measure(self._built, positions, rings_deg, keys)
-
-    def picture(self, path=None, **options):
-        """Draws the surfaces, without light, by the program (docs/guide/pictures.md).
-
-        Parameters
-        ----------
-        path : str or path
-            PNG file to write; None: none.
-        **options
-            Options of `quasimc show`: label="plant" colours organs by a label; camera, size, fov, clip.
-
-        Returns
-        -------
-        Picture
-            A notebook displays it.
-        """
-        from tempfile import TemporaryDirectory
-
-        from .pictures import draw
-
-        organs = self.build()
-        with TemporaryDirectory() as folder:
-            stored = os.path.join(folder, "scene.json")
-            with open(stored, "wb") as file:
-                file.write(_core.written_scene(self._written().lit().document(organs)))
-            picture = draw(stored, {"geometry_only": "label" not in options, **options})
-        if path is not None:
-            picture.save(path)
-        return picture
-
-    def to_trimesh(self):
-        """Returns a trimesh.Trimesh of all organs, with the face attribute "organ": their ids.
-
-        Coordinates are in the axes and the length unit of the scene. The ground is not among them.
-        Raises ImportError if trimesh is missing.
-        """
-        from ._exchange import to_trimesh
-
-        return to_trimesh(self.organs)
-
-    def to_pyvista(self):
-        """Returns a pyvista.PolyData of all organs: cells with "organ" (ids), "name", ``label_<key>``.
-
-        Coordinates are in the axes and the length unit of the scene. The ground is not among them.
-        Raises ImportError if pyvista is missing.
-        """
-        from ._exchange import to_pyvista
-
-        return to_pyvista(self.organs)
-
-    def show(self, **options):
-        """Shows the picture of the surfaces: in a notebook, or in the browser; see `picture`.
-
-        Returns
-        -------
-        Picture
-        """
-        from .pictures import in_notebook, open_picture
-
-        picture = self.picture(**options)
-        if not in_notebook():
-            open_picture(picture)
-        return picture
 
     def __repr__(self):
         bands = ", ".join(self._bands)
@@ -1000,16 +636,6 @@ class Scene:
         return [names] if isinstance(names, str) else list(names)
 
 
-#: Sums of replicates that are kept by default, bytes.
-_LARGEST_SUMS = 256e6
-
-
-def largest_sums(keep):
-    """The size of the sums that are kept, bytes."""
-    sizes = {"auto": _LARGEST_SUMS, "replicates": float("inf"), "estimates": -1.0}
-    if keep not in sizes:
-        raise ValueError(f"keep is {keep!r}; give one of {', '.join(sizes)}")
-    return sizes[keep]
 
 
 def _with_entry(entries, same, entry):
@@ -1025,18 +651,6 @@ def _materials_in(entry):
     return {entry.get("material"), *(several.values() if isinstance(several, Mapping) else several)}
 
 
-def _check_keywords(options):
-    """Refuses keywords of run() that are no options."""
-    known = [option["key"] for option in _core.options()]
-    for key in options:
-        if key not in known:
-            near = difflib.get_close_matches(key, [*known, "progress", "keep"], 1)
-            hint = f"; did you mean {near[0]!r}?" if near else "; quasimc.options() lists them"
-            hint = f"; {_ELSEWHERE[key]}" if key in _ELSEWHERE else hint
-            text = f"run() has no keyword {key!r}{hint}"
-            raise KeywordError(text, [{"where": "run()", "problem": text, "why": "", "suggestion": ""}])
-
-
 def _restored(table, name, folder, meshes, numbers, ids, numbered, marks):
     """A pickled scene."""
     scene = Scene.__new__(Scene)
@@ -1044,11 +658,6 @@ def _restored(table, name, folder, meshes, numbers, ids, numbered, marks):
     scene._meshes, scene._numbers, scene._ids = meshes, numbers, ids
     scene._numbered, scene._marks = numbered, marks
     return scene
-
-
-def _with_own_lists(table):
-    """A copy whose lists don't grow with those of the scene."""
-    return {k: list(v) if isinstance(v, list) else v for k, v in table.items()}
 
 
 def _marks_of(key, entry):
@@ -1060,55 +669,6 @@ def _marks_of(key, entry):
 
 def _ids_of(mesh):
     return [] if mesh["ids"] is None else mesh["ids"].tolist()
-
-
-def _source_tables(sources):
-    """The tables of a source or of several, each a Source or a dict."""
-    one = isinstance(sources, (Source, Mapping, str))
-    tables = []
-    for source in [sources] if one else sources:
-        if not isinstance(source, (Source, Mapping)):
-            raise fault(
-                "sources",
-                f"{source!r} is not a source",
-                "",
-                "use quasimc.sun, quasimc.sky, ..., or a dict of its keys",
-            )
-        tables.append(source.table() if isinstance(source, Source) else dict(source))
-    return tables
-
-
-def _numbered(table, meshes):
-    """The table with ids for the organs of shapes that have none, beyond those that are given.
-
-    They come before the organs of meshes, and would else be numbered from 1.
-    """
-    organs = table.get("organ", [])
-    given = [int(mesh["ids"].max()) for mesh in meshes if mesh["ids"] is not None]
-    if not given or all("id" in organ for organ in organs):
-        return table
-    largest = max([*given, *(organ["id"] for organ in organs if "id" in organ), 0])
-    numbered = []
-    for organ in organs:
-        if "id" not in organ:
-            largest += 1
-            organ = {"id": largest, **organ}
-        numbered.append(organ)
-    return {**table, "organ": numbered}
-
-
-def _warn_of_stop(stop):
-    if stop == "interrupted":
-        warn_here(["interrupted: the result contains the paths completed so far"])
-
-
-def warn_here(texts):
-    """Warns at the line of the caller outside this package."""
-    depth, frame = 1, sys._getframe()
-    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
-        depth, frame = depth + 1, frame.f_back
-    for text in texts:
-        warnings.warn(text, QuasimcWarning, stacklevel=depth)
 
 
 def load(path):

@@ -1,0 +1,17 @@
+"""Warnings at the line of the caller."""
+
+from __future__ import annotations
+
+import sys
+import warnings
+
+from .errors import QuasimcWarning
+
+
+def warn_here(texts):
+    """Warns at the line of the caller outside this package."""
+    depth, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        depth, frame = depth + 1, frame.f_back
+    for text in texts:
+        warnings.warn(text, QuasimcWarning, stacklevel=depth)
