@@ -500,7 +500,7 @@ class Scene(Assigned, Runs, Views):
         Parameters
         ----------
         sources : str
-            Pattern of the names of lamps: "hps *".
+            Pattern of the names of lamps: ``"hps *"``.
         sensors : str
             Name of flat sensors, of whose upper sides the mean is taken.
         **keys
