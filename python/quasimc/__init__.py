@@ -34,6 +34,7 @@ from .scene import Scene, load, options
 from .sensors import Sensors
 from .series import Series, Sums
 from .sun_shade import SunShade
+from .sweep import Sweep
 from .sources import (
     Source,
     directional,
@@ -91,6 +92,7 @@ __all__ = [
     "Sums",
     "SunPosition",
     "SunShade",
+    "Sweep",
     "Time",
     "__version__",
     "align",

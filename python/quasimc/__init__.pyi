@@ -644,6 +644,17 @@ def weather(
     **keys: Any,
 ) -> Time: ...
 
+class Sweep(Sequence[Result]):
+    points: list[dict[str, Any]]
+    def __init__(self, points: list[dict[str, Any]], results: list[Result]) -> None: ...
+    def __len__(self) -> int: ...
+    @overload
+    def __getitem__(self, index: int) -> Result: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Result]: ...
+    def sum(self, quantity: str, weights: Sequence[float] | None = None) -> Estimates: ...
+    def to_pandas(self) -> Any: ...
+
 class Scene:
     def part(
         self,
@@ -810,6 +821,43 @@ class Scene:
         accelerator: str = ...,
         tally_memory_mb: float = ...,
     ) -> Series: ...
+    def sweep(
+        self,
+        values: Mapping[str, Sequence[Any]],
+        sources: SourcesArgument = None,
+        *,
+        combine: Literal["product", "zip"] = "product",
+        progress: ProgressArgument = None,
+        keep: Literal["auto", "replicates", "estimates"] = "auto",
+        sampler: str = ...,
+        method: str = ...,
+        paths: int = ...,
+        replicates: int = ...,
+        seed: int = ...,
+        threads: int = ...,
+        target_error: float = ...,
+        target_fraction: float = ...,
+        target: str = ...,
+        target_quantity: str = ...,
+        target_bands: Sequence[str] = ...,
+        max_seconds: float = ...,
+        max_paths: int = ...,
+        path_allocation: str = ...,
+        time_method: str = ...,
+        ratios: Sequence[str] = ...,
+        groups: Sequence[str] = ...,
+        origins: Sequence[str] = ...,
+        sun_shade: str = ...,
+        layers: int = ...,
+        layer_heights: Sequence[float] = ...,
+        direct_light: str = ...,
+        audit: float = ...,
+        max_depth: int = ...,
+        roulette_threshold: float = ...,
+        start_area: str = ...,
+        accelerator: str = ...,
+        tally_memory_mb: float = ...,
+    ) -> Sweep: ...
 
 class GrowthSession:
     def __init__(self, scene: Scene) -> None: ...

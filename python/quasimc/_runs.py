@@ -16,6 +16,7 @@ from .merging import Part
 from .result import Result
 from .series import Series
 from .sources import Source
+from .sweep import Sweep, points_of, scene_at
 from .values import checked_time
 
 #: Keywords that another call has.
@@ -164,6 +165,45 @@ class Runs:
         series = Series(core, organs, notes, light.source_notes, light.ratio_names)
         _warn_of_stop(series.stop)
         return series
+
+    def sweep(self, values, sources=None, *, combine="product", progress=None, keep="auto", **options):
+        """Runs the scene at several values of its keys, with the same random numbers.
+
+        Parameters
+        ----------
+        values : dict
+            Name -> list of values: "materials.leaf.reflectance"; "ground", "cell" or "site", whole or
+            with a key ("ground.material"); "sources"; or a run option ("paths").
+        combine : str
+            "product": every value with all others, the last name varies fastest; "zip": side by side.
+        sources, progress, keep, **options
+            As of `run`, for all points.
+
+        Returns
+        -------
+        Sweep
+
+        Raises
+        ------
+        InputError, KeyError, AttributeError
+            If a name or a value does not fit; before the first run, as far as it is about the scene.
+        Stopped, KeyboardInterrupt
+            As of `run`.
+
+        Examples
+        --------
+        >>> scene.sweep({"materials.leaf.reflectance": [0.05, 0.1]})  # doctest: +SKIP
+        """
+        points = points_of(values, combine)
+        runs = [scene_at(self, point, options) for point in points]
+        for scene, _, own in runs:
+            _check_keywords(own)
+            scene.build()
+        results = []
+        for scene, of_point, own in runs:
+            light = sources if of_point is None else of_point
+            results.append(scene.run(light, progress=progress, keep=keep, **own))
+        return Sweep(points, results)
 
     def part(self, index, count, sources=None, *, progress=None, **options):
         """Computes an exact share of a run, for other processes or machines; see `quasimc.merge`.
