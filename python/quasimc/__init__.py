@@ -31,6 +31,7 @@ from .pictures import Page, Picture
 from .result import GroundLight, Result
 from .run_info import RunInfo
 from .scene import Scene, load, options
+from .scene_organs import SceneOrgans
 from .sensors import Sensors
 from .series import Series, Sums
 from .sun_shade import SunShade
@@ -84,6 +85,7 @@ __all__ = [
     "Result",
     "RunInfo",
     "Scene",
+    "SceneOrgans",
     "Sensors",
     "Series",
     "Site",

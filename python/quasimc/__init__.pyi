@@ -273,6 +273,38 @@ class Organs:
     def triangles(self, index: int) -> Array: ...
     def __len__(self) -> int: ...
 
+Which = Union[int, str, Sequence[Union[int, str]], npt.NDArray[Any]]
+
+class SceneOrgans(Organs):
+    def __init__(self, scene: Scene) -> None: ...
+    def replace(
+        self,
+        which: Which,
+        vertices: npt.ArrayLike,
+        faces: npt.ArrayLike | None = None,
+        *,
+        organ: npt.ArrayLike | None = None,
+        material: str | Sequence[str] | npt.NDArray[Any] | None = None,
+    ) -> None: ...
+    def remove(self, which: Which) -> None: ...
+    def transform(
+        self,
+        which: Which,
+        *,
+        scale: float = 1,
+        rotate: Mapping[str, Any] | None = None,
+        translate: npt.ArrayLike | None = None,
+    ) -> None: ...
+    def set(
+        self,
+        which: Which,
+        *,
+        material: str | None = None,
+        labels: Mapping[str, object] | None = None,
+        name: str | None = None,
+        measured: bool | None = None,
+    ) -> None: ...
+
 class Light(Mapping[str, Estimates]):
     def __init__(
         self,
@@ -747,7 +779,7 @@ class Scene:
     time: Time | None
     def build(self) -> Organs: ...
     @property
-    def organs(self) -> Organs: ...
+    def organs(self) -> SceneOrgans: ...
     @property
     def warnings(self) -> list[str]: ...
     def run(

@@ -11,20 +11,29 @@ FRAME_KEYS = (
 )
 
 
-def numbered(table, meshes):
-    """The table with ids for the organs of shapes that have none, beyond those that are given.
+def marks_of(key, entry):
+    """What is equal in two entries that are the same, or of the same name."""
+    if entry.get("name") is not None:
+        yield ("name", entry["name"])
+    yield (key, entry["digest"] if key == "mesh" else repr(entry))
 
-    They come before the organs of meshes, and would else be numbered from 1.
+
+def ids_of(mesh):
+    """The ids that the organs of a mesh were given: list of int."""
+    return [] if mesh["ids"] is None else mesh["ids"].tolist()
+
+
+def numbered(table, meshes):
+    """The table with an id for the first organ that has none, beyond all that are given.
+
+    The organs of shapes come before those of meshes, and would else be numbered from 1. Ids of the
+    other organs without one follow by themselves, those of copies included.
     """
     organs = table.get("organ", [])
     given = [int(mesh["ids"].max()) for mesh in meshes if mesh["ids"] is not None]
-    if not given or all("id" in organ for organ in organs):
+    first = next((i for i, organ in enumerate(organs) if "id" not in organ), None)
+    if not given or first is None:
         return table
     largest = max([*given, *(organ["id"] for organ in organs if "id" in organ), 0])
-    numbered = []
-    for organ in organs:
-        if "id" not in organ:
-            largest += 1
-            organ = {"id": largest, **organ}
-        numbered.append(organ)
+    numbered = [*organs[:first], {"id": largest + 1, **organs[first]}, *organs[first + 1 :]]
     return {**table, "organ": numbered}

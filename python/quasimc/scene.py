@@ -15,11 +15,12 @@ from ._assigned import Assigned
 from ._lock import OneAtATime
 from ._meshes import digest, fault, mesh_arrays, owned, plain
 from ._runs import Runs
-from ._tables import FRAME_KEYS, numbered
+from ._tables import FRAME_KEYS, ids_of, marks_of, numbered
 from ._views import Views
 from ._warn import warn_here
 from .materials import Materials
 from .organs import Organs
+from .scene_organs import SceneOrgans
 from .sources import Source
 
 #: Keys of a document whose entries are added one by one, and may have a name.
@@ -120,7 +121,7 @@ class Scene(Assigned, Runs, Views):
         self._frame = None  # what meshes are checked against; None: materials were changed
         self._known = set()  # names of materials that the frame has
         self._marks = Counter()  # of all that was added
-        self._marks.update(m for key in _LISTS for e in table.get(key, []) for m in _marks_of(key, e))
+        self._marks.update(m for key in _LISTS for e in table.get(key, []) for m in marks_of(key, e))
         self._organs = None
         self._simulator = _core.Simulator()
         self._lock = OneAtATime()
@@ -359,7 +360,7 @@ class Scene(Assigned, Runs, Views):
             self._frame = self._frame_of([*materials, *assumed])
             self._known = {m.get("name") for m in [*materials, *assumed]}
         self._frame.check(mesh)
-        double = self._ids.intersection(_ids_of(mesh)).difference(*map(_ids_of, replaced))
+        double = self._ids.intersection(ids_of(mesh)).difference(*map(ids_of, replaced))
         if double:
             raise fault(
                 mesh["where"],
@@ -371,8 +372,8 @@ class Scene(Assigned, Runs, Views):
     def _put(self, mesh, number):
         self._meshes[number] = mesh
         self._numbers.setdefault(mesh["name"], []).append(number)
-        self._ids.update(_ids_of(mesh))
-        self._marks.update(_marks_of("mesh", mesh))
+        self._ids.update(ids_of(mesh))
+        self._marks.update(marks_of("mesh", mesh))
         self._numbered += 1
         self._built = None
 
@@ -399,7 +400,7 @@ class Scene(Assigned, Runs, Views):
     def _remove(self, name):
         for number in self._numbers.pop(name, []):
             mesh = self._meshes.pop(number)
-            self._ids.difference_update(_ids_of(mesh))
+            self._ids.difference_update(ids_of(mesh))
             self._unmark("mesh", mesh)
         for key in _LISTS if ("name", name) in self._marks else ():
             entries = self._table.get(key, [])
@@ -412,7 +413,7 @@ class Scene(Assigned, Runs, Views):
         self._built = None
 
     def _unmark(self, key, entry):
-        for mark in _marks_of(key, entry):
+        for mark in marks_of(key, entry):
             self._marks[mark] -= 1
             if not self._marks[mark]:
                 del self._marks[mark]
@@ -423,7 +424,7 @@ class Scene(Assigned, Runs, Views):
         Of meshes of one name the second alone is warned of: many may have one name on purpose.
         """
         what = {"geometry": "file"}.get(key, key)
-        for mark in _marks_of(key, entry):
+        for mark in marks_of(key, entry):
             is_second = self._marks[mark] == 1 and key == "mesh"
             if is_second if mark[0] == "name" else mark in self._marks:
                 same = f"of the name {mark[1]!r}" if mark[0] == "name" else "equal to this one"
@@ -557,7 +558,7 @@ class Scene(Assigned, Runs, Views):
 
     def _append(self, key, entry):
         self._warn_of_second(key, entry)
-        self._marks.update(_marks_of(key, entry))
+        self._marks.update(marks_of(key, entry))
         self._table.setdefault(key, []).append(entry)
         self._document = None
 
@@ -608,8 +609,8 @@ class Scene(Assigned, Runs, Views):
 
     @property
     def organs(self):
-        """The organs of the results: Organs. Builds the scene."""
-        return self.build()
+        """The organs of the results, which can be edited: SceneOrgans. The scene is built if they are read."""
+        return SceneOrgans(self)
 
     @property
     def warnings(self):
@@ -636,8 +637,6 @@ class Scene(Assigned, Runs, Views):
         return [names] if isinstance(names, str) else list(names)
 
 
-
-
 def _with_entry(entries, same, entry):
     """The entries with one instead of an earlier one, or at the end."""
     if not same:
@@ -658,17 +657,6 @@ def _restored(table, name, folder, meshes, numbers, ids, numbered, marks):
     scene._meshes, scene._numbers, scene._ids = meshes, numbers, ids
     scene._numbered, scene._marks = numbered, marks
     return scene
-
-
-def _marks_of(key, entry):
-    """What is equal in two entries that are the same, or of the same name."""
-    if entry.get("name") is not None:
-        yield ("name", entry["name"])
-    yield (key, entry["digest"] if key == "mesh" else repr(entry))
-
-
-def _ids_of(mesh):
-    return [] if mesh["ids"] is None else mesh["ids"].tolist()
 
 
 def load(path):

@@ -1,0 +1,224 @@
+"""The organs of a scene, which can be edited."""
+
+from __future__ import annotations
+
+import numbers
+from collections import defaultdict
+from collections.abc import Mapping
+
+import numpy as np
+
+from ._mesh_edits import divided, moved, organ_count, organs_from, with_entries, with_triangles
+from ._meshes import fault, mesh_arrays
+from ._tables import ids_of, marks_of
+
+
+class SceneOrgans:
+    """The organs of a scene as it is now: all that `Organs` has, and ways to edit them.
+
+    Organs of `Scene.add_mesh` can be edited; those of shapes and files are replaced or removed as a
+    whole by `Scene.replace` and `Scene.remove`. An edited organ keeps its position in results, and
+    they have the bits of a new scene with the same organs in the same order. Organs that were added
+    without an id are numbered anew when others are removed.
+
+    `which` is an id, a name, a list of these, or a mask of organs ((organs,) of bool, as of `where`).
+    A refused call changes nothing: it raises KeyError if there is no such organ, and InputError if
+    an organ is of a shape or a file, or the change is invalid.
+
+    Examples
+    --------
+    >>> scene.organs.transform("leaf 3", translate=[0, 0, 0.1])  # doctest: +SKIP
+    """
+
+    def __init__(self, scene):
+        self._edited = scene
+
+    def __getattr__(self, name):
+        if name.startswith("__") or name == "_edited":
+            raise AttributeError(name)
+        return getattr(self._edited.build(), name)
+
+    def __len__(self):
+        return len(self._edited.build())
+
+    def __repr__(self):
+        return repr(self._edited.build())
+
+    def replace(self, which, vertices, faces=None, *, organ=None, material=None):
+        """Refound the triangles of organs; id, name, labels and position stay.
+
+        Parameters
+        ----------
+        which
+            An organ; or several, with `organ`.
+        vertices, faces : array_like
+            As of `Scene.add_mesh`: (n, 3) and (m, 3), or triangles (m, 3, 3).
+        organ : array_like of int
+            (m,): for several organs, the id of the organ of each face.
+        material : str or list of str
+            Default: the old one.
+        """
+        new = mesh_arrays(
+            "organs.replace", vertices, faces, organ, "" if material is None else material,
+            None, None, True, 90.0,
+        )  # fmt: skip
+        with self._edited._lock.to_change():
+            found = self._find(which)
+            given = [id for _, _, id in found] if new["ids"] is None else new["ids"].tolist()
+            if sorted(given) != sorted(id for _, _, id in found) or len(given) != organ_count(new):
+                raise fault(
+                    "organs.replace",
+                    f"there are triangles of {organ_count(new)} organs for {len(found)} organs",
+                    "each needs its own",
+                    "give organ=, the id of the organ of each face",
+                )
+            parts = {id: organs_from(new, i, i + 1) for i, id in enumerate(given)}
+            self._change(found, lambda organ, id: with_triangles(organ, parts[id]))
+
+    def remove(self, which):
+        """Removes organs."""
+        with self._edited._lock.to_change():
+            self._change(self._find(which), None)
+
+    def transform(self, which, *, scale=1, rotate=None, translate=None):
+        """Scales, then rotates, then translates organs, as `transform` of a run file does.
+
+        Parameters
+        ----------
+        scale : float
+            About the origin; not 0.
+        rotate : dict
+            axis (3 floats) and angle_deg, about an axis through the origin.
+        translate : sequence of 3 floats
+            In the unit of length.
+        """
+        if not _floats("scale", scale, ()):
+            raise fault("organs.transform", f"scale is {scale}", "it must not be 0")
+        if translate is not None:
+            _floats("translate", translate, (3,))
+        if rotate is not None:
+            _check_rotation(rotate)
+        with self._edited._lock.to_change():
+            self._change(
+                self._find(which), lambda organ, _: moved(organ, scale, rotate, translate)
+            )
+
+    def set(self, which, *, material=None, labels=None, name=None, measured=None):
+        """Sets the material, labels, name of organs, or whether their light is reported.
+
+        Parameters
+        ----------
+        material : str
+        labels : dict
+            Key -> value; other labels stay; the value None removes one.
+        name : str
+        measured : bool
+        """
+        if labels is not None and not isinstance(labels, Mapping):
+            kind = type(labels).__name__
+            raise fault("organs.set", f"labels is of the type {kind}", "it must be a dict")
+        with self._edited._lock.to_change():
+            self._change(
+                self._find(which),
+                lambda organ, _: with_entries(organ, material, labels, name, measured),
+            )
+
+    def _find(self, which):
+        """Number of the mesh, index in it, and id of each organ."""
+        meshes = self._edited._meshes
+        keys = self._keys(which)
+        found = [_of_id(meshes, key) if isinstance(key, numbers.Integral) else None for key in keys]
+        if None not in found:
+            return found
+        organs = self._edited._build()
+        order = [(number, i) for number in sorted(meshes) for i in range(organ_count(meshes[number]))]
+        first = len(organs) - len(order)
+        for i, key in enumerate(keys):
+            if found[i] is None:
+                position = organs.index_of(key)
+                if position < first:
+                    raise fault(
+                        "scene.organs",
+                        f"organ {organs.names[position]!r} is of a shape or a file",
+                        "only organs of add_mesh can be edited",
+                        "remove all of it by its name: scene.remove(name)",
+                    )
+                found[i] = (*order[position - first], int(organs.ids[position]))
+        return found
+
+    def _keys(self, which):
+        """Ids and names, each once."""
+        if isinstance(which, (str, numbers.Integral)):
+            return [which]
+        array = np.asarray(which)
+        if array.dtype == bool:
+            ids = self._edited._build().ids
+            if array.shape != ids.shape:
+                problem = f"the mask has the shape {array.shape}"
+                raise fault("scene.organs", problem, f"it must be {ids.shape}")
+            return ids[array].tolist()
+        return list(dict.fromkeys(key if isinstance(key, str) else int(key) for key in which))
+
+    def _change(self, found, change):
+        """Puts changed organs instead of the old ones; `change` None: removes them."""
+        scene = self._edited
+        changed = defaultdict(dict)
+        for number, index, id in found:
+            mesh = scene._meshes[number]
+            changed[number][index] = (
+                None if change is None else change(organs_from(mesh, index, index + 1), id)
+            )
+        for number, organs in changed.items():
+            for organ in organs.values():
+                if organ is not None:
+                    scene._check_mesh(organ, [scene._meshes[number]])
+        _put_instead(
+            scene, {number: divided(scene._meshes[number], own) for number, own in changed.items()}
+        )
+
+
+def _of_id(meshes, id):
+    """Number of the mesh, index in it, and id of an organ whose id was given; None: there is none."""
+    for number, mesh in meshes.items():
+        if mesh["ids"] is not None:
+            index = int(np.searchsorted(mesh["ids"], id))
+            if index < len(mesh["ids"]) and mesh["ids"][index] == id:
+                return number, index, int(id)
+    return None
+
+
+def _put_instead(scene, changes):
+    """Puts meshes instead of others: number -> list. All are then numbered anew, in their order."""
+    for number, new in changes.items():
+        scene._unmark("mesh", scene._meshes[number])
+        scene._ids.difference_update(ids_of(scene._meshes[number]))
+        for mesh in new:
+            scene._marks.update(marks_of("mesh", mesh))
+            scene._ids.update(ids_of(mesh))
+    old = scene._meshes
+    meshes = [mesh for number in sorted(old) for mesh in changes.get(number, [old[number]])]
+    scene._meshes = dict(enumerate(meshes))
+    scene._numbers = {}
+    for number, mesh in scene._meshes.items():
+        scene._numbers.setdefault(mesh["name"], []).append(number)
+    scene._numbered = len(meshes)
+    scene._built = None
+
+
+def _floats(key, value, shape):
+    """An array of finite numbers of a shape."""
+    array = np.asarray(value, dtype=float)
+    if array.shape != shape or not np.all(np.isfinite(array)):
+        count = f"{shape[0]} numbers" if shape else "a number"
+        raise fault("organs.transform", f"{key} is {value!r}", f"it must be {count}")
+    return array
+
+
+def _check_rotation(rotate):
+    if not isinstance(rotate, Mapping) or set(rotate) != {"axis", "angle_deg"}:
+        raise fault(
+            "organs.transform", f"rotate is {rotate!r}", "", 'give {"axis": [0, 0, 1], "angle_deg": 90}'
+        )
+    if not np.any(_floats("axis", rotate["axis"], (3,))):
+        raise fault("organs.transform", "axis is 0", "it has no direction")
+    _floats("angle_deg", rotate["angle_deg"], ())
