@@ -6,6 +6,7 @@ import os
 from contextlib import contextmanager
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from types import SimpleNamespace
 
 import numpy as np
 
@@ -26,7 +27,8 @@ def text_of(result, format):
         raise ValueError("a result that was opened has no CSV: use to_pandas().to_csv()")
     if result._written is None:
         raise ValueError(
-            "results of growth sessions can't be saved: use the scene's own run(), or to_pandas()"
+            "results of series and of growth sessions can't be saved: use the scene's own run(), or "
+            "to_pandas()"
         )
     return _core.written(result._written.document(result.organs), result._core, format)
 
@@ -98,7 +100,9 @@ def result_of_text(text, name, folder):
 
 def state_of(result):
     """What is pickled of a result: a function, and its arguments."""
-    if isinstance(result._core, StoredCore) or result._written is None:
+    if result._written is None and not isinstance(result._core, StoredCore):
+        return Result, arguments_of(result, result.run.sources)
+    if isinstance(result._core, StoredCore):
         return result_of_text, (text_of(result, "json").decode(), "pickle", os.getcwd())
     document = result._written.table(result.organs), result._written.name, result._written.folder
     if not result.has_replicates:
@@ -107,6 +111,32 @@ def state_of(result):
     sums = _core.saved_sums(result._sums)
     others = result.run, result._sensor_light, result.warnings, result._written
     return _result_of_sums, (document, sums, *others)
+
+
+def arguments_of(light, sources):
+    """The arguments that make a result without a scene's run again, or a series.
+
+    Raises ValueError if there are replicates, which only the core can hold.
+    """
+    results = [light] if isinstance(light, Result) else light._results
+    if any(result.has_replicates for result in results):
+        raise ValueError(
+            "replicates of series and of growth sessions can't be pickled: use keep=\"estimates\", or "
+            "pickle sums and tables of the light"
+        )
+    return data_of(light._core), light.organs, light.warnings, sources, light._ratio_names
+
+
+def data_of(core):
+    """The data of a result or a series of the core, which can be pickled."""
+    if isinstance(core, SimpleNamespace):
+        return core
+    kind = type(core)
+    fields = [name for name in dir(kind) if isinstance(getattr(kind, name), property)]
+    data = SimpleNamespace(**{name: getattr(core, name) for name in fields})
+    if hasattr(data, "results"):
+        data.results = [data_of(result) for result in data.results]
+    return data
 
 
 def _result_of_json(text, written, run, sensors):

@@ -123,6 +123,11 @@ class Series:
 
         return SeriesPlots(self)
 
+    def __reduce__(self):
+        from ._store import arguments_of
+
+        return Series, arguments_of(self, self.sources)
+
     def __repr__(self):
         return f"<Series: {len(self)} times, {len(self.organs)} organs, {self.stop}>"
 

@@ -1,3 +1,5 @@
+import pickle
+
 import numpy as np
 import pytest
 
@@ -130,3 +132,45 @@ def test_times_keep_their_replicates_if_asked():
             np.testing.assert_allclose(mine._values, theirs._values, rtol=1e-12, atol=1e-15)
     plain = scene.series(day, **options)
     assert not any(result.has_replicates for result in plain)
+
+
+def same_sums(ours, theirs):
+    assert ours.seconds == theirs.seconds and list(ours) == list(theirs)
+    for quantity in ours:
+        assert ours[quantity]._values.tobytes() == theirs[quantity]._values.tobytes()
+        assert ours[quantity].units == theirs[quantity].units
+    assert ours.groups.to_pandas().equals(theirs.groups.to_pandas())
+
+
+@pytest.mark.parametrize("keep", ["estimates", "sums"])
+def test_series_are_pickled(scene, keep):
+    options = {"layer_heights": [0, 2], "origins": ["sun", "sky"], "sun_shade": "apart"}
+    series = scene.series(DAY, paths=512, keep=keep, **options)
+    back = pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(series))))
+    assert back.times == series.times and repr(back) == repr(series)
+    assert list(back.days) == list(series.days)
+    same_sums(back.total, series.total)
+    same_sums(back.days["2024-06-21"], series.days["2024-06-21"])
+    parts = [s.total.sun_shade["absorbed_flux_density_sunlit"]["PAR"].values for s in (back, series)]
+    assert np.array_equal(*parts, equal_nan=True)
+    if keep == "sums":
+        with pytest.raises(KeyError, match="not kept"):
+            back[0]
+        return
+    assert back.to_pandas().equals(series.to_pandas())
+    one = pickle.loads(pickle.dumps(series[1]))
+    assert one == series[1] == back[1] and not one.has_replicates
+    assert one.run.paths == series[1].run.paths
+    assert one.groups.to_pandas().equals(series[1].groups.to_pandas())
+    assert one["absorbed_flux"].origin("sky").values.tolist() == (
+        series[1]["absorbed_flux"].origin("sky").values.tolist()
+    )
+
+
+def test_replicates_of_series_are_not_lost_silently(scene):
+    series = scene.series(DAY, paths=512, keep="replicates", method="light_tracing")
+    assert any(result.has_replicates for result in series)
+    with pytest.raises(ValueError, match='keep="estimates"'):
+        pickle.dumps(series)
+    with pytest.raises(ValueError, match="series and of growth sessions can't be saved"):
+        series[0].save("light.json")
