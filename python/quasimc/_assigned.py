@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from ._meshes import fault
+from ._meshes import input_error
 from ._tables import SCENE_KEYS
 from .values import Cell, Ground, Site, Time
 
@@ -23,7 +23,7 @@ def _assigned(key, kind, doc):
     def assign(scene, value):
         if value is not None and not isinstance(value, kind):
             hint = f"assign quasimc.{kind.__name__}(...) or None"
-            raise fault(f"scene.{key}", f"{value!r} is no {kind.__name__}", "", hint)
+            raise input_error(f"scene.{key}", f"{value!r} is no {kind.__name__}", "", hint)
         with scene._lock.to_change():
             scene._table.pop(key, None)
             if value is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ._meshes import digest, fault
+from ._meshes import digest, input_error
 
 
 def with_digest(mesh):
@@ -78,7 +78,7 @@ def with_triangles(organ, new):
     """An organ with the triangles of another mesh of one organ, and its materials if it has any."""
     has_materials = new["materials"] != [""]
     if not has_materials and organ["material_of_face"] is not None:
-        raise fault(
+        raise input_error(
             new["where"], "the organ has several materials", "", "give the new one: material=..."
         )
     source = new if has_materials else organ

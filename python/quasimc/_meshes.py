@@ -10,7 +10,7 @@ import numpy as np
 from .errors import InputError
 
 
-def fault(where, problem, why="", suggestion=""):
+def input_error(where, problem, why="", suggestion=""):
     """Returns an InputError with one error, worded as in the library."""
     text = f"{where}: {problem}" + (f" ({why})" if why else "")
     text += f"; {suggestion}" if suggestion else ""
@@ -21,7 +21,7 @@ def fault(where, problem, why="", suggestion=""):
 def without_mask(where, what, values):
     """The values, of which none may be masked."""
     if np.ma.is_masked(values):
-        raise fault(where, f"some of {what} are masked", "every value is used", "remove them")
+        raise input_error(where, f"some of {what} are masked", "every value is used", "remove them")
     return values
 
 
@@ -31,9 +31,9 @@ def integers(where, what, values):
     if values.size == 0:
         return values.astype(np.int64)
     if values.dtype.kind not in "iu":
-        raise fault(where, f"{what} is {values.dtype}", "it must be integers")
+        raise input_error(where, f"{what} is {values.dtype}", "it must be integers")
     if int(values.max()) > np.iinfo(np.int64).max:
-        raise fault(where, f"{what} is {values.max()}", "the largest integer is 2^63 - 1")
+        raise input_error(where, f"{what} is {values.max()}", "the largest integer is 2^63 - 1")
     return values.astype(np.int64, copy=False)
 
 
@@ -69,17 +69,17 @@ def vertices_and_faces(where, vertices, faces):
     vertices = np.ascontiguousarray(vertices, dtype=np.float64)
     if faces is None:
         if vertices.ndim != 3 or vertices.shape[1:] != (3, 3):
-            raise fault(
+            raise input_error(
                 where,
                 f"vertices have the shape {vertices.shape}",
                 "without faces they are triangles: (m, 3, 3)",
             )
         return vertices.reshape(-1, 3), None
     if vertices.ndim != 2 or vertices.shape[1] != 3:
-        raise fault(where, f"vertices have the shape {vertices.shape}", "it must be (n, 3)")
+        raise input_error(where, f"vertices have the shape {vertices.shape}", "it must be (n, 3)")
     faces = np.asarray(without_mask(where, "faces", faces))
     if faces.ndim != 2 or faces.shape[1] != 3 or faces.dtype.kind not in "iu":
-        raise fault(
+        raise input_error(
             where,
             f"faces are {faces.dtype} of the shape {faces.shape}",
             "they must be integers, (m, 3)",
@@ -98,7 +98,7 @@ def grouped(where, organ, count):
     if np.ndim(organ) == 0:
         organ = np.full(count, organ)
     if np.shape(organ) != (count,) or np.asarray(organ).dtype.kind not in "iu":
-        raise fault(
+        raise input_error(
             where,
             f"organ is {np.asarray(organ).dtype} of the shape {np.shape(organ)}",
             f"it must be integers, one for each of the {count} faces",
@@ -131,16 +131,16 @@ def per_organ(where, what, value, ids, ranks):
     count = len(ranks)
     if isinstance(value, Mapping):
         if ids is None:
-            raise fault(where, f"{what} is given by organ", "the argument organ is missing")
+            raise input_error(where, f"{what} is given by organ", "the argument organ is missing")
         missing = [int(i) for i in ids if int(i) not in value]
         if missing:
-            raise fault(where, f"{what} has no value for organ {missing[0]}")
+            raise input_error(where, f"{what} has no value for organ {missing[0]}")
         return [str(value[int(i)]) for i in ids]
     if isinstance(value, str) or np.ndim(value) == 0:
         return [str(value)]
     values = [str(v) for v in without_mask(where, what, value)]
     if len(values) != count:
-        raise fault(where, f"{what} has {len(values)} values", f"there are {count} organs")
+        raise input_error(where, f"{what} has {len(values)} values", f"there are {count} organs")
     return [values[rank] for rank in ranks]
 
 
@@ -160,7 +160,7 @@ def materials_of(where, material, order, starts, ids):
         return [str(n) for n in unique], of_face
     names = np.asarray(without_mask(where, "material", material))
     if names.shape != (faces,) or names.dtype.kind not in "UO":
-        raise fault(
+        raise input_error(
             where,
             "material is neither a name nor a list of one name for each face",
             f"there are {faces} faces",
@@ -177,13 +177,13 @@ def mesh_arrays(
     vertices, faces = vertices_and_faces(where, vertices, faces)
     count = len(vertices) // 3 if faces is None else len(faces)
     if count == 0:
-        raise fault(where, "there are no triangles")
+        raise input_error(where, "there are no triangles")
     order, starts, ids = grouped(where, organ, count)
     ranks = ranks_of(order, starts)
     materials, material_of_face = materials_of(where, material, order, starts, ids)
     names = [] if name is None else per_organ(where, "name", name, ids, ranks)
     if labels is not None and not isinstance(labels, Mapping):
-        raise fault(where, f"labels is of the type {type(labels).__name__}", "it must be a dict")
+        raise input_error(where, f"labels is of the type {type(labels).__name__}", "it must be a dict")
     if len(names) == 1 and len(ranks) > 1:
         names = [f"{names[0]} {i}" for i in ids]
     return {

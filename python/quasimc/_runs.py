@@ -6,10 +6,10 @@ import difflib
 from collections.abc import Mapping
 
 from . import _core
-from ._meshes import fault, plain
+from ._meshes import input_error, plain
 from ._progress import Listener
 from ._tables import FRAME_KEYS, SCENE_KEYS, numbered
-from ._warn import warn_here
+from ._warn import warn_here, warn_of_stop
 from ._written import Written
 from .errors import KeywordError
 from .merging import Part
@@ -117,7 +117,7 @@ class Runs:
         result = Result(
             core, organs, notes, light.source_notes, light.ratio_names, replicates, written
         )
-        _warn_of_stop(result.run.stop)
+        warn_of_stop(result.run.stop)
         return result
 
     def series(self, time=None, sources=None, *, progress=None, keep="auto", **options):
@@ -163,7 +163,7 @@ class Runs:
                 core = _core.run_series(self._built, light, keep != "sums", size, listener.callback)
             notes = [*self._built.warnings, *light.warnings]
         series = Series(core, organs, notes, light.source_notes, light.ratio_names)
-        _warn_of_stop(series.stop)
+        warn_of_stop(series.stop)
         return series
 
     def sweep(self, values, sources=None, *, combine="product", progress=None, keep="auto", **options):
@@ -276,7 +276,7 @@ def _source_tables(sources):
     tables = []
     for source in [sources] if one else sources:
         if not isinstance(source, (Source, Mapping)):
-            raise fault(
+            raise input_error(
                 "sources",
                 f"{source!r} is not a source",
                 "",
@@ -284,8 +284,3 @@ def _source_tables(sources):
             )
         tables.append(source.table() if isinstance(source, Source) else dict(source))
     return tables
-
-
-def _warn_of_stop(stop):
-    if stop == "interrupted":
-        warn_here(["interrupted: the result contains the paths completed so far"])

@@ -15,3 +15,9 @@ def warn_here(texts):
         depth, frame = depth + 1, frame.f_back
     for text in texts:
         warnings.warn(text, QuasimcWarning, stacklevel=depth)
+
+
+def warn_of_stop(stop):
+    """Warns of a result that is not complete."""
+    if stop == "interrupted":
+        warn_here(["interrupted: the result contains the paths completed so far"])

@@ -7,7 +7,7 @@ import sys
 from collections.abc import Mapping
 
 from . import _core
-from ._meshes import fault
+from ._meshes import input_error
 from ._progress import Listener
 from .organs import Organs
 from .result import Result
@@ -132,7 +132,7 @@ def grow(
     if "stand" in chosen:
         chosen["stand"] = _stand(chosen["stand"], sources, materials, material, quantity, options)
     elif any(v is not None for v in (sources, materials, material)) or options:
-        raise fault(
+        raise input_error(
             "grow",
             "sources, materials or run options are given without a stand",
             "",
@@ -154,7 +154,7 @@ def _view(model, view):
 
 def _count(steps):
     if isinstance(steps, bool) or not isinstance(steps, int) or steps < 0:
-        raise fault("grow", f"steps is {steps!r}", "it must be a whole number, 0 or more", "")
+        raise input_error("grow", f"steps is {steps!r}", "it must be a whole number, 0 or more", "")
     return steps
 
 
@@ -173,11 +173,11 @@ def _environment(light):
 
 def _stand(scene, sources, materials, material, quantity, options):
     if materials is not None and not isinstance(materials, Mapping):
-        raise fault("grow", "materials is no dict", "", "use the symbols of modules as its keys")
+        raise input_error("grow", "materials is no dict", "", "use the symbols of modules as its keys")
     materials = dict(materials or {})
     for symbol in materials:
         if not isinstance(symbol, str) or len(symbol.encode()) != 1:
-            raise fault(
+            raise input_error(
                 "grow",
                 f"{symbol!r} is not the symbol of a module",
                 "symbols have one character",

@@ -13,7 +13,7 @@ from ._progress import Listener
 from .organs import Organs
 from .result import Result
 from ._runs import largest_sums
-from ._warn import warn_here
+from ._warn import warn_here, warn_of_stop
 
 
 class GrowthSession:
@@ -155,8 +155,7 @@ class GrowthSession:
             light.ratio_names,
             replicates,
         )
-        if result.run.stop == "interrupted":
-            warn_here(["interrupted: the result contains the paths completed so far"])
+        warn_of_stop(result.run.stop)
         return result
 
     @property

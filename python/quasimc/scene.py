@@ -13,7 +13,7 @@ import numpy as np
 from . import _core
 from ._assigned import Assigned
 from ._lock import OneAtATime
-from ._meshes import digest, fault, mesh_arrays, owned, plain
+from ._meshes import digest, input_error, mesh_arrays, owned, plain
 from ._runs import Runs
 from ._tables import FRAME_KEYS, ids_of, marks_of, numbered
 from ._views import Views
@@ -48,7 +48,7 @@ def _rows_of_points(points):
     points = np.asarray(points, dtype=float)
     if points.ndim not in (1, 2, 3) or points.shape[-1] != 3 or points.size == 0:
         shape = "(3,), (points, 3) or (rows, columns, 3)"
-        raise fault("add_sensors", f"points have the shape {points.shape}", f"it must be {shape}")
+        raise input_error("add_sensors", f"points have the shape {points.shape}", f"it must be {shape}")
     if points.ndim < 3:
         return points.reshape(-1, 3).tolist()
     return [
@@ -362,7 +362,7 @@ class Scene(Assigned, Runs, Views):
         self._frame.check(mesh)
         double = self._ids.intersection(ids_of(mesh)).difference(*map(ids_of, replaced))
         if double:
-            raise fault(
+            raise input_error(
                 mesh["where"],
                 f"an earlier mesh has an organ with the id {min(double)}",
                 "ids must be unique",
@@ -390,7 +390,7 @@ class Scene(Assigned, Runs, Views):
         if ("name", name) not in self._marks:
             names = {mark[1] for mark in self._marks if mark[0] == "name"}
             near = difflib.get_close_matches(str(name), names, 1)
-            raise fault(
+            raise input_error(
                 self._name,
                 f"nothing has the name {name!r}",
                 "" if names else "there are no names",

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from ._mesh_edits import divided, moved, organ_count, organs_from, with_entries, with_triangles
-from ._meshes import fault, mesh_arrays
+from ._meshes import input_error, mesh_arrays
 from ._tables import ids_of, marks_of
 
 
@@ -45,7 +45,7 @@ class SceneOrgans:
         return repr(self._edited.build())
 
     def replace(self, which, vertices, faces=None, *, organ=None, material=None):
-        """Refound the triangles of organs; id, name, labels and position stay.
+        """Replaces the triangles of organs; id, name, labels and position stay.
 
         Parameters
         ----------
@@ -66,7 +66,7 @@ class SceneOrgans:
             found = self._find(which)
             given = [id for _, _, id in found] if new["ids"] is None else new["ids"].tolist()
             if sorted(given) != sorted(id for _, _, id in found) or len(given) != organ_count(new):
-                raise fault(
+                raise input_error(
                     "organs.replace",
                     f"there are triangles of {organ_count(new)} organs for {len(found)} organs",
                     "each needs its own",
@@ -93,7 +93,7 @@ class SceneOrgans:
             In the unit of length.
         """
         if not _floats("scale", scale, ()):
-            raise fault("organs.transform", f"scale is {scale}", "it must not be 0")
+            raise input_error("organs.transform", f"scale is {scale}", "it must not be 0")
         if translate is not None:
             _floats("translate", translate, (3,))
         if rotate is not None:
@@ -116,7 +116,7 @@ class SceneOrgans:
         """
         if labels is not None and not isinstance(labels, Mapping):
             kind = type(labels).__name__
-            raise fault("organs.set", f"labels is of the type {kind}", "it must be a dict")
+            raise input_error("organs.set", f"labels is of the type {kind}", "it must be a dict")
         with self._edited._lock.to_change():
             self._change(
                 self._find(which),
@@ -137,7 +137,7 @@ class SceneOrgans:
             if found[i] is None:
                 position = organs.index_of(key)
                 if position < first:
-                    raise fault(
+                    raise input_error(
                         "scene.organs",
                         f"organ {organs.names[position]!r} is of a shape or a file",
                         "only organs of add_mesh can be edited",
@@ -155,7 +155,7 @@ class SceneOrgans:
             ids = self._edited._build().ids
             if array.shape != ids.shape:
                 problem = f"the mask has the shape {array.shape}"
-                raise fault("scene.organs", problem, f"it must be {ids.shape}")
+                raise input_error("scene.organs", problem, f"it must be {ids.shape}")
             return ids[array].tolist()
         return list(dict.fromkeys(key if isinstance(key, str) else int(key) for key in which))
 
@@ -210,15 +210,15 @@ def _floats(key, value, shape):
     array = np.asarray(value, dtype=float)
     if array.shape != shape or not np.all(np.isfinite(array)):
         count = f"{shape[0]} numbers" if shape else "a number"
-        raise fault("organs.transform", f"{key} is {value!r}", f"it must be {count}")
+        raise input_error("organs.transform", f"{key} is {value!r}", f"it must be {count}")
     return array
 
 
 def _check_rotation(rotate):
     if not isinstance(rotate, Mapping) or set(rotate) != {"axis", "angle_deg"}:
-        raise fault(
+        raise input_error(
             "organs.transform", f"rotate is {rotate!r}", "", 'give {"axis": [0, 0, 1], "angle_deg": 90}'
         )
     if not np.any(_floats("axis", rotate["axis"], (3,))):
-        raise fault("organs.transform", "axis is 0", "it has no direction")
+        raise input_error("organs.transform", "axis is 0", "it has no direction")
     _floats("angle_deg", rotate["angle_deg"], ())

@@ -5,8 +5,10 @@ from __future__ import annotations
 import copy
 import itertools
 from collections.abc import Mapping, Sequence
+from functools import reduce
+from operator import add
 
-from ._meshes import fault
+from ._meshes import input_error
 from .values import Value
 
 #: Keys whose values are assigned to a scene: the first part of a name.
@@ -59,13 +61,7 @@ class Sweep(Sequence):
         weights = [1.0] * len(self) if weights is None else [float(weight) for weight in weights]
         if len(weights) != len(self):
             raise ValueError(f"{len(weights)} weights for {len(self)} points; give one for each")
-        unit = self[0][quantity].units if self[0][quantity].bands else self[0][quantity].unit
-        parts = [weight * result[quantity] for weight, result in zip(weights, self)]
-        total = parts[0]
-        for part in parts[1:]:
-            total = total + part
-        same = set(unit.values()) if isinstance(unit, dict) else {unit}
-        return total.with_unit(same.pop()) if len(same) == 1 else total
+        return reduce(add, (weight * result[quantity] for weight, result in zip(weights, self)))
 
     def to_pandas(self):
         """Returns a pandas.DataFrame: a row for each point and organ, with columns of the swept names."""
@@ -87,26 +83,30 @@ class Sweep(Sequence):
 def points_of(values, combine):
     """The points of a sweep: list of dict. The first name varies slowest."""
     if not isinstance(values, Mapping) or not values:
-        raise fault("sweep", "there is nothing to sweep", "", 'give {"materials.leaf.reflectance": [...]}')
+        raise input_error("sweep", "there is nothing to sweep", "", 'give {"materials.leaf.reflectance": [...]}')
     lists = {name: list(each) for name, each in values.items()}
     if combine == "product":
         rows = itertools.product(*lists.values())
     elif combine == "zip":
         lengths = {name: len(each) for name, each in lists.items()}
         if len(set(lengths.values())) > 1:
-            raise fault("sweep", f"the lists have different lengths: {lengths}", "", 'or combine="product"')
+            raise input_error("sweep", f"the lists have different lengths: {lengths}", "", 'or combine="product"')
         rows = zip(*lists.values())
     else:
         raise ValueError(f'combine is {combine!r}; give "product" or "zip"')
     points = [dict(zip(lists, row)) for row in rows]
     if not points:
-        raise fault("sweep", "a list is empty", "there is no point", "give at least one value")
+        raise input_error("sweep", "a list is empty", "there is no point", "give at least one value")
     return points
 
 
 def scene_at(scene, point, options):
-    """A scene with the values of a point, the sources of its run, and its options."""
-    scene = copy.copy(scene)
+    """A scene with the values of a point, the sources of its run, and its options.
+
+    It is a copy only if the point has values of the scene: the others share what was built.
+    """
+    if any(name.partition(".")[0] in _PARTS for name in point):
+        scene = copy.copy(scene)
     sources, options = None, dict(options)
     for name, value in point.items():
         part, _, rest = name.partition(".")
@@ -130,4 +130,4 @@ def _assign(scene, part, key, value):
     elif isinstance(old, Value):
         setattr(scene, part, old.replace(**{key: value}))
     else:
-        raise fault("sweep", f"the scene has no {part}", "", f"assign scene.{part} first")
+        raise input_error("sweep", f"the scene has no {part}", "", f"assign scene.{part} first")

@@ -10,7 +10,7 @@ import datetime
 import os
 from collections.abc import Mapping
 
-from ._meshes import fault, plain
+from ._meshes import input_error, plain
 
 #: Keys of paths, which are kept with the folder that was the current one.
 _PATHS = ("file", "weather", "spectrum")
@@ -166,7 +166,7 @@ def checked_time(value):
     if isinstance(value, Time):
         return value
     hint = "quasimc.Time(**keys)" if isinstance(value, Mapping) else "quasimc.day(date, ...)"
-    raise fault("time", f"{value!r} is no Time", "", f"give {hint}")
+    raise input_error("time", f"{value!r} is no Time", "", f"give {hint}")
 
 
 def _as_text(value):

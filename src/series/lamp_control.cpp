@@ -157,10 +157,21 @@ class ControlWalk {
         const ControlInput& input,
         const std::vector<PartLight>& parts,
         const std::vector<TimeStep>& steps)
-        : in_(input), parts_(parts), steps_(steps), outcomes_(input.controls.size()) {
+        : in_(input),
+          parts_(parts),
+          steps_(steps),
+          lamps_(input.controls.size()),
+          outcomes_(input.controls.size()) {
         for (ControlOutcome& outcome : outcomes_) {
             outcome.steps.resize(steps.size());
             outcome.days.resize(steps.empty() ? 0 : steps.back().day + 1);
+        }
+        for (std::size_t s = 0; s < input.sources.size(); ++s) {
+            const std::size_t part = part_of(*input.sources[s], input.controls);
+            if (part >= kControlled) {
+                lamps_[part - kControlled].push_back(s);
+                ++outcomes_[part - kControlled].lamps;
+            }
         }
     }
 
@@ -216,15 +227,11 @@ class ControlWalk {
         const LampControl& control = in_.controls[k];
         ControlStep& step = outcomes_[k].steps[i];
         double lamps_on = 0, largest = 0;
-        outcomes_[k].lamps = 0;
-        for (std::size_t s = 0; s < in_.sources.size(); ++s) {
-            if (part_of(*in_.sources[s], in_.controls) == kControlled + k) {
-                const double full = sum_of(in_.sources[s]->spectrum());
-                const double part = full > 0 ? sum_of(steps_[i].sources[s]->spectrum()) / full : 0;
-                lamps_on += part;
-                largest = std::max(largest, part);
-                ++outcomes_[k].lamps;
-            }
+        for (const std::size_t lamp : lamps_[k]) {
+            const double full = sum_of(in_.sources[lamp]->spectrum());
+            const double part = full > 0 ? sum_of(steps_[i].sources[lamp]->spectrum()) / full : 0;
+            lamps_on += part;
+            largest = std::max(largest, part);
         }
         step.on *= largest;
         step.kwh =
@@ -262,6 +269,7 @@ class ControlWalk {
     const ControlInput& in_;
     const std::vector<PartLight>& parts_;
     const std::vector<TimeStep>& steps_;
+    std::vector<std::vector<std::size_t>> lamps_;  // by control, among the sources
     std::vector<ControlOutcome> outcomes_;
 };
 

@@ -82,10 +82,11 @@ std::vector<std::vector<std::size_t>> members_of(const std::vector<std::string>&
 
 Reference reference_of(const Both& both, const PlainSource& source, std::uint64_t seed) {
     Random random(seed);
+    const std::vector<std::vector<std::size_t>> groups = members_of(both.plants);
     std::vector<std::vector<PlainLight>> replicates;
     for (std::uint32_t r = 0; r < kReplicates; ++r) {
         std::vector<PlainLight> light = trace_plainly(both.plain, source, kPlainPaths, random);
-        for (const std::vector<std::size_t>& group : members_of(both.plants)) {
+        for (const std::vector<std::size_t>& group : groups) {
             PlainLight sum{};
             for (const std::size_t organ : group) {
                 for (std::size_t k = 0; k < kParts; ++k) {
