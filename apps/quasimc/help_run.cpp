@@ -14,29 +14,29 @@
 
 namespace {
 
-/// The run of a point, with its lamps under control as the first process has them.
-std::unique_ptr<quasimc::RunFile> take_run(quasimc::RunSweep& sweep, std::size_t point) {
-    auto run = std::make_unique<quasimc::RunFile>(sweep.take(point));
-    quasimc::Simulator simulator;
-    quasimc::control_lamps(*run, simulator);
-    return run;
-}
+/// The run of a point of the sweep, and its times.
+struct HelpedPoint {
+    HelpedPoint(quasimc::RunSweep& sweep, std::size_t point) : run(sweep.take(point)) {
+        quasimc::Simulator simulator;
+        time_steps = quasimc::time_steps_of(run, simulator);
+    }
 
-/// @param run, taken  last run taken, and its point
+    quasimc::RunFile run;
+    std::vector<quasimc::TimeStep> time_steps;
+};
+
+/// @param point  the one of the order
 void help_with_dealt(
     quasimc::RunTeam& team,
     quasimc::RunSweep& sweep,
     const quasimc::TeamOrder& order,
-    std::unique_ptr<quasimc::RunFile> run,
-    std::size_t taken) {
+    std::unique_ptr<HelpedPoint> point) {
     quasimc::HelpedRuns runs(team);
     try {
-        std::size_t first = order.time_step;
-        for (std::size_t point = order.point; point < sweep.size(); ++point, first = 0) {
-            if (point != taken) {
-                run = take_run(sweep, point);
-            }
-            runs.trace(run->scene, quasimc::time_steps_of(*run), run->spec, first);
+        runs.trace(point->run.scene, point->time_steps, point->run.spec, order.time_step);
+        for (std::size_t next = order.point + 1; next < sweep.size(); ++next) {
+            point = std::make_unique<HelpedPoint>(sweep, next);
+            runs.trace(point->run.scene, point->time_steps, point->run.spec, 0);
         }
     } catch (const quasimc::Stopped&) {  // by the first process, which needs no more
     }
@@ -59,11 +59,10 @@ Exit help_run(const RunArguments& arguments, quasimc::RunTeam& team) {
         if (failure) {
             std::rethrow_exception(failure);
         }
-        const std::size_t point = order.point;
-        auto run = take_run(stored->runs, point);
-        order = helper.help(run->scene, quasimc::time_steps_of(*run), run->spec, team, order);
+        auto point = std::make_unique<HelpedPoint>(stored->runs, order.point);
+        order = helper.help(point->run.scene, point->time_steps, point->run.spec, team, order);
         if (order.kind == quasimc::TeamOrder::kDealt) {
-            help_with_dealt(team, stored->runs, order, std::move(run), point);
+            help_with_dealt(team, stored->runs, order, std::move(point));
             order = team.order({});
         }
     }

@@ -37,8 +37,7 @@ void trace_points(
     std::size_t before = 0;        // time steps of the points before
     for (std::size_t point = 0; point < sweep.size(); ++point) {
         quasimc::RunFile run = point == 0 ? first : sweep.take(point);
-        quasimc::control_lamps(run, simulator);
-        const std::vector<quasimc::TimeStep> time_steps = quasimc::time_steps_of(run);
+        const std::vector<quasimc::TimeStep> time_steps = quasimc::time_steps_of(run, simulator);
         try {
             quasimc::trace_share(
                 run.scene, time_steps, run.spec, quasimc::share_of(number.part, number.parts),

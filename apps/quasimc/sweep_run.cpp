@@ -59,8 +59,7 @@ SweepRun::SweepRun(
         window_.emplace(*run_, 0);
     }
     if (team != nullptr) {
-        const std::size_t traces =
-            quasimc::traces_of(run_->scene, quasimc::time_steps_of(*run_), run_->spec).size();
+        const std::size_t traces = quasimc::traces_of(run_->scene, time_steps_, run_->spec).size();
         is_dealt_ = traces * sweep.size() >= team->size() && team->size() > 1;
     }
 }
@@ -98,7 +97,7 @@ void SweepRun::stay() const {
 std::unique_ptr<quasimc::RunFile> SweepRun::next_file(std::size_t point) {
     const quasimc::Stopwatch watch;
     auto run = std::make_unique<quasimc::RunFile>(sweep_.take(point));
-    quasimc::control_lamps(*run, simulator_);
+    time_steps_ = quasimc::time_steps_of(*run, simulator_);
     reading_seconds_ += watch.seconds();
     apply_choice(arguments_.choice, *run);
     return run;
@@ -115,7 +114,6 @@ bool SweepRun::goes_on() {
 bool SweepRun::trace(const std::stop_token& stop) {
     const quasimc::Stopwatch watch;
     try {
-        time_steps_ = quasimc::time_steps_of(*run_);
         checkpoint_.set_time_steps_before(time_steps_before_);
         const bool is_last = point_ + 1 == sweep_.size();
         const quasimc::RunControl own = control(stop);

@@ -43,6 +43,7 @@ class SweepRun final : private quasimc::SumsSource {
     [[nodiscard]] const CheckpointRun& checkpoint() const { return checkpoint_; }
 
   private:
+    /// The run of a point; its time steps become the current ones.
     [[nodiscard]] std::unique_ptr<quasimc::RunFile> next_file(std::size_t point);
     /// Whether another point can begin.
     [[nodiscard]] bool goes_on();
@@ -65,17 +66,17 @@ class SweepRun final : private quasimc::SumsSource {
     double reading_seconds_ = 0;  // for all points, before and between their runs
     std::size_t point_ = 0;
     std::size_t time_steps_before_ = 0;  // of the points before
-    quasimc::Simulator simulator_;       // before the first run, whose lamps it controls
+    quasimc::Simulator simulator_;
+    std::vector<quasimc::TimeStep> time_steps_;  // of the current point, set with run_
     std::unique_ptr<quasimc::RunFile> run_;
     RunWriters writers_;
     std::optional<InterruptWatch> interrupt_;  // before members with threads or files
     CheckpointRun checkpoint_;
     ProgressLine progress_line_;
     std::optional<RunWindow> window_;
-    quasimc::Deadline deadline_;                 // for all points
-    quasimc::Work work_;                         // for all points
-    std::vector<quasimc::TimeStep> time_steps_;  // of the current point
-    bool is_dealt_ = false;                      // enough runs for all ranks
+    quasimc::Deadline deadline_;  // for all points
+    quasimc::Work work_;          // for all points
+    bool is_dealt_ = false;       // enough runs for all ranks
     std::unique_ptr<quasimc::DealtRuns> dealt_;
     quasimc::SeriesSummary last_, all_;
 };

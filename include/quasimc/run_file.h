@@ -56,7 +56,7 @@ struct TimeSeries {
     std::vector<std::string> words;  ///< site, models and units, for headers
     CumulativeSky cumulative_sky = CumulativeSky::none;
     std::vector<LampControl> controls = {};     ///< [[control]]
-    std::vector<ControlOutcome> outcomes = {};  ///< per control, from control_lamps()
+    std::vector<ControlOutcome> outcomes = {};  ///< per control, from time_steps_of()
 };
 
 /// The contents of the rows of a table.
@@ -170,14 +170,12 @@ class RunSweep {
     std::unique_ptr<State> state_;
 };
 
-/// Switches and dims the lamps of [[control]] at all times of a run, by the light at their sensors,
-/// which is computed for it. Does nothing without [[control]].
-/// @throws InputError  as run() does
-void control_lamps(RunFile& run, Simulator& simulator);
-
 /// The times to compute: those of [time] or else a single one, an instant, with the sources of the
-/// run.
-[[nodiscard]] std::vector<TimeStep> time_steps_of(const RunFile& run);
+/// run. The first call switches and dims the lamps of [[control]], by the light at their sensors,
+/// which is computed for it, and writes TimeSeries::outcomes.
+/// @param simulator  keeps the acceleration structure
+/// @throws InputError  as run() does
+[[nodiscard]] std::vector<TimeStep> time_steps_of(RunFile& run, Simulator& simulator);
 
 /// Reads a run file ("-": standard input).
 /// @throws InputError  with all errors at once, of all points of its sweep

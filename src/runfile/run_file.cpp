@@ -422,17 +422,14 @@ bool is_dark(const Sources& sources) {
     });
 }
 
-void control_lamps(RunFile& run, Simulator& simulator) {
+std::vector<TimeStep> time_steps_of(RunFile& run, Simulator& simulator) {
     if (run.series) {
-        run.series->outcomes = control_lamps(
-            {run.scene, run.sources, run.spec, run.series->controls}, simulator,
-            run.series->time_steps);
-    }
-}
-
-std::vector<TimeStep> time_steps_of(const RunFile& run) {
-    if (run.series) {
-        return run.series->time_steps;
+        TimeSeries& series = *run.series;
+        if (series.outcomes.size() < series.controls.size()) {
+            series.outcomes = control_lamps(
+                {run.scene, run.sources, run.spec, series.controls}, simulator, series.time_steps);
+        }
+        return series.time_steps;
     }
     TimeStep only;
     only.sources = run.sources;

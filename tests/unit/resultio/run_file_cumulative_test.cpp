@@ -197,12 +197,14 @@ TEST(JsonOfTimes, HasADigestWithoutAFile) {
 }
 
 TEST(TimeStepsOf, ARunWithoutTimesAreOneInstant) {
-    const RunFile single = read_text(RunText{}.text());
-    const std::vector<TimeStep> one = time_steps_of(single);
+    Simulator simulator;
+    RunFile single = read_text(RunText{}.text());
+    const std::vector<TimeStep> one = time_steps_of(single, simulator);
     ASSERT_EQ(one.size(), 1U);
     EXPECT_EQ(one[0].sources, single.sources);
     EXPECT_EQ(one[0].seconds, 0);
-    EXPECT_EQ(time_steps_of(read_text(with_two_bands(kDays))).size(), 72U);
+    RunFile days = read_text(with_two_bands(kDays));
+    EXPECT_EQ(time_steps_of(days, simulator).size(), 72U);
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::string control(const std::string& keys, const std::string& sources = "hps")
 RunFile controlled(const std::string& text) {
     RunFile run = read_text(text);
     Simulator simulator;
-    control_lamps(run, simulator);
+    static_cast<void>(time_steps_of(run, simulator));
     return run;
 }
 
@@ -166,9 +166,12 @@ struct LightOfTimes final : RunListener {
     std::vector<Estimate> leaf, bench;
 };
 
-LightOfTimes light_of(const RunFile& run) {
+LightOfTimes light_of(RunFile run) {
+    Simulator simulator;
     LightOfTimes light;
-    static_cast<void>(run_series(run.scene, time_steps_of(run), run.spec, {.listeners = {&light}}));
+    const std::vector<TimeStep> time_steps = time_steps_of(run, simulator);
+    static_cast<void>(
+        run_series(simulator, run.scene, time_steps, run.spec, {.listeners = {&light}}));
     return light;
 }
 
