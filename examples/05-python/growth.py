@@ -23,19 +23,16 @@ def main() -> None:
     scene.cell = quasimc.Cell(x=[-0.15, 0.15], y=[-0.15, 0.15])
     sky = quasimc.sky("cie_overcast", irradiance_horizontal=200)
 
-    session = quasimc.GrowthSession(scene)
     lengths: "dict[int, float]" = {}
     for step in range(1, 9):
         lengths[step] = 0.05
-        session.add(leaf(0.02 * step, 2.4 * step, 0.05), material="leaf", organ=step)
-        result = session.run(sky, paths=2048)
+        scene.add_mesh(leaf(0.02 * step, 2.4 * step, 0.05), material="leaf", organ=step)
+        result = scene.run(sky, paths=2048)
         light = result.at(list(lengths))["absorbed_flux_density"]["PAR"].values
         for organ, absorbed in zip(lengths, light):
             lengths[organ] *= 1 + 0.001 * float(absorbed)
-            grown = leaf(0.02 * organ, 2.4 * organ, lengths[organ])
-            session.change(grown, material="leaf", organ=organ)
+            scene.organs.replace(organ, leaf(0.02 * organ, 2.4 * organ, lengths[organ]))
         print(f"step {step}: the lengths are", *(f"{x:.3f}" for x in lengths.values()))
-    print(f"{session.tree_builds} trees were built in 8 steps")
 
 
 if __name__ == "__main__":

@@ -19,7 +19,6 @@ void bind_replicates(py::module_& module);
 void bind_run(py::module_& module);
 void bind_store(py::module_& module);
 void bind_series(py::module_& module);
-void bind_growth(py::module_& module);
 void bind_grow(py::module_& module);
 
 }  // namespace quasimc::python

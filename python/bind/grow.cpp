@@ -18,7 +18,6 @@
 #include "coupling/plants/plant_organs.h"
 #include "document.h"
 #include "files/input_files.h"
-#include "growth.h"
 #include "growth/plant.h"
 #include "growth/turtle/mesh_drawing.h"
 #include "quasimc/run.h"

@@ -34,6 +34,5 @@ PYBIND11_MODULE(_core, module) {
     bind_run(module);
     bind_store(module);
     bind_series(module);
-    bind_growth(module);
     bind_grow(module);
 }

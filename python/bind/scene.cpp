@@ -20,6 +20,7 @@
 #include "results/where_expression.h"
 #include "runfile/run_file.h"
 #include "scene/mesh_arrays.h"
+#include "scene/overlap/known_overlaps.h"
 #include "scene/sensors.h"
 #include "text/numbers.h"
 
@@ -87,21 +88,29 @@ void give_memory_back() {
 #endif
 }
 
-/// @param meshes  dicts, which the caller keeps
-SceneHandle build(const Document& document, const std::vector<py::dict>& meshes) {
+/// Adds the organs of dicts, which the caller keeps.
+AddOrgans adder_of(const std::vector<py::dict>& meshes) {
     std::vector<MeshArrays> arrays;
     arrays.reserve(meshes.size());
     for (const py::dict& mesh : meshes) {
         arrays.push_back(arrays_of(mesh));
     }
+    return [arrays = std::move(arrays)](SceneBuilder& builder) {
+        for (const MeshArrays& mesh : arrays) {
+            add_organs(mesh, builder);
+        }
+    };
+}
+
+/// @param meshes  dicts, which the caller keeps
+/// @param overlaps  of the previous scene; or null
+SceneHandle build(
+    const Document& document, const std::vector<py::dict>& meshes, KnownOverlaps* overlaps) {
+    const AddOrgans add_organs = adder_of(meshes);
     const py::gil_scoped_release release;
     InputFiles files(document.folder);
     SceneOfRun read =
-        read_scene_document(document.node, document.name, files, [&](SceneBuilder& builder) {
-            for (const MeshArrays& mesh : arrays) {
-                add_organs(mesh, builder);
-            }
-        });
+        read_scene_document(document.node, document.name, files, add_organs, overlaps);
     give_memory_back();
     return {std::make_shared<const Scene>(std::move(read.scene)), std::move(read.warnings)};
 }
@@ -114,9 +123,7 @@ Document read_document(const std::string& path) {
 
 /// Bands, materials and axes, for checks of meshes. Invalid materials are refused.
 FrameOfRun read_frame(const Document& document) {
-    const py::gil_scoped_release release;
-    InputFiles files(document.folder);
-    FrameOfRun frame = read_frame_document(document.node, document.name, files);
+    FrameOfRun frame = frame_of(document, {});
     frame.builder.check_organs({});
     return frame;
 }
@@ -251,6 +258,13 @@ py::list bands_of(const Scene& scene) {
 
 }  // namespace
 
+FrameOfRun frame_of(const Document& document, const std::vector<py::dict>& meshes) {
+    const AddOrgans add_organs = adder_of(meshes);
+    const py::gil_scoped_release release;
+    InputFiles files(document.folder);
+    return read_frame_document(document.node, document.name, files, add_organs);
+}
+
 py::list warning_texts(const std::vector<Warning>& warnings) {
     py::list texts;
     for (const Warning& warning : warnings) {
@@ -271,7 +285,9 @@ void bind_scene(py::module_& module) {
         .def_readonly("name", &Document::name)
         .def_readonly("folder", &Document::folder)
         .def("table", [](const Document& document) { return to_python(document.node); })
-        .def("build", &build, py::arg("meshes"));
+        .def("build", &build, py::arg("meshes"), py::arg("overlaps") = nullptr);
+
+    py::class_<KnownOverlaps>(module, "KnownOverlaps").def(py::init<>());
 
     py::class_<FrameOfRun>(module, "Frame")
         .def(py::init(&read_frame), py::arg("document"))

@@ -7,6 +7,7 @@
 #include <pybind11/pybind11.h>
 
 #include "quasimc/scene.h"
+#include "runfile/run_file.h"
 #include "scene/mesh_arrays.h"
 #include "text/document.h"
 
@@ -18,17 +19,22 @@ struct SceneHandle {
     std::vector<Warning> warnings;
 };
 
-/// A view of the arrays in a dict from quasimc._meshes, which must outlive it.
-[[nodiscard]] MeshArrays arrays_of(const pybind11::dict& mesh);
-
-/// One text for each warning, which begins with its location if it has one.
-[[nodiscard]] pybind11::list warning_texts(const std::vector<Warning>& warnings);
-
 /// A document that keeps the lines of its file.
 struct Document {
     Node node;
     std::string name;    ///< for messages
     std::string folder;  ///< base of its relative paths
 };
+
+/// A view of the arrays in a dict from quasimc._meshes, which must outlive it.
+[[nodiscard]] MeshArrays arrays_of(const pybind11::dict& mesh);
+
+/// A scene before it is built: that of a document, and meshes after it.
+/// @param meshes  dicts from quasimc._meshes
+[[nodiscard]] FrameOfRun frame_of(
+    const Document& document, const std::vector<pybind11::dict>& meshes);
+
+/// One text for each warning, which begins with its location if it has one.
+[[nodiscard]] pybind11::list warning_texts(const std::vector<Warning>& warnings);
 
 }  // namespace quasimc::python

@@ -22,7 +22,6 @@ from .functions import align, propagate
 from .gap_fraction import GapFraction, GapIndices
 from .groups import Groups
 from .grow import GrowthStep, grow
-from .growth import GrowthSession
 from ._light import Light, quantities
 from .materials import Material, Materials
 from .organs import Organs
@@ -50,6 +49,13 @@ from .sun_position import SunPosition, sun_day, sun_position
 from .values import Cell, Ground, Site, Time, day, days, times, weather
 
 
+def __getattr__(name):
+    if name == "GrowthSession":
+        hint = "edit the organs of a scene between its runs (Scene.add_mesh, Scene.organs)"
+        raise AttributeError(f"quasimc has no {name!r}: {hint}")
+    raise AttributeError(f"module 'quasimc' has no attribute {name!r}")
+
+
 def shapes():
     """The shapes of `Scene.add_organ`: list of str."""
     from . import _core
@@ -69,7 +75,6 @@ __all__ = [
     "GroundLight",
     "GapFraction",
     "GapIndices",
-    "GrowthSession",
     "GrowthStep",
     "InputError",
     "KeywordError",

@@ -277,6 +277,7 @@ Which = Union[int, str, Sequence[Union[int, str]], npt.NDArray[Any]]
 
 class SceneOrgans(Organs):
     def __init__(self, scene: Scene) -> None: ...
+    def __contains__(self, organ: int | str) -> bool: ...
     def replace(
         self,
         which: Which,
@@ -890,76 +891,6 @@ class Scene:
         accelerator: str = ...,
         tally_memory_mb: float = ...,
     ) -> Sweep: ...
-
-class GrowthSession:
-    def __init__(self, scene: Scene) -> None: ...
-    def add(
-        self,
-        vertices: npt.ArrayLike,
-        faces: npt.ArrayLike | None = None,
-        *,
-        material: str | Mapping[int, str] | Sequence[str] | npt.NDArray[Any],
-        organ: npt.ArrayLike | None = None,
-        name: PerOrgan | None = None,
-        labels: Mapping[str, PerOrgan] | None = None,
-        measured: bool = True,
-        field_of_view_deg: float = 90.0,
-    ) -> list[int]: ...
-    def change(
-        self,
-        vertices: npt.ArrayLike,
-        faces: npt.ArrayLike | None = None,
-        *,
-        material: str | Mapping[int, str] | Sequence[str] | npt.NDArray[Any],
-        organ: npt.ArrayLike,
-        name: PerOrgan | None = None,
-        labels: Mapping[str, PerOrgan] | None = None,
-        measured: bool = True,
-        field_of_view_deg: float = 90.0,
-    ) -> None: ...
-    def remove(self, organ: npt.ArrayLike) -> None: ...
-    def __contains__(self, organ: int) -> bool: ...
-    def __len__(self) -> int: ...
-    def update_scene(self) -> None: ...
-    def run(
-        self,
-        sources: SourcesArgument = None,
-        *,
-        progress: ProgressArgument = None,
-        keep: Literal["auto", "replicates", "estimates"] = "auto",
-        sampler: str = ...,
-        method: str = ...,
-        paths: int = ...,
-        replicates: int = ...,
-        seed: int = ...,
-        threads: int = ...,
-        target_error: float = ...,
-        target_fraction: float = ...,
-        target: str = ...,
-        target_quantity: str = ...,
-        target_bands: Sequence[str] = ...,
-        max_seconds: float = ...,
-        max_paths: int = ...,
-        path_allocation: str = ...,
-        time_method: str = ...,
-        ratios: Sequence[str] = ...,
-        groups: Sequence[str] = ...,
-        origins: Sequence[str] = ...,
-        sun_shade: str = ...,
-        layers: int = ...,
-        layer_heights: Sequence[float] = ...,
-        direct_light: str = ...,
-        audit: float = ...,
-        max_depth: int = ...,
-        roulette_threshold: float = ...,
-        start_area: str = ...,
-        accelerator: str = ...,
-        tally_memory_mb: float = ...,
-    ) -> Result: ...
-    @property
-    def scene_builds(self) -> int: ...
-    @property
-    def tree_builds(self) -> int: ...
 
 class GrowthStep:
     step: int

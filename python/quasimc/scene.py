@@ -112,9 +112,9 @@ class Scene(Assigned, Runs, Views):
         self._table = table
         self._name = name
         self._folder = folder  # that paths are relative to; None: the current one
-        self._meshes = {}  # by ascending numbers
-        self._numbers = {}  # of the meshes of each name
-        self._ids = set()  # of the organs of meshes
+        self._meshes = {}  # by ascending numbers, tuples: parts of a mesh share the beginning
+        self._numbers = {}  # of the meshes of each name, if they have one
+        self._ids = {}  # number of the mesh of each organ that was given an id
         self._numbered = 0  # meshes that were added so far
         self._document = None  # as it was read, with its lines, as long as nothing is changed
         self._built = None
@@ -123,6 +123,7 @@ class Scene(Assigned, Runs, Views):
         self._marks = Counter()  # of all that was added
         self._marks.update(m for key in _LISTS for e in table.get(key, []) for m in marks_of(key, e))
         self._organs = None
+        self._overlaps = _core.KnownOverlaps()  # what edits of few triangles leave as it is
         self._simulator = _core.Simulator()
         self._lock = OneAtATime()
 
@@ -138,8 +139,8 @@ class Scene(Assigned, Runs, Views):
         other = type(self).__new__(type(self))
         other._init(copy.deepcopy(self._table), self._name, self._folder)
         other._meshes = dict(self._meshes)
-        other._numbers = {name: list(numbers) for name, numbers in self._numbers.items()}
-        other._ids = set(self._ids)
+        other._numbers = {name: set(numbers) for name, numbers in self._numbers.items()}
+        other._ids = dict(self._ids)
         other._numbered = self._numbered
         other._marks = self._marks.copy()
         other._document = self._document
@@ -262,7 +263,7 @@ class Scene(Assigned, Runs, Views):
             )
             self._check_mesh(mesh, [])
             self._warn_of_second("mesh", mesh)
-            self._put(mesh, self._numbered)
+            self._put(mesh, (self._numbered,))
         return self
 
     def add_trimesh(self, mesh, *, material, **keys):
@@ -316,9 +317,9 @@ class Scene(Assigned, Runs, Views):
                 vertices, faces, organ, material, name, labels, measured, field_of_view_deg
             )
             self._check_name(name)
-            numbers = self._numbers.get(name, [])
-            self._check_mesh(mesh, [self._meshes[number] for number in numbers])
-            number = numbers[0] if numbers else self._numbered
+            numbers = self._numbers.get(name, ())
+            self._check_mesh(mesh, numbers)
+            number = min(numbers, default=(self._numbered,))
             self._remove(name)
             self._put(mesh, number)
         return self
@@ -347,7 +348,7 @@ class Scene(Assigned, Runs, Views):
         return mesh
 
     def _check_mesh(self, mesh, replaced):
-        """Refuses a faulty mesh, and ids that meshes have which are not to be replaced."""
+        """Refuses a faulty mesh, and ids of meshes that are not replaced: those of other numbers."""
         later = set()
         if "geometry" in self._table or not {"material", "material_file"} & self._table.keys():
             # Files may define materials, and scenes may get theirs later.
@@ -360,7 +361,7 @@ class Scene(Assigned, Runs, Views):
             self._frame = self._frame_of([*materials, *assumed])
             self._known = {m.get("name") for m in [*materials, *assumed]}
         self._frame.check(mesh)
-        double = self._ids.intersection(ids_of(mesh)).difference(*map(ids_of, replaced))
+        double = [id for id in ids_of(mesh) if self._ids.get(id) not in (None, *replaced)]
         if double:
             raise input_error(
                 mesh["where"],
@@ -371,8 +372,9 @@ class Scene(Assigned, Runs, Views):
 
     def _put(self, mesh, number):
         self._meshes[number] = mesh
-        self._numbers.setdefault(mesh["name"], []).append(number)
-        self._ids.update(ids_of(mesh))
+        if mesh["name"] is not None:
+            self._numbers.setdefault(mesh["name"], set()).add(number)
+        self._ids.update(dict.fromkeys(ids_of(mesh), number))
         self._marks.update(marks_of("mesh", mesh))
         self._numbered += 1
         self._built = None
@@ -398,10 +400,8 @@ class Scene(Assigned, Runs, Views):
             )
 
     def _remove(self, name):
-        for number in self._numbers.pop(name, []):
-            mesh = self._meshes.pop(number)
-            self._ids.difference_update(ids_of(mesh))
-            self._unmark("mesh", mesh)
+        for number in list(self._numbers.get(name, ())):
+            self._take(number)
         for key in _LISTS if ("name", name) in self._marks else ():
             entries = self._table.get(key, [])
             left = [entry for entry in entries if entry.get("name") != name]
@@ -410,6 +410,16 @@ class Scene(Assigned, Runs, Views):
             for entry in entries:
                 if entry.get("name") == name:
                     self._unmark(key, entry)
+        self._built = None
+
+    def _take(self, number):
+        """Removes the mesh of a number."""
+        mesh = self._meshes.pop(number)
+        if mesh["name"] is not None:
+            self._numbers[mesh["name"]].remove(number)
+        for id in ids_of(mesh):
+            del self._ids[id]
+        self._unmark("mesh", mesh)
         self._built = None
 
     def _unmark(self, key, entry):
@@ -591,7 +601,9 @@ class Scene(Assigned, Runs, Views):
     def _build(self):
         """The same where the lock is held."""
         if self._built is None:
-            built = self._whole_document().build(self._mesh_list())
+            # A scene that was built before is being edited.
+            overlaps = None if self._organs is None else self._overlaps
+            built = self._whole_document().build(self._mesh_list(), overlaps)
             self._organs = Organs(built)
             self._built = built
             warn_here(built.warnings)

@@ -10,7 +10,6 @@ import numpy as np
 
 from ._mesh_edits import divided, moved, organ_count, organs_from, with_entries, with_triangles
 from ._meshes import input_error, mesh_arrays
-from ._tables import ids_of, marks_of
 
 
 class SceneOrgans:
@@ -37,6 +36,13 @@ class SceneOrgans:
         if name.startswith("__") or name == "_edited":
             raise AttributeError(name)
         return getattr(self._edited.build(), name)
+
+    def __contains__(self, organ):
+        """Whether there is an organ with an id or a name."""
+        if isinstance(organ, numbers.Integral) and int(organ) in self._edited._ids:
+            return True
+        built = self._edited.build()
+        return organ in (built.names if isinstance(organ, str) else built.ids)
 
     def __len__(self):
         return len(self._edited.build())
@@ -127,7 +133,9 @@ class SceneOrgans:
         """Number of the mesh, index in it, and id of each organ."""
         meshes = self._edited._meshes
         keys = self._keys(which)
-        found = [_of_id(meshes, key) if isinstance(key, numbers.Integral) else None for key in keys]
+        found = [
+            _of_id(self._edited, key) if isinstance(key, numbers.Integral) else None for key in keys
+        ]
         if None not in found:
             return found
         organs = self._edited._build()
@@ -171,38 +179,20 @@ class SceneOrgans:
         for number, organs in changed.items():
             for organ in organs.values():
                 if organ is not None:
-                    scene._check_mesh(organ, [scene._meshes[number]])
-        _put_instead(
-            scene, {number: divided(scene._meshes[number], own) for number, own in changed.items()}
-        )
+                    scene._check_mesh(organ, [number])
+        for number, organs in changed.items():
+            parts = divided(scene._meshes[number], organs)
+            scene._take(number)
+            for i, part in enumerate(parts):
+                scene._put(part, number if len(parts) == 1 else (*number, i))
 
 
-def _of_id(meshes, id):
+def _of_id(scene, id):
     """Number of the mesh, index in it, and id of an organ whose id was given; None: there is none."""
-    for number, mesh in meshes.items():
-        if mesh["ids"] is not None:
-            index = int(np.searchsorted(mesh["ids"], id))
-            if index < len(mesh["ids"]) and mesh["ids"][index] == id:
-                return number, index, int(id)
-    return None
-
-
-def _put_instead(scene, changes):
-    """Puts meshes instead of others: number -> list. All are then numbered anew, in their order."""
-    for number, new in changes.items():
-        scene._unmark("mesh", scene._meshes[number])
-        scene._ids.difference_update(ids_of(scene._meshes[number]))
-        for mesh in new:
-            scene._marks.update(marks_of("mesh", mesh))
-            scene._ids.update(ids_of(mesh))
-    old = scene._meshes
-    meshes = [mesh for number in sorted(old) for mesh in changes.get(number, [old[number]])]
-    scene._meshes = dict(enumerate(meshes))
-    scene._numbers = {}
-    for number, mesh in scene._meshes.items():
-        scene._numbers.setdefault(mesh["name"], []).append(number)
-    scene._numbered = len(meshes)
-    scene._built = None
+    number = scene._ids.get(id)
+    if number is None:
+        return None
+    return number, int(np.searchsorted(scene._meshes[number]["ids"], id)), int(id)
 
 
 def _floats(key, value, shape):

@@ -483,10 +483,14 @@ RunFile read_run_document(
 }
 
 SceneOfRun read_scene_document(
-    const Node& document, const std::string& name, InputFiles& files, const AddOrgans& add_organs) {
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const AddOrgans& add_organs,
+    KnownOverlaps* overlaps) {
     Reporter reporter{name, {}, {}};
     FrameOfRun frame = read_frame(document, files, add_organs, reporter);
-    std::optional<Scene> scene = build(std::move(frame.builder), {}, reporter);
+    std::optional<Scene> scene = build(std::move(frame.builder), {.overlaps = overlaps}, reporter);
     if (reporter.faults.empty()) {
         check_gaps(*scene, frame.gap_fractions, reporter);
     }

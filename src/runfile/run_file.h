@@ -100,12 +100,14 @@ struct FrameOfRun {
     InputFiles& files,
     const AddOrgans& add_organs = {});
 /// @param add_organs  adds organs after those of the document; may be empty
+/// @param overlaps  of the previous scene, replaced by those of this one; or null
 /// @throws InputError  with all faults at once
 [[nodiscard]] SceneOfRun read_scene_document(
     const Node& document,
     const std::string& name,
     InputFiles& files,
-    const AddOrgans& add_organs = {});
+    const AddOrgans& add_organs = {},
+    KnownOverlaps* overlaps = nullptr);
 
 /// Reads the scene of a run file ("-": standard input).
 /// @throws InputError  with all faults at once

@@ -69,8 +69,8 @@ def test_results_stay_what_they_were(tmp_path):
 
 
 def test_unknown_keywords_name_the_known_one():
-    for run in (canopy().run, quasimc.GrowthSession(canopy()).run):
-        with pytest.raises(quasimc.KeywordError, match="no keyword 'path'; did you mean 'paths'"):
-            run(path=3)
-        with pytest.raises(TypeError, match=r"'xyzw'; quasimc.options\(\) lists them"):
-            run(xyzw=3)
+    scene = canopy()
+    with pytest.raises(quasimc.KeywordError, match="no keyword 'path'; did you mean 'paths'"):
+        scene.run(path=3)
+    with pytest.raises(TypeError, match=r"'xyzw'; quasimc.options\(\) lists them"):
+        scene.run(xyzw=3)
