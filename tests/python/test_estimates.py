@@ -32,7 +32,7 @@ def light(result):
 def split_canopy(masks):
     """A canopy whose labels say for each mask whether an organ belongs to it."""
     scene = canopy(masks.shape[1])
-    mesh = scene._meshes[0]
+    (mesh,) = scene._meshes.values()
     mesh["labels"] = [(f"mask{i}", [str(int(x)) for x in mask]) for i, mask in enumerate(masks)]
     return scene
 
