@@ -31,6 +31,7 @@ from .result import GroundLight, Result
 from .run_info import RunInfo
 from .scene import Scene, load, options
 from .scene_organs import SceneOrgans
+from .scene_sources import Sources
 from .sensors import Sensors
 from .series import Series, Sums
 from .sun_shade import SunShade
@@ -46,7 +47,7 @@ from .sources import (
     uniform_sky,
 )
 from .sun_position import SunPosition, sun_day, sun_position
-from .values import Cell, Ground, Site, Time, day, days, times, weather
+from .values import Cell, Ground, RunOptions, Site, Time, day, days, times, weather
 
 
 def __getattr__(name):
@@ -89,12 +90,14 @@ __all__ = [
     "QuasimcWarning",
     "Result",
     "RunInfo",
+    "RunOptions",
     "Scene",
     "SceneOrgans",
     "Sensors",
     "Series",
     "Site",
     "Source",
+    "Sources",
     "Stopped",
     "Sums",
     "SunPosition",

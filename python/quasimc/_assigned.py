@@ -1,20 +1,23 @@
-"""What one assigns to a scene: ground, cell, site, time."""
+"""What one assigns to a scene: ground, cell, site, time, options, and its sources."""
 
 from __future__ import annotations
 
 from ._meshes import input_error
 from ._tables import SCENE_KEYS
-from .values import Cell, Ground, Site, Time
+from .scene_sources import Sources, source_tables
+from .values import Cell, Ground, RunOptions, Site, Time
 
 #: Names of earlier versions.
 _RENAMED = {
     "set_ground": 'assign scene.ground = quasimc.Ground("soil")',
     "set_cell": "assign scene.cell = quasimc.Cell(x=(0, 1), y=(0, 1))",
+    "add_source": "use scene.sources.append(quasimc.sky(...))",
 }
 
 
-def _assigned(key, kind, doc):
-    """The property of a section of a run file: its value, or None."""
+def _assigned(key, kind, doc, name=None):
+    """The property of a section of a run file: its value, or None. @param name: as of the property"""
+    name = name or key
 
     def value_of(scene):
         table = scene._table.get(key)
@@ -23,7 +26,7 @@ def _assigned(key, kind, doc):
     def assign(scene, value):
         if value is not None and not isinstance(value, kind):
             hint = f"assign quasimc.{kind.__name__}(...) or None"
-            raise input_error(f"scene.{key}", f"{value!r} is no {kind.__name__}", "", hint)
+            raise input_error(f"scene.{name}", f"{value!r} is no {kind.__name__}", "", hint)
         with scene._lock.to_change():
             scene._table.pop(key, None)
             if value is not None:
@@ -49,6 +52,21 @@ class Assigned:
     time = _assigned(
         "time", Time, "The time steps of `series`: Time or None. A run file's ``[time]`` is one."
     )
+    options = _assigned(
+        "run",
+        RunOptions,
+        "Options of all runs: RunOptions or None. ``scene.options = quasimc.RunOptions(paths=4096)``.",
+        "options",
+    )
+
+    @property
+    def sources(self):
+        """The sources: Sources, a list that can be edited. ``scene.sources = [quasimc.sky(...)]``."""
+        return Sources(self)
+
+    @sources.setter
+    def sources(self, sources):
+        Sources(self)[:] = source_tables([] if sources is None else sources)
 
     def __getattr__(self, name):
         if name in _RENAMED:

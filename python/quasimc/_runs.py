@@ -2,28 +2,18 @@
 
 from __future__ import annotations
 
-import difflib
-from collections.abc import Mapping
-
 from . import _core
-from ._meshes import input_error, plain
+from ._meshes import plain
 from ._progress import Listener
 from ._tables import FRAME_KEYS, SCENE_KEYS, numbered
 from ._warn import warn_here, warn_of_stop
 from ._written import Written
-from .errors import KeywordError
 from .merging import Part
 from .result import Result
+from .scene_sources import source_tables
 from .series import Series
-from .sources import Source
 from .sweep import Sweep, points_of, scene_at
-from .values import checked_time
-
-#: Keywords that another call has.
-_ELSEWHERE = {
-    "time": "days and seasons are scene.series(quasimc.day(...))",
-    "keep_times": 'sums alone are scene.series(..., keep="sums")',
-}
+from .values import check_options, checked_time
 
 #: Sums of replicates that are kept by default, bytes.
 _LARGEST_SUMS = 256e6
@@ -56,10 +46,10 @@ class Runs:
         return self._document_of(self._light_table(sources, time, run_options))
 
     def _light_table(self, sources, time, run_options):
-        _check_keywords(run_options)
+        check_options(run_options, "run")
         table = {key: value for key, value in self._table.items() if key not in SCENE_KEYS}
         if sources is not None:
-            table["source"] = _source_tables(sources)
+            table["source"] = source_tables(sources)
         if time is not None:
             table["time"] = time.table()
         else:
@@ -195,9 +185,11 @@ class Runs:
         >>> scene.sweep({"materials.leaf.reflectance": [0.05, 0.1]})  # doctest: +SKIP
         """
         points = points_of(values, combine)
+        if sources is not None and any(name.partition(".")[0] == "sources" for name in values):
+            raise ValueError("sources are swept and passed: give them once")
         runs = [scene_at(self, point, options) for point in points]
         for scene, _, own in runs:
-            _check_keywords(own)
+            check_options(own, "run")
             scene.build()
         results = []
         for scene, of_point, own in runs:
@@ -253,34 +245,6 @@ def largest_sums(keep):
     return sizes[keep]
 
 
-def _check_keywords(options):
-    """Refuses keywords of run() that are no options."""
-    known = [option["key"] for option in _core.options()]
-    for key in options:
-        if key not in known:
-            near = difflib.get_close_matches(key, [*known, "progress", "keep"], 1)
-            hint = f"; did you mean {near[0]!r}?" if near else "; quasimc.options() lists them"
-            hint = f"; {_ELSEWHERE[key]}" if key in _ELSEWHERE else hint
-            text = f"run() has no keyword {key!r}{hint}"
-            raise KeywordError(text, [{"where": "run()", "problem": text, "why": "", "suggestion": ""}])
-
-
 def _with_own_lists(table):
     """A copy whose lists don't grow with those of the scene."""
     return {k: list(v) if isinstance(v, list) else v for k, v in table.items()}
-
-
-def _source_tables(sources):
-    """The tables of a source or of several, each a Source or a dict."""
-    one = isinstance(sources, (Source, Mapping, str))
-    tables = []
-    for source in [sources] if one else sources:
-        if not isinstance(source, (Source, Mapping)):
-            raise input_error(
-                "sources",
-                f"{source!r} is not a source",
-                "",
-                "use quasimc.sun, quasimc.sky, ..., or a dict of its keys",
-            )
-        tables.append(source.table() if isinstance(source, Source) else dict(source))
-    return tables

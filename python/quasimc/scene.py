@@ -21,7 +21,6 @@ from ._warn import warn_here
 from .materials import Materials
 from .organs import Organs
 from .scene_organs import SceneOrgans
-from .sources import Source
 
 #: Keys of a document whose entries are added one by one, and may have a name.
 _LISTS = ("organ", "geometry", "sensors", "detector", "source", "control")
@@ -532,19 +531,16 @@ class Scene(Assigned, Runs, Views):
         """Adds a detector, which sorts light that organs do not report (docs/reference/detectors.md)."""
         return self._add("detector", {"type": type, **keys})
 
-    def add_source(self, source, **keys):
-        """Adds a source, used by runs without the argument `sources`.
-
-        Parameters
-        ----------
-        source : Source or str
-            A source from `quasimc.sun`, `quasimc.sky`, ...; or its type, followed by its keys.
-        """
-        source = source if isinstance(source, Source) else Source(source, **keys)
-        table = plain(source.table())
+    def _set_sources(self, tables):
+        """Other sources, which are tables of a run file."""
         with self._lock.to_change():
-            self._append("source", table)
-        return self
+            for table in self._table.get("source", []):
+                self._unmark("source", table)
+            self._marks.update(mark for table in tables for mark in marks_of("source", table))
+            self._table["source"] = tables
+            if not tables:
+                del self._table["source"]
+            self._document = None
 
     def _path(self, file):
         """A path as it is kept: what it means does not change with the current folder."""

@@ -1,47 +1,44 @@
 """Sources of light.
 
 Each function makes a source with the keys of ``[[source]]`` in a run file
-(docs/reference/run-file.md). An irradiance or a flux is one number for all bands, a list with one for
+(docs/reference/run-file.md). `Scene.sources` are those of a scene. An irradiance or a flux is one number for all bands, a list with one for
 each, or a dict by the names of bands.
 """
 
 from __future__ import annotations
 
 from . import _core
-from ._meshes import plain
+from .values import Keyed
 
 LAMPS = ("point", "spot", "rectangle", "disk", "line", "sphere", "ies")
 
+#: Types with a function of their name.
+_FUNCTIONS = ("directional", "sun", "sky", "uniform_sky")
 
-class Source:
-    """A source: its type and its keys. It is checked when a run begins.
+
+class Source(Keyed):
+    """A source: its type and its keys, which never change. They are checked when a run begins.
+
+    ``source.irradiance_facing`` reads a key; `replace` makes another source.
 
     Attributes
     ----------
     type : str
         One of `quasimc.source_types()`.
-    keys : dict
-        The other keys, by name.
     """
 
-    __slots__ = ("type", "keys")
+    __slots__ = ()
 
     def __init__(self, type, **keys):
-        self.type = str(type)
-        self.keys = {key: plain(value) for key, value in keys.items() if value is not None}
-
-    def table(self):
-        """The table of a run file, as a dict."""
-        return {"type": self.type, **self.keys}
+        super().__init__(type=str(type), **keys)
 
     def __repr__(self):
-        keys = ", ".join(f"{key}={value!r}" for key, value in self.keys.items())
-        return f"Source({self.type!r}{', ' if keys else ''}{keys})"
-
-    def __eq__(self, other):
-        return isinstance(other, Source) and self.table() == other.table()
-
-    __hash__ = None
+        keys = {"from_" if key == "from" else key: value for key, value in self._keys.items()}
+        type = keys.pop("type")
+        given = [f"{key}={value!r}" for key, value in keys.items()]
+        if type in _FUNCTIONS:
+            return f"{type}({', '.join(given)})"
+        return f"{'lamp' if type in LAMPS else 'Source'}({', '.join([repr(type), *given])})"
 
 
 def source_types():
@@ -162,8 +159,7 @@ def lamp(
         cone_deg, soft_from_deg, exponent, file, opening; for a line ``from_`` and ``to``; ``at`` for
         copies.
     """
-    if "from_" in keys:
-        keys["from"] = keys.pop("from_")
+    keys = {"from" if key == "from_" else key: value for key, value in keys.items()}
     return Source(
         type,
         power=power,

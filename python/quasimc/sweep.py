@@ -110,8 +110,8 @@ def scene_at(scene, point, options):
     sources, options = None, dict(options)
     for name, value in point.items():
         part, _, rest = name.partition(".")
-        if part == "sources" and not rest:
-            sources = value
+        if part == "sources":
+            sources = _with_source(scene, sources, rest, value) if rest else value
         elif part not in _PARTS:
             options[name] = value  # refused by run(), if it is none
         elif part == "materials":
@@ -120,6 +120,15 @@ def scene_at(scene, point, options):
         else:
             _assign(scene, part, rest, value)
     return scene, sources, options
+
+
+def _with_source(scene, sources, rest, value):
+    """The sources of a scene, where a key of one has another value. @param rest: its name and the key"""
+    name, _, key = rest.rpartition(".")
+    position = scene.sources.names.index(scene.sources[name].name)
+    sources = list(scene.sources) if sources is None else sources
+    sources[position] = sources[position].replace(**{key: value})
+    return sources
 
 
 def _assign(scene, part, key, value):

@@ -1,4 +1,4 @@
-"""Values that one assigns to a scene: ground, cell, site, time.
+"""Values that one assigns to a scene: ground, cell, site, time, options; sources are values too.
 
 They never change; ``replace`` makes others. Their keys are those of the sections of a run file
 (docs/reference/run-file.md), and a scene checks what they say when it is built.
@@ -7,10 +7,13 @@ They never change; ``replace`` makes others. Their keys are those of the section
 from __future__ import annotations
 
 import datetime
+import difflib
 import os
 from collections.abc import Mapping
 
+from . import _core
 from ._meshes import input_error, plain
+from .errors import KeywordError
 
 #: Keys of paths, which are kept with the folder that was the current one.
 _PATHS = ("file", "weather", "spectrum")
@@ -63,6 +66,18 @@ class Value:
     def __repr__(self):
         keys = ", ".join(f"{key}={value!r}" for key, value in self._keys.items())
         return f"{type(self).__name__}({keys})"
+
+
+class Keyed(Value):
+    """A value with keys of any name, of which those that were given can be read."""
+
+    __slots__ = ()
+
+    def __getattr__(self, key):
+        if key.startswith("_") or key not in self._keys:
+            kind, known = type(self).__name__, ", ".join(self._keys) or "nothing"
+            raise AttributeError(f"this {kind} has no {key!r}; it has {known}")
+        return self._keys[key]
 
 
 class Ground(Value):
@@ -138,7 +153,7 @@ class Site(Value):
         )  # fmt: skip
 
 
-class Time(Value):
+class Time(Keyed):
     """Time steps and their daylight: the keys of ``[time]`` (docs/reference/run-file.md#time).
 
     `day`, `days`, `times` and `weather` are short ways to the usual ones. A list of `datetime` or a
@@ -155,10 +170,43 @@ class Time(Value):
     def __init__(self, **keys):
         super().__init__(**{key: _as_text(value) for key, value in keys.items()})
 
-    def __getattr__(self, key):
-        if key.startswith("_") or key not in self._keys:
-            raise AttributeError(f"this Time has no {key!r}; it has {', '.join(self._keys)}")
-        return self._keys[key]
+
+class RunOptions(Keyed):
+    """Options of the runs of a scene: the keywords of `Scene.run`, of which each overrides its own here.
+
+    Raises KeywordError for a name that is no option; values are checked when a run begins.
+
+    Examples
+    --------
+    >>> quasimc.RunOptions(paths=4096, method="ray_bundles")
+    RunOptions(paths=4096, method='ray_bundles')
+    """
+
+    __slots__ = ()
+
+    def __init__(self, **keys):
+        check_options(keys, "RunOptions")
+        super().__init__(**keys)
+
+
+#: Keywords that another call has.
+_ELSEWHERE = {
+    "time": "days and seasons are scene.series(quasimc.day(...))",
+    "keep_times": 'sums alone are scene.series(..., keep="sums")',
+}
+
+
+def check_options(keys, call):
+    """Refuses keywords of a call that are no options."""
+    known = [option["key"] for option in _core.options()]
+    for key in keys:
+        if key not in known:
+            near = difflib.get_close_matches(key, [*known, "progress", "keep"], 1)
+            hint = f"; did you mean {near[0]!r}?" if near else "; quasimc.options() lists them"
+            hint = f"; {_ELSEWHERE[key]}" if key in _ELSEWHERE else hint
+            text = f"{call}() has no keyword {key!r}{hint}"
+            detail = {"where": f"{call}()", "problem": text, "why": "", "suggestion": ""}
+            raise KeywordError(text, [detail])
 
 
 def checked_time(value):

@@ -26,6 +26,6 @@ def canopy(count=20):
     vertices, faces, organ = leaves(count)
     scene.add_mesh(vertices, faces, organ=organ, material="leaf", labels={"plant": 1})
     scene.ground = quasimc.Ground("soil", x=[-1, 2], y=[-1, 2])
-    scene.add_source(quasimc.sun(azimuth_deg=135, elevation_deg=50, irradiance_facing=[400, 380]))
-    scene.add_source(quasimc.sky(irradiance_horizontal=[80, 20]))
+    scene.sources.append(quasimc.sun(azimuth_deg=135, elevation_deg=50, irradiance_facing=[400, 380]))
+    scene.sources.append(quasimc.sky(irradiance_horizontal=[80, 20]))
     return scene

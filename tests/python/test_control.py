@@ -15,7 +15,7 @@ def room(**rules):
     scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=1)
     scene.add_sensors([5, 5, 0], name="bench")
     lamp = quasimc.lamp("point", name="hps", position=[5, 5, 2], power=LAMP, on_hours=[2, 8])
-    scene.add_source(lamp)
+    scene.sources.append(lamp)
     return scene.add_control("hps", "bench", **rules) if rules else scene
 
 

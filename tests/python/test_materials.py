@@ -63,7 +63,7 @@ def test_results_stay_what_they_were(tmp_path):
     result = scene.run(**FEW)
     scene.materials["leaf"].reflectance = [0.2, 0.2]
     scene.add_organ("disk", material="leaf", center=[0, 0, 3], normal=[0, 0, 1], radius=0.1)
-    scene.add_source(quasimc.sky(irradiance_horizontal=1))
+    scene.sources.append(quasimc.sky(irradiance_horizontal=1))
     back = quasimc.open(result.save(tmp_path / "before.json"))
     assert back == result and np.array_equal(back.organs.ids, result.organs.ids)
 

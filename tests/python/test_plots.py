@@ -31,7 +31,7 @@ def test_organs_without_an_area_have_no_profile():
     line = quasimc.Scene(bands=["PAR"])
     line.add_material("leaf", reflectance=0.1)
     line.add_mesh([[0, 0, 1], [1, 0, 1], [2, 0, 1]], [[0, 1, 2]], material="leaf")
-    line.add_source(quasimc.uniform_sky(irradiance_horizontal=1))
+    line.sources.append(quasimc.uniform_sky(irradiance_horizontal=1))
     with pytest.raises(ValueError, match="no organ with an area"):
         line.run(**FEW).plot.profile()
 

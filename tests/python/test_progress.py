@@ -88,7 +88,7 @@ def changes_of(scene):
         lambda: scene.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=1),
         lambda: scene.add_file("leaf.obj", material="leaf"),
         lambda: scene.add_detector("escaped_by_zenith"),
-        lambda: scene.add_source(quasimc.sky(irradiance_horizontal=[1, 1])),
+        lambda: scene.sources.append(quasimc.sky(irradiance_horizontal=[1, 1])),
         lambda: setattr(scene, "ground", quasimc.Ground("leaf")),
         lambda: setattr(scene, "cell", quasimc.Cell(x=[0, 1])),
     ]

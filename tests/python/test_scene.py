@@ -70,7 +70,7 @@ def test_later_writes_to_arrays_change_nothing(dtype):
     scene.add_mesh(vertices, faces, material="leaf")
     scene.add_mesh(memoryview(vertices[None] + 1), material="leaf")
     scene.add_organ("triangle", corners=corners, material="leaf")
-    scene.add_source("uniform_sky", irradiance_horizontal=irradiance)
+    scene.sources.append(quasimc.Source("uniform_sky", irradiance_horizontal=irradiance))
     before = scene.run(**FEW)
     for array in (vertices, faces, corners, reflectance, irradiance):
         array *= 0
@@ -127,8 +127,8 @@ def test_what_was_added_is_removed_and_replaced_by_its_name():
     scene.add_mesh(TRIANGLE, [[0, 1, 2]], material="leaf", name="first")
     scene.add_mesh(TRIANGLE + 1, [[0, 1, 2]], material="leaf", name="second")
     scene.add_organ("triangle", corners=TRIANGLE + 2, material="leaf", name="third")
-    scene.add_source("uniform_sky", irradiance_horizontal=100, name="dim")
-    scene.add_source("uniform_sky", irradiance_horizontal=300, name="bright")
+    scene.sources.append(quasimc.Source("uniform_sky", irradiance_horizontal=100, name="dim"))
+    scene.sources.append(quasimc.Source("uniform_sky", irradiance_horizontal=300, name="bright"))
     scene.replace("first", 2 * TRIANGLE, [[0, 1, 2]], material="leaf")
     assert scene.organs.names == ["third", "first", "second"]
     assert np.allclose(scene.organs.areas, [0.005, 0.02, 0.005])
@@ -151,7 +151,7 @@ def test_what_was_added_is_removed_and_replaced_by_its_name():
             TRIANGLE + np.random.default_rng().uniform(0, 1), [[0, 1, 2]], material="leaf", name="a"
         ),
         lambda scene: scene.add_organ("triangle", corners=TRIANGLE, material="leaf"),
-        lambda scene: scene.add_source(SKY),
+        lambda scene: scene.sources.append(SKY),
         lambda scene: scene.add_detector("escaped_by_zenith"),
     ],
 )
@@ -180,7 +180,7 @@ def test_a_source_keeps_the_numbers_that_it_was_given():
     power = np.array([100.0])
     source = quasimc.sky(irradiance_horizontal=power)
     power[0] = 1
-    assert source.keys["irradiance_horizontal"] == [100.0]
+    assert source.irradiance_horizontal == [100.0]
 
 
 def test_numbers_beyond_all_vertices_are_refused_as_they_stand():

@@ -17,7 +17,7 @@ def plane(reflectance=0.5):
     scene.add_material("soil", reflectance=reflectance)
     scene.cell = quasimc.Cell(x=(0, 1), y=(0, 2))
     scene.ground = quasimc.Ground("soil")
-    scene.add_source("uniform_sky", irradiance_horizontal=[100, 50])
+    scene.sources.append(quasimc.Source("uniform_sky", irradiance_horizontal=[100, 50]))
     return scene
 
 
