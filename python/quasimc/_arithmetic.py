@@ -200,9 +200,9 @@ def of_spreads(function, slopes, arguments):
 def _common(arguments):
     """The index and the bands of all. Raises ValueError if they differ."""
     index, bands = None, ()
-    for argument in arguments:
+    for argument in sorted(arguments, key=lambda each: -each.ndim):
         own = argument.index
-        if index is not None and own is not None and not index == own:
+        if not (index is None or own is None or own in (index, getattr(index, "inner", None))):
             raise ValueError(
                 f"the {own.axis}s of {argument.name} are others: use quasimc.align(a, b)"
             )

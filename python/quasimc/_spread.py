@@ -120,6 +120,57 @@ class Combination:
         return spread.take(0) if self._is_single else spread
 
 
+class Stack:
+    """Numbers of several runs: the first axis is that of runs, and each has its own source."""
+
+    __slots__ = ("_parts",)
+
+    def __init__(self, parts):
+        self._parts = list(parts)
+
+    def each(self, change):
+        """The same runs with another source for each."""
+        return Stack(change(part) for part in self._parts)
+
+    def with_band(self, band):
+        return self.each(lambda part: part.with_band(band))
+
+    def take(self, key):
+        """Runs at an array of positions, or one of them."""
+        return self._parts[key] if np.ndim(key) == 0 else Stack(self._parts[row] for row in key)
+
+    def summed(self, weights, axis=0):
+        """The weighted sum over as many axes as the weights have, from a given one."""
+        if axis == 1:
+            return self.each(lambda part: part.summed(weights))
+        if weights.ndim > 1:
+            rows = Stack(part.summed(own) for part, own in zip(self._parts, weights))
+            return rows.summed(np.ones(len(weights)))
+        spreads = self._spreads()
+        means = sum(weight * spread.means for weight, spread in zip(weights, spreads))
+        return linear(means, list(zip(spreads, weights)))
+
+    def _spreads(self):
+        spreads = [part.spread() for part in self._parts]
+        counts = sorted({spread.replicates for spread in spreads})
+        if len(counts) > 1:
+            raise ValueError(f"{counts[0]} and {counts[1]} replicates: they can't be paired")
+        return spreads
+
+    def estimates(self):
+        """(runs, ..., 4): mean, standard error and interval."""
+        return np.stack([part.estimates() for part in self._parts])
+
+    def spread(self):
+        """The replicates of every run, paired by number: Spread."""
+        spreads = self._spreads()
+        return Spread(
+            np.stack([spread.means for spread in spreads]),
+            np.stack([spread.deviations for spread in spreads], axis=1),
+            np.stack([spread.sizes for spread in spreads]),
+        )
+
+
 class Spread:
     """Numbers with their deviations in each replicate, and the size of a contribution.
 
@@ -142,6 +193,12 @@ class Spread:
         """Numbers without deviations."""
         return cls(means, np.zeros((count, *means.shape)), np.zeros((*means.shape, 2)))
 
+    @classmethod
+    def of_values(cls, means, errors, count):
+        """Numbers whose replicates were not kept: where they have an error, deviations are NaN."""
+        unknown = np.where(errors == 0, 0.0, np.nan)
+        return cls(means, np.broadcast_to(unknown, (count, *means.shape)), np.zeros((*means.shape, 2)))
+
     @property
     def replicates(self):
         return len(self.deviations)
@@ -156,12 +213,13 @@ class Spread:
     def with_band(self, band):
         return Spread(self.means[..., band], self.deviations[..., band], self.sizes[..., band, :])
 
-    def summed(self, weights):
-        """The weighted sum over the first axis."""
-        weights = weights.reshape(-1, *[1] * (self.means.ndim - 1))
+    def summed(self, weights, axis=0):
+        """The weighted sum over as many axes as the weights have, from a given one."""
+        axes = tuple(range(axis, axis + weights.ndim))
+        weights = weights.reshape(*weights.shape, *[1] * (self.means.ndim - len(axes) - axis))
         each = linear(self.means * weights, [(self, weights)])
-        sizes = np.sqrt((each.sizes**2).sum(axis=0))
-        return Spread(each.means.sum(axis=0), each.deviations.sum(axis=1), sizes)
+        deviations = each.deviations.sum(axis=tuple(one + 1 for one in axes))
+        return Spread(each.means.sum(axis=axes), deviations, np.sqrt((each.sizes**2).sum(axis=axes)))
 
     def estimates(self):
         """(*shape, 4): mean, standard error and interval."""

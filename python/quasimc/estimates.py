@@ -16,7 +16,8 @@ _NO_FLOAT = "take light.sum(), light.mean() or light[0]"
 class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
     """Numbers with standard errors and 95 % confidence intervals, which behave as an array.
 
-    The first axis is that of organs (or groups, bins, ...), the last one that of bands.
+    The first axis is that of organs (or groups, bins, ...), the last one that of bands; light of a
+    sweep or a series has its points or times before the organs.
     ``light["PAR"]`` selects a band, ``light[3]``, ``light[1:4]`` and ``light[mask]`` select by position,
     and `at` selects by id or name. Sums and arithmetic keep the errors: they are computed replicate by
     replicate, never added in quadrature, and replicate r of one is paired with replicate r of the other.
@@ -31,8 +32,8 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
         Name of the quantity.
     bands : tuple of str
         Names of the bands; empty for one band or none.
-    index : OrganIndex, GroupIndex or None
-        The meaning of the first axis; ``index.keys`` are ids of organs, or values of groups.
+    index : OrganIndex, GroupIndex, RunIndex or None
+        The meaning of the first axis; ``index.keys`` are ids of organs, values of groups, or times.
     extensive : bool
         Whether sums over organs have a meaning: those of fluxes have, those of densities have not.
     """
@@ -141,29 +142,41 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
                 source=source,
                 extensive=self.extensive,
             )
-        is_one = np.ndim(rows) == 0
-        index = None if self.index is None or is_one else self.index.take(rows)
+        if np.ndim(rows) == 0:
+            index = self._inner
+        else:
+            index = None if self.index is None else self.index.take(rows)
         return self._mapped(values, source, index, lambda part: part[key])
 
     def _by_axes(self, keys):
-        """An index for each axis; all but the last are integers, for each takes one axis away."""
-        if not all(np.ndim(key) == 0 and not isinstance(key, slice) for key in keys[:-1]):
-            raise TypeError(f"{self.name}[{keys}]: index axis by axis, as light[2][3]")
-        result = self
-        for key in keys:
-            result = result[key]
-        return result
+        """An index for each axis: an integer takes one away, and the first of two may also be several."""
+        first, *others = keys
+        result = self[first]
+        if others and (isinstance(first, slice) or np.ndim(first)):
+            if len(others) > 1 or len(self._row_shape) != 2:
+                raise TypeError(f"{self.name}[{keys}]: index axis by axis, as light[2][3]")
+            return result._within(others[0])
+        return result[tuple(others)] if len(others) > 1 else result[others[0]] if others else result
 
-    def _flat(self):
-        """Several axes of rows, as of a grid of sensors, as one."""
-        kept = 1 if self.bands else 0
-        rows = -1 if self.size else 0
-        values = self._values.reshape(rows, *self.shape[self.ndim - kept:], 4)
-        return self._mapped(values, None, None, lambda part: part._flat())
+    def _within(self, key):
+        """Positions of the second axis of rows."""
+        rows = self._rows(key, self.shape[1])
+        source = None if self._source is None else self._source.each(lambda part: part.take(rows))
+        keeps_inner = self._inner is not None and np.ndim(rows)
+        index = self.index
+        if index is not None:
+            index = index.with_inner(self._inner.take(rows) if keeps_inner else None)
+        return self._mapped(self._values[:, rows], source, index, lambda part: part._within(key))
 
     @property
-    def _is_grid(self):
-        return self.ndim - (1 if self.bands else 0) > 1
+    def _row_shape(self):
+        """The shape without the axis of bands."""
+        return self.shape[:-1] if self.bands else self.shape
+
+    @property
+    def _inner(self):
+        """The meaning of the second axis of rows; None: it has none."""
+        return getattr(self.index, "inner", None)
 
     def _band(self, band):
         if band not in self.bands:
@@ -182,9 +195,9 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
         result._units = (self._units[i if len(self._units) > 1 else 0],)
         return result
 
-    def _rows(self, key):
-        """Positions of the first axis: an integer or an array of them."""
-        count = self.shape[0]
+    def _rows(self, key, count=None):
+        """Positions of the first axis (or of one of `count`): an integer or an array of them."""
+        count = self.shape[0] if count is None else count
         try:
             if isinstance(key, slice):
                 return np.arange(count)[key]
@@ -212,7 +225,7 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
         Parameters
         ----------
         key : int, str, or sequence of them
-            Id (int) or name (str) of an organ; value of a group.
+            Id (int) or name (str) of an organ; value of a group or of a point; time.
 
         Raises
         ------
@@ -248,88 +261,115 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
     # Sums.
 
     def sum(self, axis=None, dtype=None, out=None, *, where=None, weights=None):
-        """The sum over organs, groups or sensors, with its error; the axis of bands stays.
+        """The sum over organs, groups, sensors or points, with its error; the axis of bands stays.
 
         Parameters
         ----------
         axis : int or str
-            None: all but that of bands; 0 or its name: the first one.
+            None: all but that of bands; or one of them, by number or name: "organ", "point", "time".
         where : array_like of bool
-            Mask of what is summed.
+            Mask of what is summed: of the axis, or of all axes.
         weights : array_like
-            (n,), factors of any sign; a density may then be summed.
+            Factors of any sign, in the shape of a mask; a density may then be summed.
 
         Raises
         ------
         ValueError
-            For a quantity per area without weights.
+            For a quantity per area, and over times, without weights.
         """
-        self._check_axis(axis, dtype, out)
-        if self._is_grid and axis is None:
-            where, weights = (None if one is None else np.ravel(one) for one in (where, weights))
-            return self._flat().sum(where=where, weights=weights)
-        if weights is None and not self.extensive:
-            raise ValueError(
-                f"{self.name} is per area: use the flux, average(), or mean() for the plain mean"
-            )
-        return self._weighted(np.ones(self.shape[0]) if weights is None else weights, where, "sum")
+        first, shape = self._summed_axes(axis, dtype, out)
+        if weights is None:
+            self._check_sum(first)
+            weights = np.ones(shape)
+        return self._weighted(self._factors(weights, where, shape), first)
 
     def mean(self, axis=None, dtype=None, out=None, *, where=None):
-        """The plain mean over organs, groups or sensors, with its error; the axis of bands stays."""
-        self._check_axis(axis, dtype, out)
-        if self._is_grid and axis is None:
-            return self._flat().mean(where=None if where is None else np.ravel(where))
-        mask = np.ones(self.shape[0], bool) if where is None else np.asarray(where, bool)
-        count = np.count_nonzero(mask)
-        if not count:
-            raise ValueError(f"the mean of {self.name} over nothing")
-        return self._weighted(mask / count, None, "mean")
+        """The plain mean over organs, groups, sensors or points, with its error; bands stay.
 
-    def average(self, weights="area", *, where=None):
-        """The mean weighted by area, or by an array (n,) of weights, with its error."""
-        self._check_axis(None, None, None)
+        The arguments are those of `sum`.
+        """
+        first, shape = self._summed_axes(axis, dtype, out)
+        mask = self._factors(np.ones(shape), where, shape)
+        if not mask.any():
+            raise ValueError(f"the mean of {self.name} over nothing")
+        return self._weighted(mask / np.count_nonzero(mask), first)
+
+    def average(self, weights="area", *, axis=None, where=None):
+        """The mean weighted by area, or by an array of weights, with its error; see `sum`."""
+        first, shape = self._summed_axes(axis, None, None)
         if isinstance(weights, str):
-            if weights != "area" or self.index is None:
+            areas = getattr(self.index, "areas", None)
+            if weights != "area" or areas is None or shape[-1:] != np.shape(areas):
                 raise ValueError('weights: give "area" for light of organs or groups, or an array')
-            weights = self.index.areas
-        weights = np.asarray(weights, float)
-        if where is not None:
-            weights = np.where(np.asarray(where, bool), weights, 0)
+            weights = areas
+        weights = self._factors(weights, where, shape)
         total = weights.sum()
         if total == 0:
             raise ValueError(f"the weights of the average of {self.name} add up to 0")
-        return self._weighted(weights / total, None, "average")
+        return self._weighted(weights / total, first)
 
-    def _check_axis(self, axis, dtype, out):
+    def _summed_axes(self, axis, dtype, out):
+        """The first axis that is summed, and the shape of all that are."""
         if dtype is not None or out is not None:
             raise TypeError("estimates take no dtype and no out")
         if not self._has_rows:
             raise ValueError(f"{self.name} has nothing to sum over; the axis of bands is not summed")
-        name = getattr(self.index, "axis", None)
-        if axis is not None and axis not in (0, name) and axis != (0,):
-            raise ValueError(f"axis {axis!r} can't be summed: only the first, {name or 0!r}")
+        shape = self._row_shape
+        if axis is None:
+            return 0, shape
+        names = [getattr(index, "axis", None) for index in (self.index, self._inner)][: len(shape)]
+        axis = axis[0] if isinstance(axis, tuple) and len(axis) == 1 else axis
+        axis = names.index(axis) if isinstance(axis, str) and axis in names else axis
+        if axis not in range(min(len(shape), 2)):
+            known = ", ".join(repr(name) if name else str(i) for i, name in enumerate(names))
+            raise ValueError(f"axis {axis!r} can't be summed; give one of {known}")
+        return axis, shape[axis : axis + 1]
 
-    def _weighted(self, weights, where, word):
-        weights = np.asarray(weights, float)
-        if weights.shape != self.shape[:1]:
-            raise ValueError(f"weights of the shape {weights.shape} for {self.shape[0]} numbers")
-        if where is not None:
-            where = np.asarray(where)
-            if where.dtype != bool or where.shape != weights.shape:
-                raise ValueError(f"where is no mask of {len(weights)} bool")
-            weights = np.where(where, weights, 0.0)
+    def _check_sum(self, first):
+        """Refuses a sum that means nothing. @param first: the first axis of it"""
+        if first == 0 and getattr(self.index, "axis", None) == "time":
+            raise ValueError(
+                f"{self.name} at several times is a rate: use series.total or series.days, give "
+                'weights (seconds), or sum over axis="organ"'
+            )
+        if not self.extensive:
+            raise ValueError(
+                f"{self.name} is per area: use the flux, average(), or mean() for the plain mean"
+            )
+
+    def _factors(self, weights, where, shape):
+        """Weights in the shape of the summed axes, 0 where a mask is false."""
+        weights = self._in_shape(np.asarray(weights, float), shape, "weights")
+        if where is None:
+            return weights
+        where = np.asarray(where)
+        if where.dtype != bool:
+            raise ValueError("where is no mask of bool")
+        return np.where(self._in_shape(where, shape, "a mask"), weights, 0.0)
+
+    def _in_shape(self, array, shape, what):
+        if array.shape not in (shape, shape[1:] if len(shape) > 1 else shape):
+            raise ValueError(f"{what} of the shape {array.shape} for numbers of the shape {shape}")
+        return np.broadcast_to(array, shape)
+
+    def _weighted(self, weights, first):
+        """The weighted sum over as many axes as the weights have, from the first one."""
         if self._source is not None:
-            source = self._source.summed(weights)
+            source = self._source.summed(weights, first) if first else self._source.summed(weights)
             values = source.estimates()
         else:
-            source, values = None, self._sum_of_unknown(weights)
-        return self._mapped(values, source, None, lambda part: part._weighted(weights, None, word))
+            source, values = None, self._sum_of_unknown(weights, first)
+        index = self._inner if weights.ndim == 1 and not first else None
+        if first:
+            index = None if self.index is None else self.index.with_inner(None)
+        return self._mapped(values, source, index, lambda part: part._weighted(weights, first))
 
-    def _sum_of_unknown(self, weights):
+    def _sum_of_unknown(self, weights, first):
         """The sum of values whose replicates are not known."""
-        used = np.flatnonzero(weights)
-        means = np.tensordot(weights[used], self.values[used], 1)
-        if np.all(self.standard_error[used] == 0):
+        axes = tuple(range(first, first + weights.ndim))
+        weights = weights.reshape(*weights.shape, *[1] * (self.ndim - first - weights.ndim))
+        means = np.where(weights != 0, weights * self.values, 0.0).sum(axis=axes)
+        if np.all((weights == 0) | (self.standard_error == 0)):
             return np.stack([means, np.zeros_like(means), means, means], axis=-1)
         arithmetic.warn_of_unknown([self])
         return arithmetic.unknown(means)
@@ -439,13 +479,15 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
             return format(self, "")
         of = f" {', '.join(self.bands)}" if self.bands else ""
         unit = ", ".join(dict.fromkeys(shown(unit) for unit in self._units))
-        axis = getattr(self.index, "axis", None)
-        count = f"{self.shape[0]} {axis}s" if axis else "x".join(map(str, self.shape))
+        axes = [getattr(index, "axis", None) for index in (self.index, self._inner)]
+        axes = [f"{count} {axis}s" for count, axis in zip(self._row_shape, axes) if axis]
+        count = " x ".join(axes) if axes else "x".join(map(str, self.shape))
         flat = self._values.reshape(-1, 4)
         first = ", ".join(pair(*numbers[:2]) for numbers in flat[:3])
         more = ", ..." if len(flat) > 3 else ""
         total = ""
-        if self._has_rows and self.extensive and not self.bands and self.has_replicates:
+        is_of_runs = hasattr(self.index, "inner")
+        if self._has_rows and self.extensive and not (self.bands or is_of_runs) and self.has_replicates:
             total = f"; sum {pair(*self.sum()._values[:2])}"
         return f"<{self.name}{of}{f' [{unit}]' if unit else ''}, {count}: {first}{more}{total}>"
 
@@ -455,19 +497,23 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
         return estimates_html(self)
 
     def to_pandas(self):
-        """A pandas.DataFrame with the columns value and standard_error, or one pair for each band."""
+        """A pandas.DataFrame with the columns value and standard_error, or one pair for each band.
+
+        Its index are ids of organs, values of groups, values of the points of a sweep, or times.
+        """
         import pandas
 
-        if self.ndim == 0 or self.ndim > 2:
+        if self.ndim == 0 or (len(self._row_shape) > 1 and self._inner is None):
             raise ValueError(f"{self.name} of the shape {self.shape} makes no table")
         columns = {}
-        for band in self.bands if self.ndim == 2 else ("",):
+        for band in self.bands if self._has_rows and self.bands else ("",):
             own = self._band(band) if band else self
-            columns[band or "value"] = own.values
-            columns[f"{band}_se" if band else "standard_error"] = own.standard_error
-        keys = self.bands if self.bands and self.ndim == 1 else getattr(self.index, "keys", None)
-        name = None if self.index is None else self.index.axis
-        frame = pandas.DataFrame(columns, index=keys if keys is None else pandas.Index(keys, name=name))
+            columns[band or "value"] = own.values.ravel()
+            columns[f"{band}_se" if band else "standard_error"] = own.standard_error.ravel()
+        keys = None if self.index is None else self.index.to_pandas()
+        if self.bands and not self._has_rows:
+            keys = pandas.Index(self.bands)
+        frame = pandas.DataFrame(columns, index=keys)
         frame.attrs["units"] = dict.fromkeys(columns, self._units[0]) if not self.bands else self.units
         return frame
 

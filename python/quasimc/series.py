@@ -7,8 +7,9 @@ from functools import cached_property
 import numpy as np
 
 from . import _core
-from ._index import OrganIndex
+from ._index import OrganIndex, RunIndex, time_index
 from ._light import Light, label_columns
+from ._stack import StackedLight
 from .control import Control
 from .groups import Groups
 from .result import Result
@@ -19,7 +20,8 @@ from .sun_shade import parts_of
 class Series:
     """The light of many time steps, and daily sums.
 
-    ``len(series)`` is the number of time steps; ``series[i]`` is the `Result` of one. With
+    ``len(series)`` is the number of time steps; ``series[i]`` is the `Result` of one, and
+    ``series["absorbed_flux"]`` are the `Estimates` of all, of shape (times, organs, bands). With
     keep="sums" there are only sums: ``series[i]``, iteration and `to_pandas` raise KeyError.
 
     Attributes
@@ -94,12 +96,15 @@ class Series:
         return self._results
 
     def __getitem__(self, index):
-        if isinstance(index, str):
-            raise TypeError(
-                f"a Series has a result for each time step: use series[0][{index!r}] or "
-                f"series.total[{index!r}]"
-            )
-        return self._results_of_times()[index]
+        results = self._results_of_times()
+        if not isinstance(index, str):
+            return results[index]
+        if not results:
+            raise ValueError("there is no time step")
+        return StackedLight(results, RunIndex("time", ["time"], self._time_names()))[index]
+
+    def _time_names(self):
+        return [step["time"] for step in self.times]
 
     def __iter__(self):
         return iter(self._results_of_times())
@@ -107,14 +112,17 @@ class Series:
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each time step and organ, indexed by both.
 
+        Times are a pandas.DatetimeIndex with the offset from UTC of the first.
+
         Raises KeyError if the time steps were not kept (keep="sums"); `days` and `total` have
         tables of their own.
         """
         import pandas
 
-        names = [step["time"] for step in self.times]
         tables = [result.to_pandas() for result in self._results_of_times()]
-        return pandas.concat(tables, keys=names, names=["time", "id"])
+        frame = pandas.concat(tables, keys=time_index(self._time_names()), names=["time", "id"])
+        frame.attrs = tables[0].attrs
+        return frame
 
     @property
     def plot(self):

@@ -5,10 +5,12 @@ from __future__ import annotations
 import copy
 import itertools
 from collections.abc import Mapping, Sequence
-from functools import reduce
-from operator import add
 
+import numpy as np
+
+from ._index import RunIndex, as_hashable
 from ._meshes import input_error
+from ._stack import StackedLight
 from .values import Value
 
 #: Keys whose values are assigned to a scene: the first part of a name.
@@ -18,8 +20,9 @@ _PARTS = ("materials", "ground", "cell", "site")
 class Sweep(Sequence):
     """The results of a sweep: ``len(sweep)`` points, ``sweep[i]`` is the `Result` of one.
 
+    ``sweep["absorbed_flux"]`` are the `Estimates` of all points, of shape (points, organs, bands).
     All points have the same random numbers (unless `seed` is swept), so differences and sums of their
-    light have the errors of pairs of replicates: ``sweep[1]["absorbed_flux"] - sweep[0]["absorbed_flux"]``.
+    light have the errors of pairs of replicates: ``light[1] - light[0]``.
 
     Attributes
     ----------
@@ -31,13 +34,40 @@ class Sweep(Sequence):
         self.points = points
         self._results = results
 
+    @property
+    def _runs(self):
+        rows = [tuple(point.values()) for point in self.points]
+        names = list(self.points[0])
+        return RunIndex("point", names, rows if len(names) > 1 else [row[0] for row in rows])
+
     def __len__(self):
         return len(self._results)
 
     def __getitem__(self, index):
         if isinstance(index, str):
-            raise TypeError(f"a Sweep has a result for each point: use sweep[0][{index!r}]")
+            return StackedLight(self._results, self._runs)[index]
         return self._results[index]
+
+    @property
+    def organs(self):
+        """The organs of the first point: Organs."""
+        return self._results[0].organs
+
+    @property
+    def budget(self):
+        """Energy budget: mapping, part -> Estimates of shape (points, bands); see `Result.budget`."""
+        return StackedLight([result.budget for result in self], self._runs)
+
+    @property
+    def canopy(self):
+        """Fractions of the light on the canopy, of shape (points, bands); see `Result.canopy`."""
+        return StackedLight([result.canopy for result in self], self._runs)
+
+    @property
+    def ground(self):
+        """The light on the ground, of shape (points, bands); None if a point has no ground."""
+        lights = [result.ground for result in self]
+        return None if None in lights else StackedLight(lights, self._runs)
 
     def sum(self, quantity, weights=None):
         """The sum of the light of all points, with the error of the sum.
@@ -58,22 +88,22 @@ class Sweep(Sequence):
         ValueError
             If the number of weights is not that of the points, or points have different organs.
         """
-        weights = [1.0] * len(self) if weights is None else [float(weight) for weight in weights]
-        if len(weights) != len(self):
-            raise ValueError(f"{len(weights)} weights for {len(self)} points; give one for each")
-        return reduce(add, (weight * result[quantity] for weight, result in zip(weights, self)))
+        weights = np.ones(len(self)) if weights is None else np.asarray(weights, float)
+        if weights.shape != (len(self),):
+            raise ValueError(f"{weights.size} weights for {len(self)} points; give one for each")
+        return self[quantity].sum(axis="point", weights=weights)
 
     def to_pandas(self):
-        """Returns a pandas.DataFrame: a row for each point and organ, with columns of the swept names."""
+        """Returns a pandas.DataFrame: a row for each point and organ, indexed by swept values and id."""
         import pandas
 
-        tables = []
-        for point, result in zip(self.points, self):
-            table = result.to_pandas()
-            for position, (name, value) in enumerate(point.items()):
-                table.insert(position, name, str(value) if isinstance(value, (list, dict)) else value)
-            tables.append(table)
-        return pandas.concat(tables)
+        names = list(self.points[0])
+        keys = [tuple(as_hashable(value) for value in point.values()) for point in self.points]
+        keys = keys if len(names) > 1 else [key[0] for key in keys]
+        tables = [result.to_pandas() for result in self]
+        frame = pandas.concat(tables, keys=keys, names=[*names, "id"])
+        frame.attrs = tables[0].attrs
+        return frame
 
     def __repr__(self):
         names = ", ".join(self.points[0]) if self.points else ""

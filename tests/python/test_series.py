@@ -1,3 +1,4 @@
+import datetime
 import pickle
 
 import numpy as np
@@ -45,9 +46,33 @@ def test_days_are_sums_over_times(series):
     assert len(day.to_pandas()) == 1
 
 
-def test_a_quantity_of_a_series_is_asked_of_a_time_or_of_the_sum(series):
-    with pytest.raises(TypeError, match=r"series\[0\]\['absorbed_flux'\] or series.total"):
-        series["absorbed_flux"]
+def test_light_of_a_series_has_an_axis_of_times(scene, series):
+    light = series["absorbed_flux"]
+    assert light.shape == (3, 1, 2)
+    assert np.array_equal(light[1]._values, series[1]["absorbed_flux"]._values)
+    noon = datetime.datetime(2024, 6, 21, 11, tzinfo=datetime.timezone(datetime.timedelta(hours=1)))
+    assert np.array_equal(light.at(noon)._values, light[1]._values)
+    with pytest.raises(ValueError, match="a rate: use series.total or series.days, give weights"):
+        light["PAR"].sum()
+    energy = light["NIR"].sum(axis="time", weights=[step["seconds"] for step in series.times])
+    assert energy.values == pytest.approx(series.total["absorbed_flux"]["NIR"].values, rel=1e-9)
+    kept = scene.series(DAY, paths=512, keep="replicates")["absorbed_flux"]["PAR"]
+    frame = kept.sum(axis="organ").to_pandas()
+    assert frame.index[1].isoformat() == "2024-06-21T11:00:00+01:00"
+    assert frame["value"].tolist() == light["PAR"].values[:, 0].tolist()
+    with pytest.raises(KeyError, match="not kept"):
+        scene.series(DAY, paths=64, keep="sums")["absorbed_flux"]
+
+
+def test_errors_of_times_without_replicates_alone_are_unknown():
+    scene = quasimc.Scene("PAR", site=quasimc.Site(52, 5.7))
+    scene.add_material("leaf", reflectance=0.5)
+    scene.add_mesh(*leaves(10)[:2], organ=leaves(10)[2], material="leaf")
+    lamp = quasimc.uniform_sky(irradiance_horizontal=10)  # at night it shines alone, and is computed once
+    night = quasimc.day("2024-06-21", utc_offset_hours=1, hours=[1, 7])
+    sums = scene.series(night, lamp, keep="replicates", **FEW)["absorbed_flux"]["PAR"].sum(axis="organ")
+    known = np.isfinite(sums.standard_error)
+    assert known.any() and not known.all() and np.isfinite(sums.values).all()
 
 
 def test_tables_have_a_row_for_each_time_and_organ(series):

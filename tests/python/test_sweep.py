@@ -1,5 +1,7 @@
 """Sweeps over values of a scene."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -21,7 +23,10 @@ def test_points_are_runs_of_edited_scenes():
     alone = other.run(SKY, paths=256, replicates=4)
     assert np.array_equal(swept[2]["absorbed_flux"].values, alone["absorbed_flux"].values)
     assert scene == canopy(), "the scene is as it was"
-    assert swept.to_pandas()["paths"].tolist()[0] == 256
+    frame = swept.to_pandas()
+    assert frame.index.names == ["materials.leaf.reflectance", "paths", "id"]
+    last = frame.loc[(0.4, 256)]
+    assert np.array_equal(last["absorbed_flux_PAR"], alone["absorbed_flux"]["PAR"].values)
 
 
 def test_sums_over_points_pair_replicates():
@@ -61,9 +66,77 @@ def test_mistakes_are_refused_before_a_run(values, keys, error, text):
         canopy().sweep(values, SKY, **keys)
 
 
-def test_a_quantity_of_a_sweep_is_asked_of_a_point_and_a_sum_has_a_weight_for_each():
-    swept = canopy().sweep({"seed": [1, 2]}, SKY, **FEW)
-    with pytest.raises(TypeError, match=r"sweep\[0\]\['absorbed_flux'\]"):
-        swept["absorbed_flux"]
-    with pytest.raises(ValueError, match="3 weights for 2 points"):
-        swept.sum("absorbed_flux", [1, 2, 3])
+@pytest.fixture(scope="module")
+def swept():
+    return canopy().sweep({"materials.leaf.reflectance": [0.1, 0.2, 0.4]}, SKY, **FEW)
+
+
+def test_light_of_a_sweep_has_an_axis_of_points(swept):
+    light = swept["absorbed_flux"]
+    assert light.shape == (3, len(swept.organs), 2) and light.index.keys == [0.1, 0.2, 0.4]
+    sums = light["PAR"].sum(axis="organ")
+    for i, result in enumerate(swept):
+        alone = result["absorbed_flux"]["PAR"]
+        for ours, theirs in (
+            (light[i]["PAR"], alone), (light["PAR"][i], alone), (light["PAR"].at([0.1, 0.2, 0.4][i]), alone),
+            (sums[i], alone.sum()), (light["PAR"][i, 2], alone[2]), (light["PAR"][:, 2][i], alone[2]),
+            (light["PAR"][:, [4, 2]][i].sum(), alone[[4, 2]].sum()),
+        ):  # fmt: skip
+            assert np.array_equal(ours._values, theirs._values)
+    mask = np.arange(len(swept.organs)) < 5
+    assert np.array_equal(
+        light.sum(axis="organ", where=mask)[1]._values, swept[1]["absorbed_flux"].sum(where=mask)._values
+    )
+    assert light["PAR"].mean(axis=1)[0]._values == pytest.approx(swept[0]["absorbed_flux"]["PAR"].mean()._values)
+    density = swept["absorbed_flux_density"]["PAR"]
+    averages = density.average(axis="organ")
+    assert averages[2]._values == pytest.approx(swept[2]["absorbed_flux_density"]["PAR"].average()._values)
+    assert averages.index.keys == [0.1, 0.2, 0.4]
+    with pytest.raises(ValueError, match="per area"):
+        density.sum(axis="organ")
+    with pytest.raises(ValueError, match="axis 'plant' can't be summed; give one of 'point', 'organ'"):
+        light.sum(axis="plant")
+    with pytest.raises(KeyError, match="there is no point 0.3; there are: 0.1, 0.2, 0.4"):
+        light.at(0.3)
+
+
+def test_differences_of_points_have_the_errors_of_pairs(swept):
+    light = swept["absorbed_flux"]["PAR"]
+    apart = (swept[2]["absorbed_flux"]["PAR"] - swept[0]["absorbed_flux"]["PAR"]).sum()
+    for difference in ((light[2] - light[0]).sum(), (light - light[0]).sum(axis="organ")[2]):
+        assert difference._values == pytest.approx(apart._values, rel=1e-9)
+    whole = light.sum()
+    parts = light.sum(axis="organ").sum()
+    assert whole._values == pytest.approx(parts._values, rel=1e-9)
+    weights = np.array([30.0, 0, -31])
+    for each in (light, light.sum(axis="organ")):
+        expected = 30 * each[0] - 31 * each[2]
+        assert each.sum(axis=0, weights=weights)._values == pytest.approx(expected._values, rel=1e-9)
+
+
+def test_budgets_and_tables_of_a_sweep(swept):
+    escaped = swept.budget["escaped"]["PAR"]
+    assert escaped.values.tolist() == [float(result.budget["escaped"]["PAR"]) for result in swept]
+    assert swept.canopy["reflectance"].shape == (3, 2)
+    assert swept.ground["absorbed_flux"]["NIR"].values[1] == float(swept[1].ground["absorbed_flux"]["NIR"])
+    frame = swept["absorbed_flux"].sum(axis="organ").to_pandas()
+    assert frame.index.name == "materials.leaf.reflectance" and list(frame.index) == [0.1, 0.2, 0.4]
+    assert list(frame.columns) == ["PAR", "PAR_se", "NIR", "NIR_se"]
+    rows = swept["absorbed_flux"]["PAR"].to_pandas()
+    assert rows.index.names == ["materials.leaf.reflectance", "organ"]
+    assert rows.loc[(0.2, 3), "value"] == float(swept[1]["absorbed_flux"]["PAR"].at(3))
+
+
+def test_a_sweep_is_pickled(swept):
+    back = pickle.loads(pickle.dumps(swept))
+    assert back.points == swept.points
+    ours, theirs = (each["absorbed_flux"]["PAR"].sum(axis="organ") for each in (back, swept))
+    assert ours._values == pytest.approx(theirs._values, rel=1e-12)
+    light = swept["absorbed_flux"]["PAR"]
+    ours, theirs = ((each + 0.0).sum(axis=1) for each in (pickle.loads(pickle.dumps(light)), light))
+    assert ours._values == pytest.approx(theirs._values, rel=1e-9)
+
+
+def test_a_sum_over_points_has_a_weight_for_each(swept):
+    with pytest.raises(ValueError, match="2 weights for 3 points"):
+        swept.sum("absorbed_flux", [1, 2])
