@@ -169,6 +169,14 @@ void RunWriters::on_day(std::size_t day, const quasimc::SeriesSum& sum) {
     });
 }
 
+void RunWriters::on_sums(const quasimc::SeriesSums& sums) {
+    for_each_writer([&](quasimc::OutputWriter& writer) {
+        if (writer.wants(quasimc::SeriesPart::sums)) {
+            writer.on_sums(sums);
+        }
+    });
+}
+
 bool RunWriters::wants(quasimc::SeriesPart part) const {
     return part == quasimc::SeriesPart::time_steps || (repeated_ && repeated_->wants(part)) ||
            std::any_of(outputs_.begin(), outputs_.end(), [&](const auto& writer) {

@@ -56,6 +56,7 @@ class RunWriters : public quasimc::RunListener {
 
     void on_time_step(const quasimc::TimeStepResult& step) override;
     void on_day(std::size_t day, const quasimc::SeriesSum& sum) override;
+    void on_sums(const quasimc::SeriesSums& sums) override;
     [[nodiscard]] bool wants(quasimc::SeriesPart part) const override;
     /// Begins the next point. @param series_summary  summary of the previous point
     void next_run(const quasimc::RunFile& run, const quasimc::SeriesSummary& series_summary);

@@ -24,6 +24,7 @@
 namespace quasimc {
 
 struct SeriesSum;      // quasimc/series.h
+struct SeriesSums;     // quasimc/series.h
 struct SeriesSummary;  // quasimc/series.h
 struct RunSnapshot;    // src/run/run_state.h
 
@@ -70,6 +71,7 @@ enum class SeriesPart {
     time_steps,  ///< the result of every time, if it isn't that of a run
     days,        ///< the sums over days
     total,       ///< SeriesSummary::total
+    sums,        ///< the sums of the total, for arithmetic replicate by replicate
 };
 
 /// Receives the events of runs. All functions are called from the thread that called run(), in the
@@ -91,6 +93,7 @@ class RunListener {
     virtual void on_last_round(const RunSoFar& /*run*/) {}
     virtual void on_time_step(const TimeStepResult& /*step*/) {}
     virtual void on_day(std::size_t /*day*/, const SeriesSum& /*sum*/) {}
+    virtual void on_sums(const SeriesSums& /*sums*/) {}
     virtual void on_end(const SeriesSummary& /*summary*/) {}
 
     /// Whether the listener needs a part of a series. A part that no listener needs isn't computed;

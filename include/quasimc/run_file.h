@@ -61,8 +61,9 @@ struct TimeSeries {
 
 /// The contents of the rows of a table.
 enum class CsvRows { organs, groups, sensors, detectors, control };
-/// The times of its rows: each, or sums over each day or over all of them.
-enum class CsvTimes { time_steps, days, period };
+/// The times of its rows: each, or sums over each day, over all of them, or over all points of a
+/// sweep.
+enum class CsvTimes { time_steps, days, period, sweep };
 [[nodiscard]] constexpr bool is_summed(CsvTimes times) {
     return times != CsvTimes::time_steps;
 }
@@ -121,6 +122,7 @@ struct SweptValue {
 struct SweepPoint {
     std::vector<SweptValue> values;
     std::vector<std::string> source_notes;  ///< see RunFile
+    double weight = 1;                      ///< in sums over the points; 0 or more
 };
 
 /// The run of a file, read and checked.

@@ -58,6 +58,20 @@ struct OriginSum {
     SeriesSum light;  ///< without origins
 };
 
+/// Sums of a computation of a series, whose light is a part of that of all time steps. Time steps
+/// without light have none. Computations have different random numbers; so have replicates.
+struct SeriesSums {
+    /// Number of `origin` for the light of all origins.
+    static constexpr auto kAllLight = static_cast<std::size_t>(-1);
+
+    const Sums& sums;                ///< sums of all light, or of one origin
+    const Scene& scene;              ///< their scene; of sensors: its last organs are the sensors
+    const EvaluationSpec& spec;      ///< how they are evaluated
+    double seconds = 0;              ///< factor on their light in SeriesSummary::total
+    std::size_t origin = kAllLight;  ///< index in RunSpec::origins
+    bool of_sensors = false;
+};
+
 /// Sums of the paths of a run, traced elsewhere.
 struct GivenSums {
     Sums sums;

@@ -1,6 +1,7 @@
 #include "replicates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -107,10 +108,9 @@ py::tuple replicates(
     const Numbers& weights,
     std::size_t quantity) {
     const std::vector<OrganWeights> rows = rows_of(starts, organs, weights);
-    const CombinedReplicates all = unlocked([&] {
-        return combine_replicates(
-            kept.sums, *kept.scene, kept.spec, rows, quantity_table().at(quantity).quantity);
-    });
+    const std::array quantities{quantity_table().at(quantity).quantity};
+    const CombinedReplicates all = unlocked(
+        [&] { return combine_replicates(kept.sums, *kept.scene, kept.spec, rows, quantities); });
     return tuple_of(all, kept, rows.size(), kept.sums->bands());
 }
 

@@ -36,7 +36,7 @@ class SeriesHandle final : public RunListener {
                     : nullptr);
     }
     [[nodiscard]] bool wants(SeriesPart part) const override {
-        return keeps_times || part != SeriesPart::time_steps;
+        return part != SeriesPart::sums && (keeps_times || part != SeriesPart::time_steps);
     }
     void on_day(std::size_t day, const SeriesSum& sum) override {
         days.push_back(day);

@@ -39,11 +39,9 @@ class ColumnList {
                 }
             }
         }
-        add_parts();
-        if (!is_summed(table_.times)) {
-            add_traits();
-        } else {
-            add_hours();
+        if (table_.times != CsvTimes::sweep) {
+            add_parts();
+            is_summed(table_.times) ? add_hours() : add_traits();
         }
         for (std::size_t b = 0; is_of_groups_ && b < bands.size(); ++b) {
             if (is_selected(table_.bands, bands[b].name)) {
@@ -212,10 +210,11 @@ class ColumnList {
 }  // namespace
 
 std::string column_unit(const RunFile& run, CsvTimes times, const std::string& of_rate) {
-    if (!is_summed(times)) {
+    const bool is_mean = times == CsvTimes::sweep && !run.series;
+    if (!is_summed(times) || is_mean) {
         return of_rate;
     }
-    const bool is_period = times == CsvTimes::period ||
+    const bool is_period = times == CsvTimes::period || times == CsvTimes::sweep ||
                            (run.series && run.series->cumulative_sky == CumulativeSky::period);
     return summed_unit(of_rate).name + (is_period ? "" : " d-1");
 }

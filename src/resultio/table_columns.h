@@ -36,7 +36,7 @@ struct TableColumn {
 /// Whether the light of an origin of the run belongs to a table.
 [[nodiscard]] bool is_of_table(const TableSpec& table, const std::string& origin);
 
-inline constexpr auto kAllLight = static_cast<std::size_t>(-1);
+inline constexpr std::size_t kAllLight = SeriesSums::kAllLight;
 /// The light of an origin by its index, or for kAllLight that of all. @param light  a Result or a
 /// SeriesSum
 template <typename Light>

@@ -333,7 +333,8 @@ void JsonWriter::next_run(const RunFile& run, const SeriesSummary& series_summar
 }
 
 bool JsonWriter::wants(SeriesPart part) const {
-    return part == SeriesPart::time_steps || (state_->writes() && state_->has_times());
+    return part == SeriesPart::time_steps ||
+           (part != SeriesPart::sums && state_->writes() && state_->has_times());
 }
 
 std::string JsonWriter::digest() const {

@@ -14,6 +14,7 @@
 #include "resultio/csv_parts.h"
 #include "resultio/describe_series.h"
 #include "resultio/output_input.h"
+#include "resultio/sweep_sum.h"
 #include "resultio/table_columns.h"
 #include "resultio/write_control.h"
 #include "runfile/table_rows.h"
@@ -69,6 +70,9 @@ class TableWriter final : public OutputWriter {
         : run_(&run), table_(table), sink_(std::move(sink)) {
         begin_run();
         labels_ = is_of_groups() ? group_keys(run) : label_columns(scene());
+        if (table_.times == CsvTimes::sweep) {
+            sweep_.emplace(run, table_);
+        }
         if (is_summed(table_.times)) {
             write_head(nullptr);
         }
@@ -78,14 +82,24 @@ class TableWriter final : public OutputWriter {
         finish(series_summary);
         run_ = &run;
         begin_run();
+        if (sweep_) {
+            sweep_->begin_point(run);
+        }
     }
     [[nodiscard]] bool wants(SeriesPart part) const override {
+        if (sweep_) {
+            return part == SeriesPart::sums || part == SeriesPart::time_steps;
+        }
         return part == (table_.times == CsvTimes::days     ? SeriesPart::days
                         : table_.times == CsvTimes::period ? SeriesPart::total
                                                            : SeriesPart::time_steps);
     }
 
     void on_time_step(const TimeStepResult& step) override {
+        const auto& sensors = step.result.sensors;
+        if (is_of_sensors() && sensors && std::isnan(sensors->values.front().mean)) {
+            lacks_sensors_ = true;
+        }
         if (is_summed(table_.times) || (is_of_sensors() && !step.result.sensors)) {
             return;
         }
@@ -106,8 +120,14 @@ class TableWriter final : public OutputWriter {
         }
     }
 
-    /// Writes the sum over a period, unless some of its time steps are missing.
+    void on_sums(const SeriesSums& sums) override { sweep_->add(sums); }
+
+    /// Writes the sum over a period or a sweep, unless some of its time steps are missing.
     void finish(const SeriesSummary& series_summary) override {
+        if (sweep_) {
+            finish_point(series_summary);
+            return;
+        }
         if (table_.times == CsvTimes::period &&
             series_summary.completed == run_->series->time_steps.size()) {
             const std::vector<std::string>& days = run_->series->days;
@@ -118,6 +138,19 @@ class TableWriter final : public OutputWriter {
     }
 
   private:
+    void finish_point(const SeriesSummary& series_summary) {
+        const std::size_t time_steps = run_->series ? run_->series->time_steps.size() : 1;
+        sweep_->end_point(series_summary.completed == time_steps && !lacks_sensors_);
+        if (!sweep_->is_complete()) {
+            return;
+        }
+        const SeriesSum raw = sweep_->sum();
+        const SeriesSum sum = run_->series ? in_summed_units(*run_, raw) : raw;
+        write_rows(
+            run_->series ? shortest(sum.seconds) + "," : "",
+            {nullptr, is_of_sensors() ? sum.sensors.get() : &sum}, sum.groups);
+    }
+
     void write_sum(const std::string& date, const SeriesSum& raw) {
         if (is_of_sensors() && !raw.sensors) {
             return;
@@ -151,17 +184,7 @@ class TableWriter final : public OutputWriter {
     /// @param result  first time step; null in a table of sums
     void write_head(const Result* result) {
         const RunFile& run = *run_;
-        std::vector<std::string> names = csv_point_names(run);
-        std::string times;
-        if (result == nullptr) {
-            times =
-                "# column date: day of the sum, or first and last day\n# column seconds: duration "
-                "of the time steps that were summed\n";
-            names.insert(names.end(), {"date", "seconds"});
-        } else if (run.series) {
-            times = "# column time: beginning of the time step; values are means over it\n";
-            names.emplace_back("time");
-        }
+        FirstColumns first = first_columns(result == nullptr);
         const bool is_single = result != nullptr && !run.series;
         sink_(
             csv_origin(
@@ -171,9 +194,34 @@ class TableWriter final : public OutputWriter {
             (run.series ? series_comments(run) : "") +
             (is_single ? csv_result_comments(run, is_of_sensors() ? *result->sensors : *result)
                        : ""));
-        sink_(csv_point_columns(run) + times + comments());
-        add_names(names);
-        sink_(fmt::format("{}\n", fmt::join(names, ",")));
+        sink_(first.comments + comments());
+        add_names(first.names);
+        sink_(fmt::format("{}\n", fmt::join(first.names, ",")));
+    }
+
+    /// The columns before those of rows, and their comments.
+    struct FirstColumns {
+        std::vector<std::string> names;
+        std::string comments;
+    };
+    [[nodiscard]] FirstColumns first_columns(bool is_of_sums) const {
+        if (sweep_) {
+            return {
+                run_->series ? std::vector<std::string>{"seconds"} : std::vector<std::string>(),
+                sweep_comments(*run_)};
+        }
+        FirstColumns first{csv_point_names(*run_), csv_point_columns(*run_)};
+        if (is_of_sums) {
+            first.comments +=
+                "# column date: day of the sum, or first and last day\n# column seconds: duration "
+                "of the time steps that were summed\n";
+            first.names.insert(first.names.end(), {"date", "seconds"});
+        } else if (run_->series) {
+            first.comments +=
+                "# column time: beginning of the time step; values are means over it\n";
+            first.names.emplace_back("time");
+        }
+        return first;
     }
 
     [[nodiscard]] std::string comments() const {
@@ -341,6 +389,8 @@ class TableWriter final : public OutputWriter {
     std::vector<std::string> labels_;  // columns of labels
     std::optional<Scene> sensors_;     // scene_of_sensors()
     std::vector<Vec3> positions_;      // of sensors
+    std::optional<SweepSum> sweep_;    // of a table of the sum over a sweep
+    bool lacks_sensors_ = false;       // whether the light on sensors was not computed once
     bool has_head_ = false;
 };
 

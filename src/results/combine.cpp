@@ -173,6 +173,17 @@ void for_each_sum(const Combination& in, std::span<const OrganWeights> of, const
     }
 }
 
+/// Puts the values of all replicates in a column of a matrix. @param columns  their number
+void put_column(
+    const std::vector<double>& own,
+    std::size_t column,
+    std::size_t columns,
+    std::vector<double>& values) {
+    for (std::size_t r = 0; r < own.size(); ++r) {
+        values[r * columns + column] = own[r];
+    }
+}
+
 }  // namespace
 
 std::vector<Estimate> combine(
@@ -228,21 +239,22 @@ CombinedReplicates combine_replicates(
     const Scene& scene,
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of,
-    Quantity quantity) {
+    std::span<const Quantity> quantities) {
     const LightCombiner combiner(sums, scene, spec);
     const Combination in{sums, scene, spec, combiner, SummedLight::bands};
-    const std::size_t bands = combiner.bands();
+    const std::size_t bands = combiner.bands(), row = quantities.size() * bands;
     CombinedReplicates all;
-    all.values.resize(combiner.replicates() * of.size() * bands, kUnknownEstimate.mean);
-    all.sizes.resize(of.size() * bands);
+    all.values.resize(combiner.replicates() * of.size() * row, kUnknownEstimate.mean);
+    all.sizes.resize(of.size() * row);
     for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
         for (std::size_t b = 0; b < bands; ++b) {
-            const auto samples =
-                combiner.samples(sum.light, b, 1)[static_cast<std::size_t>(quantity)];
-            for (std::size_t r = 0; r < samples.size(); ++r) {
-                all.values[(r * of.size() + index) * bands + b] = samples[r];
+            const QuantitySamples samples = combiner.samples(sum.light, b, 1);
+            for (std::size_t q = 0; q < quantities.size(); ++q) {
+                const auto& own = samples[static_cast<std::size_t>(quantities[q])];
+                const std::size_t at = index * row + q * bands + b;
+                all.sizes[at] = sum.contributions[b].size(quantities[q], own);
+                put_column(own, at, of.size() * row, all.values);
             }
-            all.sizes[index * bands + b] = sum.contributions[b].size(quantity, samples);
         }
     });
     return all;

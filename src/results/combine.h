@@ -92,18 +92,20 @@ class LightCombiner {
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of);
 
-/// The weighted sums of a quantity, replicate by replicate, for arithmetic beyond sums.
+/// The weighted sums of quantities, replicate by replicate, for arithmetic beyond sums.
 struct CombinedReplicates {
-    std::vector<double> values;           ///< [(replicate * sums + sum) * bands + band], flux
-    std::vector<ContributionSize> sizes;  ///< [sum * bands + band]: one contribution, flux
+    /// [((replicate * sums + sum) * quantities + quantity) * bands + band], flux
+    std::vector<double> values;
+    /// [(sum * quantities + quantity) * bands + band]: one contribution, flux
+    std::vector<ContributionSize> sizes;
 };
 [[nodiscard]] CombinedReplicates combine_replicates(
     const Sums& sums,
     const Scene& scene,
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of,
-    Quantity quantity);
-/// The same of sunlit area, as in one band; empty without directional sources.
+    std::span<const Quantity> quantities);
+/// The same of sunlit area, as one quantity in one band; empty without directional sources.
 [[nodiscard]] CombinedReplicates combine_sunlit_replicates(
     const Sums& sums,
     const Scene& scene,

@@ -12,18 +12,6 @@ namespace {
 
 constexpr std::size_t kGroupsPerBatch = 4096;
 
-/// The share of a flux in a whole, both per replicate. A flux without contributions has the limits
-/// of its estimate.
-Estimate share_of(
-    const std::vector<double>& flux, const Estimate& estimate, const std::vector<double>& whole) {
-    const double mean = whole.empty() ? 0 : estimate_mean(whole).mean;
-    if (!(mean > 0)) {
-        return kUnknownEstimate;
-    }
-    const bool is_zero = std::all_of(flux.begin(), flux.end(), [](double x) { return x == 0; });
-    return is_zero ? scaled(estimate, 1 / mean) : not_negative(estimate_ratio(flux, whole));
-}
-
 /// Turns the sums of groups into estimates.
 class GroupEvaluator {
   public:
@@ -147,6 +135,16 @@ GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t
 }
 
 }  // namespace
+
+Estimate share_of(
+    std::span<const double> flux, const Estimate& estimate, std::span<const double> whole) {
+    const double mean = whole.empty() ? 0 : estimate_mean(whole).mean;
+    if (!(mean > 0)) {
+        return kUnknownEstimate;
+    }
+    const bool is_zero = std::all_of(flux.begin(), flux.end(), [](double x) { return x == 0; });
+    return is_zero ? scaled(estimate, 1 / mean) : not_negative(estimate_ratio(flux, whole));
+}
 
 GroupResults evaluate_groups(
     const Sums& sums,

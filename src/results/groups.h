@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +28,11 @@ void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults);
     const Scene& scene,
     const EvaluationSpec& spec,
     const std::vector<std::vector<double>>& incident);
+/// The share of a flux in a whole, both per replicate; unknown without a whole. A flux without
+/// contributions has the limits of its estimate.
+[[nodiscard]] Estimate share_of(
+    std::span<const double> flux, const Estimate& estimate, std::span<const double> whole);
+
 /// Groups of a scene without light: zeros, and ratios that are NaN.
 [[nodiscard]] GroupResults zero_groups(
     const Scene& scene, const GroupSpec& spec, std::size_t ratios);

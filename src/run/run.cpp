@@ -85,6 +85,12 @@ void report_given(const Sums& sums, const RunFacts& facts, const RunControl& con
     report(control, &RunListener::on_last_round, {facts, sums, state, sums.paths()});
 }
 
+void report_sums(const Sums& sums, const RunFacts& facts, const RunRole& role) {
+    if (role.on_sums) {
+        role.on_sums({sums, facts.prepared.scene(), facts.asked, role.of_sensors});
+    }
+}
+
 /// Adds the work on sensors to a result. The run has reached its target if all that it is for have.
 void add_work(
     const Result& sensors, const RunSpec& of_sensors, const RunSpec& of_organs, Result& result) {
@@ -168,7 +174,8 @@ Result Simulator::State::run(
             planned.origins = complete_origins(sources, spec.origins);
             add_sensors(
                 scene, sources, planned,
-                {.stop = control.stop, .deadline = all.share(1 / (1 + spec.audit))}, result);
+                {.stop = control.stop, .deadline = all.share(1 / (1 + spec.audit))},
+                {.on_sums = role.on_sums, .of_sensors = true}, result);
         }
         if (spec.audit > 0) {
             add_audit(scene, sources, spec, {.stop = control.stop, .deadline = all}, result);
@@ -202,6 +209,7 @@ void Simulator::State::add_sensors(
     const Sources& sources,
     const RunSpec& spec,
     const RunControl& control,
+    const RunRole& role,
     Result& result) {
     EarlyStop early(control.stop);  // the run's own may be used up
     early.stop_at(control.deadline.latest());
@@ -210,7 +218,7 @@ void Simulator::State::add_sensors(
     Result sensors;
     try {
         sensors = sensors_of(
-            trace({all, sources, own, control, {}, control.deadline, {}, Clock::now()}, early),
+            trace({all, sources, own, control, {}, control.deadline, role, Clock::now()}, early),
             scene);
     } catch (const StopRequested&) {
         sensors = unknown_sensors(scene, own);
@@ -250,11 +258,13 @@ Result Simulator::State::trace(const TraceInput& in, EarlyStop& early) {
     if (in.role.given != nullptr) {
         check_given(*in.role.given, *prepared, in.spec);
         report_given(*in.role.given, facts, in.control);
+        report_sums(*in.role.given, facts, in.role);
         return make_result(*in.role.given, in.scene, asked);
     }
     TracedRounds traced = trace_rounds(
         {facts, sampler_for(in.spec.sampler), in.control, in.work, in.deadline, early,
          in.role.seconds_after_stop, in.start, first_round});
+    report_sums(traced.sums, facts, in.role);
     if (in.role.is_last && in.spec.audit == 0 && !has_sensors(in.scene)) {
         prepared.reset();
         caster_.forget();

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <stop_token>
@@ -17,6 +18,14 @@
 
 namespace quasimc {
 
+/// The final sums of a run.
+struct RunSums {
+    const Sums& sums;
+    const Scene& scene;  ///< with the sensors, for theirs
+    const EvaluationSpec& spec;
+    bool of_sensors = false;
+};
+
 /// The role of a run within a series and its simulator.
 struct RunRole {
     std::size_t time_step = 0;
@@ -25,6 +34,9 @@ struct RunRole {
     double seconds_after_stop = 0;
     const Sums* given = nullptr;  ///< all paths, traced elsewhere; null: traced here
     bool is_last = false;         ///< last run of the simulator: data for rays is released early
+    /// Receives the sums of the run, and then those of its sensors; of neither without light.
+    std::function<void(const RunSums& sums)> on_sums = {};
+    bool of_sensors = false;  ///< a run of sensors
 };
 
 /// Data that a Simulator keeps between runs.
@@ -82,6 +94,7 @@ class Simulator::State {
         const Sources& sources,
         const RunSpec& spec,
         const RunControl& control,
+        const RunRole& role,
         Result& result);
     /// Compares a result with that of an audit.
     void add_audit(

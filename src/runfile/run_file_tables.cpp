@@ -25,8 +25,11 @@ constexpr NamesOf<CsvRows, 5> kRows{
      {"sensors", CsvRows::sensors},
      {"detectors", CsvRows::detectors},
      {"control", CsvRows::control}}};
-constexpr NamesOf<CsvTimes, 3> kTimes{
-    {{"time", CsvTimes::time_steps}, {"day", CsvTimes::days}, {"period", CsvTimes::period}}};
+constexpr NamesOf<CsvTimes, 4> kTimes{
+    {{"time", CsvTimes::time_steps},
+     {"day", CsvTimes::days},
+     {"period", CsvTimes::period},
+     {"sweep", CsvTimes::sweep}}};
 constexpr NamesOf<CsvForm, 2> kForms{{{"wide", CsvForm::wide}, {"long", CsvForm::narrow}}};
 constexpr NamesOf<CsvStatistic, 4> kStatisticNames{
     {{"mean", CsvStatistic::mean},
@@ -110,10 +113,11 @@ void check_control_table(TableReader& table, TableReader& top) {
                 "it always has a row for each control and time or day", "remove it");
         }
     }
-    if (table.text("per") == "period") {
+    const std::string per = table.text("per").value_or("");
+    if (per == "period" || per == "sweep") {
         table.fault_at(
-            "per", "per = \"period\" in a table of controls", "it has rows by time or day",
-            "give \"day\"");
+            "per", fmt::format("per = \"{}\" in a table of controls", per),
+            "it has rows by time or day", "give \"day\"");
     }
     if (top.any("control") == nullptr) {
         table.fault_at("rows", "rows = \"control\" without [[control]]");
@@ -150,7 +154,8 @@ TableSpec read_table(
     }
     check_list(table, "quantities", spec.quantities, table_quantities(spec.rows, spec.times));
     check_list(table, "bands", spec.bands, names_in(bands));
-    if (is_summed(spec.times) && top.any("time") == nullptr) {
+    const bool is_over_times = is_summed(spec.times) && spec.times != CsvTimes::sweep;
+    if (is_over_times && top.any("time") == nullptr) {
         table.fault_at(
             "per", fmt::format("per = \"{}\" without [time]", *table.text("per")),
             "sums over time need [time]");

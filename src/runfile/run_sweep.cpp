@@ -14,6 +14,7 @@
 #include "options/options.h"
 #include "runfile/run_file.h"
 #include "runfile/sweep.h"
+#include "runfile/sweep_rows.h"
 #include "runfile/written.h"
 #include "scene/fold_warnings.h"
 #include "scene/overlap/known_overlaps.h"
@@ -209,7 +210,8 @@ class RunSweep::State {
                 inputs_.push_back(input);
             }
         }
-        points_->push_back({plan_.values_at(point), run.source_notes});
+        points_->push_back({plan_.values_at(point), run.source_notes, plan_.weight_at(point)});
+        check_summed_tables(point, run);
         if (is_swept() && !run.series && is_dark(run.sources)) {
             first_dark_ = dark_points_++ == 0 ? point : first_dark_;
         }
@@ -221,6 +223,27 @@ class RunSweep::State {
                 {reporter_.file, fmt::format("point {}: its organs have other labels", point + 1),
                  "labels are columns and must be the same for all points",
                  "give all organs the same keys"});
+        }
+    }
+
+    /// Refuses sums over points whose rows differ, or whose replicates can't be paired.
+    void check_summed_tables(std::size_t point, const RunFile& run) {
+        for (const TableSpec& table : run.output.tables) {
+            if (table.times != CsvTimes::sweep) {
+                continue;
+            }
+            std::optional<Fault> fault =
+                !is_swept() ? Fault{table.location, "per = \"sweep\" without [sweep]",
+                                    "it is a sum over the points of a sweep", ""}
+                : first_ ? difference_of_rows(*first_, run, table)
+                         : std::nullopt;
+            if (fault && unmatched_.insert(table.location).second) {
+                fault->problem = is_swept() ? fmt::format(
+                                                  "per = \"sweep\": {} {}",
+                                                  describe_point_at(point), fault->problem)
+                                            : fault->problem;
+                reporter_.faults.add(*std::move(fault));
+            }
         }
     }
 
@@ -257,6 +280,7 @@ class RunSweep::State {
     std::vector<InputFile> inputs_;
     std::set<std::pair<std::string, std::string>> sent_;
     std::set<std::string> labels_;
+    std::set<std::string> unmatched_;  // tables of which a fault was reported
     std::vector<PointFault> point_faults_;
     std::unordered_map<std::string, std::size_t> indices_of_faults_;  // by text
     std::size_t dark_points_ = 0, first_dark_ = 0;

@@ -8,12 +8,14 @@
 #include "base/text.h"
 #include "options/options.h"
 #include "runfile/sweep_keys.h"
+#include "runfile/sweep_weights.h"
 
 namespace quasimc {
 namespace {
 
 constexpr std::string_view kSweep = "sweep";
 constexpr std::string_view kCombine = "combine";
+constexpr std::string_view kWeights = "weights";
 
 }  // namespace
 
@@ -70,6 +72,9 @@ SweepPlan::SweepPlan(const Node& document, Reporter& reporter) {
     if (given > 0 || reporter.faults.empty()) {
         count_points(*table, given, reporter);
     }
+    if (reporter.faults.empty()) {
+        weights_ = read_weights(*table, *this, reporter);
+    }
 }
 
 void SweepPlan::read_keys(const Node& table, const std::string& prefix, Reporter& reporter) {
@@ -78,6 +83,8 @@ void SweepPlan::read_keys(const Node& table, const std::string& prefix, Reporter
         const auto* list = member.node.as<Node::List>();
         if (path == kCombine) {
             read_combination(member, reporter);
+        } else if (path == kWeights) {
+            continue;  // they are read once the points are known
         } else if (member.node.as<Node::Table>() != nullptr) {
             read_keys(member.node, path + ".", reporter);
         } else if (list == nullptr || list->empty()) {

@@ -42,6 +42,10 @@ class SweepPlan {
     [[nodiscard]] std::size_t value_at(std::size_t key, std::size_t point) const;
     /// The values of a point.
     [[nodiscard]] std::vector<SweptValue> values_at(std::size_t point) const;
+    /// The weight of a point in sums; 1 by default.
+    [[nodiscard]] double weight_at(std::size_t point) const {
+        return weights_.empty() ? 1 : weights_[point];
+    }
     /// Whether no key changes organs, ground or cell, so that all points have the same triangles.
     [[nodiscard]] bool keeps_geometry() const;
     /// The document of a point, with its values and without [sweep]. Reports missing keys.
@@ -56,6 +60,7 @@ class SweepPlan {
 
     std::vector<SweptKey> keys_;
     std::size_t points_ = 1;
+    std::vector<double> weights_;  // by point
     bool is_zip_ = false;
 };
 

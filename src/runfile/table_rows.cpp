@@ -112,6 +112,9 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {
         names.push_back(share_table()[i].name);
     }
+    if (times == CsvTimes::sweep) {
+        return names;
+    }
     for (const SunShadeEntry& entry : sun_shade_table()) {
         names.push_back(is_summed(times) ? entry.of_sums : entry.name);
     }

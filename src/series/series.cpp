@@ -25,6 +25,8 @@
 #include "series/basis/season.h"
 #include "series/series_sum.h"
 #include "series/trace_spec.h"
+#include "sums/origin_sums.h"
+#include "sums/sum_data.h"
 
 namespace quasimc {
 namespace {
@@ -69,6 +71,7 @@ class SeriesRun final : public SeriesSteps {
             if (plans_[i].factor > 0) {
                 last_traced_ = std::max(last_traced_, plans_[i].traced);
                 last_use_[plans_[i].traced] = i;
+                seconds_[plans_[i].traced] += plans_[i].factor * in_.time_steps[i].seconds;
             }
         }
         path_factors_ = path_factors_left_;
@@ -177,6 +180,33 @@ class SeriesRun final : public SeriesSteps {
         return result;
     }
 
+    [[nodiscard]] std::function<void(const RunSums&)> sums_listener(std::size_t i) const {
+        return !is_requested(SeriesPart::sums, in_.control)
+                   ? nullptr
+                   : std::function([this, i](const RunSums& run) { report(i, run); });
+    }
+
+    /// Reports the sums of a computation, those of each origin apart.
+    void report(std::size_t i, const RunSums& run) const {
+        const double seconds = seconds_.at(i);
+        const std::size_t origins = run.sums->origins.size();
+        if (origins == 0) {
+            report_sums(
+                in_.control,
+                {run.sums, run.scene, run.spec, seconds, SeriesSums::kAllLight, run.of_sensors});
+            return;
+        }
+        report_sums(
+            in_.control, {of_all_origins(run.sums), run.scene, run.spec, seconds,
+                          SeriesSums::kAllLight, run.of_sensors});
+        for (std::size_t origin = 0; origin < origins; ++origin) {
+            report_sums(
+                in_.control,
+                {of_origin(run.sums, origin), run.scene, evaluation_of_origin(run.spec, origin),
+                 seconds, origin, run.of_sensors});
+        }
+    }
+
     /// The run of a time step. One that is stopped before it has a result has taken time as well.
     Result run_one(std::size_t i, const RunSpec& spec, RunControl control) {
         const Stopwatch watch;
@@ -196,7 +226,8 @@ class SeriesRun final : public SeriesSteps {
                                     {.time_step = i,
                                      .seconds_after_stop = i == 0 ? kForFirst : 0,
                                      .given = given ? &given->sums : nullptr,
-                                     .is_last = in_.is_last && i == last_traced_});
+                                     .is_last = in_.is_last && i == last_traced_,
+                                     .on_sums = sums_listener(i)});
             if (given) {
                 result.solve_seconds += given->seconds;
                 result.solve_cpu_seconds += given->cpu_seconds;
@@ -259,6 +290,7 @@ class SeriesRun final : public SeriesSteps {
     std::vector<TimeStepPlan> plans_;
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the computed time step
+    std::map<std::size_t, double> seconds_;        // of the light of a trace in the total
     std::map<std::size_t, CachedTrace> cached_;
     GroupResults groups_;  // for NoLightPolicy
     SeriesAdder day_, total_;

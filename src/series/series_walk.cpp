@@ -53,4 +53,12 @@ void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum
     }
 }
 
+void report_sums(const RunControl& control, const SeriesSums& sums) {
+    for (RunListener* listener : control.listeners) {
+        if (listener->wants(SeriesPart::sums)) {
+            listener->on_sums(sums);
+        }
+    }
+}
+
 }  // namespace quasimc

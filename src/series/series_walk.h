@@ -43,5 +43,6 @@ void end_series(StopReason why, SeriesSummary& summary);
 /// Reports a time step, or the sum over a day, to the listeners that request it.
 void report_time_step(const RunControl& control, const TimeStepResult& step);
 void report_day(const RunControl& control, std::size_t day, const SeriesSum& sum);
+void report_sums(const RunControl& control, const SeriesSums& sums);
 
 }  // namespace quasimc

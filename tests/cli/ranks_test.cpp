@@ -74,15 +74,21 @@ INSTANTIATE_TEST_SUITE_P(
 TEST_F(RanksTest, GiveTheBitsOfTimesSweepsAndTargets) {
     write_day();
     folder_.write(
-        "sweep.toml", good_run_file() + "[sweep]\nmax_depth = [1, 2]\nseed = [1, 2, 3]\n");
+        "sweep.toml", good_run_file() +
+                          "[sweep]\nmax_depth = [1, 2]\nseed = [1, 2, 3]\n"
+                          "[[table]]\nfile = \"sum.csv\"\nper = \"sweep\"\n");
     for (const std::string run :
          {"day.toml", "sweep.toml", "run.toml --target-error 0.02 --method light_tracing"}) {
         ASSERT_EQ(shell("\"$quasimc\" run " + run + " --csv whole.csv --quiet").status, 0);
+        const std::string sum = run == "sweep.toml" ? rows_of(folder_.read("sum.csv")) : "";
         for (const int ranks : {2, 3, 5}) {
             const Outcome outcome = run_ranks(ranks, run + " --csv r.csv --quiet");
             EXPECT_EQ(outcome.status, 0) << outcome.err;
             EXPECT_EQ(outcome.out, "");
             EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv"))) << run;
+            if (run == "sweep.toml") {
+                EXPECT_EQ(rows_of(folder_.read("sum.csv")), sum);
+            }
         }
     }
 }

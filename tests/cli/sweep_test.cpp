@@ -78,6 +78,20 @@ TEST_F(SweepCommand, HasAColumnForEachKeyAndTheRowsOfAllPoints) {
     EXPECT_NE(outcome.out.find("4 of 4 points completed"), std::string::npos) << outcome.out;
 }
 
+TEST_F(SweepCommand, IsSummedWithItsWeights) {
+    write_sweep(
+        "source.1.irradiance_facing = [400, 100]\nweights = [1, 3]\n[[table]]\nfile = 'sum.csv'\n"
+        "per = 'sweep'\nquantities = ['absorbed_flux']\n");
+    ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
+    const std::string sum = folder_.read("sum.csv");
+    EXPECT_EQ(count(sum, "\nid,name,"), 1U) << sum;
+    EXPECT_EQ(count(sum, "\n1,third,"), 1U) << sum;
+    const Outcome other = run({"run", "sweep.toml", "--threads", "1"});
+    ASSERT_EQ(other.status, 0);
+    const std::string once = folder_.read("sum.csv");
+    EXPECT_EQ(once.substr(once.find("\nid,")), sum.substr(sum.find("\nid,")));
+}
+
 TEST_F(SweepCommand, IsRepeatedFromItsResult) {
     write_sweep("paths = [64, 128]\n");
     ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);

@@ -57,6 +57,9 @@ class Season final : public SeriesSteps {
         if (is_requested(SeriesPart::total, in_.control)) {
             summary_.total = sum_of(total_);
         }
+        if (is_requested(SeriesPart::sums, in_.control)) {
+            report_total();
+        }
         summary_.seconds = watch_.seconds();
         summary_.solve_seconds = watch_.seconds();
         summary_.solve_cpu_seconds = watch_.cpu_seconds();
@@ -257,10 +260,27 @@ class Season final : public SeriesSteps {
         return result;
     }
 
-    [[nodiscard]] SeriesSum sum_of(const Period& period) const {
+    [[nodiscard]] LightSum light_of(const Period& period) const {
         LightSum light = basis_->light_of(period.amounts);
         light.add(period.suns, 1);
-        Result result = result_of(light, {}, 0);
+        return light;
+    }
+
+    /// Reports the sums of the light of all time steps, and of each origin of it.
+    void report_total() const {
+        const EvaluationSpec asked = evaluation_of(in_.scene, {}, plain_);
+        for (std::size_t part = 0; part < parts(); ++part) {
+            const LightSum light = light_of(total_[part]);
+            if (!light.is_dark()) {
+                report_sums(
+                    in_.control, {light.sums({paths_of(0), 0}), in_.scene, asked, 1,
+                                  part == 0 ? SeriesSums::kAllLight : part - 1});
+            }
+        }
+    }
+
+    [[nodiscard]] SeriesSum sum_of(const Period& period) const {
+        Result result = result_of(light_of(period), {}, 0);
         return {
             .bands = result.bands,
             .seconds = period.seconds,

@@ -2,6 +2,7 @@
 
 #include "results/combine.h"
 
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -91,8 +92,9 @@ TEST_P(Combine, HasTheReplicatesOfTheSum) {
     const std::vector<std::uint32_t> organs{1, 4, 6};
     const std::vector<double> weights{.5, 1, 2};
     const OrganWeights of{organs, weights};
-    const CombinedReplicates replicates = combine_replicates(
-        kept.sums, kept.scene, kept.evaluation, std::span(&of, 1), Quantity::absorbed_flux);
+    const std::array quantities{Quantity::absorbed_flux};
+    const CombinedReplicates replicates =
+        combine_replicates(kept.sums, kept.scene, kept.evaluation, std::span(&of, 1), quantities);
     const std::vector<Estimate> sums = kept.combined(of);
     const std::size_t count = replicates.values.size() / 2;
     for (std::size_t b = 0; b < 2; ++b) {

@@ -10,6 +10,7 @@
 
 #include "meshio/mesh_cache.h"
 #include "quasimc/error.h"
+#include "quasimc/result_file.h"
 #include "quasimc/run.h"
 #include "runfile/run_file.h"
 #include "scene/overlap/covered.h"
@@ -87,6 +88,96 @@ TEST(Sweep, TakesValuesTogetherOnRequest) {
         points_of(sweep_of(swept("combine = 'zip'\nsource.sun.elevation_deg = [10, 30]\n"
                                  "run.sampler = ['sobol', 'halton']\n"))),
         (std::vector<std::string>{"10|sobol", "30|halton"}));
+}
+
+/// The weights of all points.
+std::vector<double> weights_of(const std::string& keys) {
+    std::vector<double> weights;
+    for (const SweepPoint& point : *sweep_of(swept(keys)).take(0).sweep) {
+        weights.push_back(point.weight);
+    }
+    return weights;
+}
+
+TEST(Sweep, WeighsItsPointsOrTheValuesOfItsKeys) {
+    EXPECT_EQ(weights_of("paths = [64, 128]\n"), (std::vector<double>{1, 1}));
+    EXPECT_EQ(
+        weights_of("weights = [31, 28.5]\npaths = [64, 128]\n"), (std::vector<double>{31, 28.5}));
+    const std::string keys = "source.sun.elevation_deg = [10, 30]\npaths = [64, 128]\n";
+    EXPECT_EQ(
+        weights_of("weights = { 'source.sun.elevation_deg' = [2, 3], paths = [0, 5] }\n" + keys),
+        (std::vector<double>{0, 10, 0, 15}));
+    EXPECT_EQ(
+        weights_of("weights.source.sun.elevation_deg = [2, 3]\ncombine = 'zip'\n" + keys),
+        (std::vector<double>{2, 3}));
+}
+
+TEST(Sweep, RefusesWeightsThatAreNotOneForEachPoint) {
+    for (const auto& [weights, message] : std::vector<std::pair<std::string, std::string>>{
+             {"[1, 2, 3]", "[sweep]: weights has 3 numbers, there are 2 points (each point needs"},
+             {"{ paths = [1] }", "weights of paths has 1 number, there are 2 values"},
+             {"{ pahts = [1, 2] }", "weights: 'pahts' is not swept; did you mean 'paths'?"},
+             {"{ paths = 2 }", "weights of paths is an integer (it must be a list"},
+             {"'all'", "weights is a text (it must be a list, a number for each point)"},
+             {"[1, -2]", "weights is -2 (it must be a finite number of at least 0)"},
+             {"[1, 'a']", "weights is a text (it must be a number)"},
+             {"[0, 0]", "all weights are 0 (a sum needs"}}) {
+        const auto faults = sweep_faults("weights = " + weights + "\npaths = [64, 128]\n");
+        EXPECT_TRUE(mentions(faults, message)) << weights << ": " << faults.front();
+        EXPECT_EQ(faults.size(), 1U) << weights;
+    }
+}
+
+std::string tabulated_sweep(const std::string& keys, const std::string& table = "") {
+    return swept(keys) + "[[table]]\nfile = 'sum.csv'\nper = 'sweep'\n" + table;
+}
+
+std::vector<std::string> faults_of_sweep(const std::string& text) {
+    try {
+        static_cast<void>(sweep_of(text));
+    } catch (const InputError& error) {
+        std::vector<std::string> texts;
+        for (const Fault& fault : error.faults()) {
+            texts.push_back(fault.text());
+        }
+        return texts;
+    }
+    return {};
+}
+
+/// Light is added row by row, and replicate by replicate.
+TEST(Sweep, IsSummedOnlyOverEqualRowsAndReplicates) {
+    const std::string corners =
+        "'organ.1.corners' = [[[0,0,1],[1,0,1],[0,1,1]], [[0,0,1],[2,0,1],[0,1,1]], "
+        "[[0,0,1],[3,0,1],[0,1,1]]]\n";
+    const auto areas = faults_of_sweep(tabulated_sweep(corners));
+    ASSERT_EQ(areas.size(), 1U);
+    EXPECT_NE(areas[0].find("per = \"sweep\": point 2 ("), std::string::npos) << areas[0];
+    EXPECT_NE(
+        areas[0].find("has organ 1 'organ 1' of area 1, the first has organ 1 'organ 1' of "
+                      "area 0.5"),
+        std::string::npos)
+        << areas[0];
+    EXPECT_EQ(faults_of_sweep(tabulated_sweep(corners, "rows = 'groups'\n")).size(), 1U);
+    EXPECT_TRUE(faults_of_sweep(swept(corners)).empty()) << "other tables have rows of each point";
+    const auto replicates = faults_of_sweep(tabulated_sweep("replicates = [8, 4]\n"));
+    ASSERT_EQ(replicates.size(), 1U);
+    EXPECT_NE(replicates[0].find("has 4 replicates, the first has 8"), std::string::npos);
+}
+
+TEST(Sweep, OfMovedOrgansIsSummed) {
+    EXPECT_TRUE(faults_of_sweep(tabulated_sweep("'organ.1.corners' = [[[0,0,1],[1,0,1],[0,1,1]], "
+                                                "[[0,0,2],[0,1,2],[1,0,2]]]\n"))
+                    .empty());
+}
+
+TEST(Sweep, TablesOfItsSumNeedIt) {
+    const std::string table = "[[table]]\nfile = 'sum.csv'\nper = 'sweep'\n";
+    EXPECT_TRUE(
+        mentions(faults_of_sweep(RunText().text() + table), "per = \"sweep\" without [sweep]"));
+    EXPECT_TRUE(mentions(
+        faults_of_sweep(tabulated_sweep("paths = [64, 128]\n", "quantities = ['ratios']\n")),
+        "quantities: there is no 'ratios' in such a table"));
 }
 
 TEST(Sweep, SetsWhatItsKeysName) {

@@ -1,0 +1,226 @@
+#include "resultio/sweep_sum.h"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.h"
+#include "resultio/table_columns.h"
+#include "results/flows.h"
+#include "results/fraction_table.h"
+#include "results/groups.h"
+#include "runfile/table_rows.h"
+#include "runfile/written.h"
+#include "scene/sensors.h"
+
+namespace quasimc {
+
+std::string sweep_comments(const RunFile& run) {
+    std::string weights;
+    for (const SweepPoint& point : *run.sweep) {
+        weights += (weights.empty() ? "" : ", ") + shortest(point.weight);
+    }
+    return fmt::format(
+        "# {} of all points of the sweep; weights: {}\n{}",
+        run.series ? "weighted sums" : "weighted means", weights,
+        run.series ? "# column seconds: weighted sum of the durations of the time steps\n" : "");
+}
+
+SweepSum::SweepSum(const RunFile& first, const TableSpec& table)
+    : run_(&first), table_(table), bands_(first.scene.bands().size()) {
+    choose_quantities();
+    begin_point(first);
+    rows_ = is_of(CsvRows::groups)    ? groups_.groups.size()
+            : is_of(CsvRows::sensors) ? sensor_rows(first.scene)
+                                      : first.scene.organs().size();
+    const std::size_t replicates = first.spec.replicates;
+    const ReplicateSum none(replicates, index_of(rows_, 0, 0));
+    light_ = none;
+    origins_.assign(written_columns(first).origins.size(), none);
+    incident_ = ReplicateSum(replicates, bands_);
+    areas_.assign(rows_, 1);
+}
+
+void SweepSum::choose_quantities() {
+    const auto is_asked = [&](std::string_view name) {
+        return is_selected(table_.quantities, name);
+    };
+    const bool has_shares =
+        is_of(CsvRows::groups) && std::ranges::any_of(share_table(), [&](const ShareEntry& entry) {
+            return is_asked(entry.name);
+        });
+    for (const QuantityEntry& entry : quantity_table()) {
+        const bool is_whole_of_share = has_shares && entry.quantity == Quantity::absorbed_flux;
+        const bool is_on_spheres = is_of(CsvRows::sensors) && is_asked(kFluenceRate) &&
+                                   entry.quantity == Quantity::incident_upper;
+        const bool has_rows = !is_of(CsvRows::sensors) || is_of_sensors(entry.quantity);
+        if (has_rows && (is_asked(entry.name) || is_whole_of_share || is_on_spheres)) {
+            quantities_.push_back(entry.quantity);
+        }
+    }
+}
+
+SweepSum::Rows SweepSum::rows_of(const Scene& scene) const {
+    Rows rows;
+    if (is_of(CsvRows::groups)) {
+        for (const OrganGroup& group : groups_.groups) {
+            rows.organs.push_back({group.organs});
+            rows.areas.push_back(group.area);
+        }
+        return rows;
+    }
+    const std::vector<Organ>& organs = scene.organs();
+    rows.indices.resize(rows_);  // sensors are the last organs
+    std::iota(
+        rows.indices.begin(), rows.indices.end(),
+        static_cast<std::uint32_t>(organs.size() - rows_));
+    for (const std::uint32_t& index : rows.indices) {
+        rows.organs.push_back({std::span(&index, 1)});
+        rows.areas.push_back(organs[index].area);
+    }
+    return rows;
+}
+
+void SweepSum::add(const SeriesSums& sums) {
+    const bool is_of_origin = sums.origin != kAllLight;
+    if (sums.of_sensors != is_of(CsvRows::sensors) ||
+        (is_of_origin && sums.origin >= origins_.size())) {
+        return;
+    }
+    const Rows rows = rows_of(sums.scene);
+    areas_ = rows.areas;
+    const double factor = weight() * (run_->series ? sums.seconds : 1);
+    ReplicateSum& light = is_of_origin ? origins_[sums.origin] : light_;
+    light.add(
+        combine_replicates(sums.sums, sums.scene, sums.spec, rows.organs, quantities_), factor);
+    if (!is_of_origin && is_of(CsvRows::groups)) {
+        add_incident(sums, factor);
+    }
+}
+
+void SweepSum::add_incident(const SeriesSums& sums, double weight) {
+    const std::vector<std::vector<double>> flux =
+        horizontal_flux(read_flows(sums.sums, sums.scene), sums.scene, sums.spec);
+    is_incident_known_ = is_incident_known_ && !flux.empty();
+    if (!is_incident_known_) {
+        return;
+    }
+    CombinedReplicates all{{}, std::vector<ContributionSize>(bands_)};
+    for (std::size_t r = 0; r < incident_.replicates(); ++r) {
+        for (const std::vector<double>& band : flux) {
+            all.values.push_back(band[r]);
+        }
+    }
+    incident_.add(all, weight);
+}
+
+void SweepSum::end_point(bool is_complete) {
+    light_.end_point();
+    for (ReplicateSum& origin : origins_) {
+        origin.end_point();
+    }
+    for (std::size_t i = 0; run_->series && i < run_->series->time_steps.size(); ++i) {
+        seconds_ += weight() * run_->series->time_steps[i].seconds;
+    }
+    ++points_;
+    is_complete_ = is_complete_ && is_complete;
+}
+
+void SweepSum::begin_point(const RunFile& run) {
+    run_ = &run;
+    if (is_of(CsvRows::groups)) {
+        groups_.groups = make_groups(run.scene, group_spec(run.spec));
+        groups_.bands = bands_;
+    }
+}
+
+double SweepSum::per_weight() const {
+    double all = 0;
+    for (const SweepPoint& point : *run_->sweep) {
+        all += point.weight;
+    }
+    return run_->series ? 1 : 1 / all;
+}
+
+std::vector<Estimate> SweepSum::values_of(const ReplicateSum& light) const {
+    const double factor = per_weight();
+    std::vector<Estimate> values(rows_ * kQuantities * bands_, kUnknownEstimate);
+    for (std::size_t row = 0; row < rows_; ++row) {
+        const double per_area = areas_[row] > 0 ? factor / areas_[row] : 0;
+        for (std::size_t q = 0; q < quantities_.size(); ++q) {
+            const auto column = static_cast<std::size_t>(quantities_[q]);
+            const double unit = quantity_table()[column].is_flux ? factor : per_area;
+            for (std::size_t b = 0; b < bands_; ++b) {
+                values[(row * kQuantities + column) * bands_ + b] =
+                    light.estimate(index_of(row, q, b), unit);
+            }
+        }
+    }
+    return values;
+}
+
+/// Quotients of sums.
+std::vector<Estimate> SweepSum::shares() const {
+    std::vector<Estimate> shares(rows_ * kGroupShares * bands_, kUnknownEstimate);
+    const auto absorbed = std::ranges::find(quantities_, Quantity::absorbed_flux);
+    if (absorbed == quantities_.end()) {
+        return shares;
+    }
+    const auto q = static_cast<std::size_t>(absorbed - quantities_.begin());
+    for (std::size_t row = 0; row < rows_; ++row) {
+        for (std::size_t b = 0; b < bands_; ++b) {
+            const std::size_t own = index_of(row, q, b);
+            const auto in = [&](const std::vector<double>& whole) {
+                return share_of(light_.values(own), light_.estimate(own, 1), whole);
+            };
+            const auto put = [&](GroupShare share, const Estimate& estimate) {
+                const auto index = static_cast<std::size_t>(share);
+                shares[(row * kGroupShares + index) * bands_ + b] = estimate;
+            };
+            if (is_incident_known_) {
+                put(GroupShare::incident, in(incident_.values(b)));
+            }
+            put(GroupShare::absorbed, not_above(in(light_.values(index_of(0, q, b))), 1));
+        }
+    }
+    return shares;
+}
+
+SeriesSum SweepSum::sum_of(const ReplicateSum& light) const {
+    SeriesSum sum;
+    sum.bands = bands_;
+    sum.seconds = seconds_;
+    if (is_of(CsvRows::groups)) {
+        sum.groups = groups_;
+        sum.groups.values = values_of(light);
+    } else {
+        sum.values = values_of(light);
+    }
+    return sum;
+}
+
+SeriesSum SweepSum::sum() const {
+    SeriesSum sum = sum_of(light_);
+    const std::vector<std::string> names = written_columns(*run_).origins;
+    for (std::size_t i = 0; i < origins_.size(); ++i) {
+        sum.origins.push_back({names[i], sum_of(origins_[i])});
+    }
+    if (is_of(CsvRows::groups)) {
+        sum.groups.shares = shares();
+    }
+    if (is_of(CsvRows::sensors)) {
+        SeriesSum with_sensors;
+        with_sensors.bands = bands_;
+        with_sensors.seconds = seconds_;
+        with_sensors.sensors = std::make_shared<const SeriesSum>(std::move(sum));
+        return with_sensors;
+    }
+    return sum;
+}
+
+}  // namespace quasimc

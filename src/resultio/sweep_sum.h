@@ -1,0 +1,80 @@
+#pragma once
+
+// The sum over the points of a sweep, for a table.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "quasimc/result.h"
+#include "quasimc/run_file.h"
+#include "quasimc/series.h"
+#include "results/combine.h"
+#include "results/replicate_sum.h"
+
+namespace quasimc {
+
+/// The comments of a table on the points and their weights.
+[[nodiscard]] std::string sweep_comments(const RunFile& run);
+
+/// The light of the rows of a table, each point of a sweep times its weight: with [time] the sum of
+/// the light over all times, otherwise the weighted mean of the points.
+class SweepSum {
+  public:
+    /// @param first  first point
+    /// @param table  of organs, groups or sensors
+    SweepSum(const RunFile& first, const TableSpec& table);
+
+    /// Adds the light of a computation of the point; that of other rows is ignored.
+    void add(const SeriesSums& sums);
+    /// Ends the point. @param is_complete  whether all of its light was added
+    void end_point(bool is_complete);
+    void begin_point(const RunFile& run);
+
+    /// Whether all points are complete.
+    [[nodiscard]] bool is_complete() const {
+        return is_complete_ && points_ == run_->sweep->size();
+    }
+    /// The sum, with the groups of the current point.
+    [[nodiscard]] SeriesSum sum() const;
+
+  private:
+    /// The organs of each row in the scene of some sums, and their area.
+    struct Rows {
+        std::vector<std::uint32_t> indices;
+        std::vector<OrganWeights> organs;
+        std::vector<double> areas;
+    };
+    [[nodiscard]] Rows rows_of(const Scene& scene) const;
+    [[nodiscard]] std::size_t index_of(
+        std::size_t row, std::size_t quantity, std::size_t band) const {
+        return (row * quantities_.size() + quantity) * bands_ + band;
+    }
+    [[nodiscard]] bool is_of(CsvRows rows) const { return table_.rows == rows; }
+    [[nodiscard]] double weight() const { return (*run_->sweep)[run_->point].weight; }
+    /// The factor that makes a mean of a sum; 1 with [time].
+    [[nodiscard]] double per_weight() const;
+    void choose_quantities();
+    void add_incident(const SeriesSums& sums, double weight);
+    [[nodiscard]] std::vector<Estimate> values_of(const ReplicateSum& light) const;
+    [[nodiscard]] std::vector<Estimate> shares() const;
+    [[nodiscard]] SeriesSum sum_of(const ReplicateSum& light) const;
+
+    const RunFile* run_;
+    TableSpec table_;
+    std::size_t bands_;
+    std::vector<Quantity> quantities_;  // that the table needs
+    std::size_t rows_ = 0;
+    GroupResults groups_;        // of the current point, without light
+    std::vector<double> areas_;  // of the rows, after add()
+    ReplicateSum light_;
+    std::vector<ReplicateSum> origins_;
+    ReplicateSum incident_;  // on the horizontal, by band
+    bool is_incident_known_ = true;
+    double seconds_ = 0;  // sum over points of weight x time
+    std::size_t points_ = 0;
+    bool is_complete_ = true;
+};
+
+}  // namespace quasimc

@@ -1,0 +1,280 @@
+// Tables of the sum over the points of a sweep.
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "quasimc/series.h"
+#include "resultio/output_input.h"
+#include "text/line_scanner.h"
+#include "unit/runfile/io_testing.h"
+
+namespace quasimc::test {
+namespace {
+
+const std::string kHours =
+    "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\nday = '2024-06-21'\n"
+    "utc_offset_hours = 1\nhours = [10, 13]\n";
+
+/// Two leaves above a ground, lit by a low sun.
+std::string stand(const std::string& rest) {
+    RunText text;
+    text.top = "bands = ['R', 'FR']\n";
+    text.run = "[run]\npaths = 256\nreplicates = 4\ngroups = ['plant']\n";
+    text.sources =
+        "[[source]]\ntype = 'directional'\nname = 'sun'\ndirection = [1, 0, -1]\n"
+        "irradiance_facing = [1, 2]\n";
+    text.materials =
+        "[[material]]\nname = 'leaf'\nreflectance = [0.1, 0.4]\ntransmittance = [0.1, 0.4]\n";
+    const auto leaf = [](int plant, double height) {
+        const std::string z = std::to_string(height);
+        return "[[organ]]\nmaterial = 'leaf'\nlabels = { plant = " + std::to_string(plant) +
+               " }\nshape = 'triangle'\ncorners = [[0, 0, " + z + "], [2, 0, " + z + "], [0, 2, " +
+               z + "]]\n";
+    };
+    text.organs = leaf(1, .5) + leaf(2, 1);
+    text.rest = "[ground]\nmaterial = 'leaf'\nx = [-1, 3]\ny = [-1, 3]\n" + rest;
+    return text.text();
+}
+
+RunSweep sweep_of(const std::string& text) {
+    const InputFiles files("/run");
+    return read_sweep_document(read_toml(text, "run.toml"), "run.toml", [files] { return files; });
+}
+
+/// The rows of each table of a sweep, each a list of fields; the header first.
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows fields_of(const std::string& text) {
+    Rows rows;
+    LineScanner scanner(text);
+    while (scanner.next()) {
+        if (scanner.line().starts_with('#')) {
+            continue;
+        }
+        rows.emplace_back(1);
+        bool is_quoted = false;
+        for (const char c : scanner.line()) {
+            is_quoted = is_quoted != (c == '"');
+            if (c == ',' && !is_quoted) {
+                rows.back().emplace_back();
+            } else {
+                rows.back().back().push_back(c);
+            }
+        }
+    }
+    return rows;
+}
+
+/// The texts of the tables of a sweep. @param points  computed; by default all
+std::vector<std::string> written(const std::string& text, std::size_t points = 100) {
+    RunSweep sweep = sweep_of(text);
+    std::unique_ptr<RunFile> run = std::make_unique<RunFile>(sweep.take(0));
+    std::vector<std::string> texts(run->output.tables.size());
+    std::vector<std::unique_ptr<OutputWriter>> writers;
+    const RunFile first = *run;
+    RunControl control;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const TextSink sink = [&texts, i](std::string_view piece) { texts[i] += piece; };
+        writers.push_back(make_table({*run, sink, "", "", &first.output.tables[i]}));
+        control.listeners.push_back(writers.back().get());
+    }
+    SeriesSummary summary;
+    Simulator simulator;
+    for (std::size_t point = 0; point < std::min(points, sweep.size()); ++point) {
+        if (point > 0) {
+            auto next = std::make_unique<RunFile>(sweep.take(point));
+            for (const auto& writer : writers) {
+                writer->next_run(*next, summary);
+            }
+            run = std::move(next);
+        }
+        summary = run_series(run->scene, time_steps_of(*run, simulator), run->spec, control);
+    }
+    for (const auto& writer : writers) {
+        writer->finish(summary);
+    }
+    return texts;
+}
+
+/// The numbers of a row from a column on; NaN where there is none.
+std::vector<double> numbers_from(const std::vector<std::string>& row, std::size_t column) {
+    std::vector<double> numbers;
+    for (std::size_t i = column; i < row.size(); ++i) {
+        numbers.push_back(row[i].empty() ? std::nan("") : std::stod(row[i]));
+    }
+    return numbers;
+}
+
+void expect_near(double found, double expected, const std::string& what) {
+    if (std::isnan(expected)) {
+        EXPECT_TRUE(std::isnan(found)) << what << found;
+    } else {
+        EXPECT_NEAR(found, expected, 1e-12 * (1 + std::abs(expected))) << what;
+    }
+}
+
+/// Compares rows of a sum from a column on with weighted rows of the points.
+/// @param first  column of the first number of the points, which have `before` more
+void expect_weighted(
+    const Rows& sum,
+    const Rows& points,
+    const std::vector<double>& weights,
+    std::size_t first,
+    std::size_t before,
+    std::size_t step) {
+    const std::size_t rows = sum.size() - 1;
+    ASSERT_GT(rows, 0U);
+    ASSERT_EQ(points.size(), 1 + rows * weights.size());
+    for (std::size_t row = 1; row <= rows; ++row) {
+        const std::vector<double> found = numbers_from(sum[row], first);
+        for (std::size_t i = 0; i < found.size(); i += step) {
+            double expected = 0;
+            for (std::size_t p = 0; p < weights.size(); ++p) {
+                const auto& own = points[p * rows + row];
+                expected += weights[p] * numbers_from(own, first + before)[i];
+            }
+            expect_near(found[i], expected, sum[0][first + i]);
+        }
+    }
+}
+
+const std::string kMeans = "statistics = ['mean']\n";
+
+std::string table(const std::string& file, const std::string& keys) {
+    return "[[table]]\nfile = '" + file + "'\n" + keys;
+}
+
+TEST(SweepTable, HasTheWeightedMeansOfOrgans) {
+    const auto texts = written(stand(
+        "[sweep]\nsource.sun.direction = [[1, 0, -1], [0, 1, -2], [0, 0, -1]]\n"
+        "weights = [1, 2, 5]\n" +
+        table("sum.csv", "per = 'sweep'\nquantities = ['absorbed_flux', 'incident_lower']\n") +
+        table("each.csv", "quantities = ['absorbed_flux', 'incident_lower']\n")));
+    const Rows sum = fields_of(texts[0]);
+    ASSERT_EQ(sum.size(), 4U);
+    EXPECT_EQ(
+        sum[0][0] + "," + sum[0][1] + "," + sum[0][2] + "," + sum[0][3], "id,name,area,plant");
+    EXPECT_NE(
+        texts[0].find("# weighted means of all points of the sweep; weights: 1, 2, 5\n"),
+        std::string::npos)
+        << texts[0];
+    EXPECT_NE(texts[0].find("absorbed_flux_R [W]"), std::string::npos);
+    expect_weighted(sum, fields_of(texts[1]), {1 / 8., 2 / 8., 5 / 8.}, 4, 1, 3);
+}
+
+/// Points that are the same run differ in nothing: neither does their mean, nor its error. Squares
+/// of errors would add up to less.
+TEST(SweepTable, OfEqualPointsHasTheEstimatesOfOne) {
+    for (const std::string rows : {"organs", "groups", "sensors"}) {
+        // Means within physical bounds, which sums do not have.
+        const std::string keys = "rows = '" + rows +
+                                 "'\nbands = ['FR']\n"
+                                 "quantities = ['incident_lower', 'incident_scattered']\n";
+        const auto texts = written(stand(
+            "[[sensors]]\nname = 's'\nat = [[0.5, 0.5, 0.2]]\n"
+            "[sweep]\nmaterial.leaf.reflectance = [[0.1, 0.4], [0.1, 0.4]]\nweights = [1, 3]\n" +
+            table("sum.csv", keys + "per = 'sweep'\n") + table("each.csv", keys)));
+        const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+        ASSERT_EQ(2 * (sum.size() - 1), each.size() - 1) << rows;
+        const std::size_t first = sum[0].size() - 6;
+        for (std::size_t row = 1; row < sum.size(); ++row) {
+            const auto found = numbers_from(sum[row], first);
+            const auto one = numbers_from(each[row], first + 1);
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                expect_near(found[i], one[i], sum[0][first + i]);
+            }
+            EXPECT_GT(found[4], 0);
+        }
+    }
+}
+
+TEST(SweepTable, OfTimesHasTheWeightedSumsOfPeriods) {
+    for (const std::string rows : {"organs", "groups"}) {
+        const std::string keys =
+            "rows = '" + rows + "'\nquantities = ['absorbed_flux', 'incident_upper']\n" + kMeans;
+        const auto texts = written(stand(
+            kHours + "[sweep]\ntime.day = ['2024-01-15', '2024-06-15']\nweights = [31, 30]\n" +
+            table("sum.csv", keys + "per = 'sweep'\n") +
+            table("each.csv", keys + "per = 'period'\n")));
+        const Rows sum = fields_of(texts[0]);
+        EXPECT_EQ(sum[0][0], "seconds");
+        EXPECT_EQ(sum[1][0], "658800") << "61 days of 3 hours";
+        EXPECT_NE(texts[0].find("absorbed_flux_R [J]"), std::string::npos) << texts[0];
+        const std::size_t first = rows == "groups" ? 6 : 5;
+        expect_weighted(sum, fields_of(texts[1]), {31, 30}, first, 2, 1);
+    }
+}
+
+TEST(SweepTable, HasTheSumsOfDaylightCoefficients) {
+    const std::string keys = "bands = ['R']\nquantities = ['absorbed_flux']\n" + kMeans;
+    std::string text = stand(
+        kHours + "[sweep]\ntime.day = ['2024-03-15', '2024-06-15']\nweights = [31, 30]\n" +
+        table("sum.csv", keys + "per = 'sweep'\n") + table("each.csv", keys + "per = 'period'\n"));
+    text.replace(
+        text.find("paths"), 5,
+        "method = 'ray_bundles'\ntime_method = 'daylight_coefficients'\npaths");
+    text.erase(text.find("[[source]]"), text.find("[[material]]") - text.find("[[source]]"));
+    const auto texts = written(text);
+    expect_weighted(fields_of(texts[0]), fields_of(texts[1]), {31, 30}, 5, 2, 1);
+}
+
+TEST(SweepTable, HasTheLightOfOrigins) {
+    std::string text = stand(
+        kHours + "[sweep]\ntime.day = ['2024-03-15', '2024-06-15']\n" +
+        table("sum.csv", "per = 'sweep'\n" + kMeans) +
+        table("each.csv", "per = 'period'\n" + kMeans));
+    text.replace(text.find("paths"), 5, "origins = ['sun', 'sky']\npaths");
+    const auto texts = written(text);
+    const Rows sum = fields_of(texts[0]);
+    EXPECT_EQ(sum[0].back(), "incident_scattered_FR_from_sky");
+    expect_weighted(sum, fields_of(texts[1]), {1, 1}, 5, 2, 1);
+}
+
+/// Fractions are quotients of sums.
+TEST(SweepTable, HasTheSharesOfGroups) {
+    const auto texts = written(stand(
+        "[sweep]\nsource.sun.irradiance_facing = [[1, 2], [0, 0], [3, 6]]\nweights = [1, 7, 2]\n" +
+        table(
+            "sum.csv",
+            "rows = 'groups'\nper = 'sweep'\nbands = ['R']\n"
+            "quantities = ['fraction_incident', 'fraction_absorbed']\n") +
+        table(
+            "each.csv",
+            "rows = 'groups'\nbands = ['R']\n"
+            "quantities = ['fraction_incident', 'fraction_absorbed']\n")));
+    const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+    ASSERT_EQ(sum.size(), 4U);
+    for (std::size_t row = 1; row < sum.size(); ++row) {
+        // Light of any brightness is divided equally, in each replicate.
+        const auto found = numbers_from(sum[row], 5), one = numbers_from(each[row], 6);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            expect_near(found[i], one[i], sum[0][5 + i]);
+        }
+    }
+}
+
+TEST(SweepTable, HasRowsByConditionInLongForm) {
+    const Rows rows = fields_of(written(stand(
+        "[sweep]\npaths = [64, 128]\n" +
+        table(
+            "sum.csv",
+            "per = 'sweep'\nform = 'long'\nwhere = 'plant == 2'\nbands = ['R']\n"
+            "quantities = ['absorbed_flux']\n")))[0]);
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_EQ(rows[1][0], "2");
+    EXPECT_EQ(rows[1][4] + " " + rows[1][5] + " " + rows[1][6], "absorbed_flux R W");
+}
+
+TEST(SweepTable, HasNoRowsWithoutAllPoints) {
+    const std::string text =
+        stand("[sweep]\npaths = [64, 128, 256]\n" + table("sum.csv", "per = 'sweep'\n"));
+    EXPECT_EQ(fields_of(written(text)[0]).size(), 4U);
+    EXPECT_EQ(fields_of(written(text, 2)[0]).size(), 1U);
+}
+
+}  // namespace
+}  // namespace quasimc::test
