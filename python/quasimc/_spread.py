@@ -121,34 +121,44 @@ class Combination:
 
 
 class Stack:
-    """Numbers of several runs: the first axis is that of runs, and each has its own source."""
+    """Numbers of several runs: the first axis is that of runs, and each has its own source.
 
-    __slots__ = ("_parts",)
+    Runs may share their random numbers: a contribution that one of them lacks, others may lack too.
+    """
 
-    def __init__(self, parts):
+    __slots__ = ("_parts", "_is_shared")
+
+    def __init__(self, parts, is_shared):
         self._parts = list(parts)
+        self._is_shared = is_shared
+
+    def _with(self, parts):
+        return Stack(parts, self._is_shared)
 
     def each(self, change):
         """The same runs with another source for each."""
-        return Stack(change(part) for part in self._parts)
+        return self._with(change(part) for part in self._parts)
 
     def with_band(self, band):
         return self.each(lambda part: part.with_band(band))
 
     def take(self, key):
         """Runs at an array of positions, or one of them."""
-        return self._parts[key] if np.ndim(key) == 0 else Stack(self._parts[row] for row in key)
+        return self._parts[key] if np.ndim(key) == 0 else self._with(self._parts[row] for row in key)
 
     def summed(self, weights, axis=0):
         """The weighted sum over as many axes as the weights have, from a given one."""
         if axis == 1:
             return self.each(lambda part: part.summed(weights))
         if weights.ndim > 1:
-            rows = Stack(part.summed(own) for part, own in zip(self._parts, weights))
+            rows = self._with(part.summed(own) for part, own in zip(self._parts, weights))
             return rows.summed(np.ones(len(weights)))
         spreads = self._spreads()
         means = sum(weight * spread.means for weight, spread in zip(weights, spreads))
-        return linear(means, list(zip(spreads, weights)))
+        total = linear(means, list(zip(spreads, weights)))
+        if self._is_shared:
+            total.sizes = shared_sizes(spreads, weights)
+        return total
 
     def _spreads(self):
         spreads = [part.spread() for part in self._parts]
@@ -169,6 +179,16 @@ class Stack:
             np.stack([spread.deviations for spread in spreads], axis=1),
             np.stack([spread.sizes for spread in spreads]),
         )
+
+
+def shared_sizes(spreads, weights):
+    """One contribution to a weighted sum of runs with the same random numbers: it may be missing from all of
+    them, so sizes of one sign add up; those of the other sign are as if independent."""
+    above, below = (
+        sum((abs(w) * spread.sizes[..., ::sign] for w, spread in zip(weights, spreads) if sign * w > 0), 0.0)
+        for sign in (1, -1)
+    )
+    return np.broadcast_to(np.hypot(above, below), spreads[0].sizes.shape)
 
 
 class Spread:

@@ -33,7 +33,7 @@ def stacked(parts, runs):
         first._units,
         first.bands,
         index=runs.with_inner(first.index),
-        source=_source_of(parts),
+        source=_source_of(parts, runs.axis == "point"),
         origins={
             name: (lambda name=name: stacked([part.origin(name) for part in parts], runs))
             for name in origins
@@ -42,16 +42,20 @@ def stacked(parts, runs):
     )
 
 
-def _source_of(parts):
-    """What sums are made of; None if it is not known for any run."""
+def _source_of(parts, is_shared):
+    """What sums are made of; None if it is not known for any run.
+
+    Points of a sweep share their random numbers, time steps do not.
+    """
     known = [part._source for part in parts if part._source is not None]
     if not known:
         return None
     count = known[0].spread().replicates if len(known) < len(parts) else 0
-    return Stack(
+    sources = (
         Spread.of_values(part.values, part.standard_error, count) if part._source is None else part._source
         for part in parts
     )
+    return Stack(sources, is_shared)
 
 
 class StackedLight(Mapping):

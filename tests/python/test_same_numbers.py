@@ -1,5 +1,6 @@
 """The same scene through Python and through the program gives the same bits."""
 
+import csv
 import json
 import os
 import subprocess
@@ -103,3 +104,38 @@ def test_the_examples_give_the_same_bits():
     assert np.array_equal(result._core.values, expected, equal_nan=True)
     assert result.organs.ids.tolist() == [organ["id"] for organ in organs]
     assert result.organs.names == [organ["name"] for organ in organs]
+
+
+@pytest.mark.skipif(not PROGRAM, reason="the program was not built")
+def test_a_table_of_a_sweep_has_the_sums_of_python(tmp_path):
+    vertices, faces, _ = leaves(6)
+    options = {"paths": 4096, "replicates": 8, "sampler": "monte_carlo", "method": "light_tracing"}
+    scene = quasimc.Scene(["PAR"])
+    scene.add_material("leaf", reflectance=0.1, transmittance=0.3)
+    text = 'bands = ["PAR"]\n[run]\nseed = 5\n'
+    text += "".join(f"{key} = {value!r}\n" for key, value in options.items())
+    text += '[[source]]\ntype = "sky"\nmodel = "uniform"\nirradiance_horizontal = 80\n'
+    text += '[[material]]\nname = "leaf"\nreflectance = 0.1\ntransmittance = 0.3\n'
+    for i in range(6):
+        corners, own = vertices[4 * i : 4 * i + 4], faces[2 * i : 2 * i + 2] - 4 * i
+        scene.add_mesh(corners, own, material="leaf")
+        text += '[[organ]]\nmaterial = "leaf"\nshape = "mesh"\n'
+        text += f"vertices = {corners.tolist()}\nfaces = {own.tolist()}\n"
+    text += "[sweep]\nmaterial.leaf.reflectance = [0.1, 0.2, 0.6]\nweights = [1, 2, 5]\n"
+    text += '[[table]]\nfile = "sum.csv"\nper = "sweep"\n'
+    path = tmp_path / "sweep.toml"
+    path.write_text(text)
+    subprocess.run([PROGRAM, "run", "-q", str(path)], check=True)
+    lines = (tmp_path / "sum.csv").read_text().splitlines()
+    rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
+
+    sky = quasimc.sky(model="uniform", irradiance_horizontal=80)
+    values = {"materials.leaf.reflectance": [0.1, 0.2, 0.6]}
+    swept = scene.sweep(values, sky, seed=5, **options)
+    for quantity in QUANTITIES:
+        mean = swept.sum(quantity, [1, 2, 5])["PAR"] / 8
+        values, errors = (
+            [float(row[f"{quantity}_PAR{end}"]) for row in rows] for end in ("", "_se")
+        )
+        np.testing.assert_allclose(values, mean.values, rtol=1e-12, err_msg=quantity)
+        np.testing.assert_allclose(errors, mean.standard_error, rtol=1e-9, err_msg=quantity)
