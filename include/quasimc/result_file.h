@@ -106,28 +106,32 @@ class JsonWriter : public OutputWriter {
 };
 
 class CanopySum;  // private
+class SweepSum;   // private
 
 /// The summary of a run in about ten lines.
 class Summary : public OutputWriter {
   public:
-    explicit Summary(const RunFile& run) : run_(&run) {}
+    explicit Summary(const RunFile& run);
     explicit Summary(const RunFile&&) = delete;
 
     void on_time_step(const TimeStepResult& step) override;
+    void on_sums(const SeriesSums& sums) override;
+    [[nodiscard]] bool wants(SeriesPart part) const override;
     void next_run(const RunFile& run, const SeriesSummary& series_summary) override;
+    void finish(const SeriesSummary& series_summary) override;
     /// @param summary  summary of the run, or of all points of a sweep
     /// @param written  the files that were written
     [[nodiscard]] std::string text(
         const SeriesSummary& summary, const std::vector<std::string>& written) const;
 
   private:
-    Summary(const RunFile& run, std::vector<std::string> points)
-        : run_(&run), point_lines_(std::move(points)) {}
+    Summary(const RunFile& run, Summary& before);
     [[nodiscard]] std::string series_quality() const;
     [[nodiscard]] std::string point_line() const;
 
     const RunFile* run_;
     std::vector<std::string> point_lines_;  // of the points of a sweep that ended
+    std::shared_ptr<SweepSum> sum_;         // over a sweep, if a table has it
     std::string result_lines_;              // of a run without [time]
     // For a run with [time]:
     std::size_t time_steps_ = 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -14,6 +15,8 @@
 #include "resultio/describe_result.h"
 #include "resultio/describe_series.h"
 #include "resultio/summary_parts.h"
+#include "resultio/sweep_sum.h"
+#include "resultio/table_columns.h"
 #include "results/units.h"
 #include "runfile/written.h"
 #include "text/line_scanner.h"
@@ -310,6 +313,37 @@ std::string sweep_head(const RunFile& run, const SeriesSummary& summary, std::si
     return text + series_time_line(summary);
 }
 
+/// The table of the light that all organs absorb.
+TableSpec table_of_summary() {
+    return {
+        .file = "",
+        .rows = CsvRows::groups,
+        .times = CsvTimes::sweep,
+        .quantities = {"absorbed_flux"}};
+}
+
+/// The light that all organs absorb in the first bands, over all points of a sweep.
+/// @param sum  of table_of_summary(), or null
+std::string sum_lines(const RunFile& run, const SweepSum* sum) {
+    if (sum == nullptr || !sum->is_complete()) {
+        return "";
+    }
+    const GroupResults groups = sum->sum().groups;
+    std::string text;
+    for (std::size_t b = 0; b < std::min(groups.bands, kMaxBands); ++b) {
+        const Band& band = run.scene.bands()[b];
+        const Estimate absorbed = reported(groups.at(0, Quantity::absorbed_flux, b));
+        const double error = absorbed.standard_error;
+        text += line(
+            "sweep",
+            fmt::format(
+                "{} of all points: {} organs absorb {:.4g}{} {}", run.series ? "sum" : "mean",
+                band.name, absorbed.mean, std::isfinite(error) ? " +- " + two_digits(error) : "",
+                column_unit(run, CsvTimes::sweep, flux_unit(band.unit, run.scene.length_unit()))));
+    }
+    return text;
+}
+
 /// The first and the last points, if there are many.
 std::string point_text(const std::vector<std::string>& points) {
     constexpr std::size_t kMaxLines = 20;
@@ -327,6 +361,31 @@ std::string point_text(const std::vector<std::string>& points) {
 }
 
 }  // namespace
+
+Summary::Summary(const RunFile& run) : run_(&run) {
+    if (std::ranges::any_of(run.output.tables, [](const TableSpec& table) {
+            return table.times == CsvTimes::sweep;
+        })) {
+        sum_ = std::make_shared<SweepSum>(run, table_of_summary());
+    }
+}
+
+Summary::Summary(const RunFile& run, Summary& before)
+    : run_(&run), point_lines_(std::move(before.point_lines_)), sum_(std::move(before.sum_)) {}
+
+bool Summary::wants(SeriesPart part) const {
+    return part == SeriesPart::time_steps || (part == SeriesPart::sums && sum_ != nullptr);
+}
+
+void Summary::on_sums(const SeriesSums& sums) {
+    sum_->add(sums);
+}
+
+void Summary::finish(const SeriesSummary& series_summary) {
+    if (sum_) {
+        sum_->end_point(is_complete(*run_, series_summary));
+    }
+}
 
 void Summary::on_time_step(const TimeStepResult& step) {
     const Result& result = step.result;
@@ -400,11 +459,15 @@ std::string Summary::point_line() const {
     return line("point", fmt::format("{}; median error {}", words, errors));
 }
 
-void Summary::next_run(const RunFile& run, const SeriesSummary& /*summary*/) {
+void Summary::next_run(const RunFile& run, const SeriesSummary& series_summary) {
+    finish(series_summary);
     if (run_->sweep && time_steps_ > 0) {
         point_lines_.push_back(point_line());
     }
-    *this = Summary(run, std::move(point_lines_));
+    *this = Summary(run, *this);
+    if (sum_) {
+        sum_->begin_point(run);
+    }
 }
 
 std::string Summary::text(
@@ -418,7 +481,8 @@ std::string Summary::text(
     if (time_steps_ > 0) {
         points.push_back(point_line());
     }
-    return sweep_head(*run_, summary, points.size()) + point_text(points) + written_line(written);
+    return sweep_head(*run_, summary, points.size()) + point_text(points) +
+           sum_lines(*run_, sum_.get()) + written_line(written);
 }
 
 std::string summary(

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "resultio/describe_series.h"
 #include "resultio/table_columns.h"
 #include "results/flows.h"
 #include "results/fraction_table.h"
@@ -29,6 +30,10 @@ std::string sweep_comments(const RunFile& run) {
         "# {} of all points of the sweep; weights: {}\n{}",
         run.series ? "weighted sums" : "weighted means", weights,
         run.series ? "# column seconds: weighted sum of the durations of the time steps\n" : "");
+}
+
+bool is_complete(const RunFile& run, const SeriesSummary& series_summary) {
+    return series_summary.completed == (run.series ? run.series->time_steps.size() : 1);
 }
 
 SweepSum::SweepSum(const RunFile& first, const TableSpec& table)
@@ -218,9 +223,9 @@ SeriesSum SweepSum::sum() const {
         with_sensors.bands = bands_;
         with_sensors.seconds = seconds_;
         with_sensors.sensors = std::make_shared<const SeriesSum>(std::move(sum));
-        return with_sensors;
+        sum = std::move(with_sensors);
     }
-    return sum;
+    return run_->series ? in_summed_units(*run_, std::move(sum)) : sum;
 }
 
 }  // namespace quasimc

@@ -18,6 +18,9 @@ namespace quasimc {
 /// The comments of a table on the points and their weights.
 [[nodiscard]] std::string sweep_comments(const RunFile& run);
 
+/// Whether all time steps of a run are complete.
+[[nodiscard]] bool is_complete(const RunFile& run, const SeriesSummary& series_summary);
+
 /// The light of the rows of a table, each point of a sweep times its weight: with [time] the sum of
 /// the light over all times, otherwise the weighted mean of the points.
 class SweepSum {
@@ -36,7 +39,7 @@ class SweepSum {
     [[nodiscard]] bool is_complete() const {
         return is_complete_ && points_ == run_->sweep->size();
     }
-    /// The sum, with the groups of the current point.
+    /// The sum in the units of its columns, with the groups of the current point.
     [[nodiscard]] SeriesSum sum() const;
 
   private:

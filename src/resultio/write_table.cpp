@@ -139,13 +139,11 @@ class TableWriter final : public OutputWriter {
 
   private:
     void finish_point(const SeriesSummary& series_summary) {
-        const std::size_t time_steps = run_->series ? run_->series->time_steps.size() : 1;
-        sweep_->end_point(series_summary.completed == time_steps && !lacks_sensors_);
+        sweep_->end_point(is_complete(*run_, series_summary) && !lacks_sensors_);
         if (!sweep_->is_complete()) {
             return;
         }
-        const SeriesSum raw = sweep_->sum();
-        const SeriesSum sum = run_->series ? in_summed_units(*run_, raw) : raw;
+        const SeriesSum sum = sweep_->sum();
         write_rows(
             run_->series ? shortest(sum.seconds) + "," : "",
             {nullptr, is_of_sensors() ? sum.sensors.get() : &sum}, sum.groups);

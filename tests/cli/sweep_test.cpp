@@ -82,7 +82,11 @@ TEST_F(SweepCommand, IsSummedWithItsWeights) {
     write_sweep(
         "source.1.irradiance_facing = [400, 100]\nweights = [1, 3]\n[[table]]\nfile = 'sum.csv'\n"
         "per = 'sweep'\nquantities = ['absorbed_flux']\n");
-    ASSERT_EQ(run({"run", "sweep.toml"}).status, 0);
+    const Outcome outcome = run({"run", "sweep.toml"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(
+        outcome.out.find("sweep     mean of all points: PAR organs absorb 61.5"), std::string::npos)
+        << outcome.out;
     const std::string sum = folder_.read("sum.csv");
     EXPECT_EQ(count(sum, "\nid,name,"), 1U) << sum;
     EXPECT_EQ(count(sum, "\n1,third,"), 1U) << sum;
