@@ -2,7 +2,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -81,29 +80,22 @@ Exit report(const WindowArguments& arguments) {
     return Exit::done;
 }
 
-/// The data of a point of a sweep, and of its difference from another one.
-quasimc::WindowData read_point(
-    const std::string& file, std::size_t point, std::optional<std::size_t> minus) {
+/// The data of a point of a sweep, from 0.
+quasimc::WindowData read_point(const std::string& file, std::size_t point) {
     const ShownRun shown = read_result(file, point + 1);
-    const quasimc::ReadResult result{shown.run, shown.result_text, file};
-    if (!minus) {
-        return quasimc::make_window_data(result);
-    }
-    const ShownRun other = read_result(file, *minus + 1);
-    const quasimc::ReadResult subtracted{other.run, other.result_text, file};
-    return quasimc::make_window_data(result, &subtracted);
+    return quasimc::make_window_data({shown.run, shown.result_text, file});
 }
 
-/// The files of a result; of all points of a sweep, unless one is chosen or subtracted from.
+/// The files of a result; of all points of a sweep, unless one is chosen or another result
+/// subtracted.
 quasimc::WindowFiles files_to_view(const WindowArguments& arguments) {
     if (arguments.point == 0 && arguments.minus.empty()) {
         const ShownRun shown = read_result(arguments.file, 0);
         if (shown.run.sweep) {
             (void)quasimc::make_window_data({shown.run, shown.result_text, arguments.file});
             return quasimc::files_of_sweep(
-                shown.run.sweep->size(), 0, [file = arguments.file](auto point, auto minus) {
-                    return read_point(file, point, minus);
-                });
+                shown.run.sweep->size(), 0,
+                [file = arguments.file](std::size_t point) { return read_point(file, point); });
         }
     }
     return quasimc::files_of(read_window_run(arguments).data);

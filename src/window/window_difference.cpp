@@ -85,7 +85,8 @@ RowColumns WindowDifference::of(const RowsPosition& position, const RowColumns& 
 Json WindowDifference::json() const {
     return {
         {"title", title_},
-        {"errors", "Errors are those of two independent results."},
+        {"errors",
+         "Errors are √(a² + b²): results hold no replicates, so the two are taken as independent."},
         {"only_first", only_first_},
         {"only_other", only_other_}};
 }

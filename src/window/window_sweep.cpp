@@ -4,6 +4,7 @@
 #include <charconv>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -12,20 +13,14 @@
 namespace quasimc {
 namespace {
 
-/// A point, and the one that is subtracted.
-struct PointKey {
-    std::size_t point = 0;
-    std::optional<std::size_t> minus = {};
-    friend bool operator==(const PointKey&, const PointKey&) = default;
-};
-
-/// Reads "WORD-K-" at the beginning of a name, and leaves the rest.
-std::optional<std::size_t> take_number(std::string_view& name, std::string_view word) {
-    if (!name.starts_with(word)) {
+/// Reads "point-K-" at the beginning of a name, and leaves the rest.
+std::optional<std::size_t> take_point(std::string_view& name) {
+    constexpr std::string_view kWord = "point-";
+    if (!name.starts_with(kWord)) {
         return std::nullopt;
     }
     std::size_t number = 0;
-    const char* const begin = name.data() + word.size();
+    const char* const begin = name.data() + kWord.size();
     const char* const end = name.data() + name.size();
     const auto [after, error] = std::from_chars(begin, end, number);
     if (error != std::errc() || after == end || *after != '-') {
@@ -40,8 +35,8 @@ class PointCache {
   public:
     explicit PointCache(ReadPoint read) : read_(std::move(read)) {}
 
-    const WindowFiles& files(const PointKey& key) {
-        const auto found = std::ranges::find(cached_, key, &Entry::first);
+    const WindowFiles& files(std::size_t point) {
+        const auto found = std::ranges::find(cached_, point, &Entry::first);
         if (found != cached_.end()) {
             return found->second;
         }
@@ -49,12 +44,12 @@ class PointCache {
         if (cached_.size() == kMaxCached) {
             cached_.pop_front();
         }
-        cached_.emplace_back(key, files_of(read_(key.point, key.minus)));
+        cached_.emplace_back(point, files_of(read_(point)));
         return cached_.back().second;
     }
 
   private:
-    using Entry = std::pair<PointKey, WindowFiles>;
+    using Entry = std::pair<std::size_t, WindowFiles>;
     ReadPoint read_;
     std::deque<Entry> cached_;
 };
@@ -64,15 +59,14 @@ class PointCache {
 WindowFiles files_of_sweep(std::size_t points, std::size_t shown, ReadPoint read) {
     const auto cache = std::make_shared<PointCache>(std::move(read));
     return [=](std::string_view name) -> std::optional<WindowFile> {
-        PointKey key{take_number(name, "point-").value_or(shown)};
-        key.minus = take_number(name, "minus-");
-        if (key.point >= points || key.minus.value_or(0) >= points) {
+        const std::size_t point = take_point(name).value_or(shown);
+        if (point >= points) {
             return std::nullopt;
         }
         try {
-            return cache->files(key)(name);
+            return cache->files(point)(name);
         } catch (const InputError&) {
-            return std::nullopt;  // two points without a common organ, or a changed file
+            return std::nullopt;  // the file was changed
         }
     };
 }

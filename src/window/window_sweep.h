@@ -2,19 +2,18 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 
 #include "window/window_data.h"
 #include "window/window_site.h"
 
 namespace quasimc {
 
-/// Reads a point of a sweep; with `minus`, also its difference from that point. From 0.
-using ReadPoint = std::function<WindowData(std::size_t point, std::optional<std::size_t> minus)>;
+/// Reads a point of a sweep, from 0.
+using ReadPoint = std::function<WindowData(std::size_t point)>;
 
 /// The files of a sweep with results: those of a shown point under their own names, those of point
-/// K as "point-K-NAME", and with the difference from point J as "point-K-minus-J-NAME". Points are
-/// read when a page requests them, and the last few are kept. For one thread.
+/// K as "point-K-NAME". Points are read when a page requests them, and the last few are kept. For
+/// one thread.
 /// @param points  number of points
 /// @param shown  the point whose files have their own names
 [[nodiscard]] WindowFiles files_of_sweep(std::size_t points, std::size_t shown, ReadPoint read);

@@ -47,6 +47,13 @@ async function checkStates(browser) {
         await openState(page, hash);
         await checkState(page, `${size}, ${theme}, ${name}`);
       }
+      await openState(page, "");
+      await page.locator("#compared-file").setInputFiles(workshop.inFolder("two.toml"));
+      await page.locator("#panel [role=alert]").waitFor();
+      await checkState(page, `${size}, ${theme}, a file that does not fit`);
+      await page.locator("#compared-file").setInputFiles(workshop.inFolder("other.json"));
+      await page.locator("#compared-file + .chip").waitFor();
+      await checkState(page, `${size}, ${theme}, a file that fits`);
       if (size === "desk") {
         await page.getByRole("button", { name: "Keys" }).click();
         await checkState(page, `${theme}, keys`);

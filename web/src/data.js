@@ -115,7 +115,7 @@ export class RunData {
 
   /** {mean, error, low, high} of all organs, null if the result has none. A promise. */
   values(time, column) {
-    return this.#valuesOf(this.json.times[time].values[column], this.#unitOf(time, column).factor);
+    return this.#valuesOf(this.json.times[time].values[column], this.factorOf(time, column));
   }
 
   #valuesOf(blob, factor) {
@@ -131,7 +131,7 @@ export class RunData {
   /** Another result's values taken away; null if there is none. A promise. */
   difference(time, column) {
     const blob = this.json.times[time].minus?.[column] ?? -1;
-    return this.#valuesOf(blob, this.#unitOf(time, column).factor);
+    return this.#valuesOf(blob, this.factorOf(time, column));
   }
 
   /** {mean, error, low, high} of an organ at several times, null where it has none. A promise. */
@@ -140,7 +140,7 @@ export class RunData {
       const found = await this.readCourse(column, organ);
       const numbers = found && new Float32Array(found);
       return times.map((time) => numbers && this.has(time, column)
-        ? oneOf(numbers.subarray(4 * time, 4 * time + 4), this.#unitOf(time, column).factor) : null);
+        ? oneOf(numbers.subarray(4 * time, 4 * time + 4), this.factorOf(time, column)) : null);
     }
     const all = await Promise.all(times.map((time) => this.values(time, column)));
     return all.map((values) => values && { mean: values.mean[organ], error: values.error[organ], low: values.low[organ], high: values.high[organ] });
@@ -150,6 +150,11 @@ export class RunData {
     const part = this.json.times[time].part;
     const kind = this.json.columns[column];
     return plainUnit(part === "days" || part === "total" ? kind.sum_unit : kind.unit);
+  }
+
+  /** By which numbers of a column are multiplied to be in its unit. */
+  factorOf(time, column) {
+    return this.#unitOf(time, column).factor;
   }
 
   /** The unit of a column at a time: sums over days have another one. */

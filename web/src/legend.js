@@ -47,7 +47,7 @@ export class Legend {
     const { state, run, timeline, entry } = page;
     const time = entry.name ? ` · ${timeline.wordsOf(entry)}` : "";
     const isError = state.show === "error";
-    const title = isError ? "How well it is known" : `${state.show === "difference" ? `Minus “${run.json.minus.title}”: ` : ""}${run.columnName(page.column)}`;
+    const title = isError ? "How well it is known" : `${state.show === "difference" ? `Minus “${page.minus.title}”: ` : ""}${run.columnName(page.column)}`;
     const note = isError ? `standard error, % of the value${time}` : `${page.unit}${time}`.replace(/^ · /, "");
     this.arrows = make("div");
     this.parent.replaceChildren(
@@ -120,7 +120,7 @@ export class Legend {
   #quality() {
     const { page } = this;
     if (page.state.show === "difference") {
-      return [make("p", { class: "known" }, `Grey: smaller than its error. ${page.run.json.minus.errors}`)];
+      return [make("p", { class: "known" }, page.absent || `Grey: smaller than its error. ${page.minus.errors}`)];
     }
     const bar = make("div", { class: "quality", "aria-hidden": "true" });
     qualityOf(page).forEach((part, i) => {

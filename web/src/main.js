@@ -140,7 +140,7 @@ async function showSweep(first, graphics) {
   const view = new SweepView(first);
   const at = timeline.find(readAddress(location.hash).time) ?? timeline.steps[view.shown];
   view.shown = at.index;
-  view.page = await buildPage((await view.run(at.index)).ofSum(), timeline, graphics, view, at.key);
+  view.page = await buildPage(await view.run(at.index), timeline, graphics, view, at.key);
   view.readLight();
 }
 

@@ -1,6 +1,7 @@
 // What the page shows: the choices of the user, the numbers that follow from them, and the parts that draw them.
 
 import { kClasses, classColor, classesOf } from "./classes.js";
+import { Comparison, givenDifference } from "./comparison.js";
 import { byId } from "./dom.js";
 import { noFilters, organsPassing } from "./filters.js";
 import { allPlants, plantLight } from "./energy.js";
@@ -22,7 +23,7 @@ const mapOf = (colors) => colors.map((color) => [1, 3, 5].map((at) => parseInt(c
 export class Page {
   /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress or a sweep, see live_page.js and sweep.js */
   constructor(run, timeline, chosen, live = null) {
-    Object.assign(this, { run, timeline, live, hovered: null, pointed: null, parts: [], absent: "" });
+    Object.assign(this, { run, timeline, live, other: null, hovered: null, pointed: null, parts: [], absent: "" });
     const start = { ...startOf(innerWidth, innerHeight), beside: run.json.grows === true };
     this.state = { ...structuredClone(start), ...chosen };
     this.address = new AddressKeeper(() => addressOf(this.state, start));
@@ -38,13 +39,27 @@ export class Page {
       const same = run.columns.find(({ quantity }) => quantity === state.quantity) ?? run.columns[0];
       Object.assign(state, { quantity: same?.quantity ?? "", band: same?.band ?? "" });
     }
-    if (!["value", "error", ...(run.json.minus ? ["difference"] : [])].includes(state.show)) {
+    if (!["value", "error", ...(this.minus ? ["difference"] : [])].includes(state.show)) {
       state.show = "value";
     }
     state.map = run.colorMaps[state.map] ? state.map : "viridis";
     state.pins = state.pins.filter((id) => run.organOfId(String(id)) >= 0).slice(0, kPins.length);
     this.entry = this.timeline.find(state.time) ?? this.timeline.first((step) => this.lightOf(step));
     state.time = this.entry.key;
+  }
+
+  /** What is taken away in the mode "difference": {title, errors, onlyFirst, onlyOther, values}; null if there is nothing. */
+  get minus() {
+    if (this.comparison?.run !== this.run || this.comparison?.other !== this.other) {
+      this.comparison = this.other ? new Comparison(this.run, this.other) : null;
+    }
+    return this.comparison ?? givenDifference(this.run);
+  }
+
+  /** Takes another result away, see Comparison. null: only the one that this result was written with */
+  compare(other) {
+    this.other = other;
+    return this.set({ show: other ? "difference" : "value", values: null, errorClass: null, ends: null });
   }
 
   get time() {
@@ -91,9 +106,8 @@ export class Page {
   /** "70 of 77 organs shown" */
   shownWords() {
     const count = this.isShown.reduce((sum, one) => sum + one, 0);
-    const { only_first: first, only_other: other } = this.run.json.minus ?? {};
-    const alone = this.state.show === "difference" && first + other > 0 ? `, ${first + other} in one result only` : "";
-    return `${counted(count)} of ${many(this.run.count, "organ")} shown${alone}`;
+    const alone = this.state.show === "difference" ? this.minus.onlyFirst + this.minus.onlyOther : 0;
+    return `${counted(count)} of ${many(this.run.count, "organ")} shown${alone > 0 ? `, ${counted(alone)} in one result only` : ""}`;
   }
 
   get pins() {
@@ -152,11 +166,12 @@ export class Page {
     this.entry = this.timeline.find(state.time) ?? this.entry;
     const { time, column } = this;
     const [values, difference] = await Promise.all([
-      run.values(time, column), state.show === "difference" ? run.difference(time, column) : null]);
+      run.values(time, column), state.show === "difference" ? this.minus.values(time, column) : null]);
     if (time !== this.time || column !== this.column || run !== this.run) {
       return; // the choice has changed in the meantime
     }
-    this.absent = values === null && run.has(time, column) ? "The program ended before this page had loaded these values." : "";
+    this.absent = values === null && run.has(time, column) ? "The program ended before this page had loaded these values."
+      : state.show === "difference" && difference === null ? `“${this.minus.title}” has no such values.` : "";
     const none = nothing(run.count);
     this.values = (state.show === "difference" ? difference : values) ?? { mean: none(), error: none(), low: none(), high: none() };
     await this.#findScale();

@@ -1,6 +1,7 @@
 // The panel beside the scene: headline, colours, view. Filters are in filter_panel.js.
 
 import { Check, Choice } from "./choice.js";
+import { CompareField } from "./compare_field.js";
 import { quantityName } from "./data.js";
 import { make } from "./dom.js";
 import { FilterSection } from "./filter_panel.js";
@@ -38,6 +39,7 @@ export class Panel {
   constructor(page, parent, lookFrom) {
     Object.assign(this, { page, parent, lookFrom });
     this.filters = new FilterSection(page);
+    this.compared = new CompareField(page);
     this.scene();
   }
 
@@ -54,7 +56,7 @@ export class Panel {
     this.quantity = make("select", { id: "quantity", "aria-label": "Quantity", onchange: () => page.set({ quantity: this.quantity.value, band: this.#bandOf(this.quantity.value), values: null, ends: null }) },
       kinds.map((kind) => make("option", { value: kind.quantity, title: kind.quantity }, quantityName(kind))));
     this.bandBox = make("div");
-    this.show = new Choice("Show", [["value", "Value"], ["error", "Error"], ...(page.run.json.minus ? [["difference", "Difference"]] : [])],
+    this.show = new Choice("Show", [["value", "Value"], ["error", "Error"], ["difference", "Difference"]],
       (show) => page.set({ show, values: null, errorClass: null, ends: null }));
     this.maps = new Choice("Colours", Object.keys(page.run.colorMaps).map((name) => [name, "", name]), (map) => page.set({ map }), "maps");
     this.maps.buttons.forEach((button, name) => {
@@ -64,20 +66,8 @@ export class Panel {
     this.mapField = field("Colours", this.maps.node);
     this.same = new Check("same", "Same scale for all times", null, (sameScale) => page.set({ sameScale, time: page.state.time }));
     this.log = new Check("log", "Logarithmic scale", null, (isLog) => page.set({ isLog }));
-    return section("Colour", true, field("Quantity", this.quantity), this.bandBox, field("Show", this.show.node), ...this.#comparison(), this.mapField,
-      make("div", { class: "field" }, this.same.node, this.log.node));
-  }
-
-  /** A list of points of a sweep from which the shown one can differ. */
-  #comparison() {
-    const { live, timeline } = this.page;
-    if (!live?.compare) {
-      return [];
-    }
-    const list = make("select", { id: "compared", "aria-label": "Compared with", onchange: () => live.compare(list.value === "" ? null : Number(list.value)) },
-      make("option", { value: "" }, "nothing"), timeline.steps.map(({ name, index }) => make("option", { value: index }, name)));
-    list.value = live.minus ?? "";
-    return [field("Compared with", list)];
+    return section("Colour", true, field("Quantity", this.quantity), this.bandBox, field("Show", this.show.node), this.mapField,
+      make("div", { class: "field" }, this.same.node, this.log.node), page.run.json.grows ? null : field("Compared with", this.compared.build()));
   }
 
   /** The band to show of a quantity: the same one, if it has it. */
@@ -131,6 +121,7 @@ export class Panel {
     this.headline.draw();
     this.quantity.value = state.quantity;
     this.#drawBands();
+    this.show.buttons.get("difference").hidden = page.minus === null;
     this.show.set(state.show);
     this.maps.set(state.map);
     this.mapField.hidden = state.show !== "value";
@@ -138,6 +129,9 @@ export class Panel {
     this.same.set(state.sameScale);
     this.log.node.hidden = state.show !== "value" || !page.suitsLog;
     this.log.set(state.isLog);
+    if (!page.run.json.grows) {
+      this.compared.draw();
+    }
     this.filters.draw();
     this.options();
   }

@@ -1,5 +1,6 @@
 // The points of a finished sweep, shown like times: each is a result of its own, read when it is shown.
 
+import { runAsOther } from "./comparison.js";
 import { RunData, readJson } from "./data.js";
 import { plantLight } from "./energy.js";
 
@@ -21,15 +22,10 @@ export class SweepView {
   constructor(first) {
     this.points = first.json.sweep.points;
     this.shown = first.json.sweep.point;
-    this.minus = null; // the point that is subtracted
     this.isFollowing = true; // there is nothing newer
-    this.runs = new Map([[this.#nameOf(this.shown), Promise.resolve(first)]]);
+    this.runs = new Map([[this.shown, Promise.resolve(first.ofSum())]]);
     this.heads = new Map();
     this.#keepHead(this.shown, first);
-  }
-
-  #nameOf(point) {
-    return `point-${point}-${this.minus === null ? "" : `minus-${this.minus}-`}`;
   }
 
   #keepHead(point, run) {
@@ -38,35 +34,27 @@ export class SweepView {
 
   /** A point with its sum over times. */
   run(point) {
-    const { minus } = this;
-    const name = this.#nameOf(point);
-    if (!this.runs.has(name)) {
-      this.runs.set(name, RunData.load(name).then((run) => {
+    if (!this.runs.has(point)) {
+      this.runs.set(point, RunData.load(`point-${point}-`).then((run) => {
         this.#keepHead(point, run);
-        if (run.json.minus) {
-          run.json.minus.title = pointNames(this.points[minus]).name;
-        }
         return run.ofSum();
       }));
     }
-    return this.runs.get(name);
+    return this.runs.get(point);
   }
 
   async select(point) {
     this.asked = point;
-    const name = this.#nameOf(point);
     const run = await this.run(point);
-    if (this.asked === point && this.#nameOf(point) === name) {
+    if (this.asked === point) {
       this.shown = point;
       await this.page.replace(run, this.page.timeline, this.page.timeline.steps[point].key);
     }
   }
 
-  /** Subtracts a point from the one that is shown. null: none */
-  async compare(minus) {
-    this.minus = minus;
-    this.page.state.show = minus === null ? "value" : "difference";
-    await this.select(this.shown);
+  /** A point to be taken away from the one that is shown. A promise. */
+  async otherPoint(point) {
+    return { ...runAsOther(await this.run(point), pointNames(this.points[point]).name), point };
   }
 
   headOf({ index }) {
