@@ -89,3 +89,16 @@ export function layersOf({ numbers, areas, heights, isShown, isMedian }, count =
   const medianOf = ({ members }) => weightedQuantile(members.map((i) => numbers[i]), members.map((i) => areas[i]), 0.5);
   return { binOf, low: ends.low, high: ends.high, bins: bins.map((bin) => ({ ...bin, mean: isMedian ? medianOf(bin) : meanOf(bin) })) };
 }
+
+/**
+ * Layers of a result, whose means have errors of their own.
+ * @param layers  [{height_min, height_max, area, organs, mean, error}], from the lowest one up
+ * @returns  as layersOf(), with the `error` of each
+ */
+export function givenLayers({ layers, heights, isShown }) {
+  const bins = layers.map(({ height_min: from, height_max: to, area, organs: count, mean, error }) => ({ from, to, area, count, mean: count > 0 ? mean : NaN, error }));
+  const high = bins.at(-1).to;
+  const binOf = Int16Array.from(heights, (height, i) =>
+    (isShown[i] ? bins.findIndex(({ from, to }) => height >= from && (height < to || (height === high && to === high))) : -1));
+  return { binOf, low: bins[0].from, high, bins };
+}

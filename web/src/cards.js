@@ -4,9 +4,9 @@ import { classColor, kClasses, kDark, kFaint } from "./classes.js";
 import { make, svg } from "./dom.js";
 import { areaText, estimate, interval, many, percent, plain, withError, withUnit } from "./format.js";
 import { numberNode } from "./headline.js";
+import { kSure } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 
-const kSure = 1.96;
 const kMaxColumns = 60; // in "All numbers"
 
 const iconButton = (label, path, onclick) => make("button", { type: "button", class: "icon", "aria-label": label, title: label, onclick },

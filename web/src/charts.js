@@ -1,13 +1,14 @@
 // Area by value, and mean by height, of the organs that are shown.
 
 import { kClasses } from "./classes.js";
-import { classBins, layersOf, valueBins } from "./bins.js";
+import { classBins, givenLayers, layersOf, valueBins } from "./bins.js";
 import { Choice } from "./choice.js";
 import { byId, svg } from "./dom.js";
-import { areaText, many, plain, unitText, withUnit } from "./format.js";
-import { colorsOf, cssOf } from "./numbers.js";
+import { layersOfResult } from "./energy.js";
+import { areaText, many, plain, unitText, withError, withUnit } from "./format.js";
+import { colorsOf, cssOf, kSure } from "./numbers.js";
 import { kPins } from "./page.js";
-import { addBars, keepingFocus, startPlot } from "./plot.js";
+import { addBars, addWhisker, keepingFocus, startPlot } from "./plot.js";
 
 export class Charts {
   constructor(page) {
@@ -131,33 +132,48 @@ export class Charts {
 
   #drawHeights() {
     const { page } = this;
-    const { run, values } = page;
-    const { unit } = run.json;
+    const { unit } = page.run.json;
     const isError = page.state.show === "error";
     byId("profile-title").textContent = isError ? "Median error by height" : "Mean by height";
     byId("profile-unit").textContent = isError ? "%" : page.unit;
-    const numbers = isError ? values.mean.map((mean, i) => (page.classes[i] < kClasses.length ? (100 * values.error[i]) / Math.abs(mean) : NaN)) : values.mean;
-    const isShown = page.isShown.map((shown, i) => (run.isGround[i] ? 0 : shown));
-    const found = layersOf({ numbers, areas: run.shape.areas, heights: run.shape.heights, isShown, isMedian: isError });
+    const found = this.#layers(isError);
     const known = found?.bins.map(({ mean }) => mean).filter(Number.isFinite) ?? [];
+    byId("profile-errors").hidden = !found?.bins.some(({ error }) => error > 0);
     if (known.length === 0) {
       byId("profile").textContent = page.absent || "No organ shown has a value.";
       return () => {};
     }
+    const ends = found.bins.flatMap(({ mean, error }) => (error > 0 ? [mean - kSure * error, mean + kSure * error] : [mean])).filter(Number.isFinite);
     return keepingFocus(byId("profile"), () => {
       const plot = startPlot(byId("profile"), "Mean by height", {
-        x: { low: Math.min(0, ...known), high: Math.max(0, ...known) || 1, grid: true }, y: { low: found.low, high: found.high, unit, ticks: 4 } });
+        x: { low: Math.min(0, ...ends), high: Math.max(0, ...ends) || 1, grid: true }, y: { low: found.low, high: found.high, unit, ticks: 4 } });
       const bars = found.bins.flatMap((bin, i) => (Number.isFinite(bin.mean) ? [this.#layerBar(plot, bin, i, isError)] : []));
       const mark = addBars(plot.node, bars, { onPoint: (bar) => this.#point(found.binOf, bar), onPress: (bar) => this.#press("layer", [bar.from, bar.to]) });
+      found.bins.forEach(({ mean, error, from, to }) => error > 0 && addWhisker(plot, [mean - kSure * error, mean + kSure * error], (from + to) / 2));
       this.#addArea(plot, found.bins);
       return (organ) => mark(organ === null ? -1 : found.binOf[organ]);
     });
   }
 
+  /** The layers of the result while all plants are shown, as only they have errors; else those of the shown organs. */
+  #layers(isError) {
+    const { page } = this;
+    const { run, values } = page;
+    const { heights, areas } = run.shape;
+    const isShown = page.isShown.map((shown, i) => (run.isGround[i] ? 0 : shown));
+    const isWhole = page.isShown.every((shown, i) => shown || run.isGround[i]);
+    const layers = page.state.show === "value" && isWhole ? layersOfResult(page) : null;
+    if (layers) {
+      return givenLayers({ layers, heights, isShown });
+    }
+    const numbers = isError ? values.mean.map((mean, i) => (page.classes[i] < kClasses.length ? (100 * values.error[i]) / Math.abs(mean) : NaN)) : values.mean;
+    return layersOf({ numbers, areas, heights, isShown, isMedian: isError });
+  }
+
   #layerBar({ x, y, box }, bin, i, isError) {
     const top = y(bin.to);
     const high = Math.max(2, y(bin.from) - top - 1.5);
-    const mean = isError ? `median error ${plain(bin.mean, 2)} %` : `mean ${withUnit(plain(bin.mean), this.page.unit)}`;
+    const mean = isError ? `median error ${plain(bin.mean, 2)} %` : `mean ${withUnit(bin.error > 0 ? withError(bin.mean, bin.error) : plain(bin.mean), this.page.unit)}`;
     const { unit } = this.page.run.json;
     const color = isError ? kClasses.find(({ below }) => bin.mean < 100 * below).color : this.#colorOf(bin.mean);
     return {

@@ -1,6 +1,7 @@
 // The difference of what is shown from another result: organs are matched by their ids.
 
-const kSure = 1.96; // standard errors of a 95 % interval
+import { kSure } from "./numbers.js";
+
 export const kErrorsOfDifferences = "Errors are √(a² + b²): results hold no replicates, so the two are taken as independent.";
 
 /**

@@ -6,8 +6,7 @@ import { clockText } from "./format.js";
 import { kPins, pinLetter } from "./page.js";
 import { startPlot } from "./plot.js";
 import { quantityName } from "./data.js";
-
-const kSure = 1.96;
+import { kSure } from "./numbers.js";
 
 export class Course {
   constructor(page) {

@@ -81,9 +81,24 @@ export const plantLight = (head, band) => {
   return (energy?.[band] ?? Object.values(energy ?? {})[0])?.absorbed_by_organs?.mean ?? NaN;
 };
 
+/** An estimate of a column in a row of organs or groups of a result; undefined if it has none. */
+export const estimateOf = (row, { quantity, band }) =>
+  (band ? row[quantity]?.[band] : quantity === "sunlit_fraction" ? row[quantity] : row.ratios?.[quantity]);
+
 /** The estimate of all organs together of a quantity: {mean, error}; null if it is not known. */
 export function allPlants(head, quantity, band) {
-  const found = head?.groups?.find(({ by }) => by === "all")?.[quantity];
-  const estimate = band ? found?.[band] : found;
+  const found = head?.groups?.find(({ by }) => by === "all");
+  const estimate = found && estimateOf(found, { quantity, band });
   return estimate && estimate.mean !== null ? { mean: estimate.mean, error: estimate.standard_error ?? NaN } : null;
+}
+
+/** The layers of a result with the means of a column, in its unit; null if it has none. Flux is summed, not averaged. */
+export function layersOfResult(page) {
+  const { run, time, column } = page;
+  const kind = run.json.columns[column];
+  const rows = page.head?.groups?.filter(({ by }) => by === "layer") ?? [];
+  const factor = run.factorOf(time, column);
+  const layers = rows.map((row) => ({ row, estimate: estimateOf(row, kind) }));
+  const isKnown = rows.length > 0 && kind.quantity !== "absorbed_flux" && layers.every(({ estimate }) => estimate);
+  return isKnown ? layers.map(({ row, estimate }) => ({ ...row, mean: (estimate.mean ?? NaN) * factor, error: (estimate.standard_error ?? NaN) * factor })) : null;
 }

@@ -1,5 +1,7 @@
 // Scales of numbers, and their colours.
 
+export const kSure = 1.96; // standard errors of a 95 % interval
+
 /** Round numbers from low to high, about `count` of them. */
 export function ticks(low, high, count) {
   if (!(high > low)) {

@@ -6,14 +6,13 @@ import { byId } from "./dom.js";
 import { noFilters, organsPassing } from "./filters.js";
 import { allPlants, plantLight } from "./energy.js";
 import { counted, many, withError, withUnit } from "./format.js";
-import { colorsOf, packed, scaleOf, weightedQuantile } from "./numbers.js";
+import { colorsOf, kSure, packed, scaleOf, weightedQuantile } from "./numbers.js";
 import { AddressKeeper, addressOf, startOf } from "./state.js";
 
 export const kPins = ["#cf318e", "#bf5400", "#1b73d5", "#148460", "#8f54dd", "#7d7617"];
 export const pinLetter = (i) => "ABCDEF"[i];
 const kDifference = ["#2166ac", "#4393c3", "#92c5de", "#d1e5f0", "#f4f1ec", "#fddbc7", "#f4a582", "#d6604d", "#b2182b"];
 const kSmaller = packed("#c4c9c6"); // of differences smaller than their errors
-const kSure = 1.96; // standard errors of a 95 % interval
 
 const nothing = (n) => () => new Float32Array(n).fill(NaN);
 

@@ -75,6 +75,14 @@ export function addBars(node, bars, { onPoint, onPress }) {
   });
 }
 
+/** An error bar along x, with a light rim that shows it on bars. @param ends  in numbers */
+export function addWhisker({ node, x, y }, ends, at) {
+  const [from, to] = ends.map(x);
+  const middle = y(at);
+  const path = `M${from} ${middle}H${to}M${from} ${middle - 3}v6M${to} ${middle - 3}v6`;
+  node.append(svg("path", { class: "error rim", d: path, "pointer-events": "none" }), svg("path", { class: "error", d: path, "pointer-events": "none" }));
+}
+
 /** Draws a chart anew; the focused bar stays focused. */
 export function keepingFocus(parent, draw) {
   const bin = parent.contains(document.activeElement) ? document.activeElement.dataset.bin : undefined;

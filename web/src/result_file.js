@@ -1,5 +1,6 @@
 // A JSON result on this computer, read by the browser to be compared with the one that is shown.
 
+import { estimateOf } from "./energy.js";
 import { plainUnit, unitText } from "./format.js";
 
 const kVersion = 2; // of the format
@@ -18,9 +19,6 @@ function rowsByTime({ organs, time_steps: steps = [], days = [], total }) {
   ];
   return new Map(lists.filter(([, rows]) => rows?.length > 0).map(([time, rows]) => [keyOf(time), rows]));
 }
-
-const estimateOf = (row, { quantity, band }) =>
-  (band ? row[quantity]?.[band] : quantity === "sunlit_fraction" ? row[quantity] : row.ratios?.[quantity]);
 
 const numbersOf = (rows, column, key, factor) => Float64Array.from(rows, (row) => (estimateOf(row, column)?.[key] ?? NaN) * factor);
 

@@ -1,0 +1,75 @@
+// Layers with errors in "Mean by height": node layers_test.mjs QUASIMC CHROMIUM PACKAGES [PICTURES]
+//
+// Rationale: errors of layers do not follow from those of organs, which depend on each other, so only the run has
+// them.
+// Expected behaviour: in a result with layers the bars are those layers, with 95 % intervals as long as their errors;
+// without layers, of other organs than all, and of flux, which layers sum, there are none.
+
+import assert from "node:assert/strict";
+import path from "node:path";
+import { Workshop, open, twoLeaves } from "./workshop.mjs";
+
+const workshop = new Workshop("layers");
+const { pictures } = workshop;
+
+const runFile = (layers) => `
+title = "Two leaves"
+bands = ["PAR"]
+irradiance_unit = "W m-2"
+[run]
+paths = 256
+${layers}
+[[source]]
+type = "sky"
+model = "cie_overcast"
+irradiance_horizontal = 100
+${twoLeaves(0.4)}`;
+
+const labelsOf = (page) => page.locator("#profile .hit").evaluateAll((hits) => hits.map((hit) => hit.getAttribute("aria-label")));
+const whiskers = (page) => page.locator("#profile .error:not(.rim)");
+
+/** The ends of bars and of error bars, from the lowest layer up: pixels from the axis. */
+const lengthsOf = (page) => page.evaluate(() => {
+  const width = (node) => node.getBBox().width;
+  const byHeight = (one, other) => other.getBBox().y - one.getBBox().y;
+  const of = (selector) => [...document.querySelectorAll(`#profile ${selector}`)].sort(byHeight).map(width);
+  return { bars: of(".bar"), errors: of(".error:not(.rim)") };
+});
+
+async function checkLayers(page, result) {
+  await open(page, workshop.address("layered"));
+  const layers = result.groups.filter(({ by, organs }) => by === "layer" && organs > 0);
+  const estimates = layers.map(({ absorbed_flux_density: density }) => density.PAR);
+  const labels = await labelsOf(page);
+  assert.equal(labels.length, 2, labels.join("\n"));
+  labels.forEach((label, i) => {
+    const [from, to, mean, error] = label.replace(/^height ([\d.]+) to ([\d.]+).m: mean ([\d.]+) ± ([\d.]+).*/, "$1 $2 $3 $4").split(" ").map(Number);
+    assert.deepEqual([from, to], [layers[i].height_min, layers[i].height_max], label);
+    assert.ok(Math.abs(mean - estimates[i].mean) <= estimates[i].standard_error, label);
+    assert.ok(Math.abs(error / estimates[i].standard_error - 1) < 0.3, label);
+  });
+  const { bars, errors } = await lengthsOf(page);
+  estimates.forEach(({ mean, standard_error: error }, i) =>
+    assert.ok(Math.abs(errors[i] / bars[i] - (2 * 1.96 * error) / mean) < 0.02, `${errors} of ${bars}`));
+  if (pictures) {
+    await page.screenshot({ path: path.join(pictures, "layers.png") });
+  }
+  await page.locator("#profile .hit").first().click();
+  await page.waitForFunction(() => document.querySelectorAll("#profile .error").length === 0);
+  await page.getByRole("button", { name: "Clear filters" }).first().click();
+  await page.waitForFunction(() => document.querySelectorAll("#profile .error:not(.rim)").length === 2);
+  await page.locator("#quantity").selectOption("absorbed_flux");
+  await page.waitForFunction(() => document.querySelectorAll("#profile .error").length === 0);
+}
+
+const layered = workshop.compute("layered", runFile("layer_heights = [0, 0.25, 0.75, 1.5]"));
+workshop.compute("plain", runFile(""));
+["layered", "plain"].forEach((name) => workshop.report(name));
+await workshop.use(async (browser) => {
+  const page = await workshop.page(browser);
+  await checkLayers(page, layered);
+  await open(page, workshop.address("plain"));
+  assert.ok((await labelsOf(page)).length > 0);
+  assert.equal(await whiskers(page).count(), 0, "errors without layers");
+  assert.deepEqual(workshop.faults, []);
+});
