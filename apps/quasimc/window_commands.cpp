@@ -23,10 +23,10 @@ struct WindowArguments {
     std::size_t point = 0, port = 0;
 };
 
-/// A run and its data for the page.
+/// A result for the page: all points of a sweep, or one.
 struct WindowRun {
     std::vector<quasimc::InputFile> inputs;
-    quasimc::WindowData data;
+    std::vector<quasimc::WindowData> points;
 };
 
 ShownRun read_result(const std::string& path, std::size_t point) {
@@ -47,58 +47,87 @@ Flag minus_flag(std::string& target) {
         .type_name = "FILE"};
 }
 
-WindowRun read_window_run(const WindowArguments& arguments) {
+/// The largest report. Browsers open no more, in base64, than some 350 MB.
+constexpr std::size_t kMaxBytes = std::size_t{256} << 20U;
+
+/// A point of a sweep, from 0, for a page that has all of them.
+WindowRun read_point(const std::string& file, std::size_t point) {
+    ShownRun shown = read_result(file, point + 1);
+    quasimc::WindowData data = quasimc::make_window_data(
+        {.run = shown.run, .text = shown.result_text, .path = file, .has_all_points = true});
+    return {std::move(shown.inputs), {std::move(data)}};
+}
+
+/// The number of points of a sweep that the page shows; 0 for a single result or point.
+std::size_t shown_points(const WindowArguments& arguments) {
+    if (arguments.point > 0 || !arguments.minus.empty()) {
+        return 0;
+    }
+    const ShownRun shown = read_result(arguments.file, 0);
+    return shown.run.sweep ? shown.run.sweep->size() : 0;
+}
+
+WindowRun read_single(const WindowArguments& arguments) {
     ShownRun shown = read_result(arguments.file, arguments.point);
     const quasimc::ReadResult result{shown.run, shown.result_text, arguments.file};
     if (arguments.minus.empty()) {
-        quasimc::WindowData data = quasimc::make_window_data(result);
-        return {std::move(shown.inputs), std::move(data)};
+        return {std::move(shown.inputs), {quasimc::make_window_data(result)}};
     }
     const ShownRun other = read_result(arguments.minus, arguments.point);
     const quasimc::ReadResult minus{other.run, other.result_text, arguments.minus};
-    quasimc::WindowData data = quasimc::make_window_data(result, &minus);
     shown.inputs.insert(shown.inputs.end(), other.inputs.begin(), other.inputs.end());
-    return {std::move(shown.inputs), std::move(data)};
+    return {std::move(shown.inputs), {quasimc::make_window_data(result, &minus)}};
+}
+
+void check_size(const WindowRun& run, const std::string& file) {
+    std::size_t bytes = 0;
+    for (const quasimc::WindowData& point : run.points) {
+        bytes += point.bytes();
+    }
+    if (bytes > kMaxBytes) {
+        throw quasimc::InputError(
+            {{file, fmt::format("makes a report of more than {} MB", kMaxBytes * 4 / 3 >> 20U),
+              "browsers open no more",
+              "write fewer quantities, bands or times (--quantities, --bands), choose a point of a "
+              "sweep (--sweep-point), or use quasimc view"}});
+    }
+}
+
+/// Everything that a report shows.
+WindowRun read_window_run(const WindowArguments& arguments) {
+    const std::size_t points = shown_points(arguments);
+    WindowRun run = points == 0 ? read_single(arguments) : WindowRun();
+    check_size(run, arguments.file);
+    for (std::size_t point = 0; point < points; ++point) {
+        WindowRun one = read_point(arguments.file, point);
+        run.inputs.insert(run.inputs.end(), one.inputs.begin(), one.inputs.end());
+        run.points.push_back(std::move(one.points.front()));
+        check_size(run, arguments.file);
+    }
+    return run;
 }
 
 Exit report(const WindowArguments& arguments) {
     quasimc::require_page("report");
     const WindowRun run = read_window_run(arguments);
-    constexpr std::size_t kMaxBytes = std::size_t{256} << 20U;
-    if (run.data.bytes() > kMaxBytes) {
-        throw quasimc::InputError(
-            {{arguments.file,
-              fmt::format("makes a report of {} MB", run.data.bytes() * 4 / 3 >> 20U),
-              "browsers open no more than some 350",
-              "write fewer quantities, bands or times (--quantities, --bands), or use quasimc "
-              "view"}});
-    }
     quasimc::OutputFiles output({{arguments.output, "-o"}}, run.inputs);
-    write_report(run.data, output.sink(0));
+    write_report(run.points, output.sink(0));
     output.commit();
     output.throw_if_given_up();
     return Exit::done;
 }
 
-/// The data of a point of a sweep, from 0.
-quasimc::WindowData read_point(const std::string& file, std::size_t point) {
-    const ShownRun shown = read_result(file, point + 1);
-    return quasimc::make_window_data({shown.run, shown.result_text, file});
-}
-
-/// The files of a result; of all points of a sweep, unless one is chosen or another result
-/// subtracted.
+/// The files of a result, or of all points of a sweep, which are read on request.
 quasimc::WindowFiles files_to_view(const WindowArguments& arguments) {
-    if (arguments.point == 0 && arguments.minus.empty()) {
-        const ShownRun shown = read_result(arguments.file, 0);
-        if (shown.run.sweep) {
-            (void)quasimc::make_window_data({shown.run, shown.result_text, arguments.file});
-            return quasimc::files_of_sweep(
-                shown.run.sweep->size(), 0,
-                [file = arguments.file](std::size_t point) { return read_point(file, point); });
-        }
+    const std::size_t points = shown_points(arguments);
+    if (points == 0) {
+        return quasimc::files_of(std::move(read_single(arguments).points.front()));
     }
-    return quasimc::files_of(read_window_run(arguments).data);
+    const auto read = [file = arguments.file](std::size_t point) {
+        return std::move(read_point(file, point).points.front());
+    };
+    (void)read(0);  // whose faults are reported before the page is served
+    return quasimc::files_of_sweep(points, 0, read);
 }
 
 Exit view(const WindowArguments& arguments) {

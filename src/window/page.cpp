@@ -1,5 +1,7 @@
 #include "window/page.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "base/checks.h"
@@ -7,6 +9,7 @@
 #include "picture/color_map.h"
 #include "quasimc/error.h"
 #include "text/base64.h"
+#include "window/window_names.h"
 
 // The bytes of the files of the page.
 #define QUASIMC_EMBED(symbol, file)         \
@@ -77,6 +80,45 @@ std::string_view take_until(std::string_view& rest, std::string_view mark) {
     return before;
 }
 
+/// The beginning of an element that holds data.
+std::string element(const std::string& id, std::string_view type, const std::string& more = "") {
+    return fmt::format("<script type=\"{}\" id=\"{}\"{}>", type, id, more);
+}
+
+void write_bytes(const std::string& id, std::string_view bytes, const TextSink& sink) {
+    sink(element(id, "application/octet-stream;base64"));
+    constexpr std::size_t kPiece = 3U << 18U;
+    for (std::size_t i = 0; i < bytes.size(); i += kPiece) {
+        sink(encode_base64(bytes.substr(i, kPiece)));
+    }
+    sink("</script>\n");
+}
+
+/// The beginning of the names of a point's data.
+std::string prefix_of(std::size_t point) {
+    return point == 0 ? "" : fmt::format("point-{}-", point);
+}
+
+/// Writes the data of a point, with its shape unless an earlier one has the same.
+void write_point(std::span<const WindowData> points, std::size_t point, const TextSink& sink) {
+    const WindowData& data = points[point];
+    const std::string prefix = prefix_of(point);
+    sink(element(prefix + "data", kJsonType));
+    sink(in_element(data.json));
+    sink("</script>\n");
+    const auto same = std::ranges::find(points, data.shape, &WindowData::shape);
+    const auto first = static_cast<std::size_t>(same - points.begin());
+    if (first == point) {
+        write_bytes(prefix + "shape", data.shape, sink);
+    } else {
+        const std::string reference = fmt::format(" data-same=\"{}shape\"", prefix_of(first));
+        sink(element(prefix + "shape", "text/plain", reference) + "</script>\n");
+    }
+    for (std::size_t i = 0; i < data.values.size(); ++i) {
+        write_bytes(fmt::format("{}values-{}", prefix, i), data.values[i], sink);
+    }
+}
+
 }  // namespace
 
 Page embedded_page() {
@@ -109,7 +151,7 @@ std::string color_maps_json() {
     return json + '}';
 }
 
-void write_report(const WindowData& data, const TextSink& sink) {
+void write_report(std::span<const WindowData> points, const TextSink& sink) {
     const Page page = embedded_page();
     std::string_view rest = page.html;
     sink(take_until(rest, "<!--policy-->"));
@@ -122,26 +164,11 @@ void write_report(const WindowData& data, const TextSink& sink) {
     sink(page.style);
     sink("</style>");
     sink(take_until(rest, "<!--data-->"));
-    const auto element = [&sink](std::string_view id, std::string_view type) {
-        sink(fmt::format("<script type=\"{}\" id=\"{}\">", type, id));
-    };
-    element("data", "application/json");
-    sink(in_element(data.json));
-    sink("</script>\n");
-    element("colors", "application/json");
+    sink(element("colors", kJsonType));
     sink(color_maps_json());
     sink("</script>\n");
-    const auto binary = [&](const std::string& id, std::string_view bytes) {
-        element(id, "application/octet-stream;base64");
-        constexpr std::size_t kPiece = 3U << 18U;
-        for (std::size_t i = 0; i < bytes.size(); i += kPiece) {
-            sink(encode_base64(bytes.substr(i, kPiece)));
-        }
-        sink("</script>\n");
-    };
-    binary("shape", data.shape);
-    for (std::size_t i = 0; i < data.values.size(); ++i) {
-        binary(fmt::format("values-{}", i), data.values[i]);
+    for (std::size_t point = 0; point < points.size(); ++point) {
+        write_point(points, point, sink);
     }
     take_until(rest, "<!--script-->");
     sink("<script>");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,7 +25,8 @@ void require_page(std::string_view command);
 [[nodiscard]] std::string color_maps_json();
 
 /// Writes the page with its data as one file that needs no network: its content security policy
-/// allows its own script only.
-void write_report(const WindowData& data, const TextSink& sink);
+/// allows its own script only. Points of the same shape share it.
+/// @param points  the points of a sweep, the first of which is shown; one for other results
+void write_report(std::span<const WindowData> points, const TextSink& sink);
 
 }  // namespace quasimc

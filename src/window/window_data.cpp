@@ -150,7 +150,7 @@ WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
     if (difference) {
         all["minus"] = difference->json();
     }
-    if (run.sweep) {
+    if (run.sweep && result.has_all_points) {
         all["sweep"] = {{"point", run.point}, {"points", json_points(*run.sweep)}};
     }
     data.json = json_text(all);

@@ -56,6 +56,13 @@ async function checkPoints(page, address, result) {
   assert.equal(await shown(page), "elevation 45°", "the address keeps the point");
 }
 
+/** A single point has no strip of points; neither is one asked for. */
+async function checkSingle(page, address) {
+  await open(page, address);
+  assert.equal(await page.locator("#strip .step").count(), 0);
+  assert.equal(await page.locator("#compared").count(), 0);
+}
+
 async function checkDifference(page, result) {
   await page.getByLabel("Compared with").selectOption({ label: "elevation 15°" });
   await page.waitForFunction(() => document.querySelector("#legend-title").textContent.includes("elevation 15°"));
@@ -78,5 +85,9 @@ await workshop.use(async (browser) => {
     await page.screenshot({ path: path.join(pictures, "points.png") });
   }
   await checkDifference(page, result);
+  await checkPoints(page, workshop.report("points"), result);
+  await checkDifference(page, result);
+  await checkSingle(page, await workshop.view("points", "--sweep-point", "2"));
+  await checkSingle(page, workshop.report("points", "--sweep-point", "2"));
   assert.deepEqual(workshop.faults, []);
 });

@@ -40,6 +40,17 @@ async function readBytes(name) {
   return bytes;
 }
 
+const shapes = new Map(); // promises, by name
+
+/** A shape that is read once: points of a sweep in a report share it. @param count  promise of the number of organs */
+function sharedShape(name, count) {
+  const own = element(name)?.dataset.same ?? name;
+  if (!shapes.has(own)) {
+    shapes.set(own, Promise.all([readBytes(own), count]).then(([bytes, n]) => readShape(bytes, n)));
+  }
+  return shapes.get(own);
+}
+
 const kNames = {
   absorbed_flux_density: "Absorbed per area", absorbed_flux: "Absorbed by organ", incident_upper: "Light on the upper side",
   incident_lower: "Light on the lower side", incident_direct: "Direct light on both sides",
@@ -72,15 +83,16 @@ export class RunData {
    * @param announce  called with the result before its shapes are read
    */
   static async load(prefix = "", announce = () => {}) {
-    const shape = readBytes(`${prefix}shape`);
+    const reading = readJson(`${prefix}data`);
+    const shape = sharedShape(`${prefix}shape`, reading.then(({ organs }) => organs.count));
     const colorMaps = readJson("colors");
-    const json = await readJson(`${prefix}data`);
+    const json = await reading;
     announce(json);
     const run = new RunData(json, await colorMaps, null, (blob) => readBytes(`${prefix}values-${blob}`));
     if (!element("data")) {
       run.readCourse = (column, organ) => request(`${prefix}course-${column}-${organ}`).then((answer) => answer.arrayBuffer());
     }
-    run.shape = readShape(await shape, run.count);
+    run.shape = await shape;
     return run;
   }
 
@@ -99,9 +111,9 @@ export class RunData {
       .filter((column) => json.times.some((time) => time.values[column.number] >= 0));
   }
 
-  /** Whether other points of its sweep can be requested. */
+  /** Whether the page has the other points of its sweep. */
   get hasPoints() {
-    return this.json.sweep?.points.length > 1 && !element("data");
+    return this.json.sweep?.points.length > 1;
   }
 
   /** The result of the last time alone: the sum over all times. */

@@ -147,7 +147,8 @@ export class Page {
 
   /** Another result, or another state of it. */
   async replace(run, timeline, key) {
-    const isNewScene = run.shape !== this.run.shape;
+    const areSame = (one, other) => one === other || JSON.stringify(one) === JSON.stringify(other);
+    const isNewScene = run.shape !== this.run.shape || !areSame(run.json.organs, this.run.json.organs);
     this.run = run;
     this.timeline = timeline;
     this.state.time = key;

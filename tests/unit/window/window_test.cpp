@@ -363,13 +363,32 @@ TEST(Page, ReportsHoldNoMarkupOfTheData) {
         GTEST_SKIP() << "built without the viewer";
     }
     std::string html;
-    write_report(small_data(), [&html](std::string_view text) { html += text; });
+    write_report({{small_data()}}, [&html](std::string_view text) { html += text; });
     EXPECT_NE(html.find(R"({"title":"\u003c/script>\u003cscript>"})"), std::string::npos);
     EXPECT_NE(html.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
     EXPECT_EQ(html.find("<!--"), html.npos) << "a mark is left";
     EXPECT_NE(html.find("<meta name=\"viewport\""), html.npos)
         << "phones would show it as on a desk";
     EXPECT_NE(html.find("id=\"values-1\">c2Vjb25k</script>"), std::string::npos);
+}
+
+TEST(Page, ReportsOfSweepsHoldEachShapeOnce) {
+    if (embedded_page().script.empty()) {
+        GTEST_SKIP() << "built without the viewer";
+    }
+    std::vector<WindowData> points(4, small_data());
+    points[2].shape.assign(36, 'q');
+    points[3].shape = points[2].shape;
+    std::string html;
+    write_report(points, [&html](std::string_view text) { html += text; });
+    const auto has = [&html](const std::string& text) { return html.find(text) != html.npos; };
+    EXPECT_TRUE(has("id=\"shape\">cHBw"));
+    EXPECT_TRUE(has("id=\"point-1-shape\" data-same=\"shape\"></script>"));
+    EXPECT_TRUE(has("id=\"point-2-shape\">cXFx"));
+    EXPECT_TRUE(has("id=\"point-3-shape\" data-same=\"point-2-shape\"></script>"));
+    for (const char* id : {"data", "point-1-data", "point-3-values-1"}) {
+        EXPECT_TRUE(has("id=\"" + std::string(id) + "\">")) << id;
+    }
 }
 
 }  // namespace
