@@ -1,6 +1,5 @@
 #include "scene.h"
 
-#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -19,10 +18,10 @@
 #include "results/organ_values.h"
 #include "results/where_expression.h"
 #include "runfile/run_file.h"
+#include "runfile/table_rows.h"
 #include "scene/mesh_arrays.h"
 #include "scene/overlap/known_overlaps.h"
 #include "scene/sensors.h"
-#include "text/numbers.h"
 
 namespace quasimc::python {
 namespace {
@@ -185,34 +184,18 @@ py::dict labels_of(const Scene& scene) {
     return labels;
 }
 
-/// The numbers of points along both directions of an array of sensors, or of points with labels i
-/// and j; 0: a list.
-std::array<std::size_t, 2> counts_of(const SensorSet& set) {
-    std::array<std::size_t, 2> counts = set.counts;
-    const std::string* i = find_label(set.points.back().labels, "i");
-    const std::string* j = find_label(set.points.back().labels, "j");
-    const std::int64_t columns = i != nullptr ? parse_integer(*i).value_or(0) : 0;
-    const std::int64_t rows = j != nullptr ? parse_integer(*j).value_or(0) : 0;
-    if (counts[0] == 0 && columns > 0 && rows > 0) {
-        counts = {static_cast<std::size_t>(columns), static_cast<std::size_t>(rows)};
-    }
-    return counts;
-}
-
-/// The sets of sensors: name, names and positions of its results, in the file's axes, counts along
-/// both directions of an array, and whether they are spheres.
+/// The sets of sensors: name, shape, names and positions of its results, in the file's axes, and
+/// whether they are spheres.
 py::list sensors_of(const SceneHandle& handle) {
     const Scene& scene = *handle.scene;
     const std::vector<Vec3> positions = sensor_positions(scene);
     py::list sets;
     std::size_t first = 0;
     for (const SensorSet& set : scene.sensors()) {
-        const std::array<std::size_t, 2> counts = counts_of(set);
         py::dict own;
         own["name"] = set.name;
-        own["counts"] = py::make_tuple(counts[0], counts[1]);
+        own["shape"] = py::tuple(py::cast(sensor_shape(set)));
         own["is_sphere"] = set.receiver == Receiver::sphere;
-        own["is_averaged"] = set.is_averaged;
         py::list names;
         Doubles array({static_cast<py::ssize_t>(set.rows()), py::ssize_t{3}});
         double* out = array.mutable_data();

@@ -71,8 +71,8 @@ def json_file(result):
 def open_result(path):
     """Reads a result that was saved as JSON, by Python or by the program.
 
-    It has the light of organs, groups, the budget and the data of the run, but no replicates: sums
-    over organs have unknown errors.
+    It has the light of organs, sensors, detectors and groups, the budget and the data of the run, but
+    no replicates: sums over organs have unknown errors.
 
     Parameters
     ----------
@@ -107,7 +107,7 @@ def state_of(result):
     document = result._written.table(result.organs), result._written.name, result._written.folder
     if not result.has_replicates:
         text = text_of(result, "json").decode()
-        return _result_of_json, (text, result._written, result.run, result._sensor_light)
+        return _result_of_json, (text, result._written, result.run)
     sums = _core.saved_sums(result._sums)
     others = result.run, result._sensor_light, result.warnings, result._written
     return _result_of_sums, (document, sums, *others)
@@ -139,9 +139,9 @@ def data_of(core):
     return data
 
 
-def _result_of_json(text, written, run, sensors):
+def _result_of_json(text, written, run):
     result = result_of_text(text, "pickle", written.folder)
-    result.run, result._sensor_light = run, sensors
+    result.run = run
     return result
 
 
@@ -161,7 +161,7 @@ class StoredCore:
         self.sunlit_fraction = core.sunlit_fraction
         self.ratios = core.ratios
         self.detectors = core.detectors
-        self.sensors = None
+        self.sensors = core.sensors
         self.sun_shade = core.sun_shade
         self.origins = core.origins
         self.audit = rest.get("audit") or None

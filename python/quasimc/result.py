@@ -16,7 +16,7 @@ from .detectors import DetectorResult, detector_variables
 from .estimates import Estimates
 from .groups import Groups, group_rows
 from .run_info import Parts, RunInfo
-from .sensors import sensors_by_name
+from .sensors import free_sensor_variables, sensors_by_name
 from .sun_shade import parts_of
 
 
@@ -148,12 +148,7 @@ class Result(Light):
 
     @cached_property
     def sensors(self):
-        """Light on sensors: dict, name of a set -> `Sensors`, in the order in which they were added.
-
-        Raises ValueError for a result that was opened from a file.
-        """
-        if self._sensor_light is None and self.organs.sensor_sets:
-            raise ValueError("light on sensors is not read from files: run the scene")
+        """Light on sensors: dict, name of a set -> `Sensors`, in the order in which they were added."""
         return sensors_by_name(self._sensor_light, self.organs)
 
     @cached_property
@@ -417,7 +412,9 @@ class Result(Light):
 
         Statistics are mean, standard_error, ci95_low, ci95_high. Units are attributes of the
         variables. A detector is a variable with its name and the dimension <name>_bin instead of
-        organ; if the name is used already, it is ``detector_<name>``.
+        organ; if the name is used already, it is ``detector_<name>``. Sensors have the variables of
+        `Sensors.to_xarray` with the name of their set in front: ``bench_incident_upper``, along
+        ``bench_point``, or ``bench_j`` and ``bench_i``.
         """
         import xarray
 
@@ -439,6 +436,10 @@ class Result(Light):
         taken = [*variables, *coordinates]
         for name, detector in detector_variables(self.detectors, taken).items():
             variables[name] = detector.to_xarray().rename(bin=f"{name}_bin")
+        for sensors in self.sensors.values():
+            more, points = free_sensor_variables(sensors, {*variables, *coordinates})
+            variables |= more
+            coordinates |= points
         return xarray.Dataset(variables, coordinates, {"method": self.run.method})
 
     @property

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 
 from . import _core
@@ -38,12 +40,7 @@ class Sensors:
 
     def __init__(self, own, rows, light, organs, is_sum=False):
         self.name = own["name"]
-        columns, lines = own["counts"]
-        count = len(own["names"])
-        is_array = columns * lines == count and not own["is_averaged"]
-        self.shape = (
-            () if own["is_averaged"] else (lines, columns) if is_array and lines > 1 else (count,)
-        )
+        self.shape = own["shape"]
         self.names = np.array(own["names"], dtype=object).reshape(self.shape)
         self.positions = own["positions"].reshape(*self.shape, 3)
         self._of = organs
@@ -83,6 +80,17 @@ class Sensors:
         }
         return self._estimates(quantity, self._values[:, number], origins)
 
+    def to_xarray(self):
+        """Returns an xarray.Dataset: a variable for each quantity, with the coordinates name, x, y, z.
+
+        Its dimensions are those of the set (point, or j and i), band and statistic; ``_by_origin``
+        begins with origin. Statistics are mean, standard_error, ci95_low, ci95_high.
+        """
+        import xarray
+
+        variables, coordinates = sensor_variables(self)
+        return xarray.Dataset(variables, coordinates)
+
     def _estimates(self, name, values, origins=None):
         return Estimates(
             self._shaped(values), name, self._units, self._of.bands, origins=origins, extensive=False
@@ -94,6 +102,57 @@ class Sensors:
     def __repr__(self):
         shape = "x".join(map(str, self.shape)) or "one"
         return f"<Sensors {self.name!r}: {shape}>"
+
+
+def sensor_variables(sensors, prefix=""):
+    """Variables and coordinates of an xarray.Dataset, with the names that the NetCDF file has.
+
+    Parameters
+    ----------
+    sensors : Sensors
+    prefix : str
+        Of the names of variables, and of coordinates and dimensions of the set.
+
+    Returns
+    -------
+    tuple of dict
+    """
+    ends = {0: (), 1: ("point",), 2: ("j", "i")}[len(sensors.shape)]
+    axes = tuple(f"{prefix}{end}" for end in ends)
+    statistics = ["mean", "standard_error", "ci95_low", "ci95_high"]
+    coordinates = {"band": list(sensors._of.bands), "statistic": statistics}
+    coordinates[f"{prefix}name"] = (axes, sensors.names)
+    for axis, letter in enumerate("xyz"):
+        units = {"units": sensors._of.length_unit}
+        coordinates[f"{prefix}{letter}"] = (axes, sensors.positions[..., axis], units)
+    variables = {}
+    for quantity in sensors.keys():
+        light = sensors[quantity]
+        if quantity == "sunlit_fraction":
+            variables[prefix + quantity] = ((*axes, "statistic"), light._values, {"units": "1"})
+            continue
+        attributes = {"units": ", ".join(dict.fromkeys(light._units))}
+        dimensions = (*axes, "band", "statistic")
+        variables[prefix + quantity] = (dimensions, light._values, attributes)
+        if light.origins:
+            coordinates["origin"] = list(light.origins)
+            parts = np.stack([light.origin(name)._values for name in light.origins])
+            variables[f"{prefix}{quantity}_by_origin"] = (("origin", *dimensions), parts, attributes)
+    return variables, coordinates
+
+
+def free_sensor_variables(sensors, taken):
+    """`sensor_variables` with the name of the set in front, and a number if some are taken.
+
+    Characters of the name that NetCDF does not allow become `_`.
+    """
+    name = "".join(c if c.isalnum() or ord(c) >= 128 else "_" for c in sensors.name)
+    for number in itertools.count(1):
+        prefix = f"{name}_" if number == 1 else f"{name}_{number}_"
+        variables, coordinates = sensor_variables(sensors, prefix)
+        own = {key for key in (*variables, *coordinates) if key.startswith(prefix)}
+        if own.isdisjoint(taken):
+            return variables, coordinates
 
 
 def sensors_by_name(light, organs, is_sum=False):

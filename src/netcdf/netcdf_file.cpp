@@ -71,16 +71,18 @@ int NetcdfFile::add_variable(
     NetcdfType type,
     const std::vector<int>& dimensions,
     const NetcdfAttributes& attributes,
-    const std::vector<std::size_t>& chunk) {
+    const std::optional<std::vector<std::size_t>>& chunk) {
     constexpr int kFastest = 1;
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     int variable = 0;
     check_netcdf(netcdf_library().def_var(
         id_, name.c_str(), type_of(type), static_cast<int>(dimensions.size()), dimensions.data(),
         &variable));
-    if (!chunk.empty()) {
+    if (chunk) {
         check_netcdf(netcdf_library().def_var_fill(id_, variable, NC_FILL, &kNaN));
-        check_netcdf(netcdf_library().def_var_chunking(id_, variable, NC_CHUNKED, chunk.data()));
+    }
+    if (chunk && !chunk->empty()) {
+        check_netcdf(netcdf_library().def_var_chunking(id_, variable, NC_CHUNKED, chunk->data()));
         check_netcdf(netcdf_library().def_var_deflate(id_, variable, 1, 1, kFastest));
     }
     put_attributes(id_, variable, attributes);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -38,14 +39,14 @@ class NetcdfFile {
     /// @returns the number of the dimension
     int add_dimension(const std::string& name, std::size_t size);
     /// @param chunk  sizes of the compressed chunks of reals that are written block by block (NaN
-    ///        until then). Empty: the variable is written at once
+    ///        until then), empty for a single number; none: the variable is written at once
     /// @returns the number of the variable
     int add_variable(
         const std::string& name,
         NetcdfType type,
         const std::vector<int>& dimensions,
         const NetcdfAttributes& attributes,
-        const std::vector<std::size_t>& chunk = {});
+        const std::optional<std::vector<std::size_t>>& chunk = {});
     void add_attributes(const NetcdfAttributes& attributes);
 
     void put(int variable, const NetcdfBlock& block, std::span<const double> values);

@@ -205,16 +205,12 @@ std::string json_organ(
 
 namespace {
 
-/// The names of the quantities of a sensor: all light on a sphere is on its upper side.
+/// The names of the quantities of a sensor.
 JsonNames names_of_sensor(const JsonNames& names, Receiver receiver) {
     JsonNames own = names;
-    std::erase_if(own.columns.quantities, [&](const QuantityEntry& entry) {
-        return !is_of_sensors(entry.quantity) ||
-               (receiver == Receiver::sphere && entry.quantity == Quantity::incident_lower);
-    });
-    if (receiver == Receiver::sphere) {
-        own.quantities[static_cast<std::size_t>(Quantity::incident_upper)] =
-            json_text(std::string(kFluenceRate));
+    own.columns.quantities = sensor_quantities(names.columns.quantities, receiver);
+    for (const QuantityEntry& entry : own.columns.quantities) {
+        own.quantities[static_cast<std::size_t>(entry.quantity)] = json_text(entry.name);
     }
     return own;
 }

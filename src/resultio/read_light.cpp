@@ -4,160 +4,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "base/text.h"
 #include "quasimc/error.h"
-#include "resultio/part_columns.h"
 #include "resultio/read_rows.h"
+#include "resultio/stored_columns.h"
 #include "results/evaluate.h"
-#include "runfile/written.h"
 
 namespace quasimc {
 namespace {
-
-/// The estimates that are read, and their positions in a Result.
-class LightColumns {
-  public:
-    explicit LightColumns(const RunFile& run)
-        : written_(written_columns(run)),
-          organs_(run.scene.organs().size()),
-          bands_(run.scene.bands().size()),
-          ratios_(run.spec.ratios.size()),
-          scene_names_(run.scene.names()) {
-        add_light(run, {});
-        sunlit_ = names_.size();
-        names_.push_back({"sunlit_fraction"});
-        for (const std::string& ratio : run.spec.ratios) {
-            names_.push_back({"ratios", ratio});
-        }
-        for (const CsvTimes times : {CsvTimes::time_steps, CsvTimes::days}) {
-            (times == CsvTimes::days ? day_parts_ : parts_) = names_.size();
-            add_parts(run, times);
-        }
-        hours_ = names_.size();
-        names_.push_back({std::string(kSunlitHours)});
-        for (const std::string& origin : written_.origins) {
-            first_of_origins_.push_back(names_.size());
-            add_light(run, {"origins", origin});
-        }
-    }
-
-    [[nodiscard]] const std::vector<std::vector<std::string>>& names() const { return names_; }
-
-    [[nodiscard]] Result result(RowColumns& columns) const {
-        Result result;
-        result.paths = 1;  // it was computed, or else it would not be written
-        result.bands = bands_;
-        result.names = scene_names_;
-        result.ratios = ratios_;
-        result.values = light(columns);
-        add_origins(columns, result.origins);
-        result.sun_shade = parts(columns, parts_);
-        if (!columns[sunlit_].empty()) {
-            result.sunlit_fraction = std::move(columns[sunlit_]);
-            result.sunlit_fraction.resize(organs_, kUnknownEstimate);
-        }
-        result.ratio_values.assign(organs_ * ratios_, kUnknownEstimate);
-        for (std::size_t i = 0; i < ratios_; ++i) {
-            put(columns[sunlit_ + 1 + i], result.ratio_values, i, ratios_);
-        }
-        return result;
-    }
-
-    [[nodiscard]] SeriesSum sum(const RowColumns& columns) const {
-        SeriesSum sum;
-        sum.bands = bands_;
-        sum.values = light(columns);
-        add_origins(columns, sum.origins);
-        sum.sun_shade = parts(columns, day_parts_);
-        if (written_.has_sunlit_hours) {
-            sum.sunlit_hours = columns[hours_];
-            sum.sunlit_hours.resize(organs_, kUnknownEstimate);
-        }
-        return sum;
-    }
-
-    /// The estimates in the order of Result::values.
-    /// @param number  of the first column
-    [[nodiscard]] std::vector<Estimate> light(
-        const RowColumns& columns, std::size_t number = 0) const {
-        std::vector<Estimate> all(organs_ * kQuantities * bands_, kUnknownEstimate);
-        for (const std::size_t b : written_.bands) {
-            for (const QuantityEntry& entry : written_.quantities) {
-                const auto q = static_cast<std::size_t>(entry.quantity);
-                put(columns[number++], all, q * bands_ + b, kQuantities * bands_);
-            }
-        }
-        return all;
-    }
-
-  private:
-    /// @param origins  OriginLight or OriginSum
-    template <typename Origin>
-    void add_origins(const RowColumns& columns, std::vector<Origin>& origins) const {
-        for (std::size_t i = 0; i < written_.origins.size(); ++i) {
-            Origin& origin = origins.emplace_back();
-            origin.name = written_.origins[i];
-            origin.light.bands = bands_;
-            origin.light.values = light(columns, first_of_origins_[i]);
-        }
-    }
-
-    void add_parts(const RunFile& run, CsvTimes times) {
-        for (const PartColumn& part : part_columns(written_)) {
-            std::vector<std::string> path{quantity_of(part, times)};
-            if (part.entry.has_bands()) {
-                path.push_back(run.scene.bands()[part.band].name);
-            }
-            names_.push_back(std::move(path));
-        }
-    }
-
-    /// The light of sunlit and shaded parts. @param number  of the first column
-    [[nodiscard]] SunShadeLight parts(const RowColumns& columns, std::size_t number) const {
-        SunShadeLight light{bands_};
-        const std::size_t per_row = light.values_per_row();
-        light.values.assign(written_.parts.empty() ? 0 : organs_ * per_row, kUnknownEstimate);
-        for (const PartColumn& part : part_columns(written_)) {
-            const std::size_t first = static_cast<std::size_t>(part.entry.quantity) * bands_;
-            const std::size_t end = part.entry.has_bands() ? part.band + 1 : bands_;
-            for (std::size_t b = part.band; b < end; ++b) {
-                put(columns[number], light.values, first + b, per_row);
-            }
-            ++number;
-        }
-        return light;
-    }
-
-    /// @param first  keys that lead to the quantities
-    void add_light(const RunFile& run, const std::vector<std::string>& first) {
-        for (const std::size_t b : written_.bands) {
-            for (const QuantityEntry& entry : written_.quantities) {
-                std::vector<std::string> path = first;
-                path.insert(path.end(), {std::string(entry.name), run.scene.bands()[b].name});
-                names_.push_back(std::move(path));
-            }
-        }
-    }
-    void put(
-        const std::vector<Estimate>& column,
-        std::vector<Estimate>& values,
-        std::size_t first,
-        std::size_t step) const {
-        for (std::size_t i = 0; i < std::min(organs_, column.size()); ++i) {
-            values[first + i * step] = column[i];
-        }
-    }
-
-    WrittenColumns written_;
-    std::size_t organs_, bands_, ratios_;
-    std::shared_ptr<const SceneNames> scene_names_;
-    std::vector<std::vector<std::string>> names_;
-    std::size_t sunlit_ = 0, parts_ = 0, day_parts_ = 0, hours_ = 0;
-    std::vector<std::size_t> first_of_origins_;
-};
 
 double number_in(const Node& table, std::string_view key) {
     const Node* node = table.find(key);
@@ -217,53 +75,107 @@ std::size_t find_label(
     return static_cast<std::size_t>(found - labels.begin());
 }
 
+/// Reports light in the order of a result. That of sensors follows that on organs in it.
+class LightReader {
+  public:
+    LightReader(
+        std::string_view text,
+        const std::string& path,
+        const RunFile& run,
+        const LightEvents& events)
+        : path_(path), run_(run), events_(events), columns_(run), series_(run.series) {
+        for (std::size_t i = 0; series_ && i < series_->notes.size(); ++i) {
+            times_.push_back(series_->notes[i].time);
+        }
+        if (!run.scene.detectors().empty()) {
+            rest_ = read_rows(text, path, {.rest = RowsQuery::Rest::all}, {});
+        }
+        const RowsQuery query{.lists = {"organs", "sensors"}, .columns = columns_.names()};
+        read_rows(text, path, query, [this](PlacedRows rows) { add(std::move(rows)); });
+        report();
+    }
+
+    [[nodiscard]] bool is_empty() const { return !point_; }
+
+  private:
+    void add(PlacedRows rows) {
+        if (position_ != rows.position || rows.list == "organs") {
+            report();
+        }
+        position_ = rows.position;
+        (rows.list == "organs" ? organs_ : sensors_) = std::move(rows.columns);
+    }
+
+    /// Reports the light at a position, once all of it is read.
+    void report() {
+        if (!position_) {
+            return;
+        }
+        if (point_ != position_->point) {
+            point_ = position_->point;
+            next_time_ = next_day_ = 0;
+            events_.on_point(*point_);
+        }
+        if (position_->part == "days" && series_) {
+            const std::size_t day = find_label(series_->days, next_day_, *position_, path_);
+            next_day_ = day + 1;
+            events_.on_day(day, sum());
+        } else if (position_->part == "time_steps" && series_) {
+            const std::size_t time = find_label(times_, next_time_, *position_, path_);
+            next_time_ = time + 1;
+            events_.on_time_step(time, result());
+        } else if (position_->part.empty() && !series_) {
+            events_.on_time_step(0, result());
+        }
+        position_.reset();
+        organs_ = sensors_ = {};
+    }
+
+    [[nodiscard]] Result result() {
+        Result result = columns_.result(organs_.empty() ? no_rows() : organs_);
+        if (rest_) {
+            result.detectors = read_detectors(*rest_, *position_, run_);
+        }
+        if (!sensors_.empty()) {
+            result.sensors =
+                std::make_shared<const Result>(columns_.result_of_sensors(std::move(sensors_)));
+        }
+        return result;
+    }
+
+    [[nodiscard]] SeriesSum sum() {
+        SeriesSum sum = columns_.sum(organs_.empty() ? no_rows() : organs_);
+        if (!sensors_.empty()) {
+            sum.sensors =
+                std::make_shared<const SeriesSum>(columns_.sum_of_sensors(std::move(sensors_)));
+        }
+        return sum;
+    }
+
+    [[nodiscard]] RowColumns no_rows() const { return RowColumns(columns_.names().size()); }
+
+    const std::string& path_;
+    const RunFile& run_;
+    const LightEvents& events_;
+    const StoredColumns columns_;
+    const std::optional<TimeSeries> series_;  // the run may become the next point
+    std::vector<std::string> times_;
+    std::optional<Node> rest_;
+    std::optional<std::size_t> point_;
+    std::size_t next_time_ = 0, next_day_ = 0;  // within the point; labels of times may repeat
+    // Light that is not yet reported.
+    std::optional<RowsPosition> position_;
+    RowColumns organs_, sensors_;
+};
+
 }  // namespace
 
 void read_light(
     std::string_view text, const std::string& path, const RunFile& run, const LightEvents& events) {
-    const LightColumns columns(run);
-    const std::optional<TimeSeries> series = run.series;  // the run may become the next point
-    std::vector<std::string> times;
-    for (std::size_t i = 0; series && i < series->notes.size(); ++i) {
-        times.push_back(series->notes[i].time);
-    }
-    const auto rest =
-        run.scene.detectors().empty()
-            ? std::nullopt
-            : std::optional(read_rows(text, path, {.rest = RowsQuery::Rest::all}, {}));
-    const auto light_at = [&](PlacedRows& rows) {
-        Result result = columns.result(rows.columns);
-        if (rest) {
-            result.detectors = read_detectors(*rest, rows.position, run);
-        }
-        return result;
-    };
-    std::optional<std::size_t> point;
-    std::size_t next_time = 0, next_day = 0;  // within the point; labels of times may repeat
-    const auto take = [&](PlacedRows rows) {
-        const RowsPosition& position = rows.position;
-        if (point != position.point) {
-            point = position.point;
-            next_time = next_day = 0;
-            events.on_point(*point);
-        }
-        if (position.part == "days" && series) {
-            const SeriesSum sum = columns.sum(rows.columns);
-            const std::size_t day = find_label(series->days, next_day, position, path);
-            next_day = day + 1;
-            events.on_day(day, sum);
-        } else if (position.part == "time_steps" && series) {
-            const std::size_t time = find_label(times, next_time, position, path);
-            next_time = time + 1;
-            events.on_time_step(time, light_at(rows));
-        } else if (position.part.empty() && !series) {
-            events.on_time_step(0, light_at(rows));
-        }
-    };
-    read_rows(text, path, {.columns = columns.names()}, take);
-    if (!point) {
+    if (LightReader(text, path, run, events).is_empty()) {
         throw InputError(
-            {{path, "contains no light of organs", "the run ended before the first result", ""}});
+            {{path, "contains no light of organs or sensors",
+              "the run ended before the first result", ""}});
     }
 }
 

@@ -1,6 +1,7 @@
 #include "resultio/read_rows.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -9,7 +10,15 @@
 namespace quasimc {
 namespace {
 
-/// A builder that takes rows of organs and groups out of a result, of which there may be millions.
+constexpr std::array<std::string_view, 3> kLists{"organs", "groups", "sensors"};
+
+template <typename Names>
+bool is_one_of(std::string_view name, const Names& names) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A builder that takes rows of organs, groups and sensors out of a result, of which there may be
+/// millions.
 class RowsBuilder : public JsonNodeBuilder {
   public:
     RowsBuilder(
@@ -80,7 +89,7 @@ class RowsBuilder : public JsonNodeBuilder {
             at += 2;
         }
         const std::size_t behind = steps.size() - at;
-        if (behind == 1 && (steps[at] == "organs" || steps[at] == "groups")) {
+        if (behind == 1 && is_one_of(steps[at], kLists)) {
             return entry_of_rows(steps[at]);
         }
         const bool leads_to_rows =
@@ -94,7 +103,8 @@ class RowsBuilder : public JsonNodeBuilder {
 
     Entry entry_of_rows(std::string_view list) {
         position_.label = text_in(*open().back(), position_.part == "days" ? "date" : "time");
-        const bool is_requested = list == query_.list &&
+        list_ = list;
+        const bool is_requested = is_one_of(list, query_.lists) &&
                                   position_.part == query_.part.value_or(position_.part) &&
                                   position_.point == query_.point.value_or(position_.point) &&
                                   position_.label.starts_with(query_.label);
@@ -162,7 +172,7 @@ class RowsBuilder : public JsonNodeBuilder {
         }
         row_ += depth_ == 1 ? 1 : 0;
         if (depth_ == 0 && takes_ && row_ > 0) {
-            take_({position_, std::move(rows_)});
+            take_({position_, list_, std::move(rows_)});
         }
         return true;
     }
@@ -187,6 +197,7 @@ class RowsBuilder : public JsonNodeBuilder {
     std::size_t depth_ = 0;  // nesting in the skipped value; 0: none is skipped
     bool takes_ = false;     // whether the skipped value has requested rows
     RowsPosition position_;
+    std::string list_;
     RowColumns rows_;
     std::size_t row_ = 0;
     std::string row_key_, path_;

@@ -12,17 +12,19 @@
 
 namespace quasimc {
 
-/// The position of a list of organs or groups in a JSON result.
+/// The position of a list of organs, groups or sensors in a JSON result.
 struct RowsPosition {
     std::size_t point = 0;   ///< point of a sweep
     std::string part = {};   ///< "time_steps", "days" or "total"; empty without [time]
     std::size_t index = 0;   ///< index of the time step or the day
     std::string label = {};  ///< its time or date, which precedes the list
+
+    friend bool operator==(const RowsPosition&, const RowsPosition&) = default;
 };
 
 /// The numbers of a JSON result to read.
 struct RowsQuery {
-    std::string list = "organs";  ///< or "groups"
+    std::vector<std::string> lists = {"organs"};  ///< also "groups", "sensors"
     /// Path of keys to each kind of estimate: a quantity and a band, "ratios" and a ratio,
     /// "sunlit_fraction".
     std::vector<std::vector<std::string>> columns = {};
@@ -31,16 +33,18 @@ struct RowsQuery {
     std::optional<std::size_t> point = {};  ///< any by default
 
     /// The part of the result that is kept beside the lists: the members of the outermost object
-    /// but for points, times and sums; or the names of times alone; or everything but organs.
+    /// but for points, times and sums; or the names of times alone; or everything but organs and
+    /// sensors.
     enum class Rest { head, labels, all } rest = Rest::labels;
 };
 
-/// The estimates of each kind, one for each organ or group; NaN where the result has none.
+/// The estimates of each kind, one for each organ, group or sensor; NaN where the result has none.
 /// A kind may have fewer estimates than there are rows: the last rows have none.
 using RowColumns = std::vector<std::vector<Estimate>>;
 
 struct PlacedRows {
     RowsPosition position;
+    std::string list;  ///< one of RowsQuery::lists
     RowColumns columns;
 };
 

@@ -7,18 +7,10 @@
 #include "results/units.h"
 #include "runfile/table_rows.h"
 #include "runfile/written.h"
+#include "scene/sensors.h"
 
 namespace quasimc {
 namespace {
-
-/// By row, whether a sensor is a sphere.
-std::vector<bool> spheres_of(const Scene& scene) {
-    std::vector<bool> spheres;
-    for (const SensorSet& set : scene.sensors()) {
-        spheres.insert(spheres.end(), set.rows(), set.receiver == Receiver::sphere);
-    }
-    return spheres;
-}
 
 /// An estimate of a row, of all light or of an origin.
 struct SensorValue {

@@ -1,12 +1,14 @@
 #include "runfile/table_rows.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "results/fraction_table.h"
 #include "results/group_request.h"
 #include "results/groups.h"
 #include "runfile/written.h"
 #include "scene/sensors.h"
+#include "text/numbers.h"
 
 namespace quasimc {
 
@@ -71,6 +73,40 @@ bool TableRows::has(const OrganGroup& group) const {
         }
         return name == "area" ? std::optional(WhereValue::of_number(group.area)) : std::nullopt;
     });
+}
+
+std::vector<QuantityEntry> sensor_quantities(
+    const std::vector<QuantityEntry>& quantities, Receiver receiver) {
+    std::vector<QuantityEntry> own;
+    for (QuantityEntry entry : quantities) {
+        if (receiver == Receiver::sphere && entry.quantity == Quantity::incident_upper) {
+            entry.name = kFluenceRate;
+            entry.summary = "light from all directions, on a sphere";
+        }
+        const bool is_lower = entry.quantity == Quantity::incident_lower;
+        if (is_of_sensors(entry.quantity) && !(receiver == Receiver::sphere && is_lower)) {
+            own.push_back(entry);
+        }
+    }
+    return own;
+}
+
+std::vector<std::size_t> sensor_shape(const SensorSet& set) {
+    if (set.is_averaged) {
+        return {};
+    }
+    const Labels& last = set.points.back().labels;
+    const auto number_in = [&](std::string_view key) {
+        const std::string* text = find_label(last, key);
+        const std::int64_t number = text != nullptr ? parse_integer(*text).value_or(0) : 0;
+        return static_cast<std::size_t>(std::max<std::int64_t>(number, 0));
+    };
+    const bool is_array = set.counts[0] > 0;
+    const std::size_t columns = is_array ? set.counts[0] : number_in("i");
+    const std::size_t lines = is_array ? set.counts[1] : number_in("j");
+    const std::size_t count = set.points.size();
+    return lines > 1 && count % lines == 0 && count / lines == columns ? std::vector{lines, columns}
+                                                                       : std::vector{count};
 }
 
 bool TableRows::is_empty(const RunFile& run) const {

@@ -46,6 +46,15 @@ inline constexpr std::string_view kFluenceRate = "fluence_rate";
     return quantity != Quantity::absorbed_flux && quantity != Quantity::absorbed_flux_density;
 }
 
+/// Selects the quantities that sensors have, with their names: on a sphere all light is on its upper
+/// side, and is called the fluence rate.
+[[nodiscard]] std::vector<QuantityEntry> sensor_quantities(
+    const std::vector<QuantityEntry>& quantities, Receiver receiver);
+
+/// The shape of the results of a set: none for a mean; lines and columns of an array, which the
+/// labels i and j of points also make; else the number of points.
+[[nodiscard]] std::vector<std::size_t> sensor_shape(const SensorSet& set);
+
 /// The names of the quantities that a table can have.
 [[nodiscard]] std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times);
 

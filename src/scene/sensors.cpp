@@ -110,6 +110,14 @@ std::size_t sensor_rows(const Scene& scene) {
     return rows;
 }
 
+std::vector<bool> spheres_of(const Scene& scene) {
+    std::vector<bool> spheres;
+    for (const SensorSet& set : scene.sensors()) {
+        spheres.insert(spheres.end(), set.rows(), set.receiver == Receiver::sphere);
+    }
+    return spheres;
+}
+
 std::vector<Vec3> sensor_positions(const Scene& scene) {
     std::vector<Vec3> positions;
     for (const SensorSet& set : scene.sensors()) {

@@ -51,6 +51,9 @@ struct SensorOrgans {
 /// The position of each result, z up: of its point, or the mean of several.
 [[nodiscard]] std::vector<Vec3> sensor_positions(const Scene& scene);
 
+/// By result, whether the sensor is a sphere.
+[[nodiscard]] std::vector<bool> spheres_of(const Scene& scene);
+
 /// The number of results of sensors.
 [[nodiscard]] std::size_t sensor_rows(const Scene& scene);
 

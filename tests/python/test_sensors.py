@@ -113,18 +113,83 @@ def test_bad_input_is_told():
         result.sensors["sensors"]["absorbed_flux"]
 
 
-def test_results_with_sensors_are_pickled_but_not_read_from_files(tmp_path):
+def test_results_and_their_sensors_are_arrays_of_xarray():
+    pytest.importorskip("xarray")
     scene = canopy()
-    scene.add_sensors([[0.5, 0.5, 0.5]], name="floor")
-    result = scene.run(**FEW)
-    back = pickle.loads(pickle.dumps(result))
-    assert back == result
-    for one in (back, pickle.loads(pickle.dumps(scene.run(**FEW, keep="estimates")))):
-        assert np.array_equal(
-            one.sensors["floor"]["incident_upper"].values,
-            result.sensors["floor"]["incident_upper"].values,
-        )
-    with pytest.raises(ValueError, match="not read from files"):
-        quasimc.open(result.save(tmp_path / "light.json")).sensors
+    y, x = np.mgrid[0:2, 0:3] / 4
+    scene.add_sensors(np.stack([x, y, x + 0.5], axis=-1), name="floor 1")
+    scene.add_sensors([[0.5, 0.5, 0.5], [0.1, 0.5, 0.7]], name="balls", receiver="sphere")
+    scene.add_sensors([[0.5, 0.5, 0.5], [0.1, 0.5, 0.7]], name="mean", average=True)
+    result = scene.run(**FEW, origins=["sun", "sky"])
+    data = result.to_xarray()
+    for prefix, sensors, axes in (
+        ("floor_1_", result.sensors["floor 1"], ("j", "i")),
+        ("balls_", result.sensors["balls"], ("point",)),
+        ("mean_", result.sensors["mean"], ()),
+    ):
+        own = sensors.to_xarray()
+        for quantity in sensors:
+            light = data[prefix + quantity]
+            has_bands = quantity != "sunlit_fraction"
+            own_axes = (*axes, *(("band",) if has_bands else ()), "statistic")
+            assert own[quantity].dims == own_axes
+            assert light.dims == (*(prefix + axis for axis in axes), *own_axes[len(axes) :])
+            mean = light.sel(statistic="mean")
+            assert np.array_equal(mean, sensors[quantity].values)
+            error = own[quantity].sel(statistic="standard_error")
+            assert np.array_equal(error, sensors[quantity].standard_error, equal_nan=True)
+            if has_bands:
+                from_sky = own[f"{quantity}_by_origin"].sel(origin="sky", statistic="mean")
+                assert np.array_equal(from_sky, sensors[quantity].origin("sky").values)
+        assert np.array_equal(data[f"{prefix}x"], sensors.positions[..., 0])
+        assert np.array_equal(own["name"], sensors.names)
+    assert data.floor_1_incident_upper.attrs["units"] == "W m-2"
+
+
+def test_sensors_whose_names_differ_in_other_characters_only_have_a_number():
+    pytest.importorskip("xarray")
+    scene = plane()
+    scene.add_sensors([[0.5, 0.5, 1]], name="a b").add_sensors([[0.5, 0.5, 3]], name="a+b")
+    data = scene.run(**FEW).to_xarray()
+    assert float(data.a_b_z[0]) == 1 and float(data.a_b_2_z[0]) == 3
+
+
+def test_results_with_sensors_are_pickled_and_read_from_files(tmp_path):
+    scene = canopy()
+    y, x = np.mgrid[0:2, 0:3] / 4
+    scene.add_sensors(np.stack([x, y, x + 0.5], axis=-1), name="floor")
+    scene.add_sensors([[0.5, 0.5, 0.5], [0.1, 0.5, 0.7]], name="balls", receiver="sphere")
+    scene.add_sensors([[0.5, 0.5, 0.5], [0.1, 0.5, 0.7]], name="mean", average=True)
+    result = scene.run(**FEW, origins=["sun", "sky"])
+    copies = [
+        pickle.loads(pickle.dumps(result)),
+        pickle.loads(pickle.dumps(scene.run(**FEW, origins=["sun", "sky"], keep="estimates"))),
+        quasimc.open(result.save(tmp_path / "light.json")),
+    ]
+    copies.append(pickle.loads(pickle.dumps(copies[-1])))
+    for copy in copies:
+        assert copy == result
+        assert list(copy.sensors) == ["floor", "balls", "mean"]
+        for name, sensors in result.sensors.items():
+            assert same_light(copy.sensors[name], sensors)
+    assert not same_light(result.sensors["balls"], other_seed(scene).sensors["balls"])
     with pytest.raises(ValueError, match="no parts"):
         scene.part(0, 2)
+
+
+def same_light(one, other):
+    """Whether two sets of sensors have the same numbers, bit for bit."""
+    assert one.keys() == other.keys() and one.shape == other.shape
+    pairs = [(one[quantity], other[quantity]) for quantity in one]
+    for quantity in one:
+        for origin in () if quantity == "sunlit_fraction" else ("sun", "sky"):
+            pairs.append((one[quantity].origin(origin), other[quantity].origin(origin)))
+    return all(
+        np.array_equal(getattr(left, part), getattr(right, part), equal_nan=True)
+        for left, right in pairs
+        for part in ("values", "standard_error", "ci95_low", "ci95_high")
+    )
+
+
+def other_seed(scene):
+    return scene.run(**{**FEW, "seed": 4}, origins=["sun", "sky"])

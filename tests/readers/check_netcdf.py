@@ -62,6 +62,19 @@ type = "escaped_by_zenith"
 name = "up"
 rings = 3
 """
+SENSORS = """
+[[sensors]]
+name = "bench"
+at = { start = [0, 0, 1], along = [12, 0, 0], across = [0, 4, 0], counts = [3, 2] }
+[[sensors]]
+name = "two balls"
+receiver = "sphere"
+at = [[0, 0, 20], [1, 2, 3]]
+[[sensors]]
+name = "mean"
+average = true
+at = [[0, 0, 2], [20, 4, 2]]
+"""
 ONE_UNIT = 'bands = ["PAR", "NIR"]'
 TWO_UNITS = """
 [[band]]
@@ -205,6 +218,92 @@ def check_detector(data, where, detector, suffixed):
                 assert np.array_equal(data[name].values[index], theirs, equal_nan=True), (name, index)
 
 
+SENSOR_AXES = {"bench": ("bench_j", "bench_i"), "two_balls": ("two_balls_point",), "mean": ()}
+
+
+def compare_sensors(data, where, rows, bands, suffixed, extra="", origin=None):
+    """Compares the variables of sensors with those of the JSON. Returns the number of numbers."""
+    shapes = {"bench": [(j, i) for j in range(2) for i in range(3)], "two_balls": [(0,), (1,)], "mean": [()]}
+    positions = [(name, index) for name, indices in shapes.items() for index in indices]
+    assert len(positions) == len(rows)
+    compared = 0
+    for (name, index), row in zip(positions, rows):
+        light = row["origins"][origin[1]] if origin else row
+        for quantity in (key for key in light if key.startswith(("incident", "fluence"))):
+            for b, band in enumerate(bands):
+                for suffix, part in PARTS.items():
+                    variable = f"{name}_{quantity}" + (f"_{band}" if suffixed else "") + extra + suffix
+                    at = where + ((origin[0],) if origin else ()) + (() if suffixed else (b,)) + index
+                    theirs = estimate(light[quantity][band])[part]
+                    ours = data[variable].values[at]
+                    assert np.array_equal(ours, theirs, equal_nan=True), (variable, at, ours, theirs)
+                    compared += np.isfinite(theirs)
+    return compared
+
+
+def check_sensor_coordinates(data, rows):
+    assert list(data.bench_name.values.ravel()) == [row["name"] for row in rows[:6]]
+    assert data.bench_name.values[1, 2] == "bench 6"
+    assert list(data.two_balls_name.values) == ["two balls 1", "two balls 2"]
+    assert data.mean_name.values == "mean" and data.mean_x.values == 10 and data.mean_y.values == 2
+    for axis, name in enumerate("xyz"):
+        positions = data[f"bench_{name}"]
+        assert list(positions.values.ravel()) == [row["position"][axis] for row in rows[:6]]
+        assert positions.attrs["units"] == "cm" and positions.dims == ("bench_j", "bench_i")
+
+
+def check_sensors(program, folder):
+    """All kinds of sensors, with origins, in a sweep."""
+    options = '[run]\norigins = ["sun", "sky"]\n'
+    sky = '[[source]]\ntype = "uniform_sky"\nname = "sky"\nirradiance_horizontal = 30\n'
+    sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
+    head = HEAD.format(bands=ONE_UNIT).replace("[run]\n", options)
+    sun = SUN.replace("type", 'name = "sun"\ntype', 1)
+    case = Case(program, folder, head + sweep + sun + sky + SCENE.format() + SENSORS)
+    data = case.data
+    check_sensor_coordinates(data, case.json["points"][0]["sensors"])
+    for name, axes in SENSOR_AXES.items():
+        light = data[f"{name}_incident_direct"]
+        assert light.dims == ("material_leaf_reflectance", "band") + axes
+        assert f"{name}_name" in light.coords and light.attrs["units"] == "W m-2"
+        by_origin = data[f"{name}_incident_direct_by_origin"]
+        assert by_origin.dims == ("material_leaf_reflectance", "origin", "band") + axes
+    assert "two_balls_incident_upper" not in data and "bench_absorbed_flux" not in data
+    for row, point in enumerate(case.json["points"]):
+        sensors = point["sensors"]
+        assert compare_sensors(data, (row,), sensors, ["PAR", "NIR"], False) > 200
+        for origin in enumerate(["sun", "sky"]):
+            extra = "_by_origin"
+            assert compare_sensors(data, (row,), sensors, ["PAR", "NIR"], False, extra, origin) > 50
+        sunlit = [sensor["sunlit_fraction"]["mean"] for sensor in sensors]
+        assert list(data.bench_sunlit_fraction.values[row].ravel()) == sunlit[:6] and max(sunlit) > 0
+        ratio = [number(sensor["ratios"]["PAR:NIR"]["mean"]) for sensor in sensors]
+        assert np.array_equal(data.two_balls_light_ratio.values[row, 0], ratio[6:8])
+
+
+def check_sensors_in_time(program, folder):
+    case = Case(program, folder, HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format() + SENSORS)
+    data = case.data
+    assert data.bench_incident_upper_PAR.dims == ("time", "bench_j", "bench_i")
+    assert data.mean_incident_upper_NIR_day_sum.dims == ("day",)
+    assert data.bench_incident_upper_PAR_day_sum.attrs["units"] == "mol m-2"
+    for row, step in enumerate(case.json["time_steps"]):
+        assert compare_sensors(data, (row,), step["sensors"], ["PAR", "NIR"], True) > 50
+    for row, day in enumerate(case.json["days"]):
+        assert compare_sensors(data, (row,), day["sensors"], ["PAR", "NIR"], True, "_day_sum") > 200
+
+
+def check_one_sensor(program, folder):
+    """A mean in bands with units of their own has variables without axes."""
+    one = SENSORS[SENSORS.index('[[sensors]]\nname = "mean"') :]
+    case = Case(program, folder, HEAD.format(bands=TWO_UNITS) + SUN + SCENE.format() + one)
+    light = case.json["sensors"][0]["incident_upper"]["NIR"]
+    assert case.data.mean_incident_upper_NIR.values == light["mean"]
+    error = case.data.mean_incident_upper_NIR_standard_error.values
+    assert error == light["standard_error"] and 0 < error < light["mean"]
+    assert case.data.mean_incident_upper_NIR_ci95_low.dims == ()
+
+
 def check_detectors(program, folder):
     sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
     text = HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format() + DETECTORS
@@ -319,6 +418,9 @@ def main():
             check_parts_and_origins,
             check_sweep,
             check_detectors,
+            check_sensors,
+            check_sensors_in_time,
+            check_one_sensor,
             check_product,
             check_together,
             check_swept_geometry,

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "quasimc/error.h"
+#include "quasimc/result_file.h"
+#include "run/zero_result.h"
 #include "unit/runfile/io_testing.h"
 
 namespace quasimc::test {
@@ -19,6 +21,11 @@ const std::string kTwoOrgans =
 std::string light_estimate(int mean) {
     return R"({"mean":)" + std::to_string(mean) +
            R"(,"standard_error":0.5,"ci95_low":0.25,"ci95_high":0.75})";
+}
+
+bool is_same(const Estimate& a, const Estimate& b) {
+    return a.mean == b.mean && a.standard_error == b.standard_error && a.ci95_low == b.ci95_low &&
+           a.ci95_high == b.ci95_high;
 }
 
 /// Two organs, the second without what is sunlit.
@@ -124,6 +131,109 @@ TEST(ReadLight, TakesTimesInTheirOrder) {
         InputError);
 }
 
+/// Two suns as origins, and sensors of all kinds.
+RunFile run_with_sensors(const std::string& time = "") {
+    RunText text;
+    text.top = "bands = ['PAR', 'NIR']\nlength_unit = 'm'\n";
+    text.run = "[run]\norigins = ['lamp', 'sun']\nratios = ['PAR:NIR']\n";
+    text.sources =
+        "[[source]]\ntype = 'point'\nname = 'lamp'\nposition = [0, 0, 3]\npower = 2\n"
+        "[[source]]\ntype = 'directional'\nname = 'sun'\ndirection = [0, 0, -1]\n"
+        "irradiance_facing = 1\n";
+    text.rest =
+        "[[sensors]]\nname = 'flat'\nat = [[0, 0, 1], [1, 0, 1]]\n"
+        "[[sensors]]\nname = 'ball'\nat = [[0, 0, 1]]\nreceiver = 'sphere'\n"
+        "[[sensors]]\nname = 'mean'\nat = [[0, 0, 1], [1, 0, 1]]\naverage = true\n" +
+        time;
+    return read_text(text.text());
+}
+
+/// Different numbers for all estimates.
+void number(std::vector<Estimate>& estimates, double& next) {
+    for (Estimate& each : estimates) {
+        next += 1.0 / 3;
+        each = {next, next / 7, next - 1, next + 1};
+    }
+}
+
+/// Checks the light on the sensors of run_with_sensors(): absorbed light is not written, nor are
+/// the sides of the sphere.
+/// @param read, written  a Result or a SeriesSum
+template <typename Light>
+void expect_same_sensors(const Light& read, const Light& written) {
+    ASSERT_EQ(read.values.size(), written.values.size());
+    for (std::size_t i = 0; i < read.values.size(); ++i) {
+        const std::size_t row = i / (kQuantities * read.bands);
+        const auto quantity = static_cast<Quantity>(i / read.bands % kQuantities);
+        const bool is_written = quantity > Quantity::absorbed_flux_density &&
+                                (row != 2 || quantity != Quantity::incident_lower);
+        EXPECT_EQ(std::isnan(read.values[i].mean), !is_written) << i;
+        EXPECT_TRUE(!is_written || is_same(read.values[i], written.values[i])) << i;
+    }
+}
+
+TEST(ReadLight, ReadsSensorsBack) {
+    const RunFile run = run_with_sensors();
+    Result result = zero_result(run.scene, run.spec);
+    Result sensors = *result.sensors;
+    double next = 0;
+    number(sensors.values, next);
+    number(sensors.ratio_values, next);
+    sensors.sunlit_fraction.resize(4);
+    number(sensors.sunlit_fraction, next);
+    for (OriginLight& origin : sensors.origins) {
+        number(origin.light.values, next);
+    }
+    result.sensors = std::make_shared<const Result>(sensors);
+    std::string text;
+    static_cast<void>(write_json(run, result, [&](std::string_view part) { text += part; }));
+    std::size_t reported = 0;
+    LightEvents events;
+    events.on_time_step = [&](std::size_t /*time_step*/, const Result& read) {
+        ++reported;
+        ASSERT_NE(read.sensors, nullptr);
+        expect_same_sensors(*read.sensors, sensors);
+        ASSERT_EQ(read.sensors->origins.size(), 2U);
+        for (std::size_t i = 0; i < 2; ++i) {
+            EXPECT_EQ(read.sensors->origins[i].name, sensors.origins[i].name);
+            expect_same_sensors(read.sensors->origins[i].light, sensors.origins[i].light);
+        }
+        for (std::size_t i = 0; i < 4; ++i) {
+            EXPECT_TRUE(is_same(read.sensors->sunlit_fraction[i], sensors.sunlit_fraction[i]));
+            EXPECT_TRUE(is_same(read.sensors->ratio(i, 0), sensors.ratio(i, 0)));
+        }
+    };
+    read_light(text, "a.json", run, events);
+    EXPECT_EQ(reported, 1U);
+}
+
+TEST(ReadLight, ReadsSumsOfSensorsBack) {
+    const RunFile run = run_with_sensors(
+        "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\nday = "
+        "'2024-06-21'\nutc_offset_hours = 0\n");
+    const std::size_t rows = 4 * kQuantities * 2;
+    double next = 0;
+    SeriesSum sensors, sum;
+    sensors.bands = sum.bands = 2;
+    sensors.values.resize(rows);
+    number(sensors.values, next);
+    sum.values.resize(kQuantities * 2);
+    sum.sensors = std::make_shared<const SeriesSum>(sensors);
+    std::string text;
+    JsonWriter writer(run, [&](std::string_view part) { text += part; });
+    writer.on_day(0, sum);
+    writer.finish({});
+    std::size_t reported = 0;
+    LightEvents events;
+    events.on_day = [&](std::size_t /*day*/, const SeriesSum& read) {
+        ++reported;
+        ASSERT_NE(read.sensors, nullptr);
+        expect_same_sensors(*read.sensors, sensors);
+    };
+    read_light(text, "a.json", run, events);
+    EXPECT_EQ(reported, 1U);
+}
+
 TEST(ReadLight, RefusesAResultWithoutAny) {
     const RunFile run = read_text(RunText().text());
     try {
@@ -133,7 +243,8 @@ TEST(ReadLight, RefusesAResultWithoutAny) {
         ASSERT_EQ(error.faults().size(), 1U);
         EXPECT_EQ(
             error.faults()[0].text(),
-            "a.json: contains no light of organs (the run ended before the first result)");
+            "a.json: contains no light of organs or sensors (the run ended before the first "
+            "result)");
     }
 }
 

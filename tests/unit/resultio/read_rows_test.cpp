@@ -60,7 +60,7 @@ TEST(ReadRows, TakesWhatIsAskedFor) {
     EXPECT_EQ(means_of(kOne, {.columns = {{"flux", "NIR"}}}), (Means{-1, -2}));
     EXPECT_EQ(means_of(kOne, {.columns = {{"sunlit_fraction"}}}), (Means{101, 102}));
     EXPECT_EQ(means_of(kOne, {.columns = {{"ratios", "R/FR"}}}), (Means{201, 202}));
-    EXPECT_EQ(means_of(kOne, {.list = "groups", .columns = kPar}), Means{5});
+    EXPECT_EQ(means_of(kOne, {.lists = {"groups"}, .columns = kPar}), Means{5});
     EXPECT_EQ(means_of(kOne, {.columns = {{"flux", "UV"}}}), Means{});
     EXPECT_EQ(means_of(kOne, {.columns = kPar, .part = "days"}), Means{});
     const auto rows = read_rows(

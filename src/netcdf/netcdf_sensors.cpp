@@ -1,0 +1,116 @@
+#include "netcdf/netcdf_sensors.h"
+
+#include <array>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "runfile/table_rows.h"
+#include "scene/sensors.h"
+
+namespace quasimc {
+namespace {
+
+/// Defines the axes and coordinates of a set.
+class SensorAxes {
+  public:
+    SensorAxes(const RunFile& run, NetcdfAxes& axes, NetcdfFile& file)
+        : run_(run), axes_(axes), file_(file), positions_(sensor_positions(run.scene)) {}
+
+    NetcdfRows add(const SensorSet& set, std::size_t first) {
+        NetcdfRows rows{
+            .prefix = prefix_of(set.name),
+            .first = first,
+            .count = set.rows(),
+            .quantities = sensor_quantities(axes_.columns.quantities, set.receiver)};
+        const std::vector<std::size_t> shape = sensor_shape(set);
+        const std::vector<std::string> ends = shape.size() == 2 ? std::vector<std::string>{"j", "i"}
+                                                                : std::vector<std::string>{"point"};
+        std::vector<int> dimensions;
+        for (std::size_t i = 0; i < shape.size(); ++i) {
+            const std::string name = axes_.free_name(rows.prefix + ends[i]);
+            dimensions.push_back(file_.add_dimension(name, shape[i]));
+            rows.axes.emplace_back(dimensions.back(), shape[i]);
+        }
+        add_names(set, dimensions, rows);
+        add_positions(dimensions, rows);
+        return rows;
+    }
+
+  private:
+    /// The valid name of a set, with a number if others have it.
+    std::string prefix_of(const std::string& name) {
+        const std::string valid = NetcdfAxes::valid_name(name);
+        std::string free = valid + "_";
+        for (int number = 2; !prefixes_.insert(free).second; ++number) {
+            free = fmt::format("{}_{}_", valid, number);
+        }
+        return free;
+    }
+
+    void add_names(const SensorSet& set, const std::vector<int>& dimensions, NetcdfRows& rows) {
+        std::vector<std::string> names;
+        for (std::size_t i = 0; i < set.rows(); ++i) {
+            names.push_back(set.is_averaged ? set.name : set.points[i].name);
+        }
+        rows.coordinates = axes_.free_name(rows.prefix + "name");
+        axes_.add_texts(rows.coordinates, "name of the sensor", dimensions, names);
+    }
+
+    void add_positions(const std::vector<int>& dimensions, NetcdfRows& rows) {
+        std::array<std::vector<double>, 3> of_axis;
+        for (std::size_t i = 0; i < rows.count; ++i) {
+            const Vec3 p = run_.scene.orientation().outward(positions_[rows.first + i]);
+            of_axis[0].push_back(p.x);
+            of_axis[1].push_back(p.y);
+            of_axis[2].push_back(p.z);
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const std::string letter(1, "xyz"[axis]);
+            const std::string name = axes_.free_name(rows.prefix + letter);
+            rows.coordinates += " " + name;
+            file_.put(
+                file_.add_variable(
+                    name, NetcdfType::real, dimensions,
+                    {{"long_name", letter + " of the sensor, in the axes of the run file"},
+                     {"units", run_.scene.length_unit()}}),
+                of_axis[axis]);
+        }
+    }
+
+    const RunFile& run_;
+    NetcdfAxes& axes_;
+    NetcdfFile& file_;
+    const std::vector<Vec3> positions_;
+    std::set<std::string> prefixes_;
+};
+
+}  // namespace
+
+NetcdfSensors::NetcdfSensors(const RunFile& run, NetcdfAxes& axes, NetcdfFile& file) {
+    SensorAxes own(run, axes, file);
+    std::size_t first = 0;
+    for (const SensorSet& set : run.scene.sensors()) {
+        sets_.emplace_back(run, axes, own.add(set, first));
+        first += set.rows();
+    }
+}
+
+void NetcdfSensors::put(const std::vector<std::size_t>& start, const Result& result) {
+    for (LightVariables& set : sets_) {
+        if (result.sensors) {
+            set.put(start, *result.sensors);
+        }
+    }
+}
+
+void NetcdfSensors::put_day(const std::vector<std::size_t>& start, const SeriesSum& sum) {
+    for (LightVariables& set : sets_) {
+        if (sum.sensors) {
+            set.put_day(start, *sum.sensors);
+        }
+    }
+}
+
+}  // namespace quasimc

@@ -1,0 +1,196 @@
+#include "resultio/stored_columns.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "resultio/part_columns.h"
+#include "results/evaluate.h"
+#include "runfile/table_rows.h"
+#include "scene/sensors.h"
+
+namespace quasimc {
+namespace {
+
+/// Puts a column, which may have fewer rows, into every `step`-th of the values.
+void put_column(
+    const std::vector<Estimate>& column,
+    std::vector<Estimate>& values,
+    std::size_t first,
+    std::size_t step) {
+    const std::size_t rows = std::min(values.size() / step, column.size());
+    for (std::size_t i = 0; i < rows; ++i) {
+        values[first + i * step] = column[i];
+    }
+}
+
+/// A column with all of its rows.
+std::vector<Estimate> whole_column(const std::vector<Estimate>& column, std::size_t rows) {
+    std::vector<Estimate> all = column;
+    all.resize(rows, kUnknownEstimate);
+    return all;
+}
+
+}  // namespace
+
+StoredColumns::StoredColumns(const RunFile& run)
+    : run_(run),
+      written_(written_columns(run)),
+      organs_(run.scene.organs().size()),
+      bands_(run.scene.bands().size()),
+      ratios_(run.spec.ratios.size()),
+      is_sphere_(spheres_of(run.scene)) {
+    add_light({});
+    sunlit_ = names_.size();
+    names_.push_back({"sunlit_fraction"});
+    for (const std::string& ratio : run.spec.ratios) {
+        names_.push_back({"ratios", ratio});
+    }
+    parts_ = names_.size();
+    add_parts(CsvTimes::time_steps);
+    day_parts_ = names_.size();
+    add_parts(CsvTimes::days);
+    hours_ = names_.size();
+    names_.push_back({std::string(kSunlitHours)});
+    for (const std::string& origin : written_.origins) {
+        first_of_origins_.push_back(names_.size());
+        add_light({"origins", origin});
+    }
+}
+
+/// Adds the columns of the quantities. @param first  keys that lead to them
+void StoredColumns::add_light(const std::vector<std::string>& first) {
+    const auto add = [&](std::string_view quantity, std::size_t band) {
+        std::vector<std::string> path = first;
+        path.insert(path.end(), {std::string(quantity), run_.scene.bands()[band].name});
+        names_.push_back(std::move(path));
+        return names_.size() - 1;
+    };
+    std::vector<std::size_t> upper;
+    for (const std::size_t b : written_.bands) {
+        for (const QuantityEntry& entry : written_.quantities) {
+            const std::size_t column = add(entry.name, b);
+            if (entry.quantity == Quantity::incident_upper) {
+                upper.push_back(column);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < upper.size(); ++i) {
+        fluences_.emplace_back(upper[i], add(kFluenceRate, written_.bands[i]));
+    }
+}
+
+void StoredColumns::add_parts(CsvTimes times) {
+    for (const PartColumn& part : part_columns(written_)) {
+        std::vector<std::string> path{quantity_of(part, times)};
+        if (part.entry.has_bands()) {
+            path.push_back(run_.scene.bands()[part.band].name);
+        }
+        names_.push_back(std::move(path));
+    }
+}
+
+Result StoredColumns::result(const RowColumns& columns) const {
+    Result result = result_of_rows(columns, organs_);
+    result.names = run_.scene.names();
+    result.sun_shade = parts(columns, parts_);
+    return result;
+}
+
+SeriesSum StoredColumns::sum(const RowColumns& columns) const {
+    SeriesSum sum = sum_of_rows(columns, organs_);
+    sum.sun_shade = parts(columns, day_parts_);
+    if (written_.has_sunlit_hours) {
+        sum.sunlit_hours = whole_column(columns[hours_], organs_);
+    }
+    return sum;
+}
+
+Result StoredColumns::result_of_sensors(RowColumns columns) const {
+    Result result = result_of_rows(with_spheres(std::move(columns)), is_sphere_.size());
+    result.names = scene_of_sensors(run_.scene).names();
+    return result;
+}
+
+SeriesSum StoredColumns::sum_of_sensors(RowColumns columns) const {
+    return sum_of_rows(with_spheres(std::move(columns)), is_sphere_.size());
+}
+
+Result StoredColumns::result_of_rows(const RowColumns& columns, std::size_t rows) const {
+    Result result;
+    result.paths = 1;  // it was computed, or else it would not be written
+    result.bands = bands_;
+    result.ratios = ratios_;
+    result.values = light(columns, rows);
+    add_origins(columns, rows, result.origins);
+    if (!columns[sunlit_].empty()) {
+        result.sunlit_fraction = whole_column(columns[sunlit_], rows);
+    }
+    result.ratio_values.assign(rows * ratios_, kUnknownEstimate);
+    for (std::size_t i = 0; i < ratios_; ++i) {
+        put_column(columns[sunlit_ + 1 + i], result.ratio_values, i, ratios_);
+    }
+    return result;
+}
+
+SeriesSum StoredColumns::sum_of_rows(const RowColumns& columns, std::size_t rows) const {
+    SeriesSum sum;
+    sum.bands = bands_;
+    sum.values = light(columns, rows);
+    add_origins(columns, rows, sum.origins);
+    return sum;
+}
+
+/// The estimates in the order of Result::values. @param number  of the first column
+std::vector<Estimate> StoredColumns::light(
+    const RowColumns& columns, std::size_t rows, std::size_t number) const {
+    std::vector<Estimate> all(rows * kQuantities * bands_, kUnknownEstimate);
+    for (const std::size_t b : written_.bands) {
+        for (const QuantityEntry& entry : written_.quantities) {
+            const auto q = static_cast<std::size_t>(entry.quantity);
+            put_column(columns[number++], all, q * bands_ + b, kQuantities * bands_);
+        }
+    }
+    return all;
+}
+
+/// @param origins  of a Result or a SeriesSum
+template <typename Origin>
+void StoredColumns::add_origins(
+    const RowColumns& columns, std::size_t rows, std::vector<Origin>& origins) const {
+    for (std::size_t i = 0; i < written_.origins.size(); ++i) {
+        Origin& origin = origins.emplace_back();
+        origin.name = written_.origins[i];
+        origin.light.bands = bands_;
+        origin.light.values = light(columns, rows, first_of_origins_[i]);
+    }
+}
+
+/// The light of sunlit and shaded parts. @param number  of the first column
+SunShadeLight StoredColumns::parts(const RowColumns& columns, std::size_t number) const {
+    SunShadeLight light{bands_};
+    const std::size_t per_row = light.values_per_row();
+    light.values.assign(written_.parts.empty() ? 0 : organs_ * per_row, kUnknownEstimate);
+    for (const PartColumn& part : part_columns(written_)) {
+        const std::size_t first = static_cast<std::size_t>(part.entry.quantity) * bands_;
+        const std::size_t end = part.entry.has_bands() ? part.band + 1 : bands_;
+        for (std::size_t b = part.band; b < end; ++b) {
+            put_column(columns[number], light.values, first + b, per_row);
+        }
+        ++number;
+    }
+    return light;
+}
+
+/// All light on a sphere is on its upper side.
+RowColumns StoredColumns::with_spheres(RowColumns columns) const {
+    for (const auto& [upper, fluence] : fluences_) {
+        columns[upper].resize(is_sphere_.size(), kUnknownEstimate);
+        columns[fluence].resize(is_sphere_.size(), kUnknownEstimate);
+        for (std::size_t i = 0; i < is_sphere_.size(); ++i) {
+            columns[upper][i] = columns[is_sphere_[i] ? fluence : upper][i];
+        }
+    }
+    return columns;
+}
+
+}  // namespace quasimc

@@ -1,0 +1,58 @@
+#pragma once
+
+// The estimates of a JSON result, as columns of rows.
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quasimc/result.h"
+#include "quasimc/series.h"
+#include "resultio/read_rows.h"
+#include "runfile/run_file.h"
+#include "runfile/written.h"
+
+namespace quasimc {
+
+/// The estimates of organs and sensors that a result has, and their positions in a Result.
+class StoredColumns {
+  public:
+    /// @param run  must outlive this
+    explicit StoredColumns(const RunFile& run);
+
+    /// The paths of keys to the columns, for RowsQuery.
+    [[nodiscard]] const std::vector<std::vector<std::string>>& names() const { return names_; }
+
+    /// The light on organs. Unknown estimates, and those that are not written, are NaN.
+    [[nodiscard]] Result result(const RowColumns& columns) const;
+    [[nodiscard]] SeriesSum sum(const RowColumns& columns) const;
+    /// The light on sensors, as Result::sensors.
+    [[nodiscard]] Result result_of_sensors(RowColumns columns) const;
+    [[nodiscard]] SeriesSum sum_of_sensors(RowColumns columns) const;
+
+  private:
+    [[nodiscard]] Result result_of_rows(const RowColumns& columns, std::size_t rows) const;
+    [[nodiscard]] SeriesSum sum_of_rows(const RowColumns& columns, std::size_t rows) const;
+    [[nodiscard]] std::vector<Estimate> light(
+        const RowColumns& columns, std::size_t rows, std::size_t number = 0) const;
+    template <typename Origin>
+    void add_origins(
+        const RowColumns& columns, std::size_t rows, std::vector<Origin>& origins) const;
+    [[nodiscard]] SunShadeLight parts(const RowColumns& columns, std::size_t number) const;
+    [[nodiscard]] RowColumns with_spheres(RowColumns columns) const;
+    void add_light(const std::vector<std::string>& first);
+    void add_parts(CsvTimes times);
+
+    const RunFile& run_;
+    WrittenColumns written_;
+    std::size_t organs_, bands_, ratios_;
+    std::vector<bool> is_sphere_;  // by sensor
+    std::vector<std::vector<std::string>> names_;
+    std::size_t sunlit_ = 0, parts_ = 0, day_parts_ = 0, hours_ = 0;
+    std::vector<std::size_t> first_of_origins_;
+    // Columns of the upper side, and of the fluence rate that spheres have instead.
+    std::vector<std::pair<std::size_t, std::size_t>> fluences_;
+};
+
+}  // namespace quasimc
