@@ -13,7 +13,7 @@ namespace quasimc {
 
 /// Rows of a result that have variables of their own: all organs, or a set of sensors.
 struct NetcdfRows {
-    std::string prefix;                       ///< of the names of variables
+    std::string prefix;                       ///< begins the names of its variables
     std::vector<NetcdfAxes::Axis> axes = {};  ///< none for a single row
     std::string coordinates = {};             ///< names of auxiliary coordinates
     std::size_t first = 0, count = 0;         ///< indices in the result
