@@ -144,6 +144,8 @@ class Runs:
         time = self.time if time is None else checked_time(time)
         if time is None:
             raise ValueError('which time? give quasimc.day("2024-06-21", utc_offset_hours=1), ...')
+        if keep not in ("auto", "replicates", "estimates", "sums"):
+            raise ValueError(f"keep is {keep!r}; give one of auto, replicates, estimates, sums")
         size = largest_sums("estimates" if keep in ("auto", "sums") else keep)
         with self._lock:
             organs = self._build()
@@ -241,7 +243,8 @@ def largest_sums(keep):
     """The size of the sums that are kept, bytes."""
     sizes = {"auto": _LARGEST_SUMS, "replicates": float("inf"), "estimates": -1.0}
     if keep not in sizes:
-        raise ValueError(f"keep is {keep!r}; give one of {', '.join(sizes)}")
+        hint = "; sums over days are of series()" if keep == "sums" else ""
+        raise ValueError(f"keep is {keep!r}; give one of {', '.join(sizes)}{hint}")
     return sizes[keep]
 
 

@@ -40,9 +40,9 @@ class Sources(MutableSequence):
     def __setitem__(self, key, value):
         tables = list(self._tables)
         if isinstance(key, slice):
-            tables[key] = self._kept(value)
+            tables[key] = self._entries(value)
         else:
-            tables[self._position(key)] = self._kept([value])[0]
+            tables[self._position(key)] = self._entries([value])[0]
         self._scene._set_sources(tables)
 
     def __delitem__(self, key):
@@ -52,13 +52,13 @@ class Sources(MutableSequence):
 
     def insert(self, index, value):
         """Inserts a source before a position. Warns if the scene has an equal one, or one of its name."""
-        table = self._kept([value])[0]
+        table = self._entries([value])[0]
         self._scene._warn_of_second("source", table)
         tables = list(self._tables)
         tables.insert(index, table)
         self._scene._set_sources(tables)
 
-    def _kept(self, sources):
+    def _entries(self, sources):
         """The tables of sources, as the scene keeps them."""
         scene, tables = self._scene, []
         for table in source_tables(sources):

@@ -35,7 +35,8 @@ class Series:
         (``gaps = "skip"``) are not time steps: their days are summed over the other time steps
         (`Sums.seconds`).
     total : Sums
-        Sum over all time steps.
+        Sum over all time steps. Of instants, which have no duration, there are no sums: `total` and
+        `days` raise ValueError.
     stop : str
         "finished", "time_limit" or "interrupted".
     time_steps, completed, computed : int
@@ -63,8 +64,17 @@ class Series:
             for core, replicates in zip(self._core.results, self._core.replicates)
         ]
 
+    def _check_duration(self):
+        """Refuses sums over instants: they would be 0."""
+        if self.completed and not self.total_seconds:
+            raise ValueError(
+                "the times are instants, so that sums over them would be 0; give a duration: "
+                "quasimc.times(..., duration_minutes=60)"
+            )
+
     @cached_property
     def days(self):
+        self._check_duration()
         return {
             day["date"]: Sums(
                 day["values"], day["seconds"], self.organs, day["groups"], day["origins"],
@@ -75,6 +85,7 @@ class Series:
 
     @cached_property
     def total(self):
+        self._check_duration()
         return Sums(
             self._core.total, self.total_seconds, self.organs, self._core.total_groups,
             self._core.total_origins, self._core.total_sensors, self._core.total_sun_shade,

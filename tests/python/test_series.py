@@ -199,3 +199,20 @@ def test_replicates_of_series_are_not_lost_silently(scene):
         pickle.dumps(series)
     with pytest.raises(ValueError, match="series and of growth sessions can't be saved"):
         series[0].save("light.json")
+
+
+def test_instants_have_no_sums(scene):
+    noon = quasimc.times(["2024-06-21T12:00"], utc_offset_hours=1)
+    series = scene.series(noon, paths=64)
+    assert series[0]["absorbed_flux"]["PAR"].values[0] > 0
+    for name in ("total", "days"):
+        with pytest.raises(ValueError, match=r"are instants.* would be 0; .*duration_minutes=60"):
+            getattr(series, name)
+    assert scene.series(noon.replace(duration_minutes=60), paths=64).total.seconds == 3600
+
+
+def test_a_wrong_keep_names_all_choices(scene):
+    with pytest.raises(ValueError, match="keep is 'x'; give one of auto, replicates, estimates, sums"):
+        scene.series(DAY, keep="x")
+    with pytest.raises(ValueError, match=r"keep is 'sums'; .*of series\(\)"):
+        scene.run(quasimc.sky(irradiance_horizontal=[1, 1]), keep="sums")
