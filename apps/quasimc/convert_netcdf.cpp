@@ -47,6 +47,7 @@ void convert_to_netcdf(
             writer->next_run(run, {});
         }
     };
+    events.on_controls = [&](const auto& outcomes) { writer->add_controls(outcomes); };
     events.on_time_step = [&](std::size_t time_step, const auto& result) {
         writer->on_time_step({time_step, result});
     };

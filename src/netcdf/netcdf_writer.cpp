@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "netcdf/netcdf_axes.h"
+#include "netcdf/netcdf_controls.h"
 #include "netcdf/netcdf_detectors.h"
 #include "netcdf/netcdf_file.h"
 #include "netcdf/netcdf_organs.h"
@@ -27,7 +28,8 @@ class NetcdfLight final : public NetcdfWriter {
           axes_(run, file_),
           organ_light_(run, axes_, file_),
           detectors_(run, axes_),
-          sensors_(run, axes_, file_) {
+          sensors_(run, axes_, file_),
+          controls_(run, axes_) {
         file_.add_attributes(netcdf_attributes(run, program_version));
         times_ = times_of(run);
         if (run.sweep) {
@@ -37,6 +39,7 @@ class NetcdfLight final : public NetcdfWriter {
 
     void on_time_step(const TimeStepResult& step) override {
         const Result& result = step.result;
+        begin_run();
         std::vector<std::size_t> start = axes_.indices_of(*run_);
         if (!is_written(*run_, step.time_step, result)) {
             return;
@@ -69,6 +72,10 @@ class NetcdfLight final : public NetcdfWriter {
         sensors_.put_day(start, sum);
     }
 
+    void add_controls(const std::vector<ControlOutcome>& outcomes) override {
+        controls_.put(*run_, outcomes);
+    }
+
     void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
         if (times_of(run) != times_) {
             throw InputError(
@@ -81,13 +88,27 @@ class NetcdfLight final : public NetcdfWriter {
                   "a file has one axis of organs with ids, names and labels",
                   "sweep something else, or write CSV"}});
         }
+        if (!controls_.fits(run)) {
+            throw InputError(
+                {{"NetCDF", "the points of the sweep have different controls",
+                  "a file has one axis of controls with lamps, sensors and bands",
+                  "sweep other keys of [[control]], or write CSV"}});
+        }
         run_ = &run;
+        has_begun_ = false;
         organ_light_.put_areas(run);
     }
 
     void finish(const SeriesSummary& /*series_summary*/) override { file_.copy_to(sink_); }
 
   private:
+    /// Writes what belongs to all times of a run, before the first.
+    void begin_run() {
+        if (!std::exchange(has_begun_, true) && run_->series) {
+            add_controls(in_summed_units(*run_, run_->series->outcomes));
+        }
+    }
+
     static std::vector<std::string> times_of(const RunFile& run) {
         std::vector<std::string> times;
         for (std::size_t i = 0; run.series && i < run.series->notes.size(); ++i) {
@@ -111,6 +132,8 @@ class NetcdfLight final : public NetcdfWriter {
     NetcdfOrgans organ_light_;
     NetcdfDetectors detectors_;
     NetcdfSensors sensors_;
+    NetcdfControls controls_;
+    bool has_begun_ = false;
     std::vector<std::string> times_;  // of the first point, like `organs_`
     std::vector<Organ> organs_;
 };

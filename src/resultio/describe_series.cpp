@@ -85,4 +85,17 @@ SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
     return sum;
 }
 
+std::vector<ControlOutcome> in_summed_units(
+    const RunFile& run, std::vector<ControlOutcome> outcomes) {
+    for (std::size_t k = 0; k < outcomes.size(); ++k) {
+        const Band& band = run.scene.bands()[run.series->controls[k].band];
+        const double factor = summed_unit(band.unit).factor;
+        for (ControlDay& day : outcomes[k].days) {
+            day.lamps = scaled(day.lamps, factor);
+            day.light = scaled(day.light, factor);
+        }
+    }
+    return outcomes;
+}
+
 }  // namespace quasimc

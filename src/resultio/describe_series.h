@@ -4,7 +4,9 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "quasimc/lamp_control.h"
 #include "quasimc/series.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
@@ -19,5 +21,9 @@ namespace quasimc {
 
 /// A sum in the units of summed_unit.
 [[nodiscard]] SeriesSum in_summed_units(const RunFile& run, SeriesSum sum);
+/// Lamps under control, with the sums of days in these units.
+/// @param outcomes  in the order of TimeSeries::controls
+[[nodiscard]] std::vector<ControlOutcome> in_summed_units(
+    const RunFile& run, std::vector<ControlOutcome> outcomes);
 
 }  // namespace quasimc

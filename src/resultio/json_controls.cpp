@@ -1,5 +1,9 @@
+#include <string>
+#include <vector>
+
 #include <nlohmann/json.hpp>
 
+#include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
 #include "results/units.h"
 
@@ -23,7 +27,7 @@ Json json_steps(const RunFile& run, const ControlOutcome& outcome) {
     return steps;
 }
 
-Json json_days(const RunFile& run, const ControlOutcome& outcome, double factor) {
+Json json_days(const RunFile& run, const ControlOutcome& outcome) {
     Json days = Json::array();
     for (std::size_t i = 0; i < outcome.days.size(); ++i) {
         const ControlDay& day = outcome.days[i];
@@ -31,8 +35,8 @@ Json json_days(const RunFile& run, const ControlOutcome& outcome, double factor)
             {{"date", run.series->days[i]},
              {"hours_on", day.hours_on},
              {"kwh", day.kwh},
-             {"lamps", json_estimate(scaled(day.lamps, factor))},
-             {"light", json_estimate(scaled(day.light, factor))},
+             {"lamps", json_estimate(day.lamps)},
+             {"light", json_estimate(day.light)},
              {"hours_near_threshold", day.hours_near_threshold}});
     }
     return days;
@@ -42,18 +46,19 @@ Json json_days(const RunFile& run, const ControlOutcome& outcome, double factor)
 
 Json json_controls(const RunFile& run) {
     Json all = Json::array();
-    for (std::size_t k = 0; k < run.series->outcomes.size(); ++k) {
+    const std::vector<ControlOutcome> outcomes = in_summed_units(run, run.series->outcomes);
+    for (std::size_t k = 0; k < outcomes.size(); ++k) {
         const LampControl& control = run.series->controls[k];
-        const ControlOutcome& outcome = run.series->outcomes[k];
-        const SummedUnit unit = summed_unit(run.scene.bands()[control.band].unit);
+        const ControlOutcome& outcome = outcomes[k];
+        const std::string unit = summed_unit(run.scene.bands()[control.band].unit).name;
         all.push_back(
             {{"sources", control.sources},
              {"sensors", control.sensors},
              {"band", run.scene.bands()[control.band].name},
              {"lamps", outcome.lamps},
-             {"sum_unit", unit.name},
+             {"sum_unit", unit},
              {"time_steps", json_steps(run, outcome)},
-             {"days", json_days(run, outcome, unit.factor)}});
+             {"days", json_days(run, outcome)}});
     }
     return all;
 }

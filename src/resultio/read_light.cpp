@@ -2,34 +2,20 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "base/text.h"
 #include "quasimc/error.h"
+#include "resultio/read_controls.h"
+#include "resultio/read_nodes.h"
 #include "resultio/read_rows.h"
 #include "resultio/stored_columns.h"
 #include "results/evaluate.h"
 
 namespace quasimc {
 namespace {
-
-double number_in(const Node& table, std::string_view key) {
-    const Node* node = table.find(key);
-    const auto* real = node != nullptr ? node->as<double>() : nullptr;
-    const auto* whole = node != nullptr ? node->as<std::int64_t>() : nullptr;
-    return real != nullptr    ? *real
-           : whole != nullptr ? static_cast<double>(*whole)
-                              : std::numeric_limits<double>::quiet_NaN();
-}
-
-const Node* item_at(const Node* list, std::size_t index) {
-    const auto* items = list != nullptr ? list->as<Node::List>() : nullptr;
-    return items != nullptr && index < items->size() ? &(*items)[index] : nullptr;
-}
 
 /// The values of detectors, NaN where they are missing.
 /// @param rest  the result without its rows
@@ -45,14 +31,8 @@ std::vector<DetectorResult> read_detectors(
         for (std::size_t i = 0; i < detectors[d].values.size(); ++i) {
             const Node* bin =
                 detector != nullptr ? item_at(detector->find("bins"), i / bands) : nullptr;
-            const Node* flux = bin != nullptr ? bin->find("flux") : nullptr;
-            const Node* of_band =
-                flux != nullptr ? flux->find(run.scene.bands()[i % bands].name) : nullptr;
-            detectors[d].values[i] =
-                of_band != nullptr
-                    ? Estimate{number_in(*of_band, "mean"), number_in(*of_band, "standard_error"),
-                               number_in(*of_band, "ci95_low"), number_in(*of_band, "ci95_high")}
-                    : kUnknownEstimate;
+            detectors[d].values[i] = estimate_in(
+                bin != nullptr ? bin->find("flux") : nullptr, run.scene.bands()[i % bands].name);
         }
     }
     return detectors;
@@ -87,7 +67,7 @@ class LightReader {
         for (std::size_t i = 0; series_ && i < series_->notes.size(); ++i) {
             times_.push_back(series_->notes[i].time);
         }
-        if (!run.scene.detectors().empty()) {
+        if (!run.scene.detectors().empty() || (series_ && !series_->controls.empty())) {
             rest_ = read_rows(text, path, {.rest = RowsQuery::Rest::all}, {});
         }
         const RowsQuery query{.lists = {"organs", "sensors"}, .columns = columns_.names()};
@@ -115,6 +95,7 @@ class LightReader {
             point_ = position_->point;
             next_time_ = next_day_ = 0;
             events_.on_point(*point_);
+            report_controls();
         }
         if (position_->part == "days" && series_) {
             const std::size_t day = find_label(series_->days, next_day_, *position_, path_);
@@ -129,6 +110,15 @@ class LightReader {
         }
         position_.reset();
         organs_ = sensors_ = {};
+    }
+
+    void report_controls() const {
+        if (rest_) {
+            const auto outcomes = read_controls(*rest_, *point_, run_, path_);
+            if (!outcomes.empty()) {
+                events_.on_controls(outcomes);
+            }
+        }
     }
 
     [[nodiscard]] Result result() {

@@ -34,10 +34,10 @@ class ControlTable final : public OutputWriter {
         if (!std::exchange(has_head_, true)) {
             write_head();
         }
-        const TimeSeries& series = *run_->series;
+        const auto outcomes = in_summed_units(*run_, run_->series->outcomes);
         std::string out;
-        for (std::size_t k = 0; k < series.outcomes.size(); ++k) {
-            is_daily() ? append_days(k, out) : append_steps(k, out);
+        for (std::size_t k = 0; k < outcomes.size(); ++k) {
+            is_daily() ? append_days(k, outcomes[k], out) : append_steps(k, outcomes[k], out);
         }
         sink_(out);
     }
@@ -79,11 +79,11 @@ class ControlTable final : public OutputWriter {
         append_csv(out, e.standard_error);
     }
 
-    void append_steps(std::size_t k, std::string& out) const {
+    void append_steps(std::size_t k, const ControlOutcome& outcome, std::string& out) const {
         const TimeSeries& series = *run_->series;
         const std::string control = csv_field(series.controls[k].sources);
         for (std::size_t i = 0; i < series.time_steps.size(); ++i) {
-            const ControlStep& step = series.outcomes[k].steps[i];
+            const ControlStep& step = outcome.steps[i];
             out += csv_point_fields(*run_) + series.notes[i].time + "," + control;
             for (const double number : {step.factor, step.on, step.kwh}) {
                 append_csv(out, number);
@@ -96,19 +96,19 @@ class ControlTable final : public OutputWriter {
         }
     }
 
-    void append_days(std::size_t k, std::string& out) const {
+    void append_days(std::size_t k, const ControlOutcome& outcome, std::string& out) const {
         const TimeSeries& series = *run_->series;
-        const SummedUnit unit = summed_unit(band_of(k).unit);
+        const std::string unit = summed_unit(band_of(k).unit).name;
         for (std::size_t i = 0; i < series.days.size(); ++i) {
-            const ControlDay& day = series.outcomes[k].days[i];
+            const ControlDay& day = outcome.days[i];
             out += csv_point_fields(*run_) + series.days[i] + "," +
                    csv_field(series.controls[k].sources);
             for (const double number : {day.hours_on, day.kwh, day.hours_near_threshold}) {
                 append_csv(out, number);
             }
-            out += "," + csv_field(band_of(k).name) + "," + csv_field(unit.name);
-            append(out, scaled(day.lamps, unit.factor));
-            append(out, scaled(day.light, unit.factor));
+            out += "," + csv_field(band_of(k).name) + "," + csv_field(unit);
+            append(out, day.lamps);
+            append(out, day.light);
             out += '\n';
         }
     }

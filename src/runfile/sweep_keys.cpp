@@ -31,12 +31,13 @@ std::string_view section_with(const Node& document, std::string_view name) {
 
 /// A key of a section, for suggestions.
 std::string_view example_of(std::string_view section) {
-    constexpr std::array<std::array<std::string_view, 2>, 9> kExamples{
+    constexpr std::array<std::array<std::string_view, 2>, 10> kExamples{
         {{"run", "paths"},
          {"source", "source.sun.elevation_deg"},
          {"material", "material.leaf.reflectance"},
          {"site", "site.latitude_deg"},
          {"time", "time.day"},
+         {"control", "control.1.on_below"},
          {"organ", "organ.leaf.material"},
          {"geometry", "geometry.plant.file"},
          {"ground", "ground.material"},
@@ -119,8 +120,8 @@ bool is_refused(const Node& document, const SweptKey& key, Reporter& reporter) {
     if (!is_known) {
         reporter.fault(
             key.line, fmt::format("[sweep]: '{}' can't be swept", key.path),
-            "it is not a value of run, source, material, site, time, organ, geometry, ground or "
-            "cell",
+            "it is not a value of run, source, material, site, time, control, organ, geometry, "
+            "ground or cell",
             how_to_state(document, key.path));
     } else if (is_fixed) {
         reporter.fault(

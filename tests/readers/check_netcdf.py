@@ -304,6 +304,85 @@ def check_one_sensor(program, folder):
     assert case.data.mean_incident_upper_NIR_ci95_low.dims == ()
 
 
+CONTROL = """
+[[source]]
+type = "point"
+name = "{name}"
+position = [0, 0, 60]
+power = 1500
+[[control]]
+sources = "{name}"
+sensors = "mean"
+band = "{band}"
+set_point = 150
+electrical_power_w = 400
+"""
+
+
+def compare_controls(data, where, control, suffixes):
+    """Compares the variables of controls with those of the JSON, in the times of the file."""
+    times = list(data.time_text.values)
+    compared = 0
+    for k, own in enumerate(control):
+        numbers = {"factor": "factor", "on": "on", "kwh": "kwh", "is_near_threshold": "is_near_threshold"}
+        for step in (step for step in own["time_steps"] if step["time"] in times):
+            index = where + (times.index(step["time"]), k)
+            for name, key in numbers.items():
+                assert data[f"control_{name}"].values[index] == float(step[key])
+            for key in ("daylight", "lamps", "light"):
+                for suffix, part in PARTS.items():
+                    ours = data[f"control_{key}{suffixes[k]}{suffix}"].values[index]
+                    assert np.array_equal(ours, estimate(step[key])[part], equal_nan=True), (key, index)
+                    compared += 1
+        numbers = {"hours_on": "hours_on", "kwh_day_sum": "kwh", "hours_near_threshold": "hours_near_threshold"}
+        for row, day in enumerate(own["days"]):
+            assert data.day.values[row] == day["date"]
+            for name, key in numbers.items():
+                assert data[f"control_{name}"].values[where + (row, k)] == day[key]
+            for key in ("lamps", "light"):
+                for suffix, part in PARTS.items():
+                    ours = data[f"control_{key}{suffixes[k]}_day_sum{suffix}"].values[where + (row, k)]
+                    assert np.array_equal(ours, estimate(day[key])[part], equal_nan=True), (key, row)
+    return compared
+
+
+def check_controls(program, folder):
+    """A sweep over a rule, of two controls in bands of one unit."""
+    sweep = '[sweep]\n"control.1.set_point" = [50, 100]\n'
+    lamps = CONTROL.format(name="hps 1", band="PAR") + CONTROL.format(name="far", band="NIR")
+    text = HEAD.format(bands=ONE_UNIT) + sweep + TIME + SCENE.format() + SENSORS + lamps
+    case = Case(program, folder, text)
+    data = case.data
+    axis = "control_1_set_point"
+    assert list(data.control.values) == ["hps 1", "far"] and list(data.control_band.values) == ["PAR", "NIR"]
+    assert data.control_light.dims == (axis, "time", "control")
+    assert data.control_light_day_sum.dims == (axis, "day", "control")
+    assert data.control_kwh.attrs["units"] == "kW h" and data.control_light.attrs["units"] == "W m-2"
+    assert data.control_lamps_day_sum.attrs["units"] == "J m-2"
+    for row, point in enumerate(case.json["points"]):
+        assert compare_controls(data, (row,), point["control"], ["", ""]) == 2 * 48 * 12
+    factors = data.control_factor.values
+    assert 0 < factors[0, :, 0].max() < factors[1, :, 0].max() <= 1
+    bands = text.replace('"control.1.set_point" = [50, 100]', '"control.1.band" = ["PAR", "NIR"]')
+    (folder / "run.toml").write_text(bands)
+    output = run_in(folder, program, "run", "run.toml", "--quiet", "--netcdf", "no.nc", status=1)
+    assert "NetCDF: the points of the sweep have different controls" in output, output
+    assert not (folder / "no.nc").exists()
+
+
+def check_controls_by_unit(program, folder):
+    """Controls in bands of different units."""
+    photons = CONTROL.format(name="hps 1", band="PAR").replace("power = 1500", "photon_flux = [1500, 0]", 1)
+    watts = CONTROL.format(name="far", band="NIR").replace("power = 1500", "power = [0, 1500]", 1)
+    text = HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format() + SENSORS + photons + watts
+    case = Case(program, folder, text)
+    data = case.data
+    assert compare_controls(data, (), case.json["control"], ["_PAR", "_NIR"]) == 2 * 48 * 12
+    assert data.control_light_PAR.attrs["units"] == "umol m-2 s-1"
+    assert data.control_light_PAR_day_sum.attrs["units"] == "mol m-2"
+    assert np.all(np.isnan(data.control_light_PAR.values[:, 1]))
+
+
 def check_detectors(program, folder):
     sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
     text = HEAD.format(bands=ONE_UNIT) + sweep + SUN + SCENE.format() + DETECTORS
@@ -421,6 +500,8 @@ def main():
             check_sensors,
             check_sensors_in_time,
             check_one_sensor,
+            check_controls,
+            check_controls_by_unit,
             check_product,
             check_together,
             check_swept_geometry,

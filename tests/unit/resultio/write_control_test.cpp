@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "resultio/output_input.h"
+#include "resultio/read_controls.h"
+#include "resultio/read_rows.h"
 #include "unit/runfile/io_testing.h"
 
 namespace quasimc::test {
@@ -93,12 +96,67 @@ TEST(WriteControl, IsALineOfTheSummary) {
         << text;
 }
 
-TEST(WriteControl, IsAMemberOfTheJson) {
-    const RunFile run = night();
+std::string json_of(const RunFile& run) {
     std::string text;
     JsonWriter writer(run, [&](std::string_view more) { text += more; });
     writer.finish({});
-    const nlohmann::json control = nlohmann::json::parse(text).at("control").at(0);
+    return text;
+}
+
+std::vector<ControlOutcome> read_back(const std::string& json, const RunFile& run) {
+    const Node rest = read_rows(json, "a.json", {.rest = RowsQuery::Rest::all}, {});
+    return read_controls(rest, 0, run, "a.json");
+}
+
+TEST(WriteControl, IsReadBackFromTheJson) {
+    const RunFile run = night();
+    const std::vector<ControlOutcome> read = read_back(json_of(run), run);
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(read[0].lamps, 1U);
+    ASSERT_EQ(read[0].steps.size(), 2U);
+    const ControlStep &step = read[0].steps[1], &written = run.series->outcomes[0].steps[1];
+    EXPECT_EQ(step.factor, written.factor);
+    EXPECT_EQ(step.on, written.on);
+    EXPECT_EQ(step.kwh, written.kwh);
+    EXPECT_TRUE(step.is_near_threshold);
+    EXPECT_FALSE(read[0].steps[0].is_near_threshold);
+    EXPECT_EQ(step.daylight.mean, 99);
+    EXPECT_EQ(step.lamps.ci95_low, 98);
+    EXPECT_EQ(step.light.standard_error, 1.5);
+    ASSERT_EQ(read[0].days.size(), 1U);
+    EXPECT_EQ(read[0].days[0].hours_on, 1.5);
+    EXPECT_EQ(read[0].days[0].hours_near_threshold, 1);
+    EXPECT_EQ(read[0].days[0].lamps.mean, 1) << "mol m-2";
+    EXPECT_EQ(read[0].days[0].light.ci95_high, 24);
+}
+
+TEST(WriteControl, IsNotReadFromTheResultOfAnotherRun) {
+    const RunFile run = night();
+    const auto refusal = [&](const std::string& from, const std::string& to) {
+        std::string json = json_of(run);
+        json.replace(json.find(from, json.rfind("\"control\"")), from.size(), to);
+        try {
+            static_cast<void>(read_back(json, run));
+        } catch (const InputError& error) {
+            return error.faults().at(0).text();
+        }
+        return std::string("none");
+    };
+    EXPECT_EQ(
+        refusal("T03:00", "T04:00"),
+        "a.json: 'control' has other time steps than the run (the file is damaged)");
+    EXPECT_EQ(
+        refusal("hps *", "hps"),
+        "a.json: 'control' has other controls than the run (the file is damaged)");
+    EXPECT_EQ(
+        refusal("2024-12-15\"", "2024-12-16\""),
+        "a.json: 'control' has other days than the run (the file is damaged)");
+    EXPECT_EQ(refusal("0.5", "0.25"), "none");
+}
+
+TEST(WriteControl, IsAMemberOfTheJson) {
+    const RunFile run = night();
+    const nlohmann::json control = nlohmann::json::parse(json_of(run)).at("control").at(0);
     EXPECT_EQ(control.at("sources"), "hps *");
     EXPECT_EQ(control.at("lamps"), 1);
     EXPECT_EQ(control.at("sum_unit"), "mol m-2");
