@@ -5,7 +5,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runfile/table_rows.h"
+#include "scene/sensors.h"
 #include "window/window_names.h"
+#include "window/window_organs.h"
 #include "window/window_parts.h"
 #include "window/window_shape.h"
 
@@ -53,10 +56,15 @@ class ColumnValues {
 
     /// Means, standard errors, low and high ends of all organs, single precision.
     [[nodiscard]] std::string bytes() const {
-        const std::size_t organs = frame_.scene->scene->organs().size();
-        std::vector<Estimate> column(organs);
-        for (std::size_t i = 0; i < organs; ++i) {
-            column[i] = reported(at(i));
+        const Scene& scene = *frame_.scene->scene;
+        std::vector<Estimate> column;
+        for (std::size_t i = 0; i < scene.organs().size(); ++i) {
+            column.push_back(reported(at(result_of_column(), i)));
+        }
+        const std::shared_ptr<const Result> sensors = result_of_column().sensors;
+        for (std::size_t i = 0; i < sensor_rows(scene); ++i) {
+            column.push_back(
+                sensors && has_sensors() ? reported(at(*sensors, i)) : kUnknownEstimate);
         }
         return window_values(column);
     }
@@ -75,15 +83,26 @@ class ColumnValues {
                                                       : position;
         return static_cast<Quantity>(index);
     }
-    [[nodiscard]] Estimate at(std::size_t organ) const {
+    /// The result that has the column.
+    [[nodiscard]] const Result& result_of_column() const {
+        const bool has_band = column_ < kQuantities * bands_;
+        return (*frame_.results)[has_band ? result_of_band() : 0];
+    }
+    /// Whether sensors have the column: they absorb no light.
+    [[nodiscard]] bool has_sensors() const {
+        return column_ >= kQuantities * bands_ || is_of_sensors(quantity());
+    }
+    /// @param result  of organs or of sensors
+    [[nodiscard]] Estimate at(const Result& result, std::size_t row) const {
         const std::size_t quantities = kQuantities * bands_;
         if (column_ < quantities) {
-            const Result& result = (*frame_.results)[result_of_band()];
-            return result.at(organ, quantity(), frame_.results->size() > 1 ? 0 : band());
+            return result.at(row, quantity(), frame_.results->size() > 1 ? 0 : band());
         }
-        const Result& first = frame_.results->front();
-        return column_ == quantities ? first.sunlit_fraction[organ]
-                                     : first.ratio(organ, column_ - quantities - 1);
+        if (column_ > quantities) {
+            return result.ratio_values.empty() ? kUnknownEstimate
+                                               : result.ratio(row, column_ - quantities - 1);
+        }
+        return row < result.sunlit_fraction.size() ? result.sunlit_fraction[row] : kUnknownEstimate;
     }
 
     const LiveFrame& frame_;
@@ -95,7 +114,7 @@ std::vector<WindowColumn> columns_of(const LiveScene& scene) {
 }
 
 std::string scene_json(const LiveScene& scene) {
-    Json json = json_window_scene(*scene.scene, columns_of(scene));
+    Json json = json_window_scene(*scene.scene, WindowOrgans(*scene.scene), columns_of(scene));
     json["title"] = scene.title;
     json["coming"] = scene.coming;
     json["grows"] = scene.grows;

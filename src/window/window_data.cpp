@@ -11,6 +11,7 @@
 #include "resultio/json_parts.h"
 #include "resultio/read_rows.h"
 #include "window/window_difference.h"
+#include "window/window_organs.h"
 #include "window/window_parts.h"
 #include "window/window_shape.h"
 
@@ -32,12 +33,11 @@ const Sources& lights_at(const RunFile& run, const RowsPosition& position) {
 }
 
 /// The indices of the values of columns, which are added; -1 where there are none.
-std::vector<int> add_values(WindowData& data, std::size_t organs, RowColumns columns) {
+std::vector<int> add_values(WindowData& data, const RowColumns& columns) {
     std::vector<int> indices;
-    for (std::vector<Estimate>& column : columns) {
+    for (const std::vector<Estimate>& column : columns) {
         indices.push_back(column.empty() ? -1 : static_cast<int>(data.values.size()));
         if (!column.empty()) {
-            column.resize(organs, kUnknownEstimate);
             data.values.push_back(window_values(column));
         }
     }
@@ -46,17 +46,19 @@ std::vector<int> add_values(WindowData& data, std::size_t organs, RowColumns col
 
 /// A time step, with the index of the values of every column.
 Json add_time(
-    WindowData& data, const RunFile& run, const WindowDifference* difference, PlacedRows rows) {
+    WindowData& data,
+    const RunFile& run,
+    const WindowDifference* difference,
+    const PlacedRows& rows) {
     Json time = {
         {"part", rows.position.part},
         {"index", rows.position.index},
         {"label", rows.position.label}};
     time.update(json_lights(lights_at(run, rows.position), window_middle(run.scene)));
     if (difference != nullptr) {
-        time["minus"] = add_values(
-            data, run.scene.organs().size(), difference->of(rows.position, rows.columns));
+        time["minus"] = add_values(data, difference->of(rows.position, rows.columns));
     }
-    std::vector<int> indices = add_values(data, run.scene.organs().size(), std::move(rows.columns));
+    std::vector<int> indices = add_values(data, rows.columns);
     time["values"] = indices;
     data.value_index.push_back(std::move(indices));
     return time;
@@ -122,16 +124,18 @@ WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
     const std::vector<WindowColumn> columns =
         window_columns(scene.bands(), scene.length_unit(), run.spec.ratios);
     const RowsQuery query = window_query(run, columns);
+    const WindowOrgans organs(scene);
     std::optional<WindowDifference> difference;
     if (minus != nullptr) {
-        difference.emplace(run.scene, columns, *minus);
+        difference.emplace(organs, columns, *minus);
     }
     WindowData data;
     data.shape = window_shape(scene);
     Json times = Json::array();
-    Node head = read_rows(result.text, result.path, query, [&](PlacedRows rows) {
-        times.push_back(add_time(data, run, difference ? &*difference : nullptr, std::move(rows)));
-    });
+    const auto take = [&](const PlacedRows& rows) {
+        times.push_back(add_time(data, run, difference ? &*difference : nullptr, rows));
+    };
+    Node head = read_window_rows(result.text, result.path, query, organs, take);
     head = only_point(std::move(head), query.point, result.path);
     if (data.values.empty()) {
         throw InputError(
@@ -143,7 +147,7 @@ WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
             {{minus->path, "has no time or no quantity of the first result",
               "times are matched by their labels", "choose results of the same times and bands"}});
     }
-    Json all = json_window_scene(scene, columns);
+    Json all = json_window_scene(scene, organs, columns);
     all["title"] = title_of(run);
     all["head"] = json_value(head);
     all["times"] = std::move(times);

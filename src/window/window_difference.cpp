@@ -1,7 +1,6 @@
 #include "window/window_difference.h"
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <unordered_map>
 
@@ -37,15 +36,16 @@ RowsQuery window_query(const RunFile& run, const std::vector<WindowColumn>& colu
 }
 
 WindowDifference::WindowDifference(
-    const Scene& scene, const std::vector<WindowColumn>& columns, const ReadResult& minus)
+    const WindowOrgans& organs, const std::vector<WindowColumn>& columns, const ReadResult& minus)
     : title_(title_of(minus.run)) {
-    std::unordered_map<std::int64_t, std::size_t> known;
-    for (const Organ& organ : minus.run.scene.organs()) {
-        known.emplace(organ.id, known.size());
+    const WindowOrgans others(minus.run.scene);
+    std::unordered_map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < others.all().size(); ++i) {
+        known.emplace(others.id_of(i), i);
     }
     only_other_ = known.size();
-    for (const Organ& organ : scene.organs()) {
-        const auto found = known.find(organ.id);
+    for (std::size_t i = 0; i < organs.all().size(); ++i) {
+        const auto found = known.find(organs.id_of(i));
         const bool is_in_both = found != known.end();
         index_.push_back(is_in_both ? found->second : kNone);
         only_other_ -= is_in_both ? 1 : 0;
@@ -56,9 +56,10 @@ WindowDifference::WindowDifference(
             {{minus.path, "has no organ of the first result", "organs are matched by their ids",
               "choose a result of the same plants"}});
     }
-    read_rows(minus.text, minus.path, window_query(minus.run, columns), [this](PlacedRows rows) {
+    const auto take = [this](PlacedRows rows) {
         others_[{rows.position.part, rows.position.label}] = std::move(rows.columns);
-    });
+    };
+    read_window_rows(minus.text, minus.path, window_query(minus.run, columns), others, take);
 }
 
 RowColumns WindowDifference::of(const RowsPosition& position, const RowColumns& first) const {

@@ -8,9 +8,9 @@
 
 #include "resultio/read_rows.h"
 #include "runfile/run_file.h"
-#include "scene/scene.h"
 #include "text/json.h"
 #include "window/window_data.h"
+#include "window/window_organs.h"
 #include "window/window_parts.h"
 
 namespace quasimc {
@@ -22,11 +22,13 @@ namespace quasimc {
 /// ids. Errors are those of independent results: the root of the sum of both variances.
 class WindowDifference {
   public:
-    /// @param scene    the scene of the first result
+    /// @param organs   organs and sensors of the first result
     /// @param columns  the columns of the first result
     /// @throws InputError  if no organ is in both results
     WindowDifference(
-        const Scene& scene, const std::vector<WindowColumn>& columns, const ReadResult& minus);
+        const WindowOrgans& organs,
+        const std::vector<WindowColumn>& columns,
+        const ReadResult& minus);
 
     /// The first result minus the other one; unknown for organs that the latter lacks, empty
     /// columns where it has no such time or column. @param first  columns of the first result

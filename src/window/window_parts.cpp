@@ -15,6 +15,7 @@
 #include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
 #include "results/units.h"
+#include "scene/sensors.h"
 #include "window/window_shape.h"
 
 namespace quasimc {
@@ -70,10 +71,10 @@ struct LabelKey {
     std::vector<int> of;
 };
 
-std::map<std::string, LabelKey> label_keys(const std::vector<Organ>& organs) {
+std::map<std::string, LabelKey> label_keys(const std::vector<const Organ*>& organs) {
     std::map<std::string, LabelKey> keys;
     for (std::size_t i = 0; i < organs.size(); ++i) {
-        for (const auto& [name, value] : organs[i].labels) {
+        for (const auto& [name, value] : organs[i]->labels) {
             LabelKey& key = keys[name];
             key.of.resize(organs.size(), -1);
             const auto [found, is_new] =
@@ -87,7 +88,7 @@ std::map<std::string, LabelKey> label_keys(const std::vector<Organ>& organs) {
     return keys;
 }
 
-Json labels_of(const std::vector<Organ>& organs) {
+Json labels_of(const std::vector<const Organ*>& organs) {
     Json labels = Json::object();
     for (const auto& [name, key] : label_keys(organs)) {
         labels[name] = {{"values", key.values}, {"of", key.of}};
@@ -97,23 +98,23 @@ Json labels_of(const std::vector<Organ>& organs) {
 
 /// Ids and names are written only if they differ from the index in the list; the page calls organ 7
 /// without a name "organ 7".
-Json organs_of(const std::vector<Organ>& organs) {
-    const auto is_counted = [&organs](const Organ& o) { return o.id == &o - organs.data() + 1; };
-    const auto is_named = [](const Organ& o) {
-        return !o.name.empty() && o.name != "organ " + std::to_string(o.id);
-    };
-    const bool has_ids = !std::all_of(organs.begin(), organs.end(), is_counted);
-    const bool has_names = std::any_of(organs.begin(), organs.end(), is_named);
+Json organs_of(const WindowOrgans& list) {
+    const std::vector<const Organ*>& organs = list.all();
+    bool has_ids = list.sensors() > 0, has_names = false;
+    for (std::size_t i = 0; i < organs.size(); ++i) {
+        const Organ& organ = *organs[i];
+        has_ids |= organ.id != static_cast<std::int64_t>(i) + 1;
+        has_names |= !organ.name.empty() && organ.name != "organ " + std::to_string(organ.id);
+    }
     Json ids = Json::array(), names = Json::array(), ground = Json::array();
     for (std::size_t i = 0; i < organs.size(); ++i) {
         if (has_ids) {
-            ids.push_back(
-                std::to_string(organs[i].id));  // may exceed the exact integers of a JSON number
+            ids.push_back(list.id_of(i));  // may exceed the exact integers of a JSON number
         }
         if (has_names) {
-            names.push_back(organs[i].name);
+            names.push_back(organs[i]->name);
         }
-        if (organs[i].is_ground) {
+        if (organs[i]->is_ground) {
             ground.push_back(i);
         }
     }
@@ -125,6 +126,14 @@ Json organs_of(const std::vector<Organ>& organs) {
         all["name"] = std::move(names);
     }
     return all;
+}
+
+Json json_sensors(const Scene& scene, const Vec3& middle) {
+    Json positions = Json::array();
+    for (const Vec3& position : sensor_positions(scene)) {
+        positions.push_back(json_vector(position - middle));
+    }
+    return positions;
 }
 
 }  // namespace
@@ -171,7 +180,8 @@ std::vector<WindowColumn> window_columns(
     return columns;
 }
 
-Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& columns) {
+Json json_window_scene(
+    const Scene& scene, const WindowOrgans& organs, const std::vector<WindowColumn>& columns) {
     const Orientation& axes = scene.orientation();
     const Vec3 middle = window_middle(scene);
     Json list = Json::array();
@@ -194,7 +204,8 @@ Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& colu
         {"middle", json_vector(middle)},
         {"low", json_vector(scene.bounds().low - middle)},
         {"high", json_vector(scene.bounds().high - middle)},
-        {"organs", organs_of(scene.organs())},
+        {"organs", organs_of(organs)},
+        {"sensors", json_sensors(scene, middle)},
         {"columns", list}};
 }
 

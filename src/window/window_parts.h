@@ -11,6 +11,7 @@
 #include "runfile/run_file.h"
 #include "scene/scene.h"
 #include "text/json.h"
+#include "window/window_organs.h"
 
 namespace quasimc {
 
@@ -36,8 +37,10 @@ struct WindowColumn {
     const std::string& length_unit,
     const std::vector<std::string>& ratios);
 
-/// Members of the outermost object: program, unit, axes, site, organs and columns.
-[[nodiscard]] Json json_window_scene(const Scene& scene, const std::vector<WindowColumn>& columns);
+/// Members of the outermost object: program, unit, axes, site, organs and columns. Sensors are the
+/// last organs; their number and positions are members of their own.
+[[nodiscard]] Json json_window_scene(
+    const Scene& scene, const WindowOrgans& organs, const std::vector<WindowColumn>& columns);
 
 /// Means, standard errors, low and high ends of the organs, single precision.
 [[nodiscard]] std::string window_values(const std::vector<Estimate>& organs);

@@ -35,8 +35,8 @@ function filled(binOf, count, { areas, isShown }) {
  * all others together.
  * @returns {bins, binOf, low, high, hasMore, highest}; null if no organ has a value
  */
-export function valueBins({ mean, areas, isShown, scale }) {
-  const ends = endsOf(mean);
+export function valueBins({ mean, areas, isShown, isIn, scale }) {
+  const ends = endsOf(mean.filter((_, i) => isIn(i)));
   if (!(ends.high >= ends.low)) {
     return null;
   }
@@ -46,8 +46,8 @@ export function valueBins({ mean, areas, isShown, scale }) {
   const span = widened(low, hasMore ? scale.high : Math.max(ends.high, scale.high));
   const width = (span.high - span.low) / kBins;
   const count = hasMore ? kBins + 2 : kBins; // a gap before the last one
-  const inside = binsOf(mean, kBins, span, () => true);
-  const binOf = hasMore ? inside.map((bin, i) => (mean[i] > span.high ? count - 1 : bin)) : inside;
+  const inside = binsOf(mean, kBins, span, isIn);
+  const binOf = hasMore ? inside.map((bin, i) => (bin >= 0 && mean[i] > span.high ? count - 1 : bin)) : inside;
   const bins = filled(binOf, count, { areas, isShown }).map((bin, i) => {
     const isMore = hasMore && i === count - 1;
     return { ...bin, from: isMore ? span.high : span.low + i * width, to: isMore ? ends.high : span.low + (i + 1) * width, isMore };
@@ -56,8 +56,8 @@ export function valueBins({ mean, areas, isShown, scale }) {
 }
 
 /** Organs by class of error. */
-export function classBins({ classes, areas, isShown }) {
-  const binOf = Int16Array.from(classes, (number) => (number < kClasses.length ? number : -1));
+export function classBins({ classes, areas, isShown, isIn }) {
+  const binOf = Int16Array.from(classes, (number, i) => (number < kClasses.length && isIn(i) ? number : -1));
   return { binOf, bins: filled(binOf, kClasses.length, { areas, isShown }) };
 }
 

@@ -2,7 +2,7 @@
 
 import { classColor, kClasses, kDark, kFaint } from "./classes.js";
 import { make, svg } from "./dom.js";
-import { areaText, estimate, interval, many, percent, plain, withError, withUnit } from "./format.js";
+import { areaText, counted, estimate, interval, percent, plain, withError, withUnit } from "./format.js";
 import { numberNode } from "./headline.js";
 import { kSure } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
@@ -71,7 +71,7 @@ export class Cards {
     const { run, values } = page;
     const { unit } = run.json;
     const labels = Object.entries(run.json.organs.labels).filter(([, { of }]) => of[organ] >= 0).map(([key, { values: all, of }]) => `${key} ${shortLabel(all[of[organ]])}`);
-    const about = [`id ${run.idOf(organ)}`, areaText(run.shape.areas[organ], unit), `${withUnit(plain(run.shape.heights[organ]), unit)} high`, this.#rank(organ), ...labels.slice(0, 4)];
+    const about = [run.isSensor[organ] ? run.idOf(organ) : `id ${run.idOf(organ)}`, run.isSensor[organ] ? "" : areaText(run.shape.areas[organ], unit), `${withUnit(plain(run.shape.heights[organ]), unit)} high`, this.#rank(organ), ...labels.slice(0, 4)];
     const text = () => `${run.organName(organ)} (id ${run.idOf(organ)}): ${page.describe(organ)}, ${run.columnName(page.column)}`;
     return make("article", { class: "card", "aria-label": run.organName(organ) },
       make("div", { class: "name" }, letterBadge(i), make("h3", {}, run.organName(organ)),
@@ -88,12 +88,12 @@ export class Cards {
 
   #rank(organ) {
     const { mean } = this.page.values;
-    const { isGround } = this.page.run;
-    if (!Number.isFinite(mean[organ]) || isGround[organ]) {
+    const { isPlant } = this.page.run;
+    if (!Number.isFinite(mean[organ]) || !isPlant[organ]) {
       return "";
     }
-    const rank = mean.reduce((count, value, i) => count + (!isGround[i] && value > mean[organ] ? 1 : 0), 1);
-    return `rank ${rank} of ${many(this.page.run.count - this.page.run.json.organs.ground.length, "organ").replace(/ organs?$/, "")}`;
+    const rank = mean.reduce((count, value, i) => count + (isPlant[i] && value > mean[organ] ? 1 : 0), 1);
+    return `rank ${rank} of ${counted(isPlant.reduce((sum, one) => sum + one, 0))}`;
   }
 
   #sure(organ) {

@@ -65,7 +65,8 @@ export class Charts {
     byId("histogram-title").textContent = byArea ? "Area by value" : "Organs by value";
     byId("histogram-unit").textContent = isError ? "class of error" : page.unit;
     const { areas } = page.run.shape;
-    const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, scale: page.usual };
+    const isIn = (i) => page.run.isSensor[i] === 0;
+    const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, isIn, scale: page.usual };
     const found = isError ? classBins(data) : valueBins(data);
     if (!found) {
       byId("histogram").textContent = page.absent || "No organ has a value.";
@@ -160,8 +161,8 @@ export class Charts {
     const { page } = this;
     const { run, values } = page;
     const { heights, areas } = run.shape;
-    const isShown = page.isShown.map((shown, i) => (run.isGround[i] ? 0 : shown));
-    const isWhole = page.isShown.every((shown, i) => shown || run.isGround[i]);
+    const isShown = page.isShown.map((shown, i) => (run.isPlant[i] ? shown : 0));
+    const isWhole = page.isShown.every((shown, i) => shown || !run.isPlant[i]);
     const layers = page.state.show === "value" && isWhole ? layersOfResult(page) : null;
     if (layers) {
       return givenLayers({ layers, heights, isShown });

@@ -1,7 +1,7 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
 import { plainUnit, unitText } from "./format.js";
-import { readShape } from "./shape.js";
+import { shapeOf } from "./sensors.js";
 
 /** The bytes of a base64 text. */
 export function fromBase64(text) {
@@ -42,11 +42,11 @@ async function readBytes(name) {
 
 const shapes = new Map(); // promises, by name
 
-/** A shape that is read once: points of a sweep in a report share it. @param count  promise of the number of organs */
-function sharedShape(name, count) {
+/** A shape that is read once: points of a sweep in a report share it. @param json  promise of its result */
+function sharedShape(name, json) {
   const own = element(name)?.dataset.same ?? name;
   if (!shapes.has(own)) {
-    shapes.set(own, Promise.all([readBytes(own), count]).then(([bytes, n]) => readShape(bytes, n)));
+    shapes.set(own, Promise.all([readBytes(own), json]).then((both) => shapeOf(...both)));
   }
   return shapes.get(own);
 }
@@ -84,7 +84,7 @@ export class RunData {
    */
   static async load(prefix = "", announce = () => {}) {
     const reading = readJson(`${prefix}data`);
-    const shape = sharedShape(`${prefix}shape`, reading.then(({ organs }) => organs.count));
+    const shape = sharedShape(`${prefix}shape`, reading);
     const colorMaps = readJson("colors");
     const json = await reading;
     announce(json);
@@ -105,6 +105,9 @@ export class RunData {
     this.count = json.organs.count;
     this.isGround = new Uint8Array(this.count);
     json.organs.ground.forEach((organ) => (this.isGround[organ] = 1));
+    this.organCount = this.count - (json.sensors?.length ?? 0); // the others are sensors
+    this.isSensor = new Uint8Array(this.count).fill(1, this.organCount);
+    this.isPlant = this.isGround.map((ground, i) => (ground || this.isSensor[i] ? 0 : 1));
     this.known = new Map();
     this.columns = json.columns
       .map((column, number) => ({ ...column, number }))
@@ -200,10 +203,10 @@ export class RunData {
     return this.json.organs.name?.[organ] || `organ ${this.idOf(organ)}`;
   }
 
-  /** The label "kind" or "class" of an organ; "ground" for the ground, "" without labels. */
+  /** The label "kind" or "class" of an organ; "ground" or "sensor" for these, "" without labels. */
   kindOf(organ) {
     const kinds = this.json.organs.labels.kind ?? this.json.organs.labels.class;
-    return this.isGround[organ] ? "ground" : kinds?.of[organ] >= 0 ? kinds.values[kinds.of[organ]] : "";
+    return this.isGround[organ] ? "ground" : this.isSensor[organ] ? "sensor" : kinds?.of[organ] >= 0 ? kinds.values[kinds.of[organ]] : "";
   }
 
   /** The result at a time without its organs: energy, groups, method. */

@@ -35,7 +35,7 @@ export function organsPassing(run, numbers, classes, state) {
   const shown = new Uint8Array(run.count);
   for (let organ = 0; organ < run.count; ++organ) {
     const isKnown = state.show !== "difference" || Number.isFinite(numbers[organ]);
-    shown[organ] = isKnown && (state.ground || !run.isGround[organ]) && tests.every((passes) => passes(organ)) &&
+    shown[organ] = isKnown && (state.ground || !run.isGround[organ]) && (state.sensors || !run.isSensor[organ]) && tests.every((passes) => passes(organ)) &&
       isWithin(heights[organ], state.layer) && isWithin(numbers[organ], state.values) &&
       (state.errorClass === null || classes[organ] === state.errorClass) ? 1 : 0;
   }
@@ -47,4 +47,4 @@ export const isFiltered = (state) => state.values !== null || state.layer !== nu
   Object.values(state.labels).some((chosen) => chosen.length > 0) || Object.keys(state.ranges).length > 0;
 
 /** What shows all again. */
-export const noFilters = () => ({ labels: {}, ranges: {}, values: null, layer: null, errorClass: null, ground: true });
+export const noFilters = () => ({ labels: {}, ranges: {}, values: null, layer: null, errorClass: null, ground: true, sensors: true });

@@ -21,7 +21,7 @@ function ticksOf({ low, high, isLog }, count) {
 /** "Half of the organs are known to 0.6 % or better, the worst to 1 %" */
 function knownWords({ values, classes, isShown, run }) {
   const parts = values.mean.map((mean, i) =>
-    (classes[i] < kClasses.length && isShown[i] && !run.isGround[i] ? values.error[i] / Math.abs(mean) : NaN));
+    (classes[i] < kClasses.length && isShown[i] && run.isPlant[i] ? values.error[i] / Math.abs(mean) : NaN));
   const half = weightedQuantile(parts, new Uint8Array(parts.length).fill(1), 0.5);
   const worst = endsOf(parts).high;
   if (!Number.isFinite(half)) {

@@ -1,7 +1,7 @@
 // A run in progress: its states so far, from the server.
 
 import { RunData, readJson, request } from "./data.js";
-import { readShape } from "./shape.js";
+import { shapeOf } from "./sensors.js";
 
 const kBetween = 400; // milliseconds between requests for news
 const kHidden = 3000; // milliseconds while the page is hidden
@@ -46,7 +46,7 @@ export class LiveRun {
     if (!this.scenes.has(number)) {
       this.scenes.set(number, Promise.all([
         readJson(`scene-${number}`), request(`shape-${number}`).then((answer) => answer.arrayBuffer()),
-      ]).then(([json, bytes]) => ({ json, triangles: readShape(bytes, json.organs.count) })));
+      ]).then(([json, bytes]) => ({ json, triangles: shapeOf(bytes, json) })));
     }
     return this.scenes.get(number);
   }

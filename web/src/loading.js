@@ -24,7 +24,7 @@ export function showTitle(title) {
 }
 
 /** Names a result whose shapes are still to be read. */
-export function announce({ title, organs }) {
+export function announce({ title, organs, sensors = [] }) {
   showTitle(title);
-  awaiting(`Reading the shapes of ${many(organs.count, "organ")}…`);
+  awaiting(`Reading the shapes of ${many(organs.count - sensors.length, "organ")}…`);
 }

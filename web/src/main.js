@@ -42,9 +42,9 @@ class Head {
   }
 
   scene() {
-    const { json, count, shape } = this.page.run;
+    const { json, count, organCount, shape } = this.page.run;
     showTitle(json.title);
-    byId("subtitle").textContent = `${many(count, "organ")} · ${many(shape.triangles, "triangle")}${json.head.run_file?.cell ? " · one cell of an infinite stand" : ""}`;
+    byId("subtitle").textContent = `${many(organCount, "organ")} · ${many(shape.triangles, "triangle")}${count > organCount ? ` · ${many(count - organCount, "sensor")}` : ""}${json.head.run_file?.cell ? " · one cell of an infinite stand" : ""}`;
     const warnings = json.head.warnings?.length ?? 0;
     byId("warnings").hidden = warnings === 0;
     byId("warnings").textContent = many(warnings, "warning");

@@ -18,13 +18,13 @@ function columnsOf(page) {
   const isDifference = page.state.show === "difference";
   return {
     organ: { title: "Organ", of: (i) => i, up: true, text: null },
-    ...(run.json.organs.labels.kind || run.json.organs.labels.class ? { kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) } } : {}),
-    area: { title: "Area", of: (i) => areas[i], text: (i) => areaText(areas[i], unit), isNumber: true },
+    ...(run.json.organs.labels.kind || run.json.organs.labels.class || run.organCount < run.count ? { kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) } } : {}),
+    area: { title: "Area", of: (i) => areas[i], text: (i) => (run.isSensor[i] ? "" : areaText(areas[i], unit)), isNumber: true },
     height: { title: unit ? `Height, ${unit}` : "Height", of: (i) => heights[i], text: (i) => plain(heights[i]), isNumber: true },
     value: { title: `${run.columnName(page.column)}${page.unit && `, ${page.unit}`}`, of: (i) => mean[i], text: (i) => withError(mean[i], error[i], isDifference ? undefined : high[i]), isNumber: true },
     interval: { title: "95 % interval", text: (i) => interval(low[i], high[i], error[i]), isNumber: true },
     error: { title: "Error", of: relative, text: (i) => (relative(i) > 0.5 ? "over 50 %" : mean[i] === 0 ? "" : percent(relative(i))), isNumber: true },
-    share: { title: "Share of all", of: (i) => mean[i] * areas[i], text: (i) => percent((mean[i] * areas[i]) / total), isNumber: true },
+    share: { title: "Share of all", of: (i) => mean[i] * areas[i], text: (i) => (run.isSensor[i] ? "" : percent((mean[i] * areas[i]) / total)), isNumber: true },
     ...(page.state.show !== "error" ? {} : { cost: { title: "Costs precision", of: (i) => error[i] * areas[i], text: (i) => percent((error[i] * areas[i]) / Math.abs(total)), isNumber: true } }),
   };
 }
@@ -62,7 +62,7 @@ export class OrganTable {
     const { page } = this;
     this.most = most;
     const { areas } = page.run.shape;
-    page.total = page.values.mean.reduce((sum, mean, i) => sum + (Number.isFinite(mean) && !page.run.isGround[i] ? mean * areas[i] : 0), 0);
+    page.total = page.values.mean.reduce((sum, mean, i) => sum + (Number.isFinite(mean) && page.run.isPlant[i] ? mean * areas[i] : 0), 0);
     const columns = columnsOf(page);
     const key = columns[page.state.sort] ? page.state.sort : page.state.show === "error" ? "cost" : "value";
     this.order = this.#sorted(columns[key]);

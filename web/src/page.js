@@ -104,9 +104,9 @@ export class Page {
 
   /** "70 of 77 organs shown" */
   shownWords() {
-    const count = this.isShown.reduce((sum, one) => sum + one, 0);
+    const count = this.isShown.reduce((sum, one, i) => sum + (this.run.isSensor[i] ? 0 : one), 0);
     const alone = this.state.show === "difference" ? this.minus.onlyFirst + this.minus.onlyOther : 0;
-    return `${counted(count)} of ${many(this.run.count, "organ")} shown${alone > 0 ? `, ${counted(alone)} in one result only` : ""}`;
+    return `${counted(count)} of ${many(this.run.organCount, "organ")} shown${alone > 0 ? `, ${counted(alone)} in one result only` : ""}`;
   }
 
   get pins() {
@@ -289,7 +289,7 @@ export class Page {
 export function qualityOf({ classes, values, run, isShown }) {
   const sums = new Float64Array(kClasses.length);
   classes.forEach((number, i) => {
-    if (number < kClasses.length && isShown[i] && !run.isGround[i]) {
+    if (number < kClasses.length && isShown[i] && run.isPlant[i]) {
       sums[number] += Math.abs(values.mean[i]) * run.shape.areas[i];
     }
   });

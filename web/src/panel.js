@@ -106,6 +106,7 @@ export class Panel {
     const hasSky = run.json.times.some(({ sky }) => sky);
     this.checks = {
       ...(run.json.organs.ground.length > 0 ? { ground: check("ground", "Ground", "G") } : {}),
+      ...(run.organCount < run.count ? { sensors: check("sensors", "Sensors") } : {}),
       directions: check("directions", "Sun path and directions", "S"),
       ...(hasSky ? { dome: check("dome", "Sky dome") } : {}),
       shading: check("shading", "Depth shading"),

@@ -10,5 +10,5 @@ export function plantColors(run) {
   const kinds = run.json.organs.labels.kind?.of;
   const kindOf = (organ) => Math.max(0, kinds?.[organ] ?? 0) % kKinds.length;
   return Int32Array.from({ length: run.count },
-    (_, organ) => packed(run.isGround[organ] ? kGround : kKinds[kindOf(organ)]));
+    (_, organ) => packed(!run.isPlant[organ] ? kGround : kKinds[kindOf(organ)]));
 }

@@ -11,13 +11,18 @@ const withExactIds = (text) => text.replace(/"id": ?(\d{16,})/g, '"id":"$1"');
 
 const keyOf = ({ part, label }) => `${part || (label ? "time_steps" : "")} ${label}`;
 
+/** The organs of a list, then its sensors, whose spheres have a fluence rate instead of an upper side. */
+const rowsOf = ({ organs = [], sensors = [] } = {}) => (organs.length === 0 ? [] : [...organs,
+  ...sensors.map((sensor) => ({ ...sensor, id: `sensor ${sensor.id}`, incident_upper: sensor.fluence_rate ?? sensor.incident_upper }))]);
+
 /** Rows of organs by time. @param result  a result, or a point of a sweep */
-function rowsByTime({ organs, time_steps: steps = [], days = [], total }) {
+function rowsByTime(result) {
+  const { time_steps: steps = [], days = [], total } = result;
   const lists = [
-    [{ part: "", label: "" }, organs], ...steps.map((step) => [{ part: "time_steps", label: step.time }, step.organs]),
-    ...days.map((day) => [{ part: "days", label: day.date }, day.organs]), [{ part: "total", label: "" }, total?.organs],
+    [{ part: "", label: "" }, rowsOf(result)], ...steps.map((step) => [{ part: "time_steps", label: step.time }, rowsOf(step)]),
+    ...days.map((day) => [{ part: "days", label: day.date }, rowsOf(day)]), [{ part: "total", label: "" }, rowsOf(total)],
   ];
-  return new Map(lists.filter(([, rows]) => rows?.length > 0).map(([time, rows]) => [keyOf(time), rows]));
+  return new Map(lists.filter(([, rows]) => rows.length > 0).map(([time, rows]) => [keyOf(time), rows]));
 }
 
 const numbersOf = (rows, column, key, factor) => Float64Array.from(rows, (row) => (estimateOf(row, column)?.[key] ?? NaN) * factor);

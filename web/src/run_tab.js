@@ -90,7 +90,7 @@ function aboutRun(run, now) {
   const { organs, triangles, length_unit: unit } = head.scene ?? {};
   const method = now.method ?? head.method;
   const rows = [
-    ["scene", `${many(organs ?? run.count, "organ")}, ${many(triangles ?? run.shape.triangles, "triangle")}${unit ? `, lengths in ${unit}` : ""}`],
+    ["scene", `${many(organs ?? run.organCount, "organ")}, ${many(triangles ?? run.shape.triangles, "triangle")}${unit ? `, lengths in ${unit}` : ""}`],
     ...(head.sources ?? []).map((source) => ["source", source]),
     ...(head.point ? [["point", words(head.point)]] : []),
     ...[head.time ?? []].flat().map((text) => named(words(text), "time steps")),

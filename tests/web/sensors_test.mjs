@@ -1,0 +1,117 @@
+// Sensors on the page: node sensors_test.mjs QUASIMC CHROMIUM PACKAGES [PICTURES]
+//
+// Rationale: sensors are what a field study compares with, so they must be read where they hang, on the scale of the
+// leaves, and must not count as leaves.
+// Expected behaviour: sensors are marks in the scene, rows of the table, and can be found, pinned, hidden and compared;
+// their numbers are those of the result; charts and counts of organs are without them.
+
+import assert from "node:assert/strict";
+import path from "node:path";
+import { pixelsOf } from "./pixels.mjs";
+import { Workshop, open, twoLeaves } from "./workshop.mjs";
+
+const workshop = new Workshop("sensors");
+const { pictures } = workshop;
+
+const runFile = (elevation) => `
+title = "Two leaves and three sensors"
+bands = ["PAR"]
+irradiance_unit = "W m-2"
+[run]
+paths = 1024
+[[source]]
+type = "directional"
+azimuth_deg = 180
+elevation_deg = ${elevation}
+irradiance_facing = 400
+[[sensors]]
+name = "low"
+at = [[0, 0.1, 0.2], [2, 0, 0.2]]
+[[sensors]]
+name = "high"
+at = [[0, 0, 1.5]]
+receiver = "sphere"
+size = 0.01
+${twoLeaves()}`;
+
+const settled = (page) => page.waitForTimeout(800);
+const isColoured = (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 45;
+
+/** The coloured pixels of the scene without what surrounds it: their number and middle. */
+async function marks(page) {
+  await settled(page);
+  await page.evaluate(() => ["legend", "disc", "hint", "before", "behind", "badges"].forEach((id) => document.getElementById(id) && (document.getElementById(id).style.visibility = "hidden")));
+  const pixels = await pixelsOf(page, await page.locator("#canvas").screenshot());
+  let [x, y, count] = [0, 0, 0];
+  for (let i = 0; i < pixels.width * pixels.height; ++i) {
+    if (isColoured(...pixels.data.subarray(4 * i, 4 * i + 3))) {
+      [x, y, count] = [x + (i % pixels.width), y + Math.floor(i / pixels.width), count + 1];
+    }
+  }
+  return { count, x: x / count, y: y / count };
+}
+
+async function checkTable(page, result) {
+  await open(page, `${workshop.address("sensed")}#quantity=incident_upper&tab=table`);
+  assert.match(await page.locator("#subtitle").textContent(), /^2 organs · 2 triangles · 3 sensors$/);
+  assert.match(await page.locator("#shown").textContent(), /^2 of 2 organs shown$/);
+  const rows = await page.locator("#table tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  assert.equal(rows.length, 5);
+  for (const { name, incident_upper: upper, fluence_rate: rate } of result.sensors) {
+    const row = rows.find(([own]) => own.endsWith(name));
+    const { mean, standard_error: error } = (rate ?? upper).PAR;
+    const value = Number.parseFloat(row[4].replace(/[^\d.].*/, ""));
+    assert.ok(Math.abs(value - mean) <= Math.max(error, 1e-3 * mean), `${row}: ${mean} ± ${error}`);
+    assert.deepEqual([row[1], row[2]], ["sensor", ""], "a sensor has no area");
+  }
+}
+
+async function checkMarks(page) {
+  await open(page, `${workshop.address("sensed")}#quantity=incident_upper&labels=${encodeURIComponent('{"sensors":["high"]}')}`);
+  const found = await marks(page);
+  assert.ok(found.count > 20 && found.count < 5000, `${found.count} pixels`);
+  const box = await page.locator("#canvas").boundingBox();
+  await page.mouse.click(box.x + found.x, box.y + found.y);
+  await page.waitForSelector("#cards article");
+  assert.match(await page.locator("#cards article").textContent(), /high.*sensor 3 · 1\.5.m high/);
+  await open(page, `${workshop.address("sensed")}#quantity=incident_upper`);
+  const all = await marks(page);
+  if (pictures) {
+    await page.screenshot({ path: path.join(pictures, "sensors.png") });
+  }
+  await page.getByLabel("Sensors", { exact: true }).first().uncheck();
+  const leaves = await marks(page);
+  assert.ok(all.count - leaves.count > 60, `marks still there: ${all.count}, ${leaves.count}`);
+}
+
+/** The histogram counts two leaves, though three sensors have values as well. */
+async function checkCharts(page) {
+  await open(page, `${workshop.address("sensed")}#quantity=incident_upper&by=count`);
+  const labels = await page.locator("#histogram .hit").evaluateAll((hits) => hits.map((hit) => hit.getAttribute("aria-label")));
+  const counts = labels.map((label) => Number(label.match(/: (\d+) organ/)[1]));
+  assert.equal(counts.reduce((a, b) => a + b, 0), 2, labels.join("\n"));
+}
+
+async function checkDifference(page, one, other) {
+  await open(page, `${workshop.address("sensed")}#quantity=incident_upper&pins=${encodeURIComponent('["sensor 2"]')}`);
+  await page.locator("#compared-file").setInputFiles(workshop.inFolder("low.json"));
+  await page.waitForFunction(() => document.querySelector("#legend-title").textContent.startsWith("Minus"));
+  const number = async () => Number.parseFloat((await page.locator("#cards article .number").first().textContent()).replaceAll("−", "-"));
+  const [a, b] = [one, other].map(({ sensors }) => sensors[1].incident_upper.PAR.mean);
+  assert.ok(Math.abs((await number()) / (a - b) - 1) < 0.01, `${await number()}, ${a} - ${b}`);
+  await open(page, `${workshop.address("minus")}#show=difference&quantity=incident_upper&pins=${encodeURIComponent('["sensor 2"]')}`);
+  assert.ok(Math.abs((await number()) / (a - b) - 1) < 0.01, "by --minus");
+}
+
+const sensed = workshop.compute("sensed", runFile(60));
+const low = workshop.compute("low", runFile(30));
+workshop.report("sensed");
+workshop.run("report", "sensed.json", "--minus", "low.json", "-o", "minus.html");
+await workshop.use(async (browser) => {
+  const page = await workshop.page(browser);
+  await checkTable(page, sensed);
+  await checkMarks(page);
+  await checkCharts(page);
+  await checkDifference(page, sensed, low);
+  assert.deepEqual(workshop.faults, []);
+});
