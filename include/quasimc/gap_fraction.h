@@ -46,7 +46,8 @@ struct GapIndices {
     /// By ring: ln of the mean gap over the mean of ln of the gaps of sectors and positions, 0 to
     /// 1; NaN where nothing blocks (Lang and Xiang 1986, Agricultural and Forest Meteorology 37).
     std::vector<Estimate> clumping;
-    /// Transmitted fraction of a uniform sky's irradiance on the horizontal, by unscattered light.
+    /// Transmitted fraction of a uniform sky's irradiance on the horizontal, by unscattered light,
+    /// where each ring has its mean gap and the last one represents all angles down to the horizon.
     Estimate sky_transmittance;
     /// One-sided plant area per ground area from mean gaps: as if leaves were spread at random.
     Estimate effective_plant_area_index;

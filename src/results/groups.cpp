@@ -206,6 +206,11 @@ void check_requests(const Scene& scene, const GroupSpec& spec, Faults& faults) {
 
 void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     const std::vector<double>& heights = spec.layer_heights;
+    if ((spec.layers > 0 || !heights.empty()) && is_among(kLayer, label_keys(scene))) {
+        faults.add(
+            {spec.layers > 0 ? "layers" : "layer_heights", "organs have a label 'layer'",
+             "layer would be two things in conditions and groups", "rename the label"});
+    }
     if (spec.layers > 0 && !heights.empty()) {
         faults.add(
             {"layers", "both layers and layer_heights are given",

@@ -299,13 +299,6 @@ void refuse_sweep(TableReader& top) {
     }
 }
 
-/// Checks positions against the scene above them.
-void check_gaps(const Scene& scene, const std::vector<GapFractionSpec>& specs, Reporter& reporter) {
-    for (const GapFractionSpec& spec : specs) {
-        check_gap_fraction(scene, spec, reporter.faults);
-    }
-}
-
 /// Reads the part of a document that defines the scene.
 FrameOfRun read_frame(
     const Node& document, InputFiles& files, const AddOrgans& add_organs, Reporter& reporter) {
@@ -459,6 +452,7 @@ RunFile read_run_document(
         check_hours(sections, faults);
         check_parts(sections, faults);
         add_run_faults(faults, sections.options, reporter);
+        check_gaps(*sections.scene, sections.gap_fractions, reporter);
     }
     throw_in_order(reporter);
     std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings), lint_of(sections));
@@ -477,7 +471,6 @@ RunFile read_run_document(
         std::move(warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
     check_rows(run, reporter);
-    check_gaps(run.scene, run.gap_fractions, reporter);
     throw_in_order(reporter);
     return run;
 }

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "results/organ_values.h"
+#include "results/where_expression.h"
 #include "runfile/copies.h"
 #include "runfile/run_file_sections.h"
 
@@ -66,7 +68,28 @@ std::optional<GapFractionSpec> read_gap_fraction(const Node& node, RunFileContex
     return table.failed() ? std::nullopt : std::optional(std::move(spec));
 }
 
+/// Whether any organ fulfils the condition on those that block.
+bool is_fulfilled(const Scene& scene, const std::string& condition) {
+    const OrganValues values(scene, {});
+    const WhereExpression where(condition);
+    return std::ranges::any_of(scene.organs(), [&](const Organ& organ) {
+        return !organ.is_ground && values.holds(where, organ);
+    });
+}
+
 }  // namespace
+
+void check_gaps(const Scene& scene, const std::vector<GapFractionSpec>& specs, Reporter& reporter) {
+    for (const GapFractionSpec& spec : specs) {
+        const std::size_t before = reporter.faults.size();
+        check_gap_fraction(scene, spec, reporter.faults);
+        if (reporter.faults.size() == before && !spec.where.empty() &&
+            !is_fulfilled(scene, spec.where)) {
+            reporter.warnings.push_back(
+                {spec.location, fmt::format("where: no organ fulfils \"{}\"", spec.where)});
+        }
+    }
+}
 
 std::vector<GapFractionSpec> read_gap_fractions(TableReader& top, RunFileContext& context) {
     std::vector<GapFractionSpec> specs;

@@ -171,6 +171,8 @@ void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
 void move_points(const Affine& transform, std::vector<Vec3>& points);
 
 // run_file_gap_fraction.cpp
+/// Checks positions and conditions against the scene; warns of a condition that no organ fulfils.
+void check_gaps(const Scene& scene, const std::vector<GapFractionSpec>& specs, Reporter& reporter);
 [[nodiscard]] std::vector<GapFractionSpec> read_gap_fractions(
     TableReader& top, RunFileContext& context);
 

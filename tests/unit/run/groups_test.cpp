@@ -267,6 +267,19 @@ TEST(GroupFaults, SayWhatIsWrongInConditions) {
     EXPECT_NE(faults.all()[0].text().find("'layer' is a group already"), std::string::npos);
 }
 
+TEST(GroupFaults, IncludeALabelOfTheNameOfLayers) {
+    SceneBuilder builder = make_builder();
+    builder.add_material(diffuse("leaf", .3, .2));
+    builder.add_organ(labelled(organ("", "leaf", floor_of(0, 1, 0, 1, .2)), {{"layer", "7"}}));
+    const Scene scene = std::move(builder).build();
+    Faults faults;
+    check_groups(scene, {.labels = {"layer"}}, faults);
+    EXPECT_EQ(faults.size(), 0U) << "a label as others";
+    check_groups(scene, {.labels = {"layer"}, .layer_heights = {0, 1}}, faults);
+    ASSERT_EQ(faults.size(), 1U);
+    EXPECT_NE(faults.all()[0].text().find("organs have a label 'layer'"), std::string::npos);
+}
+
 TEST(GroupFaults, IncludeHeightsThatDoNotAscend) {
     RunSpec spec = spec_of(Method::light_tracing, 64);
     spec.layer_heights = {0, 2, 1};

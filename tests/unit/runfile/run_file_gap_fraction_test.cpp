@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "quasimc/run_file.h"
@@ -39,6 +41,17 @@ TEST(RunFileGapFraction, TakesAllKeys) {
     EXPECT_EQ(spec.rays, 100U);
     EXPECT_EQ(spec.replicates, 4U);
     EXPECT_EQ(spec.seed, 3U);
+}
+
+TEST(RunFileGapFraction, WarnsOfAConditionThatNoOrganFulfils) {
+    const auto warnings = [](const std::string& where) {
+        return read_text(with_gaps("at = [[0, 0]]\nwhere = \"" + where + "\"\n")).warnings;
+    };
+    const auto warns = [](const Warning& warning) {
+        return warning.text.find("no organ fulfils \"area > 50\"") != std::string::npos;
+    };
+    EXPECT_TRUE(std::ranges::any_of(warnings("area > 50"), warns));
+    EXPECT_FALSE(std::ranges::any_of(warnings("area > 0"), warns));
 }
 
 TEST(RunFileGapFraction, FaultsStandAtTheirLines) {
