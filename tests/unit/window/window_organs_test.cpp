@@ -45,7 +45,7 @@ TEST(WindowOrgans, ListsSensorsLast) {
 }
 
 /// Rationale: sensors have other quantities than organs. Expected behaviour: each number is in the
-/// row of its own sensor, the fluence rate of a sphere in the place of its upper side.
+/// row of its own sensor, the fluence rate of a sphere as its upper side.
 TEST(WindowOrgans, ReadsBothAsOneList) {
     const WindowOrgans organs(two_leaves_and_sensors());
     const std::string text = R"({"title":"t","organs":[{"absorbed_flux":)" + estimate_json(1) +
