@@ -247,7 +247,8 @@ def warn_of_unknown(arguments):
     warn_here(
         [
             f"the replicates of {names} were not kept: errors of sums and differences are unknown; "
-            'run with keep="replicates", or use groups of the run (of sensors, average=True)'
+            'run with keep="replicates"; of sums over days, budgets and canopies there are none: use '
+            "groups of the run (of sensors, average=True)"
         ]
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import _core
-from ._meshes import plain
+from ._meshes import input_error, plain
 from ._progress import Listener
 from ._tables import FRAME_KEYS, SCENE_KEYS, numbered
 from ._warn import warn_here, warn_of_stop
@@ -191,6 +191,7 @@ class Runs:
             raise ValueError("sources are swept and passed: give them once")
         runs = [scene_at(self, point, options) for point in points]
         for scene, _, own in runs:
+            _check_swept(own)
             check_options(own, "run")
             scene.build()
         results = []
@@ -237,6 +238,19 @@ class Runs:
         written = self._written(sources, None, options)
         document = written.table(organs), written.name, written.folder
         return Part(index, count, sums, method, document, warnings, written)
+
+
+def _check_swept(options):
+    """Refuses names with a point that begin like nothing that can be swept."""
+    for name in options:
+        if "." in name:
+            raise input_error(
+                "sweep",
+                f"there is no {name!r}",
+                "",
+                'names are "materials.NAME.KEY", "sources.NAME.KEY", "ground.KEY", "cell.KEY", '
+                '"site.KEY", and those of options',
+            )
 
 
 def largest_sums(keep):

@@ -319,6 +319,8 @@ class Estimates(np.lib.mixins.NDArrayOperatorsMixin):
             return 0, shape
         names = [getattr(index, "axis", None) for index in (self.index, self._inner)][: len(shape)]
         axis = axis[0] if isinstance(axis, tuple) and len(axis) == 1 else axis
+        if np.ndim(axis) > 0:
+            raise TypeError("an axis is a number or a name; a mask is given as where=")
         axis = names.index(axis) if isinstance(axis, str) and axis in names else axis
         if axis not in range(min(len(shape), 2)):
             known = ", ".join(repr(name) if name else str(i) for i, name in enumerate(names))

@@ -233,6 +233,11 @@ def test_organs_must_be_the_same():
     assert (a - b).shape == (15,)
 
 
+def test_a_mask_is_no_axis(light):
+    with pytest.raises(TypeError, match="a mask is given as where="):
+        light.sum(light.values > 0)
+
+
 def test_errors_are_unknown_without_replicates():
     scene = canopy()
     plain = scene.run(**FEW, keep="estimates")

@@ -140,3 +140,8 @@ def test_a_sweep_is_pickled(swept):
 def test_a_sum_over_points_has_a_weight_for_each(swept):
     with pytest.raises(ValueError, match="2 weights for 3 points"):
         swept.sum("absorbed_flux", [1, 2])
+
+
+def test_a_name_that_nothing_has_is_refused_with_what_there_is():
+    with pytest.raises(quasimc.InputError, match=r"no 'material.leaf.reflectance'.*\"materials.NAME.KEY\""):
+        canopy().sweep({"material.leaf.reflectance": [0.1, 0.2]}, **FEW)

@@ -6,7 +6,7 @@
 // organs; the address restores the view; a saved picture shows what the page shows.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { estimate, interval, plain, unitText } from "../../web/src/format.js";
 import { countPixels, pixelsOf } from "./pixels.mjs";
