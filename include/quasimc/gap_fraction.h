@@ -44,7 +44,8 @@ struct GapFractionSpec {
 struct GapIndices {
     std::vector<Estimate> gap;  ///< mean gap fraction, by ring
     /// By ring: ln of the mean gap over the mean of ln of the gaps of sectors and positions, 0 to
-    /// 1; NaN where nothing blocks (Lang and Xiang 1986, Agricultural and Forest Meteorology 37).
+    /// 1; NaN where nothing blocks or all is blocked (Lang and Xiang 1986, Agricultural and Forest
+    /// Meteorology 37).
     std::vector<Estimate> clumping;
     /// Transmitted fraction of a uniform sky's irradiance on the horizontal, by unscattered light,
     /// where each ring has its mean gap and the last one represents all angles down to the horizon.

@@ -125,14 +125,17 @@ Numbers numbers_of(const GapFractionSpec& spec, const Gaps& gaps) {
         numbers.corrected += of_sectors * weight;
         const double of_closed_mean = -gaps.log_of_closed_mean(ring);
         random += of_closed_mean * weight;
-        numbers.clumping.push_back(of_sectors > 0 ? of_closed_mean / of_sectors : kNan);
+        // A ring without any gap shows nothing of how leaves are spread.
+        const bool is_known = of_sectors > 0 && gaps.mean(ring) > 0;
+        numbers.clumping.push_back(is_known ? of_closed_mean / of_sectors : kNan);
         if (ring < kInstrumentWeights.size()) {
             numbers.instrument += -2 * gaps.mean_log_of_positions(ring) * kInstrumentWeights[ring] /
                                   kInstrumentPaths[ring];
         }
     }
     numbers.sky_transmittance /= sky;
-    numbers.clumping_index = numbers.corrected > 0 ? random / numbers.corrected : kNan;
+    const bool is_known = numbers.corrected > 0 && numbers.sky_transmittance > 0;
+    numbers.clumping_index = is_known ? random / numbers.corrected : kNan;
     return numbers;
 }
 
