@@ -115,10 +115,10 @@ void NetcdfControls::put_light(
 void NetcdfControls::put_step(
     const std::vector<std::size_t>& start, const std::vector<const ControlStep*>& steps) {
     for (const auto& [variable, number_of] : step_numbers_) {
-        std::vector<double> numbers;
-        for (const ControlStep* step : steps) {
-            numbers.push_back(number_of(*step));
-        }
+        std::vector<double> numbers(steps.size());
+        std::ranges::transform(steps, numbers.begin(), [of = number_of](const ControlStep* step) {
+            return of(*step);
+        });
         axes_.put(variable, start, {numbers.size()}, numbers);
     }
     for (const Light& light : light_) {
@@ -131,10 +131,9 @@ void NetcdfControls::put_step(
 void NetcdfControls::put_day(
     const std::vector<std::size_t>& start, const std::vector<const ControlDay*>& days) {
     for (const auto& [variable, member] : day_numbers_) {
-        std::vector<double> numbers;
-        for (const ControlDay* day : days) {
-            numbers.push_back(day->*member);
-        }
+        std::vector<double> numbers(days.size());
+        std::ranges::transform(
+            days, numbers.begin(), [of = member](const ControlDay* day) { return day->*of; });
         axes_.put(variable, start, {numbers.size()}, numbers);
     }
     for (const Light& light : light_) {
@@ -153,19 +152,19 @@ void NetcdfControls::put(const RunFile& run, const std::vector<ControlOutcome>& 
         return start;
     };
     for (std::size_t i = 0; i < outcomes.front().steps.size(); ++i) {
-        std::vector<const ControlStep*> steps;
-        for (const ControlOutcome& outcome : outcomes) {
-            steps.push_back(&outcome.steps[i]);
-        }
+        std::vector<const ControlStep*> steps(outcomes.size());
+        std::ranges::transform(outcomes, steps.begin(), [i](const ControlOutcome& outcome) {
+            return &outcome.steps[i];
+        });
         if (const auto row = axes_.row_of(i)) {
             put_step(start_at(*row), steps);
         }
     }
     for (std::size_t i = 0; i < outcomes.front().days.size(); ++i) {
-        std::vector<const ControlDay*> days;
-        for (const ControlOutcome& outcome : outcomes) {
-            days.push_back(&outcome.days[i]);
-        }
+        std::vector<const ControlDay*> days(outcomes.size());
+        std::ranges::transform(outcomes, days.begin(), [i](const ControlOutcome& outcome) {
+            return &outcome.days[i];
+        });
         put_day(start_at(i), days);
     }
 }

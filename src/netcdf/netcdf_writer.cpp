@@ -9,6 +9,7 @@
 #include "netcdf/netcdf_controls.h"
 #include "netcdf/netcdf_detectors.h"
 #include "netcdf/netcdf_file.h"
+#include "netcdf/netcdf_gaps.h"
 #include "netcdf/netcdf_organs.h"
 #include "netcdf/netcdf_parts.h"
 #include "netcdf/netcdf_sensors.h"
@@ -29,7 +30,8 @@ class NetcdfLight final : public NetcdfWriter {
           organ_light_(run, axes_, file_),
           detectors_(run, axes_),
           sensors_(run, axes_, file_),
-          controls_(run, axes_) {
+          controls_(run, axes_),
+          gaps_(run, axes_, file_) {
         file_.add_attributes(netcdf_attributes(run, program_version));
         times_ = times_of(run);
         if (run.sweep) {
@@ -104,7 +106,11 @@ class NetcdfLight final : public NetcdfWriter {
   private:
     /// Writes what belongs to all times of a run, before the first.
     void begin_run() {
-        if (!std::exchange(has_begun_, true) && run_->series) {
+        if (std::exchange(has_begun_, true)) {
+            return;
+        }
+        gaps_.put(*run_);
+        if (run_->series) {
             add_controls(in_summed_units(*run_, run_->series->outcomes));
         }
     }
@@ -133,6 +139,7 @@ class NetcdfLight final : public NetcdfWriter {
     NetcdfDetectors detectors_;
     NetcdfSensors sensors_;
     NetcdfControls controls_;
+    NetcdfGaps gaps_;
     bool has_begun_ = false;
     std::vector<std::string> times_;  // of the first point, like `organs_`
     std::vector<Organ> organs_;

@@ -182,6 +182,7 @@ void check_requests(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     std::vector<std::string_view> known = label_keys(scene);
     const OrganValues values(scene, spec);
     const bool has_layer_label = is_among(kLayer, known);
+    const bool has_layers = spec.layers > 0 || !spec.layer_heights.empty();
     if (is_among(kLayer, values.names())) {
         known.push_back(kLayer);
     }
@@ -191,6 +192,11 @@ void check_requests(const Scene& scene, const GroupSpec& spec, Faults& faults) {
             const GroupRequest request = parse_group(text, known);
             check_name_of_group(request, text, texts, faults);
             check_keys_of_group(request, known, has_layer_label, faults);
+            if (has_layers && has_layer_label && std::ranges::count(request.keys, kLayer) > 0) {
+                faults.add(
+                    {"groups", "'layer' is a label and the number of a layer",
+                     "groups would be of one or the other", "rename the label"});
+            }
             if (request.where) {
                 request.where->check_names(values.names(), "label");
             }
@@ -206,11 +212,6 @@ void check_requests(const Scene& scene, const GroupSpec& spec, Faults& faults) {
 
 void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     const std::vector<double>& heights = spec.layer_heights;
-    if ((spec.layers > 0 || !heights.empty()) && is_among(kLayer, label_keys(scene))) {
-        faults.add(
-            {spec.layers > 0 ? "layers" : "layer_heights", "organs have a label 'layer'",
-             "layer would be two things in conditions and groups", "rename the label"});
-    }
     if (spec.layers > 0 && !heights.empty()) {
         faults.add(
             {"layers", "both layers and layer_heights are given",

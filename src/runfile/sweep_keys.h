@@ -16,8 +16,8 @@
 namespace quasimc {
 
 /// Sections whose values can be swept, and sections whose values change triangles.
-inline constexpr std::array<std::string_view, 6> kSweptSections{
-    "run", "source", "material", "site", "time", "control"};
+inline constexpr std::array<std::string_view, 6> kSweptSections{"run",  "source", "material",
+                                                                "site", "time",   "control"};
 inline constexpr std::array<std::string_view, 4> kSweptGeometry{
     "organ", "geometry", "ground", "cell"};
 

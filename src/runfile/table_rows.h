@@ -46,8 +46,8 @@ inline constexpr std::string_view kFluenceRate = "fluence_rate";
     return quantity != Quantity::absorbed_flux && quantity != Quantity::absorbed_flux_density;
 }
 
-/// Selects the quantities that sensors have, with their names: on a sphere all light is on its upper
-/// side, and is called the fluence rate.
+/// Selects the quantities that sensors have, with their names: on a sphere all light is on its
+/// upper side, and is called the fluence rate.
 [[nodiscard]] std::vector<QuantityEntry> sensor_quantities(
     const std::vector<QuantityEntry>& quantities, Receiver receiver);
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Compares the NetCDF that quasimc writes with its JSON: check_netcdf.py QUASIMC"""
 
+import csv
 import json
 import sys
 import tempfile
@@ -304,6 +305,43 @@ def check_one_sensor(program, folder):
     assert case.data.mean_incident_upper_NIR_ci95_low.dims == ()
 
 
+GAPS = """
+[[gap_fraction]]
+name = "eye"
+at = [[0, 0, 0], [3, 0, 5]]
+azimuths = 4
+rays = 64
+"""
+
+
+def check_gaps(program, folder):
+    """Gap fractions are those of their table, at each point of a sweep."""
+    sweep = '[sweep]\n"organ.upper.radius" = [3, 9]\n'
+    head = HEAD.format(bands=ONE_UNIT)
+    data = Case(program, folder, head + sweep + SUN + SCENE.format() + GAPS).data
+    assert data.eye.dims == ("organ_upper_radius", "eye_position", "eye_ring", "eye_sector")
+    assert list(data.eye_x.values) == [0, 3] and list(data.eye_ring_bounds.values[1]) == [13, 28]
+    run_in(folder, program, "run", "run.toml", "--quiet", "--gaps-csv", "gaps.csv")
+    lines = [line for line in (folder / "gaps.csv").read_text().splitlines() if line[0] != "#"]
+    rows = list(csv.DictReader(lines))
+    radii, positions = ["3", "9"], ["1", "2"]
+    compared = 0
+    for row in rows:
+        is_sector = float(row["azimuth_to_deg"] or 0) - float(row["azimuth_from_deg"] or 0) == 90
+        if row["quantity"] != "gap_fraction" or row["position"] == "all" or not is_sector:
+            continue
+        ring = list(data.eye_ring_bounds.values[:, 0]).index(float(row["zenith_from_deg"]))
+        sector = int(float(row["azimuth_from_deg"]) // 90)
+        index = (radii.index(row["organ.upper.radius"]), positions.index(row["position"]), ring, sector)
+        for suffix, part in PARTS.items():
+            ours, theirs = data["eye" + suffix].values[index], float(row[part] or "nan")
+            assert np.array_equal(ours, theirs, equal_nan=True), (row, ours)
+            compared += 1
+    assert compared == 2 * 2 * 5 * 4 * 4, compared
+    whole = [row for row in rows if row["position"] == "all" and row["quantity"] == "plant_area_index"]
+    assert list(data.eye_plant_area_index_all.values) == [float(row["mean"]) for row in whole]
+
+
 CONTROL = """
 [[source]]
 type = "point"
@@ -500,6 +538,7 @@ def main():
             check_sensors,
             check_sensors_in_time,
             check_one_sensor,
+            check_gaps,
             check_controls,
             check_controls_by_unit,
             check_product,

@@ -277,7 +277,10 @@ TEST(GroupFaults, IncludeALabelOfTheNameOfLayers) {
     EXPECT_EQ(faults.size(), 0U) << "a label as others";
     check_groups(scene, {.labels = {"layer"}, .layer_heights = {0, 1}}, faults);
     ASSERT_EQ(faults.size(), 1U);
-    EXPECT_NE(faults.all()[0].text().find("organs have a label 'layer'"), std::string::npos);
+    EXPECT_NE(faults.all()[0].text().find("is a label and the number of"), std::string::npos);
+    Faults none;
+    check_groups(scene, {.layer_heights = {0, 1}}, none);
+    EXPECT_EQ(none.size(), 0U) << "no groups by the label";
 }
 
 TEST(GroupFaults, IncludeHeightsThatDoNotAscend) {
