@@ -414,7 +414,7 @@ def test_files_organs_and_lamps_have_copies(tmp_path, monkeypatch):
         "trees.obj",
         material="leaf",
         at={"file": "plot.csv"},
-        labels_from="layer{layer}",
+        labels_from="layer{story}",
         measured=False,
     )
     scene.add_organ(
@@ -430,7 +430,7 @@ def test_files_organs_and_lamps_have_copies(tmp_path, monkeypatch):
     assert len(organs.ids) == 6
     assert organs.labels["row"] == ["1", "2", "", "", "", ""]
     assert organs.labels["tree"] == ["", "", "7", "7", "8", "8"]
-    assert organs.labels["layer"] == ["", "", "1", "2", "1", "2"]
+    assert organs.labels["story"] == ["", "", "1", "2", "1", "2"]
     lamp = quasimc.lamp(
         "point",
         name="hps",
