@@ -1,6 +1,7 @@
 #include "netcdf/netcdf_gaps.h"
 
 #include <array>
+#include <cstdint>
 
 #include "runfile/run_file.h"
 
@@ -101,7 +102,7 @@ NetcdfGaps::Indices NetcdfGaps::define_indices(
         return axes_.add_estimates(
             {spec.name + "_" + name + suffix, "1", summary + end, coordinates}, axes);
     };
-    Indices indices{
+    return {
         .gap = add("of_ring", "gap fraction of a ring", true),
         .clumping = add("clumping_of_ring", "clumping index of a ring", true),
         .sky_transmittance = add("sky_transmittance", "transmitted part of a uniform sky", false),
@@ -109,11 +110,7 @@ NetcdfGaps::Indices NetcdfGaps::define_indices(
             add("effective_plant_area_index", "effective plant area index", false),
         .plant_area_index = add("plant_area_index", "plant area index", false),
         .clumping_index = add("clumping_index", "clumping index", false),
-        .lai_2000 = {}};
-    if (spec.rings_deg == GapFractionSpec().rings_deg) {
-        indices.lai_2000 = add("lai_2000_index", "index of an LAI-2000", false);
-    }
-    return indices;
+        .lai_2000 = add("lai_2000_index", "index of an LAI-2000, for its rings only", false)};
 }
 
 void NetcdfGaps::put_indices(
@@ -139,19 +136,22 @@ void NetcdfGaps::put_indices(
     put_one(to.effective_plant_area_index, &GapIndices::effective_plant_area_index);
     put_one(to.plant_area_index, &GapIndices::plant_area_index);
     put_one(to.clumping_index, &GapIndices::clumping_index);
-    if (to.lai_2000) {
-        axes_.put(*to.lai_2000, start, sizes, [&](std::size_t i) {
-            return from[i].lai_2000.value_or(kUnknownEstimate);
-        });
-    }
+    axes_.put(to.lai_2000, start, sizes, [&](std::size_t i) {
+        return from[i].lai_2000.value_or(kUnknownEstimate);
+    });
 }
 
 void NetcdfGaps::put(const RunFile& run) {
+    if (found_.empty() || axes_.sweep.changes_geometry()) {
+        found_.clear();
+        for (GapFractionSpec spec : run.gap_fractions) {
+            spec.threads = run.spec.threads;
+            found_.push_back(gap_fractions(run.scene, spec));
+        }
+    }
     const std::vector<std::size_t> start = axes_.indices_of(run);
-    for (std::size_t i = 0; i < run.gap_fractions.size(); ++i) {
-        GapFractionSpec spec = run.gap_fractions[i];
-        spec.threads = run.spec.threads;
-        const GapFractions found = gap_fractions(run.scene, spec);
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+        const GapFractions& found = found_[i];
         const std::size_t positions = found.by_position.size();
         axes_.put(
             variables_[i].gap, start, {positions, found.spec.rings(), found.spec.azimuths},

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,8 +25,7 @@ class NetcdfGaps {
     struct Indices {
         NetcdfEstimates gap, clumping;  // by ring
         NetcdfEstimates sky_transmittance, effective_plant_area_index, plant_area_index,
-            clumping_index;
-        std::optional<NetcdfEstimates> lai_2000;
+            clumping_index, lai_2000;
     };
     struct Variables {
         NetcdfEstimates gap;
@@ -48,6 +46,7 @@ class NetcdfGaps {
 
     NetcdfAxes& axes_;
     std::vector<Variables> variables_;
+    std::vector<GapFractions> found_;  // of the last run
 };
 
 }  // namespace quasimc

@@ -307,39 +307,82 @@ def check_one_sensor(program, folder):
 
 GAPS = """
 [[gap_fraction]]
-name = "eye"
-at = [[0, 0, 0], [3, 0, 5]]
+name = "below"
+at = [[0, 0, 1], [4, 2, 1]]
+rays = 1024
+[[gap_fraction]]
+name = "two rings"
+at = [[8, 0, 1]]
+rings_deg = [0, 30, 60]
 azimuths = 4
-rays = 64
 """
+#: Names in the table of gaps of indices of rings, and of the whole view.
+OF_RINGS = {"gap_fraction": "of_ring", "clumping_index": "clumping_of_ring"}
+OF_VIEWS = {
+    "sky_transmittance", "effective_plant_area_index", "plant_area_index", "clumping_index", "lai_2000_index"
+}
+
+
+def bin_of(data, axis, row, begin, end):
+    """The index of the bin with the bounds of a row."""
+    bounds = data[f"{axis}_bounds"].values.tolist()
+    return bounds.index([float(row[begin]), float(row[end])])
+
+
+def gap_variable(data, row):
+    """The variable, and the index in it, of a row of the table of gaps."""
+    name = row["name"].replace(" ", "_")
+    is_all = row["position"] == "all"
+    index = () if is_all else (int(row["position"]) - 1,)
+    end = "_all" if is_all else ""
+    if not row["zenith_from_deg"]:
+        assert row["quantity"] in OF_VIEWS
+        return f"{name}_{row['quantity']}{end}", index
+    index += (bin_of(data, f"{name}_ring", row, "zenith_from_deg", "zenith_to_deg"),)
+    if (row["azimuth_from_deg"], row["azimuth_to_deg"]) == ("0", "360"):
+        return f"{name}_{OF_RINGS[row['quantity']]}{end}", index
+    return name, (*index, bin_of(data, f"{name}_sector", row, "azimuth_from_deg", "azimuth_to_deg"))
+
+
+def compare_gaps(data, rows, where=()):
+    """Compares the variables of gaps with the table. Returns the number of numbers that are known."""
+    compared = 0
+    for row in rows:
+        variable, index = gap_variable(data, row)
+        for suffix, part in PARTS.items():
+            theirs = float(row[part]) if row[part] else np.nan
+            ours = data[variable + suffix].values[where + index]
+            assert np.isclose(ours, theirs, rtol=1e-12, equal_nan=True), (variable, index, ours, theirs)
+            compared += np.isfinite(theirs)
+    return compared
+
+
+def table_rows(path):
+    lines = [line for line in path.read_text().splitlines() if not line.startswith("#")]
+    return list(csv.DictReader(lines))
 
 
 def check_gaps(program, folder):
-    """Gap fractions are those of their table, at each point of a sweep."""
-    sweep = '[sweep]\n"organ.upper.radius" = [3, 9]\n'
-    head = HEAD.format(bands=ONE_UNIT)
-    data = Case(program, folder, head + sweep + SUN + SCENE.format() + GAPS).data
-    assert data.eye.dims == ("organ_upper_radius", "eye_position", "eye_ring", "eye_sector")
-    assert list(data.eye_x.values) == [0, 3] and list(data.eye_ring_bounds.values[1]) == [13, 28]
+    """Gaps in a sweep of geometry, and in one of materials, whose points have the same gaps."""
+    text = HEAD.format(bands=ONE_UNIT) + SUN + SCENE.format() + GAPS
+    case = Case(program, folder, text + '[sweep]\n"organ.upper.radius" = [2, 25]\n')
+    data, axis = case.data, "organ_upper_radius"
+    assert data.below.dims == (axis, "below_position", "below_ring", "below_sector")
+    assert data.below.shape == (2, 2, 5, 8) and data.two_rings.shape == (2, 1, 2, 4)
+    assert list(data.two_rings_ring.values) == [15, 45] and data.below_ring.attrs["units"] == "degree"
+    assert list(data.below_x.values) == [0, 4] and data.below_x.attrs["units"] == "cm"
+    assert data.below_lai_2000_index_all.dims == (axis,)
     run_in(folder, program, "run", "run.toml", "--quiet", "--gaps-csv", "gaps.csv")
-    lines = [line for line in (folder / "gaps.csv").read_text().splitlines() if line[0] != "#"]
-    rows = list(csv.DictReader(lines))
-    radii, positions = ["3", "9"], ["1", "2"]
-    compared = 0
-    for row in rows:
-        is_sector = float(row["azimuth_to_deg"] or 0) - float(row["azimuth_from_deg"] or 0) == 90
-        if row["quantity"] != "gap_fraction" or row["position"] == "all" or not is_sector:
-            continue
-        ring = list(data.eye_ring_bounds.values[:, 0]).index(float(row["zenith_from_deg"]))
-        sector = int(float(row["azimuth_from_deg"]) // 90)
-        index = (radii.index(row["organ.upper.radius"]), positions.index(row["position"]), ring, sector)
-        for suffix, part in PARTS.items():
-            ours, theirs = data["eye" + suffix].values[index], float(row[part] or "nan")
-            assert np.array_equal(ours, theirs, equal_nan=True), (row, ours)
-            compared += 1
-    assert compared == 2 * 2 * 5 * 4 * 4, compared
-    whole = [row for row in rows if row["position"] == "all" and row["quantity"] == "plant_area_index"]
-    assert list(data.eye_plant_area_index_all.values) == [float(row["mean"]) for row in whole]
+    rows = table_rows(folder / "gaps.csv")
+    for i, radius in enumerate(["2", "25"]):
+        of_point = [row for row in rows if row["organ.upper.radius"] == radius]
+        assert len(of_point) == len(rows) // 2 > 100
+        assert compare_gaps(data, of_point, (i,)) > 400
+    small, large = data.below_sky_transmittance_all.values
+    assert small > large > 0
+    assert np.all(np.isnan(data.two_rings_lai_2000_index.values))
+    case = Case(program, folder, text + '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n')
+    assert np.array_equal(case.data.below.values[0], case.data.below.values[1])
 
 
 CONTROL = """
