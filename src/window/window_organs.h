@@ -16,7 +16,9 @@ namespace quasimc {
 /// sensors.
 class WindowOrgans {
   public:
+    /// @param scene  must outlive this
     explicit WindowOrgans(const Scene& scene);
+    explicit WindowOrgans(Scene&& scene) = delete;
 
     [[nodiscard]] const std::vector<const Organ*>& all() const { return all_; }
     [[nodiscard]] std::size_t sensors() const { return sensors_ ? sensors_->organs().size() : 0; }

@@ -93,7 +93,8 @@ TEST(Sweep, TakesValuesTogetherOnRequest) {
 /// The weights of all points.
 std::vector<double> weights_of(const std::string& keys) {
     std::vector<double> weights;
-    for (const SweepPoint& point : *sweep_of(swept(keys)).take(0).sweep) {
+    const RunFile run = sweep_of(swept(keys)).take(0);
+    for (const SweepPoint& point : *run.sweep) {
         weights.push_back(point.weight);
     }
     return weights;

@@ -34,7 +34,8 @@ std::string estimate_json(int mean) {
 }
 
 TEST(WindowOrgans, ListsSensorsLast) {
-    const WindowOrgans organs(two_leaves_and_sensors());
+    const Scene scene = two_leaves_and_sensors();
+    const WindowOrgans organs(scene);
     ASSERT_EQ(organs.all().size(), 4);
     EXPECT_EQ(organs.sensors(), 2);
     EXPECT_EQ(organs.id_of(1), "9");
@@ -47,7 +48,8 @@ TEST(WindowOrgans, ListsSensorsLast) {
 /// Rationale: sensors have other quantities than organs. Expected behaviour: each number is in the
 /// row of its own sensor, the fluence rate of a sphere as its upper side.
 TEST(WindowOrgans, ReadsBothAsOneList) {
-    const WindowOrgans organs(two_leaves_and_sensors());
+    const Scene scene = two_leaves_and_sensors();
+    const WindowOrgans organs(scene);
     const std::string text = R"({"title":"t","organs":[{"absorbed_flux":)" + estimate_json(1) +
                              R"(,"incident_upper":)" + estimate_json(2) + R"(},{"absorbed_flux":)" +
                              estimate_json(3) + R"(}],"sensors":[{"incident_upper":)" +
