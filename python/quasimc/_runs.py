@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from . import _core
-from ._meshes import input_error, plain
+from ._meshes import plain
 from ._progress import Listener
 from ._tables import FRAME_KEYS, SCENE_KEYS, numbered
 from ._warn import warn_here, warn_of_stop
@@ -15,8 +15,9 @@ from .series import Series
 from .sweep import Sweep, points_of, scene_at
 from .values import check_options, checked_time
 
-#: Sums of replicates that are kept by default, bytes.
-_LARGEST_SUMS = 256e6
+#: The largest sums of replicates that are kept, bytes, by `keep` of a run and of a series.
+_RUN_SUMS = {"auto": 256e6, "replicates": float("inf"), "estimates": -1.0}
+_SERIES_SUMS = {**_RUN_SUMS, "auto": -1.0, "sums": -1.0}
 
 
 class Runs:
@@ -144,9 +145,7 @@ class Runs:
         time = self.time if time is None else checked_time(time)
         if time is None:
             raise ValueError('which time? give quasimc.day("2024-06-21", utc_offset_hours=1), ...')
-        if keep not in ("auto", "replicates", "estimates", "sums"):
-            raise ValueError(f"keep is {keep!r}; give one of auto, replicates, estimates, sums")
-        size = largest_sums("estimates" if keep in ("auto", "sums") else keep)
+        size = largest_sums(keep, _SERIES_SUMS)
         with self._lock:
             organs = self._build()
             light = self._light(self._built, sources, time, options)
@@ -191,7 +190,6 @@ class Runs:
             raise ValueError("sources are swept and passed: give them once")
         runs = [scene_at(self, point, options) for point in points]
         for scene, _, own in runs:
-            _check_swept(own)
             check_options(own, "run")
             scene.build()
         results = []
@@ -240,22 +238,8 @@ class Runs:
         return Part(index, count, sums, method, document, warnings, written)
 
 
-def _check_swept(options):
-    """Refuses names with a point that begin like nothing that can be swept."""
-    for name in options:
-        if "." in name:
-            raise input_error(
-                "sweep",
-                f"there is no {name!r}",
-                "",
-                'names are "materials.NAME.KEY", "sources.NAME.KEY", "ground.KEY", "cell.KEY", '
-                '"site.KEY", and those of options',
-            )
-
-
-def largest_sums(keep):
-    """The size of the sums that are kept, bytes."""
-    sizes = {"auto": _LARGEST_SUMS, "replicates": float("inf"), "estimates": -1.0}
+def largest_sums(keep, sizes=_RUN_SUMS):
+    """The size of the sums of replicates that are kept, bytes."""
     if keep not in sizes:
         hint = "; sums over days are of series()" if keep == "sums" else ""
         raise ValueError(f"keep is {keep!r}; give one of {', '.join(sizes)}{hint}")

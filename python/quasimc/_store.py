@@ -27,7 +27,7 @@ def text_of(result, format):
         raise ValueError("a result that was opened has no CSV: use to_pandas().to_csv()")
     if result._written is None:
         raise ValueError(
-            "results of series and of growth sessions can't be saved: use the scene's own run(), or "
+            "results of series and of growth steps can't be saved: use the scene's own run(), or "
             "to_pandas()"
         )
     return _core.written(result._written.document(result.organs), result._core, format)
@@ -121,7 +121,7 @@ def arguments_of(light, sources):
     results = [light] if isinstance(light, Result) else light._results
     if any(result.has_replicates for result in results):
         raise ValueError(
-            "replicates of series and of growth sessions can't be pickled: use keep=\"estimates\", or "
+            "replicates of series and of growth steps can't be pickled: use keep=\"estimates\", or "
             "pickle sums and tables of the light"
         )
     return data_of(light._core), light.organs, light.warnings, sources, light._ratio_names

@@ -263,7 +263,7 @@ class Result(Light):
 
         ".json": all, for `quasimc.open` and the program; ".csv": the table of organs; ".nc": NetCDF;
         ".vtp", ".glb", ".ply": the scene with its light for ParaView, Blender and MeshLab. Results of
-        series and of growth sessions can't be saved.
+        series and of growth steps can't be saved.
 
         Returns
         -------

@@ -8,13 +8,17 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from ._index import RunIndex, as_hashable
+from ._index import RunIndex
 from ._meshes import input_error
 from ._stack import StackedLight
 from .values import Value
 
 #: Keys whose values are assigned to a scene: the first part of a name.
 _PARTS = ("materials", "ground", "cell", "site")
+_NAMES = (
+    'names are "materials.NAME.KEY", "sources.NAME.KEY", "ground.KEY", "cell.KEY", "site.KEY", '
+    "and those of options"
+)
 
 
 class Sweep(Sequence):
@@ -97,11 +101,9 @@ class Sweep(Sequence):
         """Returns a pandas.DataFrame: a row for each point and organ, indexed by swept values and id."""
         import pandas
 
-        names = list(self.points[0])
-        keys = [tuple(as_hashable(value) for value in point.values()) for point in self.points]
-        keys = keys if len(names) > 1 else [key[0] for key in keys]
+        runs = self._runs
         tables = [result.to_pandas() for result in self]
-        frame = pandas.concat(tables, keys=keys, names=[*names, "id"])
+        frame = pandas.concat(tables, keys=list(runs.to_pandas()), names=[*runs.names, "id"])
         frame.attrs = tables[0].attrs
         return frame
 
@@ -143,6 +145,8 @@ def scene_at(scene, point, options):
         if part == "sources":
             sources = _with_source(scene, sources, rest, value) if rest else value
         elif part not in _PARTS:
+            if rest:
+                raise input_error("sweep", f"there is no {name!r}", "", _NAMES)
             options[name] = value  # refused by run(), if it is none
         elif part == "materials":
             material, _, key = rest.rpartition(".")
