@@ -73,6 +73,32 @@ std::string NetcdfAxes::free_name(std::string_view wish) {
     return free;
 }
 
+std::string NetcdfAxes::add_positions(
+    const std::string& prefix,
+    const std::string& what,
+    const std::vector<int>& dimensions,
+    const std::vector<Vec3>& positions) {
+    constexpr std::array kParts{&Vec3::x, &Vec3::y, &Vec3::z};
+    std::string names;
+    for (std::size_t axis = 0; axis < kParts.size(); ++axis) {
+        std::vector<double> values;
+        values.reserve(positions.size());
+        for (const Vec3& position : positions) {
+            values.push_back(position.*kParts[axis]);
+        }
+        const std::string letter(1, "xyz"[axis]);
+        const std::string name = free_name(prefix + letter);
+        names += (names.empty() ? "" : " ") + name;
+        file_.put(
+            file_.add_variable(
+                name, NetcdfType::real, dimensions,
+                {{"long_name", letter + " of " + what + ", in the axes of the run file"},
+                 {"units", run_.scene.length_unit()}}),
+            values);
+    }
+    return names;
+}
+
 void NetcdfAxes::add_texts(
     const std::string& name,
     const std::string& summary,

@@ -12,6 +12,7 @@
 #include "netcdf/netcdf_file.h"
 #include "netcdf/netcdf_parts.h"
 #include "netcdf/netcdf_sweep.h"
+#include "quasimc/mesh.h"
 #include "quasimc/sums.h"
 #include "runfile/written.h"
 
@@ -98,6 +99,15 @@ class NetcdfAxes {
     /// Defines a dimension with names as its coordinate. @param wish  for its name
     [[nodiscard]] Axis add_names(
         const std::string& wish, const std::string& summary, const std::vector<std::string>& all);
+    /// Writes the coordinates x, y, z of positions, which are in the axes of the run file.
+    /// @param prefix  of their names
+    /// @param what    has the positions: "the sensor"
+    /// @returns  their names, with a space between them
+    std::string add_positions(
+        const std::string& prefix,
+        const std::string& what,
+        const std::vector<int>& dimensions,
+        const std::vector<Vec3>& positions);
     /// Writes a variable of texts, along dimensions or none.
     void add_texts(
         const std::string& name,

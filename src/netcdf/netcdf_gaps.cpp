@@ -1,6 +1,5 @@
 #include "netcdf/netcdf_gaps.h"
 
-#include <array>
 #include <cstdint>
 
 #include "runfile/run_file.h"
@@ -35,25 +34,11 @@ class GapAxes {
     }
 
     /// @param coordinates  receives the names of the coordinates
-    NetcdfAxes::Axis add_positions(const std::string& length_unit, std::string& coordinates) {
-        const std::string name = axes_.free_name(spec_.name + "_position");
-        const int dimension = file_.add_dimension(name, spec_.positions.size());
-        constexpr std::array kCoordinates{&Vec3::x, &Vec3::y, &Vec3::z};
-        for (std::size_t axis = 0; axis < kCoordinates.size(); ++axis) {
-            std::vector<double> values;
-            for (const Vec3& position : spec_.positions) {
-                values.push_back(position.*kCoordinates[axis]);
-            }
-            const std::string letter(1, "xyz"[axis]);
-            const std::string variable = axes_.free_name(spec_.name + "_" + letter);
-            coordinates += (coordinates.empty() ? "" : " ") + variable;
-            file_.put(
-                file_.add_variable(
-                    variable, NetcdfType::real, {dimension},
-                    {{"long_name", letter + " of the position, in the axes of the run file"},
-                     {"units", length_unit}}),
-                values);
-        }
+    NetcdfAxes::Axis add_positions(std::string& coordinates) {
+        const int dimension =
+            file_.add_dimension(axes_.free_name(spec_.name + "_position"), spec_.positions.size());
+        coordinates =
+            axes_.add_positions(spec_.name + "_", "the position", {dimension}, spec_.positions);
         return {dimension, spec_.positions.size()};
     }
 
@@ -69,7 +54,7 @@ NetcdfGaps::NetcdfGaps(const RunFile& run, NetcdfAxes& axes, NetcdfFile& file) :
     for (const GapFractionSpec& spec : run.gap_fractions) {
         GapAxes own(spec, axes, file);
         std::string coordinates;
-        const NetcdfAxes::Axis positions = own.add_positions(run.scene.length_unit(), coordinates);
+        const NetcdfAxes::Axis positions = own.add_positions(coordinates);
         const NetcdfAxes::Axis rings =
             own.add_bins("ring", "angle from the zenith", spec.rings_deg);
         std::vector<double> azimuths;

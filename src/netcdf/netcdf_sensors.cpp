@@ -1,6 +1,5 @@
 #include "netcdf/netcdf_sensors.h"
 
-#include <array>
 #include <set>
 #include <utility>
 
@@ -59,24 +58,12 @@ class SensorAxes {
     }
 
     void add_positions(const std::vector<int>& dimensions, NetcdfRows& rows) {
-        std::array<std::vector<double>, 3> of_axis;
+        std::vector<Vec3> positions;
         for (std::size_t i = 0; i < rows.count; ++i) {
-            const Vec3 p = run_.scene.orientation().outward(positions_[rows.first + i]);
-            of_axis[0].push_back(p.x);
-            of_axis[1].push_back(p.y);
-            of_axis[2].push_back(p.z);
+            positions.push_back(run_.scene.orientation().outward(positions_[rows.first + i]));
         }
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const std::string letter(1, "xyz"[axis]);
-            const std::string name = axes_.free_name(rows.prefix + letter);
-            rows.coordinates += " " + name;
-            file_.put(
-                file_.add_variable(
-                    name, NetcdfType::real, dimensions,
-                    {{"long_name", letter + " of the sensor, in the axes of the run file"},
-                     {"units", run_.scene.length_unit()}}),
-                of_axis[axis]);
-        }
+        rows.coordinates +=
+            " " + axes_.add_positions(rows.prefix, "the sensor", dimensions, positions);
     }
 
     const RunFile& run_;
