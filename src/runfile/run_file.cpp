@@ -452,7 +452,6 @@ RunFile read_run_document(
         check_hours(sections, faults);
         check_parts(sections, faults);
         add_run_faults(faults, sections.options, reporter);
-        check_gaps(*sections.scene, sections.gap_fractions, reporter);
     }
     throw_in_order(reporter);
     std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings), lint_of(sections));
@@ -471,6 +470,7 @@ RunFile read_run_document(
         std::move(warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
     check_rows(run, reporter);
+    check_gaps(run.scene, run.gap_fractions, reporter.faults, run.warnings);
     throw_in_order(reporter);
     return run;
 }
@@ -485,7 +485,7 @@ SceneOfRun read_scene_document(
     FrameOfRun frame = read_frame(document, files, add_organs, reporter);
     std::optional<Scene> scene = build(std::move(frame.builder), {.overlaps = overlaps}, reporter);
     if (reporter.faults.empty()) {
-        check_gaps(*scene, frame.gap_fractions, reporter);
+        check_gaps(*scene, frame.gap_fractions, reporter.faults, reporter.warnings);
     }
     throw_in_order(reporter);
     std::vector<Warning> warnings =

@@ -172,7 +172,11 @@ void move_points(const Affine& transform, std::vector<Vec3>& points);
 
 // run_file_gap_fraction.cpp
 /// Checks positions and conditions against the scene; warns of a condition that no organ fulfils.
-void check_gaps(const Scene& scene, const std::vector<GapFractionSpec>& specs, Reporter& reporter);
+void check_gaps(
+    const Scene& scene,
+    const std::vector<GapFractionSpec>& specs,
+    Faults& faults,
+    std::vector<Warning>& warnings);
 [[nodiscard]] std::vector<GapFractionSpec> read_gap_fractions(
     TableReader& top, RunFileContext& context);
 
