@@ -55,7 +55,7 @@ std::size_t find_label(
     return static_cast<std::size_t>(found - labels.begin());
 }
 
-/// Reports light in the order of a result. That of sensors follows that on organs in it.
+/// Reports light in the order of a result.
 class LightReader {
   public:
     LightReader(
@@ -70,46 +70,37 @@ class LightReader {
         if (!run.scene.detectors().empty() || (series_ && !series_->controls.empty())) {
             rest_ = read_rows(text, path, {.rest = RowsQuery::Rest::all}, {});
         }
-        const RowsQuery query{.lists = {"organs", "sensors"}, .columns = columns_.names()};
-        read_rows(text, path, query, [this](PlacedRows rows) { add(std::move(rows)); });
-        report();
+        read_light_rows(text, path, {.columns = columns_.names()}, [this](LightRows rows) {
+            report(std::move(rows));
+        });
     }
 
     [[nodiscard]] bool is_empty() const { return !point_; }
 
   private:
-    void add(PlacedRows rows) {
-        if (position_ != rows.position || rows.list == "organs") {
-            report();
+    /// Reports the light at a position.
+    void report(LightRows rows) {
+        const RowsPosition& position = rows.position;
+        if (rows.organs.empty()) {
+            rows.organs.resize(columns_.names().size());
         }
-        position_ = rows.position;
-        (rows.list == "organs" ? organs_ : sensors_) = std::move(rows.columns);
-    }
-
-    /// Reports the light at a position, once all of it is read.
-    void report() {
-        if (!position_) {
-            return;
-        }
-        if (point_ != position_->point) {
-            point_ = position_->point;
+        if (point_ != position.point) {
+            point_ = position.point;
             next_time_ = next_day_ = 0;
             events_.on_point(*point_);
             report_controls();
         }
-        if (position_->part == "days" && series_) {
-            const std::size_t day = find_label(series_->days, next_day_, *position_, path_);
+        if (position.part == "days" && series_) {
+            const std::size_t day = find_label(series_->days, next_day_, position, path_);
             next_day_ = day + 1;
-            events_.on_day(day, sum());
-        } else if (position_->part == "time_steps" && series_) {
-            const std::size_t time = find_label(times_, next_time_, *position_, path_);
+            events_.on_day(day, sum(std::move(rows)));
+        } else if (position.part == "time_steps" && series_) {
+            const std::size_t time = find_label(times_, next_time_, position, path_);
             next_time_ = time + 1;
-            events_.on_time_step(time, result());
-        } else if (position_->part.empty() && !series_) {
-            events_.on_time_step(0, result());
+            events_.on_time_step(time, result(std::move(rows)));
+        } else if (position.part.empty() && !series_) {
+            events_.on_time_step(0, result(std::move(rows)));
         }
-        position_.reset();
-        organs_ = sensors_ = {};
     }
 
     void report_controls() const {
@@ -121,28 +112,26 @@ class LightReader {
         }
     }
 
-    [[nodiscard]] Result result() {
-        Result result = columns_.result(organs_.empty() ? no_rows() : organs_);
+    [[nodiscard]] Result result(LightRows rows) const {
+        Result result = columns_.result(rows.organs);
         if (rest_) {
-            result.detectors = read_detectors(*rest_, *position_, run_);
+            result.detectors = read_detectors(*rest_, rows.position, run_);
         }
-        if (!sensors_.empty()) {
+        if (!rows.sensors.empty()) {
             result.sensors =
-                std::make_shared<const Result>(columns_.result_of_sensors(std::move(sensors_)));
+                std::make_shared<const Result>(columns_.result_of_sensors(std::move(rows.sensors)));
         }
         return result;
     }
 
-    [[nodiscard]] SeriesSum sum() {
-        SeriesSum sum = columns_.sum(organs_.empty() ? no_rows() : organs_);
-        if (!sensors_.empty()) {
+    [[nodiscard]] SeriesSum sum(LightRows rows) const {
+        SeriesSum sum = columns_.sum(rows.organs);
+        if (!rows.sensors.empty()) {
             sum.sensors =
-                std::make_shared<const SeriesSum>(columns_.sum_of_sensors(std::move(sensors_)));
+                std::make_shared<const SeriesSum>(columns_.sum_of_sensors(std::move(rows.sensors)));
         }
         return sum;
     }
-
-    [[nodiscard]] RowColumns no_rows() const { return RowColumns(columns_.names().size()); }
 
     const std::string& path_;
     const RunFile& run_;
@@ -153,9 +142,6 @@ class LightReader {
     std::optional<Node> rest_;
     std::optional<std::size_t> point_;
     std::size_t next_time_ = 0, next_day_ = 0;  // within the point; labels of times may repeat
-    // Light that is not yet reported.
-    std::optional<RowsPosition> position_;
-    RowColumns organs_, sensors_;
 };
 
 }  // namespace

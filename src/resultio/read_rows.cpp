@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "text/json_builder.h"
@@ -224,6 +225,32 @@ std::vector<PlacedRows> read_rows(
     std::vector<PlacedRows> all;
     read_rows(text, path, query, [&](PlacedRows rows) { all.push_back(std::move(rows)); });
     return all;
+}
+
+Node read_light_rows(
+    std::string_view text,
+    const std::string& path,
+    RowsQuery query,
+    const std::function<void(LightRows)>& take) {
+    std::optional<LightRows> last;  // sensors may follow
+    const auto end_last = [&] {
+        if (last) {
+            take(*std::exchange(last, std::nullopt));
+        }
+    };
+    query.lists = {"organs", "sensors"};
+    Node rest = read_rows(text, path, query, [&](PlacedRows rows) {
+        const bool is_of_sensors = rows.list == "sensors";
+        if (!is_of_sensors || (last && last->position != rows.position)) {
+            end_last();
+        }
+        if (!last) {
+            last.emplace(LightRows{rows.position, {}, {}});
+        }
+        (is_of_sensors ? last->sensors : last->organs) = std::move(rows.columns);
+    });
+    end_last();
+    return rest;
 }
 
 std::string text_in(const Node& table, std::string_view key) {

@@ -63,6 +63,18 @@ Node read_rows(
 [[nodiscard]] std::vector<PlacedRows> read_rows(
     std::string_view text, const std::string& path, const RowsQuery& query);
 
+/// The numbers of organs and sensors at a position; empty where it has none.
+struct LightRows {
+    RowsPosition position;
+    RowColumns organs, sensors;
+};
+/// Like read_rows(), of organs and sensors together. @param query  with any lists
+Node read_light_rows(
+    std::string_view text,
+    const std::string& path,
+    RowsQuery query,
+    const std::function<void(LightRows)>& take);
+
 /// A result without its rows; for a point of a sweep, as if it were the only one.
 /// @throws InputError  if it is no object, or lacks the point
 [[nodiscard]] Node only_point(

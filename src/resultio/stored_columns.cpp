@@ -32,6 +32,20 @@ std::vector<Estimate> whole_column(const std::vector<Estimate>& column, std::siz
 
 }  // namespace
 
+void put_fluence(
+    const std::vector<bool>& is_sphere,
+    std::vector<Estimate>& upper,
+    std::vector<Estimate>& fluence) {
+    if (fluence.empty()) {
+        return;
+    }
+    upper.resize(is_sphere.size(), kUnknownEstimate);
+    fluence.resize(is_sphere.size(), kUnknownEstimate);
+    for (std::size_t i = 0; i < is_sphere.size(); ++i) {
+        upper[i] = (is_sphere[i] ? fluence : upper)[i];
+    }
+}
+
 StoredColumns::StoredColumns(const RunFile& run)
     : run_(run),
       written_(written_columns(run)),
@@ -181,14 +195,9 @@ SunShadeLight StoredColumns::parts(const RowColumns& columns, std::size_t number
     return light;
 }
 
-/// All light on a sphere is on its upper side.
 RowColumns StoredColumns::with_spheres(RowColumns columns) const {
     for (const auto& [upper, fluence] : fluences_) {
-        columns[upper].resize(is_sphere_.size(), kUnknownEstimate);
-        columns[fluence].resize(is_sphere_.size(), kUnknownEstimate);
-        for (std::size_t i = 0; i < is_sphere_.size(); ++i) {
-            columns[upper][i] = columns[is_sphere_[i] ? fluence : upper][i];
-        }
+        put_fluence(is_sphere_, columns[upper], columns[fluence]);
     }
     return columns;
 }

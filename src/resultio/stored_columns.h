@@ -15,6 +15,13 @@
 
 namespace quasimc {
 
+/// Puts the fluence rate of sensors that are spheres in the column of their upper side, which has
+/// all of their light. Either column may be empty.
+void put_fluence(
+    const std::vector<bool>& is_sphere,
+    std::vector<Estimate>& upper,
+    std::vector<Estimate>& fluence);
+
 /// The estimates of organs and sensors that a result has, and their positions in a Result.
 class StoredColumns {
   public:

@@ -1,21 +1,13 @@
 #include "window/window_organs.h"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <tuple>
 #include <utility>
 
+#include "resultio/stored_columns.h"
+#include "runfile/table_rows.h"
 #include "scene/sensors.h"
 
 namespace quasimc {
 namespace {
-
-using PositionKey = std::tuple<std::size_t, std::string, std::size_t>;
-
-PositionKey key_of(const RowsPosition& position) {
-    return {position.point, position.part, position.index};
-}
 
 /// The columns of organs, followed by those of sensors; empty where neither has values.
 RowColumns joined(RowColumns organs, const RowColumns& sensors, const WindowOrgans& list) {
@@ -33,35 +25,9 @@ RowColumns joined(RowColumns organs, const RowColumns& sensors, const WindowOrga
     return organs;
 }
 
-/// The query for sensors: those that are spheres have a fluence rate instead of an upper side.
-RowsQuery sensor_query(const RowsQuery& query) {
-    RowsQuery own = query;
-    own.lists = {"sensors"};
-    own.rest = RowsQuery::Rest::labels;
-    for (const std::vector<std::string>& column : query.columns) {
-        own.columns.push_back(column);
-        own.columns.back().front() = column.front() == "incident_upper" ? "fluence_rate" : "";
-    }
-    return own;
-}
-
-/// The answer to sensor_query() with as many columns as the query for organs.
-RowColumns sensor_columns(RowColumns both) {
-    const std::size_t count = both.size() / 2;
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::vector<Estimate>& rates = both[count + i];
-        both[i].resize(std::max(both[i].size(), rates.size()), kUnknownEstimate);
-        for (std::size_t row = 0; row < rates.size(); ++row) {
-            both[i][row] = std::isnan(rates[row].mean) ? both[i][row] : rates[row];
-        }
-    }
-    both.resize(count);
-    return both;
-}
-
 }  // namespace
 
-WindowOrgans::WindowOrgans(const Scene& scene) {
+WindowOrgans::WindowOrgans(const Scene& scene) : spheres_(spheres_of(scene)) {
     if (!scene.sensors().empty()) {
         sensors_ = scene_of_sensors(scene);
     }
@@ -86,15 +52,24 @@ Node read_window_rows(
     const RowsQuery& query,
     const WindowOrgans& organs,
     const std::function<void(PlacedRows)>& take) {
-    std::map<PositionKey, RowColumns> sensors;
-    if (organs.sensors() > 0) {
-        read_rows(text, path, sensor_query(query), [&](PlacedRows rows) {
-            sensors[key_of(rows.position)] = sensor_columns(std::move(rows.columns));
-        });
+    RowsQuery own = query;  // spheres have a fluence rate instead of an upper side
+    std::vector<std::size_t> upper;
+    const std::size_t count = query.columns.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        if (query.columns[i].front() == "incident_upper") {
+            upper.push_back(i);
+            own.columns.push_back(query.columns[i]);
+            own.columns.back().front() = kFluenceRate;
+        }
     }
-    return read_rows(text, path, query, [&](PlacedRows rows) {
-        rows.columns = joined(std::move(rows.columns), sensors[key_of(rows.position)], organs);
-        take(std::move(rows));
+    return read_light_rows(text, path, std::move(own), [&](LightRows rows) {
+        for (std::size_t i = 0; i < upper.size() && !rows.sensors.empty(); ++i) {
+            put_fluence(organs.spheres(), rows.sensors[upper[i]], rows.sensors[count + i]);
+        }
+        if (!rows.organs.empty()) {
+            rows.organs.resize(count);
+            take({rows.position, "organs", joined(std::move(rows.organs), rows.sensors, organs)});
+        }
     });
 }
 

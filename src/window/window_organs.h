@@ -21,7 +21,9 @@ class WindowOrgans {
     explicit WindowOrgans(Scene&& scene) = delete;
 
     [[nodiscard]] const std::vector<const Organ*>& all() const { return all_; }
-    [[nodiscard]] std::size_t sensors() const { return sensors_ ? sensors_->organs().size() : 0; }
+    [[nodiscard]] std::size_t sensors() const { return spheres_.size(); }
+    /// Whether each sensor is a sphere.
+    [[nodiscard]] const std::vector<bool>& spheres() const { return spheres_; }
     /// Whether the list is longer than that of the organs from an index on.
     [[nodiscard]] bool is_sensor(std::size_t index) const {
         return index >= all_.size() - sensors();
@@ -30,6 +32,7 @@ class WindowOrgans {
     [[nodiscard]] std::string id_of(std::size_t index) const;
 
   private:
+    std::vector<bool> spheres_;     // by sensor
     std::optional<Scene> sensors_;  // their names and labels, as organs
     std::vector<const Organ*> all_;
 };

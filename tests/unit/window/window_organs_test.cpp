@@ -12,8 +12,8 @@
 namespace quasimc::test {
 namespace {
 
-/// Two leaves and a set of two sensors.
-Scene two_leaves_and_sensors() {
+/// Two leaves and sets of sensors.
+Scene two_leaves_and(const std::vector<SensorSet>& sets) {
     SceneBuilder builder({{"PAR"}, {"NIR"}});
     builder.add_material({"leaf", {{0.1, 0.1}, {0.1, 0.1}}, {{0.1, 0.1}, {0.1, 0.1}}});
     for (const std::int64_t id : {7, 9}) {
@@ -23,9 +23,9 @@ Scene two_leaves_and_sensors() {
         leaf.parts.push_back({"leaf", {{{{0, 0, z}, {1, 0, z}, {0, 1, z}}}}});
         builder.add_organ(std::move(leaf));
     }
-    SensorSet set{.name = "floor"};
-    set.points = {{.position = {0, 0, 0}}, {.position = {1, 0, 0}}};
-    builder.add_sensors(std::move(set));
+    for (const SensorSet& set : sets) {
+        builder.add_sensors(set);
+    }
     return std::move(builder).build();
 }
 
@@ -34,7 +34,9 @@ std::string estimate_json(int mean) {
 }
 
 TEST(WindowOrgans, ListsSensorsLast) {
-    const Scene scene = two_leaves_and_sensors();
+    SensorSet set{.name = "floor"};
+    set.points = {{.position = {0, 0, 0}}, {.position = {1, 0, 0}}};
+    const Scene scene = two_leaves_and({set});
     const WindowOrgans organs(scene);
     ASSERT_EQ(organs.all().size(), 4);
     EXPECT_EQ(organs.sensors(), 2);
@@ -48,7 +50,10 @@ TEST(WindowOrgans, ListsSensorsLast) {
 /// Rationale: sensors have other quantities than organs. Expected behaviour: each number is in the
 /// row of its own sensor, the fluence rate of a sphere as its upper side.
 TEST(WindowOrgans, ReadsBothAsOneList) {
-    const Scene scene = two_leaves_and_sensors();
+    SensorSet flat{.name = "floor"}, sphere{.name = "ball", .receiver = Receiver::sphere};
+    flat.points = {{.position = {0, 0, 0}}};
+    sphere.points = {{.position = {1, 0, 0}}};
+    const Scene scene = two_leaves_and({flat, sphere});
     const WindowOrgans organs(scene);
     const std::string text = R"({"title":"t","organs":[{"absorbed_flux":)" + estimate_json(1) +
                              R"(,"incident_upper":)" + estimate_json(2) + R"(},{"absorbed_flux":)" +
