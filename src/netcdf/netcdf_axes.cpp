@@ -92,7 +92,7 @@ std::string NetcdfAxes::add_positions(
         file_.put(
             file_.add_variable(
                 name, NetcdfType::real, dimensions,
-                {{"long_name", letter + " of " + what + ", in the axes of the run file"},
+                {{"long_name", fmt::format("{} of {}, in the axes of the run file", letter, what)},
                  {"units", run_.scene.length_unit()}}),
             values);
     }
