@@ -93,6 +93,31 @@ TEST_F(RanksTest, GiveTheBitsOfTimesSweepsAndTargets) {
     }
 }
 
+/// Each rank decides on the lamps under control itself.
+TEST_F(RanksTest, DimLampsUnderControlAlike) {
+    folder_.write(
+        "lamps.toml",
+        good_run_file() +
+            "[[source]]\ntype = \"point\"\nname = \"hps\"\nposition = [2, 2, 6]\npower = 4000\n"
+            "[[sensors]]\nname = \"bench\"\nat = [[0.2, 0.2, 0]]\n"
+            "[[control]]\nsources = \"hps\"\nsensors = \"bench\"\nset_point = 3\n"
+            "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+            "[time]\nday = \"2024-12-15\"\nutc_offset_hours = 1\nhours = [7, 11]\n"
+            "[[table]]\nfile = \"control.csv\"\nrows = \"control\"\n");
+    const auto controls = [&] {
+        const std::string table = folder_.read("control.csv");
+        return table.substr(table.find("\ntime,"));
+    };
+    ASSERT_EQ(shell("\"$quasimc\" run lamps.toml --csv whole.csv --quiet").status, 0);
+    const std::string whole = controls();
+    for (const int ranks : {2, 3}) {
+        const Outcome outcome = run_ranks(ranks, "lamps.toml --csv r.csv --quiet");
+        EXPECT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(rows_of(folder_.read("r.csv")), rows_of(folder_.read("whole.csv"))) << ranks;
+        EXPECT_EQ(controls(), whole);
+    }
+}
+
 TEST_F(RanksTest, GoOnWithTimesThatACheckpointKnows) {
     write_day();
     ASSERT_EQ(shell("\"$quasimc\" run day.toml --csv whole.csv --quiet").status, 0);
