@@ -252,7 +252,7 @@ const quasimc::FormatEntry* geometry_of(const std::string& path, const std::stri
     return found;
 }
 
-ShownRun read_shown_run(const std::string& path, std::size_t point) {
+ShownSweep read_shown_sweep(const std::string& path) {
     std::string text = quasimc::read_file(path);
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first == std::string::npos) {
@@ -266,15 +266,24 @@ ShownRun read_shown_run(const std::string& path, std::size_t point) {
     };
     quasimc::RunSweep runs = is_result ? quasimc::read_result_sweep(path, {}, access).runs
                                        : quasimc::read_run_sweep(path, {}, access);
-    if (point > runs.size()) {
+    return {std::move(runs), is_result ? std::move(text) : std::string()};
+}
+
+std::vector<quasimc::InputFile> shown_inputs(const quasimc::RunFile& run, const std::string& path) {
+    std::vector<quasimc::InputFile> inputs = run.inputs;
+    inputs.push_back({path, path, "", 0, false});
+    return inputs;
+}
+
+ShownRun read_shown_run(const std::string& path, std::size_t point) {
+    ShownSweep sweep = read_shown_sweep(path);
+    if (point > sweep.runs.size()) {
         throw quasimc::InputError(
             {{"--sweep-point", fmt::format("{} is out of range", point),
-              fmt::format("1 to {}", runs.size()), ""}});
+              fmt::format("1 to {}", sweep.runs.size()), ""}});
     }
-    ShownRun shown{
-        runs.take(point == 0 ? 0 : point - 1), is_result ? std::move(text) : std::string(), {}};
-    shown.inputs = shown.run.inputs;
-    shown.inputs.push_back({path, path, "", 0, false});
+    ShownRun shown{sweep.runs.take(point == 0 ? 0 : point - 1), std::move(sweep.result_text), {}};
+    shown.inputs = shown_inputs(shown.run, path);
     return shown;
 }
 

@@ -33,7 +33,17 @@ struct ShownRun {
 /// A geometry file as a run without sources.
 [[nodiscard]] ShownRun read_shown_geometry(
     const std::string& path, const quasimc::FormatEntry& format);
+/// All points of a run file or a result. See ShownRun
+struct ShownSweep {
+    quasimc::RunSweep runs;
+    std::string result_text;
+};
+[[nodiscard]] ShownSweep read_shown_sweep(const std::string& path);
+/// @param point  from 1; 0: the first
 [[nodiscard]] ShownRun read_shown_run(const std::string& path, std::size_t point);
+/// The inputs of a run, and the file itself.
+[[nodiscard]] std::vector<quasimc::InputFile> shown_inputs(
+    const quasimc::RunFile& run, const std::string& path);
 
 /// Numbers of each organ, with texts for headings.
 struct ShownValues {

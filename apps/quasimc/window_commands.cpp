@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -29,13 +30,17 @@ struct WindowRun {
     std::vector<quasimc::WindowData> points;
 };
 
-ShownRun read_result(const std::string& path, std::size_t point) {
-    ShownRun shown = read_shown_run(path, point);
-    if (shown.result_text.empty()) {
+void check_result(const std::string& text, const std::string& path) {
+    if (text.empty()) {
         throw quasimc::InputError(
             {{path, "is not a result", "",
               "write one with quasimc run --json; quasimc show draws a scene without light"}});
     }
+}
+
+ShownRun read_result(const std::string& path, std::size_t point) {
+    ShownRun shown = read_shown_run(path, point);
+    check_result(shown.result_text, path);
     return shown;
 }
 
@@ -49,14 +54,6 @@ Flag minus_flag(std::string& target) {
 
 /// The largest report. Browsers open no more, in base64, than some 350 MB.
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20U;
-
-/// A point of a sweep, from 0, for a page that has all of them.
-WindowRun read_point(const std::string& file, std::size_t point) {
-    ShownRun shown = read_result(file, point + 1);
-    quasimc::WindowData data = quasimc::make_window_data(
-        {.run = shown.run, .text = shown.result_text, .path = file, .has_all_points = true});
-    return {std::move(shown.inputs), {std::move(data)}};
-}
 
 /// The number of points of a sweep that the page shows; 0 for a single result or point.
 std::size_t shown_points(const WindowArguments& arguments) {
@@ -95,21 +92,26 @@ void check_size(const WindowRun& run, const std::string& file) {
 
 /// Everything that a report shows.
 WindowRun read_window_run(const WindowArguments& arguments) {
-    const std::size_t points = shown_points(arguments);
-    WindowRun run = points == 0 ? read_single(arguments) : WindowRun();
-    check_size(run, arguments.file);
-    for (std::size_t point = 0; point < points; ++point) {
-        WindowRun one = read_point(arguments.file, point);
-        run.inputs.insert(run.inputs.end(), one.inputs.begin(), one.inputs.end());
-        run.points.push_back(std::move(one.points.front()));
-        check_size(run, arguments.file);
+    if (arguments.point > 0 || !arguments.minus.empty()) {
+        return read_single(arguments);
     }
-    return run;
+    ShownSweep sweep = read_shown_sweep(arguments.file);
+    check_result(sweep.result_text, arguments.file);
+    std::vector<quasimc::RunFile> runs;
+    WindowRun shown;
+    for (std::size_t point = 0; point < sweep.runs.size(); ++point) {
+        runs.push_back(sweep.runs.take(point));
+        const auto inputs = shown_inputs(runs.back(), arguments.file);
+        shown.inputs.insert(shown.inputs.end(), inputs.begin(), inputs.end());
+    }
+    shown.points = quasimc::make_window_data(runs, sweep.result_text, arguments.file);
+    return shown;
 }
 
 Exit report(const WindowArguments& arguments) {
     quasimc::require_page("report");
     const WindowRun run = read_window_run(arguments);
+    check_size(run, arguments.file);
     quasimc::OutputFiles output({{arguments.output, "-o"}}, run.inputs);
     write_report(run.points, output.sink(0));
     output.commit();
@@ -124,7 +126,9 @@ quasimc::WindowFiles files_to_view(const WindowArguments& arguments) {
         return quasimc::files_of(std::move(read_single(arguments).points.front()));
     }
     const auto read = [file = arguments.file](std::size_t point) {
-        return std::move(read_point(file, point).points.front());
+        const ShownRun shown = read_result(file, point + 1);
+        return quasimc::make_window_data(
+            {.run = shown.run, .text = shown.result_text, .path = file, .has_all_points = true});
     };
     (void)read(0);  // whose faults are reported before the page is served
     return quasimc::files_of_sweep(points, 0, read);

@@ -1,6 +1,7 @@
 #include "window/window_data.h"
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 #include <utility>
 
@@ -44,26 +45,6 @@ std::vector<int> add_values(WindowData& data, const RowColumns& columns) {
     return indices;
 }
 
-/// A time step, with the index of the values of every column.
-Json add_time(
-    WindowData& data,
-    const RunFile& run,
-    const WindowDifference* difference,
-    const PlacedRows& rows) {
-    Json time = {
-        {"part", rows.position.part},
-        {"index", rows.position.index},
-        {"label", rows.position.label}};
-    time.update(json_lights(lights_at(run, rows.position), window_middle(run.scene)));
-    if (difference != nullptr) {
-        time["minus"] = add_values(data, difference->of(rows.position, rows.columns));
-    }
-    std::vector<int> indices = add_values(data, rows.columns);
-    time["values"] = indices;
-    data.value_index.push_back(std::move(indices));
-    return time;
-}
-
 /// The values of every point, by key.
 Json json_points(const std::vector<SweepPoint>& points) {
     Json all = Json::array();
@@ -83,6 +64,86 @@ bool has_difference(const Json& times) {
         return std::any_of(columns.begin(), columns.end(), [](const Json& i) { return i >= 0; });
     });
 }
+
+/// Collects the data of a result, or of a point of a sweep.
+class WindowDataBuilder {
+  public:
+    /// @param path  for messages
+    /// @param minus  see make_window_data()
+    WindowDataBuilder(const RunFile& run, const std::string& path, const ReadResult* minus)
+        : run_(run),
+          path_(path),
+          minus_(minus),
+          columns_(window_columns(run.scene.bands(), run.scene.length_unit(), run.spec.ratios)),
+          organs_(run.scene) {
+        if (minus != nullptr) {
+            difference_.emplace(organs_, columns_, *minus);
+        }
+        data_.shape = window_shape(run.scene);
+    }
+
+    [[nodiscard]] const WindowOrgans& organs() const { return organs_; }
+    [[nodiscard]] RowsQuery query() const { return window_query(run_, columns_); }
+
+    /// Adds a time step, with the index of the values of every column.
+    void add(const PlacedRows& rows) {
+        Json time = {
+            {"part", rows.position.part},
+            {"index", rows.position.index},
+            {"label", rows.position.label}};
+        time.update(json_lights(lights_at(run_, rows.position), window_middle(run_.scene)));
+        if (difference_) {
+            time["minus"] = add_values(data_, difference_->of(rows.position, rows.columns));
+        }
+        std::vector<int> indices = add_values(data_, rows.columns);
+        time["values"] = indices;
+        data_.value_index.push_back(std::move(indices));
+        times_.push_back(std::move(time));
+    }
+
+    /// @param rest  the result without its rows
+    /// @param has_all_points  see ReadResult
+    [[nodiscard]] WindowData data(const Node& rest, bool has_all_points) {
+        check();
+        Json all = json_window_scene(run_.scene, organs_, columns_);
+        all["title"] = title_of(run_);
+        all["head"] = json_value(only_point(rest, query().point, path_));
+        all["times"] = std::move(times_);
+        if (difference_) {
+            all["minus"] = difference_->json();
+        }
+        if (run_.sweep && has_all_points) {
+            all["sweep"] = {{"point", run_.point}, {"points", json_points(*run_.sweep)}};
+        }
+        data_.json = json_text(all);
+        return std::move(data_);
+    }
+
+  private:
+    void check() const {
+        if (data_.values.empty()) {
+            throw InputError(
+                {{path_, "contains no light of organs",
+                  "the run did not write it, or was not completed",
+                  "check [output] in the run file"}});
+        }
+        if (difference_ && !has_difference(times_)) {
+            throw InputError(
+                {{minus_->path, "has no time or no quantity of the first result",
+                  "times are matched by their labels",
+                  "choose results of the same times and bands"}});
+        }
+    }
+
+    const RunFile& run_;
+    const std::string& path_;
+    const ReadResult* minus_;
+    const std::vector<WindowColumn> columns_;
+    const WindowOrgans organs_;
+    std::optional<WindowDifference> difference_;
+    WindowData data_;
+    Json times_ = Json::array();
+};
 
 }  // namespace
 
@@ -119,46 +180,31 @@ std::string WindowData::course(std::size_t column, std::size_t organ) const {
 }
 
 WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
-    const RunFile& run = result.run;
-    const Scene& scene = run.scene;
-    const std::vector<WindowColumn> columns =
-        window_columns(scene.bands(), scene.length_unit(), run.spec.ratios);
-    const RowsQuery query = window_query(run, columns);
-    const WindowOrgans organs(scene);
-    std::optional<WindowDifference> difference;
-    if (minus != nullptr) {
-        difference.emplace(organs, columns, *minus);
+    WindowDataBuilder builder(result.run, result.path, minus);
+    const Node rest = read_window_rows(
+        result.text, result.path, builder.query(), builder.organs(),
+        [&](const PlacedRows& rows) { builder.add(rows); });
+    return builder.data(rest, result.has_all_points);
+}
+
+std::vector<WindowData> make_window_data(
+    const std::vector<RunFile>& runs, const std::string& text, const std::string& path) {
+    std::deque<WindowDataBuilder> builders;
+    for (const RunFile& run : runs) {
+        builders.emplace_back(run, path, nullptr);
     }
-    WindowData data;
-    data.shape = window_shape(scene);
-    Json times = Json::array();
-    const auto take = [&](const PlacedRows& rows) {
-        times.push_back(add_time(data, run, difference ? &*difference : nullptr, rows));
-    };
-    Node head = read_window_rows(result.text, result.path, query, organs, take);
-    head = only_point(std::move(head), query.point, result.path);
-    if (data.values.empty()) {
-        throw InputError(
-            {{result.path, "contains no light of organs",
-              "the run did not write it, or was not completed", "check [output] in the run file"}});
+    RowsQuery query = builders.front().query();
+    query.point.reset();
+    const Node rest = read_window_rows(
+        text, path, query,
+        [&](std::size_t point) -> const WindowOrgans& { return builders.at(point).organs(); },
+        [&](const PlacedRows& rows) { builders.at(rows.position.point).add(rows); });
+    std::vector<WindowData> all;
+    all.reserve(builders.size());
+    for (WindowDataBuilder& builder : builders) {
+        all.push_back(builder.data(rest, true));
     }
-    if (difference && !has_difference(times)) {
-        throw InputError(
-            {{minus->path, "has no time or no quantity of the first result",
-              "times are matched by their labels", "choose results of the same times and bands"}});
-    }
-    Json all = json_window_scene(scene, organs, columns);
-    all["title"] = title_of(run);
-    all["head"] = json_value(head);
-    all["times"] = std::move(times);
-    if (difference) {
-        all["minus"] = difference->json();
-    }
-    if (run.sweep && result.has_all_points) {
-        all["sweep"] = {{"point", run.point}, {"points", json_points(*run.sweep)}};
-    }
-    data.json = json_text(all);
-    return data;
+    return all;
 }
 
 }  // namespace quasimc

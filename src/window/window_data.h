@@ -40,5 +40,11 @@ struct ReadResult {
 ///     in common
 [[nodiscard]] WindowData make_window_data(
     const ReadResult& result, const ReadResult* minus = nullptr);
+/// The data of all points of a sweep, or of the only run, for a page that has all of them. The text
+/// is read once.
+/// @param runs  of all points
+/// @throws InputError  if a point has no light of organs
+[[nodiscard]] std::vector<WindowData> make_window_data(
+    const std::vector<RunFile>& runs, const std::string& text, const std::string& path);
 
 }  // namespace quasimc

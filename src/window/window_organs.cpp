@@ -50,7 +50,7 @@ Node read_window_rows(
     std::string_view text,
     const std::string& path,
     const RowsQuery& query,
-    const WindowOrgans& organs,
+    const OrgansOfPoints& organs_of,
     const std::function<void(PlacedRows)>& take) {
     RowsQuery own = query;  // spheres have a fluence rate instead of an upper side
     std::vector<std::size_t> upper;
@@ -63,6 +63,7 @@ Node read_window_rows(
         }
     }
     return read_light_rows(text, path, std::move(own), [&](LightRows rows) {
+        const WindowOrgans& organs = organs_of(rows.position.point);
         for (std::size_t i = 0; i < upper.size() && !rows.sensors.empty(); ++i) {
             put_fluence(organs.spheres(), rows.sensors[upper[i]], rows.sensors[count + i]);
         }

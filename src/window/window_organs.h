@@ -37,13 +37,26 @@ class WindowOrgans {
     std::vector<const Organ*> all_;
 };
 
-/// Reads the numbers of organs and of sensors as those of one list, as long as `organs`; NaN where
-/// the result has none. As read_rows().
+/// The organs of each point of a sweep.
+using OrgansOfPoints = std::function<const WindowOrgans&(std::size_t point)>;
+
+/// Reads the numbers of organs and of sensors as those of one list, as long as that of the organs
+/// of their point; NaN where the result has none. As read_rows().
 Node read_window_rows(
     std::string_view text,
     const std::string& path,
     const RowsQuery& query,
-    const WindowOrgans& organs,
+    const OrgansOfPoints& organs,
     const std::function<void(PlacedRows)>& take);
+/// The same of a single result, or point.
+inline Node read_window_rows(
+    std::string_view text,
+    const std::string& path,
+    const RowsQuery& query,
+    const WindowOrgans& organs,
+    const std::function<void(PlacedRows)>& take) {
+    return read_window_rows(
+        text, path, query, [&](std::size_t) -> const WindowOrgans& { return organs; }, take);
+}
 
 }  // namespace quasimc
