@@ -121,8 +121,9 @@ Stopped stopped_without_result(StopReason why, const RunSpec& spec) {
                              : "the time was";
     return {
         why, limit +
-                 " over before a few paths were complete; there is no result; allow more time or, "
-                 "for a closed space that absorbs little, set max_depth"};
+                 " over before a few paths were complete; there is no result; allow more time (a "
+                 "large scene needs it for its preparation) or, for a closed space that absorbs "
+                 "little, set max_depth"};
 }
 
 }  // namespace

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh/inner_polyhedron.h"
 #include "quasimc/mesh.h"
 
 namespace quasimc {
 namespace {
 
 constexpr std::size_t kOctants = 8;
+/// Number of points from which a polyhedron is built to leave out more of them.
+constexpr std::size_t kWorthIt = 64;
 
 int step(std::size_t octant, std::size_t axis) {
     return ((octant >> axis) & 1U) != 0 ? 1 : -1;
@@ -35,6 +38,9 @@ void OctantGrid::spread() {
 }
 
 bool OctantGrid::is_inside(const Vec3& p) const {
+    if (octants_.size() == 1) {
+        return false;  // all points are in one place, and one of them has to remain
+    }
     const Cell3 cell = cell_of(p);
     for (std::size_t octant = 0; octant < kOctants; ++octant) {
         Cell3 beyond = cell;
@@ -95,7 +101,12 @@ std::vector<Vec3> outline_points(std::span<const Vec3> points, std::size_t cells
     const auto for_each = [&](const auto& visit) {
         std::for_each(points.begin(), points.end(), visit);
     };
-    return outline_of(for_each, bounds, cells);
+    std::vector<Vec3> outline = outline_of(for_each, bounds, cells);
+    if (outline.size() >= kWorthIt) {
+        const InnerPolyhedron inner(outline);
+        std::erase_if(outline, [&](const Vec3& p) { return inner.holds(p); });
+    }
+    return outline;
 }
 
 }  // namespace quasimc

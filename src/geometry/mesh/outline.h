@@ -65,7 +65,7 @@ std::vector<Vec3> outline_of(const ForEach& for_each, const Bounds& bounds, std:
     return outline;
 }
 
-/// outline_points() of a set of points.
+/// The outline of a mesh that may have many copies: little more than the corners of its hull.
 [[nodiscard]] std::vector<Vec3> outline_points(std::span<const Vec3> points, std::size_t cells);
 
 }  // namespace quasimc

@@ -1,6 +1,7 @@
 #include "geometry/mesh/outline.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -61,6 +62,49 @@ TEST(OutlinePoints, AreFewOfALargeScene) {
     Random random(73);
     const LocalMesh mesh = make_local_mesh(test::random_soup(100000, 0.01, random));
     EXPECT_LT(outline_points(mesh).size(), 75000U);  // of 300000
+}
+
+/// Whether the outline of points reaches as far as they do. @param cells  of the grid
+::testing::AssertionResult is_outline(
+    const std::vector<Vec3>& outline, const std::vector<Vec3>& points, Random& random) {
+    for (int i = 0; i < 1000; ++i) {
+        const Vec3 d = random.direction();
+        if (reach(outline, d) != reach(points, d)) {
+            return ::testing::AssertionFailure() << "along " << d.x << " " << d.y << " " << d.z;
+        }
+    }
+    return ::testing::AssertionSuccess();
+}
+
+TEST(OutlinePoints, OfAPlantAreLittleMoreThanTheCornersOfItsHull) {
+    Random random(75);
+    std::vector<Vec3> plant;  // tips of leaves about a stem, and points between
+    for (int i = 0; i < 2000; ++i) {
+        const double along = random.uniform();
+        plant.push_back(
+            Vec3{0, 0, 1} + along * (1 - along / 2) * random.direction() + Vec3{0, 0, 1e-3 * i});
+    }
+    const std::vector<Vec3> outline = outline_points(plant, plant.size());
+    EXPECT_TRUE(is_outline(outline, plant, random));
+    EXPECT_LT(outline.size(), 300U);
+    EXPECT_EQ(outline_points(outline, outline.size()).size(), outline.size());
+}
+
+TEST(OutlinePoints, OfPointsOnFacesEdgesLinesAndASpotReachAsFar) {
+    Random random(76);
+    const std::array<Vec3, 4> extents{Vec3{1, 2, 3}, {1, 2, 0}, {1, 0, 0}, {0, 0, 0}};
+    for (const Vec3& extent : extents) {
+        for (const double far : {0., 1e6}) {
+            std::vector<Vec3> points;
+            for (int i = 0; i < 1000; ++i) {  // a grid of 10 x 10 x 10 has many in one plane
+                points.push_back(
+                    Vec3{far, 0, 0} +
+                    Vec3{extent.x * (i % 10), extent.y * (i / 10 % 10), extent.z * (i / 100)});
+            }
+            const std::vector<Vec3> outline = outline_points(points, points.size());
+            EXPECT_TRUE(is_outline(outline, points, random)) << extent.x << " " << extent.y << " " << extent.z << " " << far;
+        }
+    }
 }
 
 TEST(OutlinePoints, ComparisonOfReachNoticesAMissingCorner) {
