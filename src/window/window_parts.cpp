@@ -136,6 +136,18 @@ Json json_sensors(const Scene& scene, const Vec3& middle) {
     return positions;
 }
 
+/// The vectors by which a scene repeats, z up: none, one or two.
+Json json_periods(const Cell& cell) {
+    Json periods = Json::array();
+    if (cell.along_x) {
+        periods.push_back(json_vector({cell.size_x, 0, 0}));
+    }
+    if (cell.along_y) {
+        periods.push_back(json_vector({0, cell.size_y, 0}));
+    }
+    return periods;
+}
+
 }  // namespace
 
 Json json_lights(const Sources& sources, const Vec3& middle) {
@@ -204,6 +216,7 @@ Json json_window_scene(
         {"middle", json_vector(middle)},
         {"low", json_vector(scene.bounds().low - middle)},
         {"high", json_vector(scene.bounds().high - middle)},
+        {"periods", json_periods(scene.cell())},
         {"organs", organs_of(organs)},
         {"sensors", json_sensors(scene, middle)},
         {"columns", list}};

@@ -37,8 +37,8 @@ struct WindowColumn {
     const std::string& length_unit,
     const std::vector<std::string>& ratios);
 
-/// Members of the outermost object: program, unit, axes, site, organs and columns. Sensors are the
-/// last organs; their number and positions are members of their own.
+/// Members of the outermost object: program, unit, axes, periods, site, organs and columns. Sensors
+/// are the last organs; their number and positions are members of their own.
 [[nodiscard]] Json json_window_scene(
     const Scene& scene, const WindowOrgans& organs, const std::vector<WindowColumn>& columns);
 

@@ -77,9 +77,10 @@ export class Orbit {
     this.canvas.dataset.shift = `${x},${y}`;
   }
 
-  /** Sets the range of depths, so that the whole scene is in it. */
-  setRange() {
-    const { low, high, radius } = this.extent;
+  /** Sets the range of depths, so that the whole scene is in it. @param beyond  and what is as far around it */
+  setRange(beyond = 0) {
+    const { low, high } = this.extent;
+    const radius = this.extent.radius + beyond;
     const far = this.camera.position.distanceTo(this.controls.target);
     const around = this.controls.target.distanceTo(low.clone().add(high).multiplyScalar(0.5));
     this.camera.near = Math.max(far - 1.05 * (radius + around), far / 500);

@@ -123,7 +123,7 @@ export class Page {
       this.mark();
     } else if (isOnly("panel", "drawer", "tab", "theme", "view")) {
       this.notify("fold");
-    } else if (isOnly("directions", "dome", "shading", "beside", "cut", "cutAt")) {
+    } else if (isOnly("directions", "dome", "shading", "beside", "neighbours", "cut", "cutAt")) {
       this.notify("options");
     } else if (keys.some((key) => ["quantity", "band", "time"].includes(key)) || keys.includes("show")) {
       return this.update();

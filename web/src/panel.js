@@ -111,6 +111,7 @@ export class Panel {
       ...(hasSky ? { dome: check("dome", "Sky dome") } : {}),
       shading: check("shading", "Depth shading"),
       beside: check("beside", "Plant beside its light"),
+      ...(run.json.periods?.length > 0 ? { neighbours: check("neighbours", "Neighbours of the cell, pale") } : {}),
     };
     return section("View", true, views, field("Cut along", this.cut.node), this.cutAt, this.cutText,
       make("div", { class: "field" }, Object.values(this.checks).map(({ node }) => node)));

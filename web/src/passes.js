@@ -19,6 +19,10 @@ uniform vec4 cut;
 uniform sampler2D palette;
 in vec3 position;
 in uint organ;
+#ifdef COPY
+in vec3 shift;
+uniform vec4 veil;
+#endif
 flat out vec3 color;
 flat out uint number;
 out vec3 seen;
@@ -32,7 +36,12 @@ void main() {
 #ifdef CUT
   beyond = dot(cut.xyz, position) - cut.w;
 #endif
+#ifdef COPY
+  color = mix(color, veil.rgb, veil.a);
+  vec4 view = modelViewMatrix * vec4(position + shift, 1.0);
+#else
   vec4 view = modelViewMatrix * vec4(position, 1.0);
+#endif
   seen = view.xyz;
   gl_Position = own.a == 0.0 ? vec4(2.0, 2.0, 2.0, 1.0) : projectionMatrix * view;
 }`;
@@ -179,9 +188,12 @@ function numberColor(organ) {
 export class Passes {
   constructor(renderer) {
     this.renderer = renderer;
-    this.uniforms = { cut: { value: new Vector4(0, 0, 0, 1) }, palette: { value: null }, angle: { value: 0 } };
+    this.uniforms = {
+      cut: { value: new Vector4(0, 0, 0, 1) }, palette: { value: null }, angle: { value: 0 }, veil: { value: new Vector4() },
+    };
     this.full = organMaterial({}, this.uniforms);
     this.quick = organMaterial({ QUICK: "" }, this.uniforms);
+    this.copies = organMaterial({ QUICK: "", COPY: "" }, this.uniforms);
     this.target = new WebGLRenderTarget(1, 1, {
       count: 2, minFilter: NearestFilter, magFilter: NearestFilter, depthTexture: new DepthTexture(1, 1, UnsignedIntType),
     });
@@ -213,7 +225,7 @@ export class Passes {
 
   /** Whether triangles are cut. */
   setCut(isCut) {
-    for (const material of [this.full, this.quick]) {
+    for (const material of [this.full, this.quick, this.copies]) {
       if (isCut !== (material.defines.CUT !== undefined)) {
         material.needsUpdate = true;
         if (isCut) {

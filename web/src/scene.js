@@ -3,6 +3,7 @@
 import { Mesh, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { FrameBudget } from "./budget.js";
 import { boundsOf, pointsOf } from "./camera.js";
+import { Neighbours } from "./neighbours.js";
 import { Orbit } from "./orbit.js";
 import { OrganColors, Passes } from "./passes.js";
 import { OrganGeometry } from "./shape.js";
@@ -35,6 +36,9 @@ const kCoarse = 0.5;
 const kLight = { angle: 0.06 };
 const kPlant = { angle: 0.3 };
 
+/** The part of the background in the colours of neighbours. */
+const kPale = 0.75;
+
 export class SceneWindow {
   /**
    * @param renderer  see makeRenderer
@@ -46,6 +50,7 @@ export class SceneWindow {
     this.ratio = renderer.getPixelRatio(); // of pixels at rest to those of CSS
     this.shading = 0;
     this.backdrop = null; // a scene behind all others
+    this.neighbours = null; // of a periodic cell
     this.scene = new Scene();
     this.passes = new Passes(renderer);
     this.budget = new FrameBudget(renderer.getContext(), () => this.changed());
@@ -69,6 +74,7 @@ export class SceneWindow {
 
   #addTriangles() {
     const { run } = this;
+    this.showNeighbours(null);
     this.organs?.dispose();
     this.scene.clear();
     this.organs = new OrganGeometry(run.shape, run.isGround);
@@ -133,6 +139,16 @@ export class SceneWindow {
     this.changed(false);
   }
 
+  /** Shows pale neighbours of a periodic cell. @param veil  red, green, blue from 0 to 1; null: no neighbours */
+  showNeighbours(veil) {
+    this.neighbours?.dispose();
+    this.neighbours = veil ? new Neighbours(this.organs, this.run.json.periods, this.passes.copies) : null;
+    if (veil) {
+      this.passes.uniforms.veil.value.set(...veil, kPale);
+    }
+    this.changed(false);
+  }
+
   /** Clips to dot(normal, p) <= offset; null: no clipping. */
   cut(normal, offset) {
     this.passes.uniforms.cut.value.set(...(normal ? [...normal, offset] : [0, 0, 0, 1]));
@@ -179,6 +195,7 @@ export class SceneWindow {
       renderer.clearDepth();
       this.#drawOrgans(passes.quick, null);
     } else {
+      this.#drawNeighbours();
       this.#drawPicture();
     }
     budget.drawn();
@@ -207,6 +224,23 @@ export class SceneWindow {
         this.renderer.setViewport(...viewport);
         this.renderer.render(this.backdrop, this.camera);
       });
+    }
+  }
+
+  /** Draws the neighbours behind the cell, so that none of them hides it. */
+  #drawNeighbours() {
+    if (this.neighbours) {
+      const { renderer, passes, neighbours } = this;
+      this.orbit.setRange(neighbours.reach);
+      renderer.clearDepth();
+      neighbours.drawFraction(this.budget.share);
+      this.#eachView((viewport, { colors, angle }) => {
+        passes.uniforms.palette.value = colors.texture;
+        passes.uniforms.angle.value = angle;
+        renderer.setViewport(...viewport);
+        renderer.render(neighbours.scene, this.camera);
+      });
+      this.orbit.setRange();
     }
   }
 

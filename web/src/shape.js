@@ -108,10 +108,13 @@ export class OrganGeometry {
     this.geometry.boundingSphere = new Sphere(); // unused, and slow to compute
   }
 
-  /** Draws whole organs, and a fraction of the triangles of all others. */
+  /** The number of first corners that draw whole organs, and a fraction of the triangles of all others. */
+  cornersOf(fraction) {
+    return this.whole + 3 * Math.ceil((fraction * (this.count - this.whole)) / 3);
+  }
+
   drawFraction(fraction) {
-    const others = (this.count - this.whole) / 3;
-    this.geometry.setDrawRange(0, this.whole + 3 * Math.ceil(fraction * others));
+    this.geometry.setDrawRange(0, this.cornersOf(fraction));
   }
 
   dispose() {

@@ -69,7 +69,17 @@ export class Stage {
     const strength = state.show === "value" ? 0.4 : 0.26;
     this.window.setShading(state.shading ? strength : 0, isDark() ? [0.91, 0.94, 0.92] : [0.08, 0.13, 0.11]);
     this.#showDome();
+    this.#showNeighbours();
     this.#moved();
+  }
+
+  #showNeighbours() {
+    const { state, run } = this.page;
+    const veil = state.neighbours && run.json.periods?.length > 0 ? rgbOf(isDark() ? "#1f2623" : "#e9ecea") : null;
+    if (String(this.veilShown) !== String(veil) || this.window.run !== this.veiled) {
+      Object.assign(this, { veilShown: veil, veiled: this.window.run });
+      this.window.showNeighbours(veil);
+    }
   }
 
   #showDome() {

@@ -3,7 +3,7 @@
 /** The choices of a fresh page. */
 const kStart = {
   quantity: "", band: "", show: "value", map: "viridis", sameScale: false, isLog: false, ends: null,
-  time: "", by: "area", ground: true, sensors: true, directions: true, dome: false, shading: true, beside: false, cut: "", cutAt: 0.5,
+  time: "", by: "area", ground: true, sensors: true, directions: true, dome: false, shading: true, beside: false, neighbours: false, cut: "", cutAt: 0.5,
   labels: {}, ranges: {}, values: null, layer: null, errorClass: null, pins: [], view: null,
   panel: true, drawer: true, tab: "charts", theme: "", sort: "",
 };
