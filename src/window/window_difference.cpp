@@ -59,7 +59,9 @@ WindowDifference::WindowDifference(
     const auto take = [this](PlacedRows rows) {
         others_[{rows.position.part, rows.position.label}] = std::move(rows.columns);
     };
-    read_window_rows(minus.text, minus.path, window_query(minus.run, columns), others, take);
+    const RowsQuery query = window_query(minus.run, columns);
+    const Node rest = read_window_rows(minus.text, minus.path, query, others, take);
+    head_ = only_point(rest, query.point, minus.path);
 }
 
 RowColumns WindowDifference::of(const RowsPosition& position, const RowColumns& first) const {
@@ -86,6 +88,7 @@ RowColumns WindowDifference::of(const RowsPosition& position, const RowColumns& 
 Json WindowDifference::json() const {
     return {
         {"title", title_},
+        {"head", json_value(head_)},
         {"errors",
          "Errors are √(a² + b²): results hold no replicates, so the two are taken as independent."},
         {"only_first", only_first_},

@@ -34,11 +34,13 @@ class WindowDifference {
     /// columns where it has no such time or column. @param first  columns of the first result
     [[nodiscard]] RowColumns of(const RowsPosition& position, const RowColumns& first) const;
 
-    /// Its title, a sentence on errors, and the numbers of organs that only one result has.
+    /// Its title, the other result without its organs (`head`), a sentence on errors, and the
+    /// numbers of organs that only one result has.
     [[nodiscard]] Json json() const;
 
   private:
     std::string title_;
+    Node head_;
     std::vector<std::size_t> index_;  ///< [organ]: its index in the other result, or kNone
     std::size_t only_first_ = 0, only_other_ = 0;
     std::map<std::pair<std::string, std::string>, RowColumns> others_;  ///< by part and label

@@ -3,7 +3,8 @@
 // Rationale: errors of layers do not follow from those of organs, which depend on each other, so only the run has
 // them.
 // Expected behaviour: in a result with layers the bars are those layers, with 95 % intervals as long as their errors;
-// without layers, of other organs than all, and of flux, which layers sum, there are none.
+// without layers, of other organs than all, and of flux, which layers sum, there are none. Differences of results with
+// the same layers have the errors of independent results; of others none, and the chart says so.
 
 import assert from "node:assert/strict";
 import path from "node:path";
@@ -62,14 +63,42 @@ async function checkLayers(page, result) {
   await page.waitForFunction(() => document.querySelectorAll("#profile .error").length === 0);
 }
 
-const layered = workshop.compute("layered", runFile("layer_heights = [0, 0.25, 0.75, 1.5]"));
+/** The bars and intervals are those of the layers of one result minus another. */
+async function checkDifference(page, one, other) {
+  const layersOf = ({ groups }) => groups.filter(({ by, organs }) => by === "layer" && organs > 0).map(({ absorbed_flux_density: density }) => density.PAR);
+  const [own, others] = [one, other].map(layersOf);
+  await page.waitForFunction(() => document.querySelectorAll("#profile .error:not(.rim)").length === 2);
+  const { bars, errors } = await lengthsOf(page);
+  own.forEach((a, i) => {
+    const b = others[i];
+    const expected = (2 * 1.96 * Math.hypot(a.standard_error, b.standard_error)) / Math.abs(a.mean - b.mean);
+    assert.ok(Math.abs(errors[i] / bars[i] / expected - 1) < 0.1, `${errors} of ${bars}: ${expected}`);
+  });
+}
+
+async function checkDifferences(page, one, other) {
+  await open(page, `${workshop.address("minus")}#show=difference`);
+  await checkDifference(page, one, other);
+  await open(page, workshop.address("layered"));
+  await page.locator("#compared-file").setInputFiles(workshop.inFolder("dim.json"));
+  await checkDifference(page, one, other);
+  await page.locator("#compared-file").setInputFiles(workshop.inFolder("plain.json"));
+  await page.waitForFunction(() => document.querySelectorAll("#profile .error").length === 0);
+  assert.equal(await page.locator("#profile-errors").textContent(), "errors not known");
+}
+
+const kLayers = "layer_heights = [0, 0.25, 0.75, 1.5]";
+const layered = workshop.compute("layered", runFile(kLayers));
+const dim = workshop.compute("dim", runFile(`${kLayers}\nseed = 7`).replace("horizontal = 100", "horizontal = 98"));
 workshop.compute("plain", runFile(""));
 ["layered", "plain"].forEach((name) => workshop.report(name));
+workshop.run("report", "layered.json", "--minus", "dim.json", "-o", "minus.html");
 await workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   await checkLayers(page, layered);
   await open(page, workshop.address("plain"));
   assert.ok((await labelsOf(page)).length > 0);
   assert.equal(await whiskers(page).count(), 0, "errors without layers");
+  await checkDifferences(page, layered, dim);
   assert.deepEqual(workshop.faults, []);
 });

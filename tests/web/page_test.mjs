@@ -236,6 +236,13 @@ async function checkKeys(page, upper) {
   await page.locator("#cards").getByRole("button", { name: "Unpin all" }).click();
 }
 
+/** Both ends of the scale have their numbers, and no two numbers are on each other. */
+async function checkScale(page) {
+  const marks = await page.locator("#legend-scale .tick").evaluateAll((all) => all.map((mark) => ({ part: parseFloat(mark.style.bottom), box: mark.getBoundingClientRect() })));
+  assert.deepEqual([marks[0].part, marks.at(-1).part], [0, 100]);
+  marks.slice(1).forEach(({ box }, i) => assert.ok(box.bottom <= marks[i].box.top + 1, `${box.bottom} and ${marks[i].box.top}`));
+}
+
 async function checkReport(page, result) {
   await page.getByRole("tab", { name: "Run and warnings" }).click();
   const text = await page.locator("#report").textContent();
@@ -258,6 +265,7 @@ async function checkAll(page, faults, result, name) {
   if (pictures) {
     await page.screenshot({ path: path.join(pictures, `${name}.png`), fullPage: true });
   }
+  await checkScale(page);
   await checkFilters(page);
   await checkBars(page, result.total.organs[0].name);
   await checkKeys(page, result.total.organs[0].name);

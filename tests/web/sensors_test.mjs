@@ -84,6 +84,16 @@ async function checkMarks(page) {
   assert.ok(all.count - leaves.count > 60, `marks still there: ${all.count}, ${leaves.count}`);
 }
 
+/** A sensor is a point: a view of it shows where it hangs, and its mark takes a small part. */
+async function checkZoom(page) {
+  const address = `${workshop.address("sensed")}#quantity=incident_upper&pins=${encodeURIComponent('["sensor 2"]')}`;
+  await open(page, address);
+  await page.getByRole("button", { name: "Zoom to it" }).click();
+  await page.waitForTimeout(500);
+  const distance = await page.evaluate(() => JSON.parse(new URLSearchParams(location.hash.slice(1)).get("view")).distance);
+  assert.ok(distance > 1 && distance < 4, `seen from ${distance} m`);
+}
+
 /** The histogram counts two leaves, though three sensors have values as well. */
 async function checkCharts(page) {
   await open(page, `${workshop.address("sensed")}#quantity=incident_upper&by=count`);
@@ -112,6 +122,7 @@ await workshop.use(async (browser) => {
   await checkTable(page, sensed);
   await checkMarks(page);
   await checkCharts(page);
+  await checkZoom(page);
   await checkDifference(page, sensed, low);
   assert.deepEqual(workshop.faults, []);
 });

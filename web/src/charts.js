@@ -3,6 +3,7 @@
 import { kClasses } from "./classes.js";
 import { classBins, givenLayers, layersOf, valueBins } from "./bins.js";
 import { Choice } from "./choice.js";
+import { differenceOfLayers } from "./comparison.js";
 import { byId, svg } from "./dom.js";
 import { layersOfResult } from "./energy.js";
 import { areaText, many, plain, unitText, withError, withUnit } from "./format.js";
@@ -139,7 +140,7 @@ export class Charts {
     byId("profile-unit").textContent = isError ? "%" : page.unit;
     const found = this.#layers(isError);
     const known = found?.bins.map(({ mean }) => mean).filter(Number.isFinite) ?? [];
-    byId("profile-errors").hidden = !found?.bins.some(({ error }) => error > 0);
+    this.#sayErrors(found);
     if (known.length === 0) {
       byId("profile").textContent = page.absent || "No organ shown has a value.";
       return () => {};
@@ -163,12 +164,34 @@ export class Charts {
     const { heights, areas } = run.shape;
     const isShown = page.isShown.map((shown, i) => (run.isPlant[i] ? shown : 0));
     const isWhole = page.isShown.every((shown, i) => shown || !run.isPlant[i]);
-    const layers = page.state.show === "value" && isWhole ? layersOfResult(page) : null;
+    const layers = isWhole ? this.#givenLayers() : null;
     if (layers) {
       return givenLayers({ layers, heights, isShown });
     }
     const numbers = isError ? values.mean.map((mean, i) => (page.classes[i] < kClasses.length ? (100 * values.error[i]) / Math.abs(mean) : NaN)) : values.mean;
     return layersOf({ numbers, areas, heights, isShown, isMedian: isError });
+  }
+
+  /** The layers that the result has, or the differences of those that both results have; null for none. */
+  #givenLayers() {
+    const { run, time, column, state, minus } = this.page;
+    if (state.show === "error") {
+      return null;
+    }
+    const kind = run.json.columns[column];
+    const own = layersOfResult(this.page.head, kind, run.factorOf(time, column));
+    return state.show === "value" ? own : differenceOfLayers(own, minus.layers(time, column));
+  }
+
+  /** Whether bars have 95 % intervals; of differences also why not. */
+  #sayErrors(found) {
+    const isKnown = found?.bins.some(({ error }) => error > 0) ?? false;
+    const isDifference = this.page.state.show === "difference";
+    const node = byId("profile-errors");
+    node.hidden = !isKnown && !isDifference;
+    node.className = isKnown ? "whisker" : "";
+    node.textContent = isKnown ? "95 %" : "errors not known";
+    node.title = isKnown ? "" : "Errors of layers are known where all plants are shown and both results have the same layers (layer_heights), of means, not of sums.";
   }
 
   #layerBar({ x, y, box }, bin, i, isError) {

@@ -1,5 +1,6 @@
 // The difference of what is shown from another result: organs are matched by their ids.
 
+import { headAt, layersOfResult } from "./energy.js";
 import { kSure } from "./numbers.js";
 
 export const kErrorsOfDifferences = "Errors are √(a² + b²): results hold no replicates, so the two are taken as independent.";
@@ -15,12 +16,20 @@ function differenceOf(own, other, index) {
   return { mean, error, low: mean.map((m, i) => m - kSure * error[i]), high: mean.map((m, i) => m + kSure * error[i]) };
 }
 
+/** Layers minus the same ones of another result, with errors of independent results; null if they are not the same. */
+export function differenceOfLayers(own, other) {
+  const isSame = (layer, i) => ["height_min", "height_max", "organs"].every((key) => layer[key] === other[i][key]);
+  return own && other && own.length === other.length && own.every(isSame)
+    ? own.map((layer, i) => ({ ...layer, mean: layer.mean - other[i].mean, error: Math.hypot(layer.error, other[i].error) })) : null;
+}
+
 /** A run, and another result that is taken away from it. */
 export class Comparison {
   /**
    * @param run  RunData
-   * @param other  {title, ids, values}: ids of its organs as texts; values(time, column, factor) returns a promise of
-   *   {mean, error} in units of the run, null where it has none. See runAsOther, and ResultFile.
+   * @param other  {title, ids, values, layers}: ids of its organs as texts; values(time, column, factor) returns a
+   *   promise of {mean, error} in units of the run, null where it has none; layers(time, column, factor) its layers or
+   *   null. See runAsOther, and ResultFile.
    */
   constructor(run, other) {
     Object.assign(this, { run, other, title: other.title, errors: kErrorsOfDifferences });
@@ -37,14 +46,25 @@ export class Comparison {
       this.run.values(time, column), this.other.values(json.times[time], json.columns[column], this.run.factorOf(time, column))]);
     return own && other && differenceOf(own, other, this.index);
   }
+
+  /** The layers of the other result, in units of the run; null if it has none. */
+  layers(time, column) {
+    const { json } = this.run;
+    return this.other.layers(json.times[time], json.columns[column], this.run.factorOf(time, column));
+  }
 }
 
 /** Another point of a sweep, for a Comparison. */
 export function runAsOther(run, title) {
+  const timeOf = ({ part, label }) => run.json.times.findIndex((own) => own.part === part && own.label === label);
   return {
     title, ids: Array.from({ length: run.count }, (_, organ) => run.idOf(organ)),
-    async values({ part, label }, { quantity, band }) {
-      const time = run.json.times.findIndex((own) => own.part === part && own.label === label);
+    layers(own, kind, factor) {
+      const time = timeOf(own);
+      return time < 0 ? null : layersOfResult(run.headOf(time), kind, factor);
+    },
+    async values(own, { quantity, band }) {
+      const time = timeOf(own);
       const column = run.columnOf(quantity, band);
       return time < 0 || column < 0 ? null : run.values(time, column);
     },
@@ -54,5 +74,12 @@ export function runAsOther(run, title) {
 /** The difference that a result was written with (--minus); null if there is none. */
 export function givenDifference(run) {
   const { minus } = run.json;
-  return minus ? { ...minus, onlyFirst: minus.only_first, onlyOther: minus.only_other, values: (time, column) => run.difference(time, column) } : null;
+  if (!minus) {
+    return null;
+  }
+  const layers = (time, column) => {
+    const { part, label } = run.json.times[time];
+    return layersOfResult(headAt(minus.head, part, label), run.json.columns[column], run.factorOf(time, column));
+  };
+  return { ...minus, onlyFirst: minus.only_first, onlyOther: minus.only_other, layers, values: (time, column) => run.difference(time, column) };
 }

@@ -85,6 +85,10 @@ export const plantLight = (head, band) => {
 export const estimateOf = (row, { quantity, band }) =>
   (band ? row[quantity]?.[band] : quantity === "sunlit_fraction" ? row[quantity] : row.ratios?.[quantity]);
 
+/** What a result says of a time without its organs; undefined if it has no such time. */
+export const headAt = (head, part, label) =>
+  (part === "" ? head : part === "total" ? head.total : head[part]?.find(({ time, date }) => (time ?? date) === label));
+
 /** The estimate of all organs together of a quantity: {mean, error}; null if it is not known. */
 export function allPlants(head, quantity, band) {
   const found = head?.groups?.find(({ by }) => by === "all");
@@ -92,12 +96,12 @@ export function allPlants(head, quantity, band) {
   return estimate && estimate.mean !== null ? { mean: estimate.mean, error: estimate.standard_error ?? NaN } : null;
 }
 
-/** The layers of a result with the means of a column, in its unit; null if it has none. Flux is summed, not averaged. */
-export function layersOfResult(page) {
-  const { run, time, column } = page;
-  const kind = run.json.columns[column];
-  const rows = page.head?.groups?.filter(({ by }) => by === "layer") ?? [];
-  const factor = run.factorOf(time, column);
+/**
+ * The layers of a result at a time, with the means of a column; null if it has none. Flux is summed, not averaged.
+ * @param head  of that time  @param kind  {quantity, band}  @param factor  to the unit in which means are shown
+ */
+export function layersOfResult(head, kind, factor) {
+  const rows = head?.groups?.filter(({ by }) => by === "layer") ?? [];
   const layers = rows.map((row) => ({ row, estimate: estimateOf(row, kind) }));
   const isKnown = rows.length > 0 && kind.quantity !== "absorbed_flux" && layers.every(({ estimate }) => estimate);
   return isKnown ? layers.map(({ row, estimate }) => ({ ...row, mean: (estimate.mean ?? NaN) * factor, error: (estimate.standard_error ?? NaN) * factor })) : null;

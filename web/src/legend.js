@@ -6,8 +6,10 @@ import { percent, plain } from "./format.js";
 import { endsOf, partOf, ticks, weightedQuantile } from "./numbers.js";
 import { kPins, qualityOf } from "./page.js";
 
+const kApart = 0.12; // least distance of two marks, of the length of the scale
+
 /** Round values on a scale. */
-function ticksOf({ low, high, isLog }, count) {
+function roundOf({ low, high, isLog }, count) {
   if (!isLog) {
     return ticks(low, high, count);
   }
@@ -15,7 +17,17 @@ function ticksOf({ low, high, isLog }, count) {
   for (let power = Math.ceil(Math.log10(low)); 10 ** power <= high; ++power) {
     powers.push(10 ** power);
   }
-  return powers.length > 1 ? powers : [low, high];
+  return powers;
+}
+
+/** Both ends of a scale, and the round values that are not too near to them. */
+function marksOf(scale, count) {
+  const { low, high } = scale;
+  const inner = roundOf(scale, count).filter((value) => {
+    const part = partOf(value, scale);
+    return part > kApart && part < 1 - kApart;
+  });
+  return [low, ...inner, high];
 }
 
 /** "Half of the organs are known to 0.6 % or better, the worst to 1 %" */
@@ -81,7 +93,8 @@ export class Legend {
     };
     this.position = position;
     const highest = endsOf(page.values.mean).high;
-    const marks = ticksOf(scale, 4).map((value) => position(make("span", { class: "tick" }, plain(value)), value));
+    const marks = marksOf(scale, 4).map((value, i, all) =>
+      position(make("span", { class: `tick${i === 0 ? " first" : i === all.length - 1 ? " last" : ""}` }, plain(value)), value));
     const over = highest > scale.high * (1 + 1e-6) && make("span", { class: "over" }, `▲ up to ${plain(highest, 2)}`);
     return make("div", { id: "legend-scale" }, bar, marks, over, this.arrows, page.state.show === "value" && [this.#end(1), this.#end(0)]);
   }

@@ -120,7 +120,7 @@ export async function buildPage(run, timeline, graphics, live = null, time = nul
     Object.assign(page.state, { tab: "table", drawer: true });
   }
   const strip = new Strip(page, byId("time"));
-  const zoom = (organ) => stage?.window.zoomTo(organ);
+  const zoom = (organ) => stage?.zoomTo(organ);
   const find = new Find(page, (organ) => {
     page.pins.includes(organ) || page.pin(organ);
     stage?.lookAt(organ);

@@ -1,6 +1,6 @@
 // A JSON result on this computer, read by the browser to be compared with the one that is shown.
 
-import { estimateOf } from "./energy.js";
+import { estimateOf, headAt, layersOfResult } from "./energy.js";
 import { plainUnit, unitText } from "./format.js";
 
 const kVersion = 2; // of the format
@@ -58,7 +58,8 @@ export class ResultFile {
     }
     this.name = name;
     this.title = json.title || name;
-    this.rows = rowsByTime(json.points?.[0] ?? json);
+    this.json = json.points?.[0] ?? json;
+    this.rows = rowsByTime(this.json);
     const [first] = this.rows.values();
     if (!first) {
       throw new Error(`${name} has no organs: the run did not write them, or was not completed.`);
@@ -83,6 +84,11 @@ export class ResultFile {
     const rows = this.rows.get(keyOf(time));
     return rows && this.#unitOf(column) === column.unit && this.#has(column)
       ? { mean: numbersOf(rows, column, "mean", factor), error: numbersOf(rows, column, "standard_error", factor) } : null;
+  }
+
+  /** See Comparison. */
+  layers({ part, label }, column, factor) {
+    return this.#unitOf(column) === column.unit ? layersOfResult(headAt(this.json, part, label), column, factor) : null;
   }
 
   /** Why it can't be compared, as a sentence; "" if it can. @param comparison  of it with a run */

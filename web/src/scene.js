@@ -36,6 +36,15 @@ const kCoarse = 0.5;
 const kLight = { angle: 0.06 };
 const kPlant = { angle: 0.3 };
 
+/** What is seen around a sensor, of the radius of the scene: a mark alone would not show where it hangs. */
+const kAroundSensor = 0.15;
+
+/** Points, and the corners of a cube about the first of them. */
+function withSurroundings(points, radius) {
+  const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((i) => new Vector3(i & 1, (i >> 1) & 1, i >> 2).multiplyScalar(2).subScalar(1));
+  return [...points, ...corners.map((corner) => corner.multiplyScalar(radius).add(points[0]))];
+}
+
 /** The part of the background in the colours of neighbours. */
 const kPale = 0.75;
 
@@ -165,7 +174,7 @@ export class SceneWindow {
     const { first, vertices } = this.run.shape;
     const points = Array.from({ length: first[organ + 1] - first[organ] }, (_, i) => new Vector3().fromArray(vertices, 3 * (first[organ] + i)));
     if (points.length > 0) {
-      this.orbit.zoomTo(points);
+      this.orbit.zoomTo(this.run.isSensor[organ] ? withSurroundings(points, kAroundSensor * this.radius) : points);
     }
   }
 

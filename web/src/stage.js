@@ -194,6 +194,11 @@ export class Stage {
     this.keepView();
   }
 
+  zoomTo(organ) {
+    this.window.zoomTo(organ);
+    this.keepView();
+  }
+
   /** Turns so that an organ is seen, unless it is. */
   lookAt(organ) {
     const middle = this.#middleOf(organ).sub(this.window.orbit.controls.target);
