@@ -1,6 +1,6 @@
 // Neighbours of a periodic cell: node neighbours_test.mjs QUASIMC CHROMIUM PACKAGES [PICTURES]
 //
-// Rationale: a periodic scene is one cell of a stand, and its light is not understood without what stands around it;
+// Rationale: a periodic scene is one cell of a stand, and its light depends on what surrounds it;
 // but the copies have no numbers, so they must neither hide the cell nor be taken for it.
 // Expected behaviour: on request pale copies fill the surroundings; the pixels of the cell stay as they were; copies
 // can't be picked; without a periodic cell there is no such choice.
