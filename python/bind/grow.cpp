@@ -63,7 +63,8 @@ Specification read_specification_file(const std::string& path, Notices& notices)
 /// The sources and options of a document.
 LightOfRun read_step_light(const Document& document, const Scene& scene) {
     InputFiles files(document.folder);
-    LightOfRun light = read_light_document(document.node, document.name, files, scene);
+    LightOfRun light =
+        read_light_document(document.node, document.name, files, scene, document.vocabulary);
     if (light.series) {
         throw InputError(
             {{document.name, "a growth step has no time steps", "", "pass sources to grow()"}});

@@ -21,7 +21,8 @@ namespace {
 LightHandle read_light(const Document& document, const SceneHandle& scene) {
     const py::gil_scoped_release release;
     InputFiles files(document.folder);
-    return {read_light_document(document.node, document.name, files, *scene.scene)};
+    return {read_light_document(
+        document.node, document.name, files, *scene.scene, document.vocabulary)};
 }
 
 ResultWithSums run_light(

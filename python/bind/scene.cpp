@@ -1,5 +1,6 @@
 #include "scene.h"
 
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -80,6 +81,13 @@ MeshArrays arrays_of(const py::dict& mesh) {
 
 namespace {
 
+/// The tables of scenes that Python made.
+constexpr std::array kTableNames{
+    TableName{"run", "run options"},
+    TableName{"site", "Scene.site"},
+    TableName{"time", "Scene.time"},
+};
+
 /// Returns freed memory to the system: the threads of runs allocate from other arenas.
 void give_memory_back() {
 #ifdef __GLIBC__
@@ -108,8 +116,8 @@ SceneHandle build(
     const AddOrgans add_organs = adder_of(meshes);
     const py::gil_scoped_release release;
     InputFiles files(document.folder);
-    SceneOfRun read =
-        read_scene_document(document.node, document.name, files, add_organs, overlaps);
+    SceneOfRun read = read_scene_document(
+        document.node, document.name, files, add_organs, overlaps, document.vocabulary);
     give_memory_back();
     return {std::make_shared<const Scene>(std::move(read.scene)), std::move(read.warnings)};
 }
@@ -245,7 +253,8 @@ FrameOfRun frame_of(const Document& document, const std::vector<py::dict>& meshe
     const AddOrgans add_organs = adder_of(meshes);
     const py::gil_scoped_release release;
     InputFiles files(document.folder);
-    return read_frame_document(document.node, document.name, files, add_organs);
+    return read_frame_document(
+        document.node, document.name, files, add_organs, document.vocabulary);
 }
 
 py::list warning_texts(const std::vector<Warning>& warnings) {
@@ -261,7 +270,8 @@ void bind_scene(py::module_& module) {
     py::class_<Document>(module, "Document")
         .def(
             py::init([](const py::dict& table, std::string name, std::string folder) {
-                return Document{to_node(table), std::move(name), std::move(folder)};
+                return Document{
+                    to_node(table), std::move(name), std::move(folder), Vocabulary(kTableNames)};
             }),
             py::arg("table"), py::arg("name"), py::arg("folder"))
         .def_static("read", &read_document, py::arg("path"))

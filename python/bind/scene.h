@@ -22,8 +22,9 @@ struct SceneHandle {
 /// A document that keeps the lines of its file.
 struct Document {
     Node node;
-    std::string name;    ///< for messages
-    std::string folder;  ///< base of its relative paths
+    std::string name;            ///< for messages
+    std::string folder;          ///< base of its relative paths
+    Vocabulary vocabulary = {};  ///< names tables in messages
 };
 
 /// A view of the arrays in a dict from quasimc._meshes, which must outlive it.

@@ -207,7 +207,7 @@ class OpsReader {
         if (largest_ > 0) {
             reporter_.warn(fmt::format(
                 "plants are read in centimetres and their positions in metres, as in AMAP's "
-                "programs; the largest plant is {:.3g} m large; set plant_unit in [[geometry]] "
+                "programs; the largest plant is {:.3g} m large; set plant_unit "
                 "(\"cm\", \"m\", ...) to confirm or change it",
                 largest_ / unit_));
         }

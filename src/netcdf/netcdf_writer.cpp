@@ -94,7 +94,7 @@ class NetcdfLight final : public NetcdfWriter {
             throw InputError(
                 {{"NetCDF", "the points of the sweep have different controls",
                   "a file has one axis of controls with lamps, sensors and bands",
-                  "sweep other keys of [[control]], or write CSV"}});
+                  "sweep other keys of controls, or write CSV"}});
         }
         run_ = &run;
         has_begun_ = false;

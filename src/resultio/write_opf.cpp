@@ -57,8 +57,7 @@ class OpfWriter : pugi::xml_tree_walker {
         if (found_.empty()) {
             throw InputError(
                 {{"OPF", "no organ of the result is a node of the file",
-                  "their ids are not those of its nodes",
-                  "leave first_id and at out of [[geometry]]"}});
+                  "their ids are not those of its nodes", "leave first_id and at out"}});
         }
         return {found_.size(), shown_.scene.organs().size() - found_.size()};
     }

@@ -158,7 +158,7 @@ void check_keys_of_group(
             {"groups", fmt::format("no organ has a label '{}'", key),
              known.empty() ? "no organ has any label"
                            : "groups are formed by the values of a label",
-             known.empty() ? "give organs labels = { plant = 1 }" : did_you_mean(key, known)});
+             known.empty() ? "give organs labels" : did_you_mean(key, known)});
     }
 }
 

@@ -107,7 +107,7 @@ void check_scope(const Scene& scene, const RunSpec& spec, Faults& faults) {
         faults.add(
             {spec.target == TargetScope::automatic ? "target_error" : "target",
              are_sensors ? "\"sensors\", but there are none" : "no organ is measured", "",
-             are_sensors ? "add [[sensors]]" : ""});
+             are_sensors ? "add sensors" : ""});
     }
 }
 

@@ -134,7 +134,7 @@ void check_irradiance(const Source& source, double x, Faults& faults) {
 
 void check_sources(const Scene& scene, const Sources& sources, Faults& faults) {
     if (sources.empty()) {
-        faults.add({"sources", "there are none", "", "add a [[source]]"});
+        faults.add({"sources", "there are none", "", "add a source"});
     }
     bool dark = !sources.empty();
     for (const auto& source : sources) {

@@ -75,7 +75,7 @@ void check_sensor_light(const Scene& scene, const Sources& sources, Faults& faul
     check_reach(scene, faults);
     const std::string where = fmt::format("sensors '{}'", scene.sensors().front().name);
     const char* as_organs =
-        "describe them as [[organ]] of a material with transmittance = 1 and transmission_model = "
+        "describe them as organs of a material with transmittance = 1 and transmission_model = "
         "\"mirror\"";
     const std::string lamp =
         name_of_source(sources, [](const Source& source) { return source.is_lamp(); });

@@ -105,8 +105,8 @@ void FileMaterials::Search::warn_of_definitions() {
                   defined.size() == 1 ? "it" : fmt::format("{} of them", renamed), file.name);
     if (defined.size() == 1) {
         warn(fmt::format(
-            "material '{}' of {} is not in the run file; {}{}", defined[0], file.name,
-            definitions[0], clash));
+            "the scene has no material '{}' of {}; {}{}", defined[0], file.name, definitions[0],
+            clash));
         return;
     }
     std::vector<std::string> words;
@@ -114,8 +114,8 @@ void FileMaterials::Search::warn_of_definitions() {
         words.push_back(fmt::format("of '{}' {}", defined[i], definitions[i]));
     }
     warn(fmt::format(
-        "{} materials of {} are not in the run file; {}{}", defined.size(), file.name,
-        listed(words, "; "), clash));
+        "the scene lacks {} materials of {}; {}{}", defined.size(), file.name, listed(words, "; "),
+        clash));
 }
 
 /// Warns of keys of `materials` that the file does not use.
@@ -141,10 +141,10 @@ void FileMaterials::Search::warn_of_unknown() {
     warn(
         unknown.size() == 1
             ? fmt::format(
-                  "material '{}' of {} is not in the run file; '{}' is used", unknown[0], file.name,
+                  "the scene has no material '{}' of {}; '{}' is used", unknown[0], file.name,
                   *file.keys.material)
             : fmt::format(
-                  "{} materials of {} are not in the run file ('{}'); '{}' is used", unknown.size(),
+                  "the scene lacks {} materials of {} ('{}'); '{}' is used", unknown.size(),
                   file.name, listed(unknown, "', '"), *file.keys.material));
 }
 
@@ -229,9 +229,9 @@ std::string FileMaterials::missing(Search& search, const std::string& name) cons
             fmt::format("{} has triangles without a material", file), "", "add material = \"...\"");
     } else {
         search.table.fault(
-            fmt::format("material '{}' of {} is not in the run file", name, file), "",
+            fmt::format("the scene has no material '{}' of {}", name, file), "",
             fmt::format(
-                "add a [[material]] of that name, or materials = {{ \"{}\" = \"...\" }}", name));
+                "add a material of that name, or materials = {{ \"{}\" = \"...\" }}", name));
     }
     // Any other one, to avoid a further fault that "" does not exist.
     return context_.materials.empty() ? "" : *context_.materials.begin();
@@ -257,8 +257,8 @@ void FileMaterials::warn_of_unmatched(Reporter& reporter) const {
         };
         if (!matched_.contains(given) && std::any_of(defined_.begin(), defined_.end(), is_meant)) {
             reporter.warn(fmt::format(
-                "no [[geometry]] has the material '{}': a material of one file is called by "
-                "the file as it is written in [[geometry]], a blank, and its name",
+                "no file of geometry has the material '{}': a material of one file is called by "
+                "the path as it is given, a blank, and its name",
                 given));
         }
     }

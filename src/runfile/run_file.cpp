@@ -216,13 +216,14 @@ Sections read_sections(
 }
 
 /// Checks that times have lengths, which a day's sum needs.
-void check_path_allocation(const Sections& sections, Faults& faults) {
+void check_path_allocation(const Sections& sections, const Reporter& reporter, Faults& faults) {
     if (sections.options.spec.path_allocation == PathAllocation::equal) {
         return;
     }
     if (!sections.series) {
         faults.add(
-            {"path_allocation", "it is \"proportional\"", "the run has no [time]", "remove it"});
+            {"path_allocation", "it is \"proportional\"",
+             "the run has no " + reporter.table_name("time"), "remove it"});
         return;
     }
     const auto& steps = sections.series->time_steps;
@@ -233,14 +234,14 @@ void check_path_allocation(const Sections& sections, Faults& faults) {
     }
 }
 
-void check_hours(const Sections& sections, Faults& faults) {
+void check_hours(const Sections& sections, const Reporter& reporter, Faults& faults) {
     const RunSpec& spec = sections.options.spec;
     if (sections.series) {
         check_together(*sections.scene, sections.series->time_steps, spec, faults);
     } else if (spec.time_method == TimeMethod::daylight_coefficients) {
         faults.add(
-            {"time_method", "it is \"daylight_coefficients\"", "the run has no [time]",
-             "remove it"});
+            {"time_method", "it is \"daylight_coefficients\"",
+             "the run has no " + reporter.table_name("time"), "remove it"});
     }
 }
 
@@ -448,8 +449,8 @@ RunFile read_run_document(
     if (reporter.faults.empty()) {
         Faults faults;
         check_with_sources(sections, *sections.scene, faults, no_light_policy);
-        check_path_allocation(sections, faults);
-        check_hours(sections, faults);
+        check_path_allocation(sections, reporter, faults);
+        check_hours(sections, reporter, faults);
         check_parts(sections, faults);
         add_run_faults(faults, sections.options, reporter);
     }
@@ -480,8 +481,9 @@ SceneOfRun read_scene_document(
     const std::string& name,
     InputFiles& files,
     const AddOrgans& add_organs,
-    KnownOverlaps* overlaps) {
-    Reporter reporter{name, {}, {}};
+    KnownOverlaps* overlaps,
+    const Vocabulary& vocabulary) {
+    Reporter reporter{name, {}, {}, vocabulary};
     FrameOfRun frame = read_frame(document, files, add_organs, reporter);
     std::optional<Scene> scene = build(std::move(frame.builder), {.overlaps = overlaps}, reporter);
     if (reporter.faults.empty()) {
@@ -494,8 +496,12 @@ SceneOfRun read_scene_document(
 }
 
 FrameOfRun read_frame_document(
-    const Node& document, const std::string& name, InputFiles& files, const AddOrgans& add_organs) {
-    Reporter reporter{name, {}, {}};
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const AddOrgans& add_organs,
+    const Vocabulary& vocabulary) {
+    Reporter reporter{name, {}, {}, vocabulary};
     FrameOfRun frame = read_frame(document, files, add_organs, reporter);
     throw_in_order(reporter);
     frame.warnings = fold_warnings(std::move(reporter.warnings));
@@ -503,8 +509,12 @@ FrameOfRun read_frame_document(
 }
 
 LightOfRun read_light_document(
-    const Node& document, const std::string& name, InputFiles& files, const Scene& scene) {
-    Reporter reporter{name, {}, {}};
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const Scene& scene,
+    const Vocabulary& vocabulary) {
+    Reporter reporter{name, {}, {}, vocabulary};
     TableReader top(document, "", reporter);
     pass_over(
         top, {"title", "material", "material_file", "organ", "geometry", "ground", "cell",

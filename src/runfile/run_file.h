@@ -10,6 +10,7 @@
 #include "quasimc/gap_fraction.h"
 #include "quasimc/run_file.h"
 #include "text/document.h"
+#include "text/table_reader.h"
 
 namespace quasimc {
 
@@ -93,12 +94,14 @@ struct FrameOfRun {
     std::vector<GapFractionSpec> gap_fractions;
     std::vector<Warning> warnings;
 };
+/// @param vocabulary  of messages
 /// @throws InputError  with all faults except those of building the scene
 [[nodiscard]] FrameOfRun read_frame_document(
     const Node& document,
     const std::string& name,
     InputFiles& files,
-    const AddOrgans& add_organs = {});
+    const AddOrgans& add_organs = {},
+    const Vocabulary& vocabulary = {});
 /// @param add_organs  adds organs after those of the document; may be empty
 /// @param overlaps  of the previous scene, replaced by those of this one; or null
 /// @throws InputError  with all faults at once
@@ -107,7 +110,8 @@ struct FrameOfRun {
     const std::string& name,
     InputFiles& files,
     const AddOrgans& add_organs = {},
-    KnownOverlaps* overlaps = nullptr);
+    KnownOverlaps* overlaps = nullptr,
+    const Vocabulary& vocabulary = {});
 
 /// Reads the scene of a run file ("-": standard input).
 /// @throws InputError  with all faults at once
@@ -124,6 +128,10 @@ struct LightOfRun {
 /// @param scene  of the same document
 /// @throws InputError  with all faults at once
 [[nodiscard]] LightOfRun read_light_document(
-    const Node& document, const std::string& name, InputFiles& files, const Scene& scene);
+    const Node& document,
+    const std::string& name,
+    InputFiles& files,
+    const Scene& scene,
+    const Vocabulary& vocabulary = {});
 
 }  // namespace quasimc

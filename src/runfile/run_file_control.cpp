@@ -53,7 +53,8 @@ class ControlReader {
         const Node& node, const RunFileContext& context, std::vector<NamedSensors> sensors)
         : context_(context),
           sensors_(std::move(sensors)),
-          table_(node, "control", *context.reporter) {}
+          table_(node, "control", *context.reporter),
+          time_(table_.table_name("time")) {}
 
     LampControl read(const SourceList& sources, const TimeSeries* series) {
         LampControl control;
@@ -69,7 +70,7 @@ class ControlReader {
         if (series != nullptr) {
             check_times(*series);
         } else if (!context_.has_time) {
-            table_.fault("it needs [time]", "lamps are controlled by the hour", "add [time]");
+            table_.fault("it needs " + time_, "lamps are controlled by the hour", "add " + time_);
         }
         table_.finish();
         return control;
@@ -96,7 +97,7 @@ class ControlReader {
             table_.fault_at(
                 "sources", fmt::format("no lamp is called '{}'", control.sources),
                 lamps.empty() ? "there are no lamps" : "",
-                lamps.empty() ? "add a [[source]] that is a lamp" : there_is(lamps));
+                lamps.empty() ? "add a source that is a lamp" : there_is(lamps));
         }
     }
 
@@ -107,8 +108,8 @@ class ControlReader {
         }
         if (sensors_.empty()) {
             table_.fault_at(
-                "sensors", fmt::format("no sensors are called '{}'", name),
-                "there are no [[sensors]]", "add them above the crop");
+                "sensors", fmt::format("no sensors are called '{}'", name), "there are no sensors",
+                "add them above the crop");
         } else if (found == sensors_.end()) {
             std::vector<std::string_view> names;
             for (const NamedSensors& set : sensors_) {
@@ -172,8 +173,8 @@ class ControlReader {
     void check_times(const TimeSeries& series) {
         if (series.cumulative_sky != CumulativeSky::none) {
             table_.fault(
-                "it needs times, and [time] has cumulative_sky", "no instants are left",
-                "remove cumulative_sky");
+                fmt::format("it needs times, and {} has cumulative_sky", time_),
+                "no instants are left", "remove cumulative_sky");
         } else if (table_.any("daily_target") != nullptr) {
             check_days(series);
         }
@@ -192,15 +193,16 @@ class ControlReader {
             table_.fault_at(
                 "daily_target", "daily_target needs times of a whole day",
                 fmt::format(
-                    "[time] has {:.4g} h of {}", *found / kHour,
+                    "{} has {:.4g} h of {}", time_, *found / kHour,
                     series.days[static_cast<std::size_t>(found - seconds.begin())]),
-                "leave hours out of [time], or remove daily_target");
+                "leave hours out, or remove daily_target");
         }
     }
 
     const RunFileContext& context_;
     std::vector<NamedSensors> sensors_;
     TableReader table_;
+    std::string time_;  // name of the table of times
 };
 
 }  // namespace

@@ -213,7 +213,7 @@ class CopyReader {
             table_.fault_at(
                 kKey, fmt::format("at: copy {} is not above the ground", copy.number),
                 context_.ground != nullptr ? "above_ground needs a ground below every copy"
-                                           : "above_ground needs a [ground]",
+                                           : "above_ground needs a ground",
                 "give its height as z");
         }
     }

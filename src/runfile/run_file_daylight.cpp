@@ -131,8 +131,7 @@ std::vector<SpectralSpan> band_spans(TableReader& table, const std::vector<Band>
         if (!span) {
             table.fault(
                 fmt::format("the wavelengths of band '{}' are unknown", band.name),
-                "they are needed to divide daylight among bands",
-                "give from_nm and to_nm in its [[band]]");
+                "they are needed to divide daylight among bands", "give its from_nm and to_nm");
         } else if (!count) {
             table.fault(
                 fmt::format("band '{}' is in {}", band.name, band.unit),

@@ -27,7 +27,7 @@ std::map<std::string, std::string> read_material_map(TableReader& table) {
     if (node != nullptr && members == nullptr) {
         table.fault_at(
             *node, fmt::format("materials is {}", node->type_name()),
-            "it must be a table: name in the file = \"name of a [[material]]\"");
+            "it must be a table: name in the file = \"name of a material\"");
     }
     for (std::size_t i = 0; members && i < members->size(); ++i) {
         const Member& member = (*members)[i];
@@ -36,7 +36,7 @@ std::map<std::string, std::string> read_material_map(TableReader& table) {
         } else {
             table.fault_at(
                 member.node, fmt::format("materials.{} is {}", member.key, member.node.type_name()),
-                "it must be the name of a [[material]]");
+                "it must be the name of a material");
         }
     }
     return result;

@@ -72,7 +72,7 @@ Node option_node(const OptionValue& value) {
 
 /// The text of a group that is written as a table { name, by, where }.
 std::string read_group(const Node& node, Reporter& reporter) {
-    TableReader group(node, "[run]: groups", reporter);
+    TableReader group(node, reporter.table_name("run") + ": groups", reporter);
     const std::string name = group.text("name").value_or("");
     const std::string by = group.text("by").value_or("");
     const std::string where = group.text("where").value_or("");
@@ -135,7 +135,7 @@ void read_run_options(TableReader& top, RunOptions& options) {
     if (node == nullptr) {
         return;
     }
-    TableReader table(*node, "[run]", top.reporter());
+    TableReader table(*node, top.table_name("run"), top.reporter());
     for (const Option& option : option_table()) {
         read_option(table, option, options);
     }

@@ -59,8 +59,10 @@ std::optional<SunSpec> read_sun_of_sky(TableReader& table, const RunFileContext&
     if (!context.sun) {
         table.fault(
             "the position of the sun is missing", "this sky model is brighter around the sun",
-            "add a [[source]] of type = \"sun\", or give time (with [site]) or azimuth_deg and "
-            "elevation_deg");
+            fmt::format(
+                "add a source of type \"sun\", or give time (with {}) or azimuth_deg and "
+                "elevation_deg",
+                table.table_name("site")));
     }
     return context.sun;
 }

@@ -60,9 +60,11 @@ std::optional<DailyHours> read_on_hours(TableReader& table, const RunFileContext
         return std::nullopt;
     }
     if (!context.has_time) {
+        const std::string time = table.table_name("time");
         table.fault_at(
-            "on_hours", "on_hours needs [time]", "a run without [time] has no clock",
-            "add [time] or remove on_hours");
+            "on_hours", "on_hours needs " + time,
+            fmt::format("a run without {} has no clock", time),
+            fmt::format("add {} or remove on_hours", time));
         return std::nullopt;
     }
     const auto* list = node->as<Node::List>();
@@ -175,7 +177,7 @@ SourceList read_sources(TableReader& top, RunFileContext& context) {
     }
     const bool has_files = read_light_files(top, context, list);
     if (top.any("source") == nullptr && !has_files && top.any("time") == nullptr) {
-        top.fault("no source of light is given", "", "add a [[source]] or [time]");
+        top.fault("no source of light is given", "", "add a source or " + top.table_name("time"));
     }
     return list;
 }

@@ -13,9 +13,10 @@ std::optional<SunSpec> read_timed_sun(TableReader& table, const RunFileContext& 
     const auto delta_t_s = table.real("delta_t_s", {-1e6, 1e6});
     const std::optional<std::string> text = table.time_text("time");
     if (!context.site) {
+        const std::string site = table.table_name("site");
         table.fault_at(
-            "time", "time without [site]", "the sun's position depends on the site",
-            "add [site] with latitude_deg and longitude_deg");
+            "time", "time without " + site, "the sun's position depends on the site",
+            fmt::format("add {} with latitude_deg and longitude_deg", site));
         return std::nullopt;
     }
     if (!text) {
@@ -63,7 +64,8 @@ std::optional<SunSpec> read_sun_spec(TableReader& table, const RunFileContext& c
     if (!has_angles) {
         table.fault(
             "the position of the sun is missing", "",
-            "give time (with [site]), or azimuth_deg and elevation_deg");
+            fmt::format(
+                "give time (with {}), or azimuth_deg and elevation_deg", table.table_name("site")));
         return std::nullopt;
     }
     const auto to_sun = read_towards(table, context.orientation);
@@ -111,7 +113,7 @@ std::optional<Site> read_site(TableReader& top) {
     if (node == nullptr) {
         return std::nullopt;
     }
-    TableReader table(*node, "[site]", top.reporter());
+    TableReader table(*node, top.table_name("site"), top.reporter());
     Site site;
     const auto latitude = table.required("latitude_deg", table.real("latitude_deg", {-90, 90}));
     const auto longitude =

@@ -130,7 +130,7 @@ std::optional<TimeSeries> read_time(
     if (node == nullptr) {
         return std::nullopt;
     }
-    TableReader table(*node, "[time]", top.reporter());
+    TableReader table(*node, top.table_name("time"), top.reporter());
     TimeContext context{&table, &run, run.site, table.real("utc_offset_hours", {-14, 14})};
     const bool has_weather = table.any("weather") != nullptr;
     const std::vector<Interval> intervals =
@@ -141,9 +141,10 @@ std::optional<TimeSeries> read_time(
     // The unreadable weather file could have given the site.
     const bool is_weather_broken = has_weather && intervals.empty();
     if (!context.site && top.any("site") == nullptr && !is_weather_broken) {
+        const std::string site = top.table_name("site");
         top.fault(
-            "[site] is missing", "the sun's path depends on it",
-            "add [site] with latitude_deg and longitude_deg");
+            site + " is missing", "the sun's path depends on it",
+            fmt::format("add {} with latitude_deg and longitude_deg", site));
     }
     if (table.failed() || !context.site) {
         return std::nullopt;

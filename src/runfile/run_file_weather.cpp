@@ -35,7 +35,7 @@ WeatherColumns read_columns(TimeContext& context) {
         columns.year = static_cast<int>(*year);
     }
     if (const Node* node = table.any("columns")) {
-        TableReader names(*node, "[time]: columns", table.reporter());
+        TableReader names(*node, table.what() + ": columns", table.reporter());
         columns.time = names.text("time").value_or("");
         columns.day_of_year = names.text("day_of_year").value_or("");
         columns.hour = names.text("hour").value_or("");
@@ -77,8 +77,9 @@ void settle_site(const WeatherFile& file, TimeContext& context) {
             table.warn_at(
                 *table.any("weather"),
                 fmt::format(
-                    "the weather file is for latitude {}, longitude {}, which differs from [site]",
-                    shortest(file.site->latitude_deg), shortest(file.site->longitude_deg)));
+                    "the weather file is for latitude {}, longitude {}, which differs from {}",
+                    shortest(file.site->latitude_deg), shortest(file.site->longitude_deg),
+                    table.table_name("site")));
         }
     } else if (file.site) {
         context.site = file.site;

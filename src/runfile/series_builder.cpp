@@ -294,8 +294,9 @@ void SeriesBuilder::report(ReadingFault fault, const SunPath& path, const Interv
                     "light at {} with the sun {:.1f} degrees below the horizon", time,
                     -path.highest_deg()),
                 "the time zone, the site or stamp is wrong",
-                "check utc_offset_hours, [site] (are latitude and longitude exchanged?) and "
-                "stamp"};
+                fmt::format(
+                    "check utc_offset_hours, {} (are latitude and longitude exchanged?) and stamp",
+                    reporter_.table_name("site"))};
     }
 }
 

@@ -47,6 +47,11 @@ std::optional<std::string> time_of(const Node& node) {
 
 }  // namespace
 
+std::string Vocabulary::name_of(std::string_view key) const {
+    const auto found = std::ranges::find(names_, key, &TableName::key);
+    return found == names_.end() ? fmt::format("[{}]", key) : std::string(found->name);
+}
+
 std::string Reporter::where(std::uint32_t line) const {
     return line == 0 ? file : fmt::format("{}:{}", file, line);
 }

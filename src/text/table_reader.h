@@ -26,14 +26,38 @@ template <typename Rows>
     return names;
 }
 
+/// The name of a table in messages: "Scene.time" for the key "time".
+struct TableName {
+    std::string_view key, name;
+};
+
+/// How messages name the tables of a document: by its syntax, "[time]", or in the words of a
+/// program that makes the document from its own objects.
+class Vocabulary {
+  public:
+    Vocabulary() = default;
+    /// @param names  of tables; they outlive this object
+    explicit Vocabulary(std::span<const TableName> names) : names_(names) {}
+    /// The name of a table; "[key]" if it has no other.
+    [[nodiscard]] std::string name_of(std::string_view key) const;
+
+  private:
+    std::span<const TableName> names_;
+};
+
 /// Collects the faults and warnings of a document's reader.
 struct Reporter {
     std::string file;  ///< name of the document
     Faults faults;
     std::vector<Warning> warnings;
+    Vocabulary vocabulary = {};
 
     /// "leaves.toml:12", or "leaves.toml" if the line is unknown.
     [[nodiscard]] std::string where(std::uint32_t line) const;
+    /// The name of a table of the document, for messages.
+    [[nodiscard]] std::string table_name(std::string_view key) const {
+        return vocabulary.name_of(key);
+    }
     /// Whether there are too many faults to report more.
     [[nodiscard]] bool is_full() const { return faults.size() >= 100; }
     void fault(
@@ -111,6 +135,10 @@ class TableReader {
     [[nodiscard]] bool failed() const { return reporter_->faults.size() > faults_before_; }
 
     [[nodiscard]] const std::string& what() const { return what_; }
+    /// The name of a table of the document, for messages.
+    [[nodiscard]] std::string table_name(std::string_view key) const {
+        return reporter_->table_name(key);
+    }
     void rename(std::string what) { what_ = std::move(what); }
     [[nodiscard]] std::uint32_t line() const { return node_->line; }
     [[nodiscard]] std::string where() const { return reporter_->where(node_->line); }

@@ -107,7 +107,7 @@ class TableOfWeather {
         if (later(first, (*day - 1) * kSecondsADay).year != first.year) {
             reporter_.fault(
                 scanner_.number(), fmt::format("{} has no day {}", first.year, *day),
-                "it is not a leap year", "check year in [time]");
+                "it is not a leap year", "check year");
             return std::nullopt;
         }
         return time;

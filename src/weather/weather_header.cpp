@@ -65,12 +65,11 @@ class ColumnFinder {
                 "name the columns: columns = { time = \"...\" }");
         } else if (!header_.year && !columns_.year) {
             reporter_.fault(
-                line_, "the year is missing", "the file has days of the year",
-                "give year = 2006 in [time]");
+                line_, "the year is missing", "the file has days of the year", "give year = 2006");
         } else if (!columns_.utc_offset_hours) {
             reporter_.fault(
                 line_, "the clock is unknown", "the file has hours without an offset from UTC",
-                "give utc_offset_hours in [time]");
+                "give utc_offset_hours");
         }
     }
 

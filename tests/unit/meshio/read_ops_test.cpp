@@ -82,7 +82,7 @@ TEST(ReadOps, TakesPlantsAsCentimetresAndPlacesAsMetresAndSaysSo) {
     EXPECT_EQ(
         read.warnings,
         Texts{"file: plants are read in centimetres and their positions in metres, as in AMAP's "
-              "programs; the largest plant is 1 m large; set plant_unit in [[geometry]] (\"cm\", "
+              "programs; the largest plant is 1 m large; set plant_unit (\"cm\", "
               "\"m\", ...) to confirm or change it"});
     // A mesh without a unit of its own is in metres, as its position is.
     const ReadMesh other =

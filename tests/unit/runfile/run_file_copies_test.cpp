@@ -176,7 +176,7 @@ TEST(Copies, HeightsCountFromTheGround) {
     const FakeFiles small{{"slope.tri", "-9 -9 -9 0 -9 0 0 9 0\n"}};
     EXPECT_TRUE(mentions(faults_of(slope.text(), small), "at: copy 1 is not above the ground"));
     flat.rest = "";
-    EXPECT_TRUE(mentions(faults_of(flat.text()), "needs a [ground]"));
+    EXPECT_TRUE(mentions(faults_of(flat.text()), "needs a ground"));
 }
 
 TEST(Copies, AnOrganKeepsItsMeshOnceAndCountsItsIds) {

@@ -316,7 +316,7 @@ TEST(GeometryKeys, TheMaterialKeyIsForWhatIsNotKnownAndWarns) {
     const std::string keys = "file = 'a.obj'\nmaterial = 'leaf'\n";
     EXPECT_TRUE(mentions(
         texts_of(read_text(with_geometry(keys + "materials = { brown = 'leaf' }\n").text(), files)),
-        "material 'green' of a.obj is not in the run file; 'leaf' is used"));
+        "the scene has no material 'green' of a.obj; 'leaf' is used"));
     // Where the run file knows none of them, the one that it gives is for all.
     EXPECT_FALSE(mentions(texts_of(read_text(with_geometry(keys).text(), files)), "run file"));
 }
@@ -356,7 +356,7 @@ TEST(GeometryKeys, MaterialsBelongToTheFileThatDefinesThem) {
     EXPECT_EQ(absorptances(run.scene), (std::vector<std::string>{"A.obj M 1", "B.obj M 0.1"}));
     EXPECT_EQ(
         texts_of(run)[1],
-        "material 'M' of B.obj is not in the run file; its diffuse colour gives reflectance 0.9, "
+        "the scene has no material 'M' of B.obj; its diffuse colour gives reflectance 0.9, "
         "transmittance 0 in every band; results call it 'B.obj ...', as other files have other "
         "materials of the same name");
     EXPECT_EQ(
@@ -380,7 +380,7 @@ TEST(GeometryKeys, AMaterialOfOneFileIsFoundWhereNoOtherFileHasTheName) {
     const std::string elsewhere = "[[material]]\nname = 'x/B.obj M'\nreflectance = 0.3\n";
     EXPECT_TRUE(mentions(
         texts_of(read_two_of_one_name("B.obj", "B.obj", elsewhere)),
-        "no [[geometry]] has the material 'x/B.obj M'"));
+        "no file of geometry has the material 'x/B.obj M'"));
     EXPECT_FALSE(mentions(texts_of(read_two_of_one_name("B.obj", "A.obj", material)), "no [["));
 }
 
@@ -416,7 +416,7 @@ TEST(GeometryKeys, ManyMaterialsOfALibraryAreOneWarning) {
         {{"a.obj", obj}, {"a.mtl", mtl}}));
     EXPECT_TRUE(mentions(
         warnings,
-        "5 materials of a.obj are not in the run file; of 'm0' its diffuse colour gives "
+        "the scene lacks 5 materials of a.obj; of 'm0' its diffuse colour gives "
         "reflectance 0, transmittance 0 in every band; of 'm1' its"))
         << ::testing::PrintToString(warnings);
     EXPECT_TRUE(mentions(warnings, "; and 2 more"));
@@ -435,7 +435,7 @@ TEST(GeometryKeys, WarningsOfOneKindAreOneOfThemWithTheirNumber) {
     ASSERT_EQ(run.warnings.size(), 1U);
     EXPECT_EQ(
         run.warnings[0].text,
-        "material 'green' of plant0.obj is not in the run file; its diffuse colour gives "
+        "the scene has no material 'green' of plant0.obj; its diffuse colour gives "
         "reflectance 0.5, transmittance 0 in every band (100 warnings of this kind)");
     EXPECT_NE(run.warnings[0].where.find(" and others"), std::string::npos);
 }
@@ -540,7 +540,7 @@ TEST(GeometryKeys, RefuseWhatIsWrong) {
         {"file = 'a.tri'\nmaterial = 'leaf'\nfirst_id = 'a'\n", "first_id is a text"},
         {"file = 'a.tri'\nmaterial = 'leaf'\nscale = 3\n", "unknown key 'scale'"},
         {"file = 'empty.tri'\nmaterial = 'leaf'\n", "file 'empty.tri' contains no triangle"},
-        {"file = 'b.obj'\n", "material 'wood' of b.obj is not in the run file"},
+        {"file = 'b.obj'\n", "the scene has no material 'wood' of b.obj"},
         {"file = 'b.obj'\nmaterials = 'leaf'\n", "materials is a text"},
         {"file = 'b.obj'\nmaterials = { wood = 3 }\n", "materials.wood is an integer"},
     };
