@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <new>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -11,6 +13,7 @@
 
 #include "base/process_time.h"
 #include "commands.h"
+#include "files/writable.h"
 #include "help_run.h"
 #include "parallel/part_file.h"
 #include "part_run.h"
@@ -143,12 +146,24 @@ Exit run(
     return exit_of(sweep.file(), sweep.all());
 }
 
+/// Access to files that examines the outputs of a run file, except those that flags replace.
+quasimc::FileAccess access_with_outputs(const RunArguments& arguments) {
+    quasimc::FileAccess access;
+    access.why_unwritable = [&arguments](std::string_view key, const std::filesystem::path& path) {
+        const auto flag = arguments.outputs.find(key);
+        const bool is_replaced = flag != arguments.outputs.end() && !flag->second.empty();
+        return is_replaced ? std::string() : quasimc::why_unwritable(path);
+    };
+    return access;
+}
+
 /// Runs together with the other ranks of the job, if there are any.
 Exit run_with_others(const RunArguments& arguments) {
     const std::unique_ptr<RankTeam> ranks = RankTeam::join();
     const quasimc::Stopwatch reading;
     if (!ranks) {
-        return run(arguments, reading, read_runs(arguments), nullptr);
+        return run(
+            arguments, reading, read_runs(arguments, access_with_outputs(arguments)), nullptr);
     }
     RankTeam& team = *ranks;
     return team.run([&] {

@@ -83,6 +83,9 @@ inline constexpr std::uint32_t kMaxGapAzimuths = 360, kMaxGapRays = 1U << 24U,
 /// scene has, and positions below the ground.
 void check_gap_fraction(const Scene& scene, const GapFractionSpec& spec, Faults& faults);
 
+/// The part of check_gap_fraction() that needs no scene.
+void check_gap_keys(const GapFractionSpec& spec, Faults& faults);
+
 /// Casts rays from the positions. Takes about a microsecond a ray.
 /// @throws InputError  as check_gap_fraction()
 /// @throws StopRequested  if a stop is requested before it is complete

@@ -27,6 +27,10 @@ struct FileAccess {
     };
     /// The absolute path of a path on the command line.
     std::function<std::filesystem::path(const std::string& given)> absolute = absolute_path;
+    /// The reason why an output can't be written; empty: none, or it will not be written.
+    /// @param key  that names it: "csv"
+    std::function<std::string(std::string_view key, const std::filesystem::path&)> why_unwritable =
+        [](std::string_view, const std::filesystem::path&) { return std::string(); };
 };
 
 /// Reads the files that a run file names, and records their identities and digests.
@@ -37,6 +41,10 @@ class InputFiles {
     /// @param folder  base of relative paths
     explicit InputFiles(std::filesystem::path folder, Reader reader = read_file)
         : folder_(std::move(folder)), reader_(std::move(reader)) {}
+    InputFiles(std::filesystem::path folder, const FileAccess& access)
+        : folder_(std::move(folder)),
+          reader_(access.read),
+          why_unwritable_(access.why_unwritable) {}
 
     /// The bytes of the file at `path`. @throws InputError  if it can't be read
     [[nodiscard]] std::string read(const std::string& path);
@@ -52,6 +60,12 @@ class InputFiles {
         reader_ = reader(std::move(reader_));
     }
 
+    /// See FileAccess::why_unwritable.
+    [[nodiscard]] std::string why_unwritable(
+        std::string_view key, const std::filesystem::path& output) const {
+        return why_unwritable_(key, output);
+    }
+
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     [[nodiscard]] std::filesystem::path resolved(const std::string& path) const;
     /// In the order of reading, each once.
@@ -60,6 +74,7 @@ class InputFiles {
   private:
     std::filesystem::path folder_;
     Reader reader_;
+    decltype(FileAccess::why_unwritable) why_unwritable_ = FileAccess().why_unwritable;
     std::vector<InputFile> files_;
 };
 

@@ -210,7 +210,23 @@ void check_requests(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     }
 }
 
+/// Refuses layers of a scene without height.
 void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
+    if (spec.layers > 0 && spec.layer_heights.empty()) {
+        const std::vector<double> equal = layer_boundaries(scene, spec);
+        if (!(equal.front() < equal.back())) {
+            faults.add(
+                {"layers",
+                 fmt::format("{} layers, but organs have no vertical extent", spec.layers),
+                 "they are in one horizontal plane, or there are none",
+                 "set layer_heights = [...]"});
+        }
+    }
+}
+
+}  // namespace
+
+void check_layer_heights(const GroupSpec& spec, Faults& faults) {
     const std::vector<double>& heights = spec.layer_heights;
     if (spec.layers > 0 && !heights.empty()) {
         faults.add(
@@ -235,19 +251,7 @@ void check_layers(const Scene& scene, const GroupSpec& spec, Faults& faults) {
             return;
         }
     }
-    if (spec.layers > 0) {
-        const std::vector<double> equal = layer_boundaries(scene, spec);
-        if (!(equal.front() < equal.back())) {
-            faults.add(
-                {"layers",
-                 fmt::format("{} layers, but organs have no vertical extent", spec.layers),
-                 "they are in one horizontal plane, or there are none",
-                 "set layer_heights = [...]"});
-        }
-    }
 }
-
-}  // namespace
 
 bool is_sensor(const Scene& scene, const Organ& organ) {
     for (std::uint32_t i = 0; i < organ.region_count; ++i) {
@@ -273,6 +277,7 @@ std::vector<std::string_view> label_keys(const Scene& scene) {
 
 void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults) {
     check_requests(scene, spec, faults);
+    check_layer_heights(spec, faults);
     check_layers(scene, spec, faults);
 }
 

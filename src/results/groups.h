@@ -21,6 +21,9 @@ namespace quasimc {
 /// a scene without height.
 void check_groups(const Scene& scene, const GroupSpec& spec, Faults& faults);
 
+/// The part of check_groups() that needs no scene.
+void check_layer_heights(const GroupSpec& spec, Faults& faults);
+
 /// The light of the groups that EvaluationSpec::groups asks for, as part of evaluate().
 /// @param incident  [band][replicate]: flux on the horizontal; empty if it is unknown
 [[nodiscard]] GroupResults evaluate_groups(

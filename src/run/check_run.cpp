@@ -10,6 +10,7 @@
 #include "quasimc/run.h"
 #include "results/groups.h"
 #include "results/question.h"
+#include "run/known_parts.h"
 #include "run/sensor_run.h"
 #include "samplers/catalogue.h"
 #include "solvers/catalogue.h"
@@ -181,23 +182,63 @@ void check_detected_light(const Scene& scene, const RunSpec& spec, Faults& fault
     }
 }
 
-}  // namespace
-
-void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
-    check_sources(scene, sources, faults);
-    check_lamps(scene, sources, spec, faults);
-    check_sensor_light(scene, sources, faults);
-    check_sampler(spec, faults);
-    check_numbers(spec, faults);
-    check_ratios(scene, spec, faults);
-    check_groups(scene, group_spec(spec), faults);
-    check_group_names(scene, spec, faults);
-    check_target(scene, spec, faults);
+/// Checks what depends on organs.
+void check_on_scene(const Scene& scene, const RunSpec& spec, Faults& faults) {
     check_organs(scene, spec, faults);
     check_detected_light(scene, spec, faults);
     if (spec.method == Method::ray_bundles) {
         check_diffuse(scene, faults);
+    }
+}
+
+/// Checks what depends on organs and sources.
+void check_lit_scene(
+    const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
+    check_lamps(scene, sources, spec, faults);
+    check_sensor_light(scene, sources, faults);
+    if (spec.method == Method::ray_bundles) {
         check_bundle_memory(scene, sources, spec, faults);
+    }
+}
+
+}  // namespace
+
+void check_run(const Scene& scene, const Sources& sources, const RunSpec& spec, Faults& faults) {
+    check_known_parts(scene, sources, spec, {}, faults);
+}
+
+void check_known_parts(
+    const Scene& scene,
+    const Sources& sources,
+    const RunSpec& spec,
+    const KnownParts& known,
+    Faults& faults) {
+    if (known.sources) {
+        check_sources(scene, sources, faults);
+    }
+    if (known.sources && known.scene && known.sensors) {
+        check_lit_scene(scene, sources, spec, faults);
+    }
+    if (known.knows({"sampler", "paths"})) {
+        check_sampler(spec, faults);
+    }
+    if (known.knows({"paths", "max_paths", "replicates"})) {
+        check_numbers(spec, faults);
+    }
+    if (known.bands) {
+        check_ratios(scene, spec, faults);
+    }
+    if (known.knows_groups()) {
+        check_groups(scene, group_spec(spec), faults);
+        check_group_names(scene, spec, faults);
+    } else {
+        check_layer_heights(group_spec(spec), faults);
+    }
+    if (known.scene) {
+        check_on_scene(scene, spec, faults);
+    }
+    if (known.sensors && known.knows_groups() && known.knows({"target"})) {
+        check_target(scene, spec, faults);
     }
 }
 

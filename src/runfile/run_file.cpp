@@ -67,6 +67,12 @@ std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Report
     }
 }
 
+SceneBuilder begin_scene(const RunFileContext& context) {
+    SceneBuilder builder(context.bands, context.orientation);
+    builder.set_length_unit(context.length_unit);
+    return builder;
+}
+
 /// Adds a substitute for unreadable organs, to avoid a further fault that there are none.
 void add_substitute(SceneBuilder& builder, const RunFileContext& context) {
     std::string material = "stand-in";
@@ -79,6 +85,26 @@ void add_substitute(SceneBuilder& builder, const RunFileContext& context) {
     OrganSpec organ;
     organ.parts.push_back({std::move(material), std::vector<Triangle>(1, kSubstitute)});
     builder.add_organ(std::move(organ));
+}
+
+/// A scene of the bands alone, for checks that need no organs; empty if the bands have faults.
+std::optional<Scene> scene_of_bands(RunFileContext context) {
+    context.materials.clear();
+    SceneBuilder builder = begin_scene(context);
+    add_substitute(builder, context);
+    try {
+        return std::move(builder).build();
+    } catch (const InputError&) {  // reported with the scene of all organs
+        return std::nullopt;
+    }
+}
+
+/// Whether a reader adds no faults.
+template <typename Read>
+bool reads_well(const Faults& faults, Read read) {
+    const std::size_t before = faults.size();
+    read();
+    return faults.size() == before;
 }
 
 /// Marks keys as read that another reader reads.
@@ -98,41 +124,59 @@ struct Sections {
     OutputSpec output;
     std::vector<GapFractionSpec> gap_fractions;
     bool is_on_base = false;  ///< whether it shares the geometry of the base
+    KnownParts known = {};
     UnitOrigin unit_origin = UnitOrigin::assumed;
 };
 
+/// The contents of sections that refer to the ground, beside sensors, which the scene has.
+struct OnGround {
+    std::vector<GapFractionSpec> gap_fractions;
+    KnownParts known = {};  ///< its scene and sensors
+};
+
+/// Reads what refers to the ground. @param ground  may be absent
+OnGround read_on_ground(
+    TableReader& top,
+    const std::optional<GroundSpec>& ground,
+    RunFileContext& context,
+    SceneBuilder& builder) {
+    OnGround read;
+    context.ground = ground ? &*ground : nullptr;
+    read.known.sensors =
+        reads_well(top.reporter().faults, [&] { read_sensors(top, context, builder); });
+    read.gap_fractions = read_gap_fractions(top, context);
+    context.ground = nullptr;
+    return read;
+}
+
 /// @param add_organs  adds organs after those of the file; may be empty
-std::vector<GapFractionSpec> read_geometry_sections(
+OnGround read_geometry_sections(
     TableReader& top, RunFileContext& context, const AddOrgans& add_organs, SceneBuilder& builder) {
     if (context.meshes != nullptr) {
         context.meshes->start_point();
     }
-    std::optional<GroundSpec> ground = read_ground(top, context);
-    context.ground = ground ? &*ground : nullptr;
-    read_organs(top, context, builder);
-    read_geometry(top, context, builder);
-    if (add_organs) {
-        add_organs(builder);
-    }
-    read_sensors(top, context, builder);
-    std::vector<GapFractionSpec> gap_fractions = read_gap_fractions(top, context);
-    context.ground = nullptr;
+    std::optional<GroundSpec> ground;
+    const bool has_scene = reads_well(top.reporter().faults, [&] {
+        ground = read_ground(top, context);
+        context.ground = ground ? &*ground : nullptr;
+        read_organs(top, context, builder);
+        read_geometry(top, context, builder);
+        if (add_organs) {
+            add_organs(builder);
+        }
+        read_cell(top, context, builder);
+    });
+    OnGround read = read_on_ground(top, ground, context, builder);
+    read.known.scene = has_scene;
     if (ground) {
-        builder.set_ground(std::move(*ground));
+        builder.set_ground(*std::move(ground));
     }
-    read_cell(top, context, builder);
-    return gap_fractions;
+    return read;
 }
 
 /// Reads what refers to the ground of a known scene.
-std::vector<GapFractionSpec> read_on_known_ground(
-    TableReader& top, RunFileContext& context, SceneBuilder& builder) {
-    const std::optional<GroundSpec> ground = read_ground(top, context);
-    context.ground = ground ? &*ground : nullptr;
-    read_sensors(top, context, builder);
-    std::vector<GapFractionSpec> gap_fractions = read_gap_fractions(top, context);
-    context.ground = nullptr;
-    return gap_fractions;
+OnGround read_on_known_ground(TableReader& top, RunFileContext& context, SceneBuilder& builder) {
+    return read_on_ground(top, read_ground(top, context), context, builder);
 }
 
 /// Reads [time], and the lamps that are controlled at its times.
@@ -172,12 +216,6 @@ UnitOrigin unit_origin(TableReader& top) {
     return top.any("length_unit") != nullptr ? UnitOrigin::given : UnitOrigin::assumed;
 }
 
-SceneBuilder begin_scene(const RunFileContext& context) {
-    SceneBuilder builder(context.bands, context.orientation);
-    builder.set_length_unit(context.length_unit);
-    return builder;
-}
-
 Sections read_sections(
     TableReader& top, InputFiles& files, const std::vector<Override>& overrides, KnownScene known) {
     Sections sections;
@@ -186,19 +224,27 @@ Sections read_sections(
     sections.unit_origin = unit_origin(top);
     context.meshes = known.meshes;
     SceneBuilder builder = begin_scene(context);
+    const Faults& faults = top.reporter().faults;
+    const bool has_context = faults.empty();
+    sections.known.bands = has_context;
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
-    read_materials(top, context, builder);
+    sections.known.unknown_options = sections.options.unknown;
+    const bool has_materials = reads_well(faults, [&] { read_materials(top, context, builder); });
     sections.sources = read_sources(top, context);
     sections.series = read_series(top, context, sections.sources, nullptr);
+    sections.known.sources =
+        has_context && sections.sources.is_whole && sections.series.has_value() == context.has_time;
     known.same = known.same != nullptr && can_build_on(builder, *known.same) ? known.same : nullptr;
     if (known.same != nullptr) {
         pass_over(top, {"organ", "geometry", "cell"});
-        sections.gap_fractions = read_on_known_ground(top, context, builder);
-    } else {
-        sections.gap_fractions = read_geometry_sections(top, context, {}, builder);
     }
+    OnGround on_ground = known.same != nullptr ? read_on_known_ground(top, context, builder)
+                                               : read_geometry_sections(top, context, {}, builder);
+    sections.gap_fractions = std::move(on_ground.gap_fractions);
     read_detectors(top, builder);
+    sections.known.scene = has_context && has_materials && on_ground.known.scene;
+    sections.known.sensors = sections.known.scene && on_ground.known.sensors;
     sections.output =
         read_output(top, files, context.bands);  // after all sections that it refers to
     read_tables(top, files, context.bands, sections.output);
@@ -207,11 +253,15 @@ Sections read_sections(
     }
     refuse_options_at_the_top(top);
     top.finish();
-    if (!top.reporter().faults.empty()) {
+    if (!sections.known.scene) {
         add_substitute(builder, context);
     }
     sections.is_on_base = known.same != nullptr;
     sections.scene = build(std::move(builder), known, top.reporter());
+    if (!sections.scene) {
+        sections.known.scene = sections.known.sensors = false;
+        sections.scene = scene_of_bands(context);
+    }
     return sections;
 }
 
@@ -255,40 +305,52 @@ void check_parts(const Sections& sections, Faults& faults) {
     }
 }
 
-/// Checks a run without light, with a substitute for its sources.
-void check_without_light(const Scene& scene, const RunSpec& spec, Faults& faults) {
-    const std::vector<double> one(scene.bands().size(), 1.0);
-    check_run(scene, {make_uniform_sky("night", one)}, spec, faults);
-}
-
 /// The sources of the file, or of all its times.
 Sources all_sources(const Sections& sections) {
     return sections.series ? sources_of(sections.series->time_steps) : sections.sources.sources;
 }
 
-/// Checks the run with its sources, or those of a time step with light, if any.
-void check_with_sources(
-    const Sections& sections, const Scene& scene, Faults& faults, NoLightPolicy no_light_policy) {
-    const RunSpec& spec = sections.options.spec;
-    check_origins(all_sources(sections), spec.origins, faults);
-    if (!sections.series && no_light_policy == NoLightPolicy::allowed &&
-        is_dark(sections.sources.sources)) {
-        check_without_light(scene, spec, faults);
-        return;
-    }
+/// The sources that a run is checked with: its own, those of a time step with light, or a
+/// substitute if no light is allowed and there is none.
+Sources checked_sources(
+    const Sections& sections, const Scene& scene, NoLightPolicy no_light_policy) {
+    const std::vector<double> one(scene.bands().size(), 1.0);
     if (!sections.series) {
-        check_run(scene, sections.sources.sources, spec, faults);
-        return;
+        const Sources& sources = sections.sources.sources;
+        return no_light_policy == NoLightPolicy::allowed && is_dark(sources)
+                   ? Sources{make_uniform_sky("night", one)}
+                   : sources;
     }
     const std::vector<TimeStepPlan> plans = plan_series(sections.series->time_steps);
     const auto lit =
         std::find_if(plans.begin(), plans.end(), [](const auto& plan) { return plan.factor > 0; });
-    if (lit == plans.end()) {
-        check_without_light(scene, spec, faults);
-        return;
+    return lit == plans.end()
+               ? Sources{make_uniform_sky("night", one)}
+               : sections.series->time_steps[static_cast<std::size_t>(lit - plans.begin())].sources;
+}
+
+/// Checks the known parts of a run.
+void check_with_sources(
+    const Sections& sections, const Scene& scene, Faults& faults, NoLightPolicy no_light_policy) {
+    const RunSpec& spec = sections.options.spec;
+    Sources sources;
+    if (sections.known.sources) {
+        check_origins(all_sources(sections), spec.origins, faults);
+        sources = checked_sources(sections, scene, no_light_policy);
     }
-    const auto time_step = static_cast<std::size_t>(lit - plans.begin());
-    check_run(scene, sections.series->time_steps[time_step].sources, spec, faults);
+    check_known_parts(scene, sources, spec, sections.known, faults);
+}
+
+/// Checks that options fit the times, if all of these are known.
+void check_times(const Sections& sections, const Reporter& reporter, Faults& faults) {
+    const KnownParts& known = sections.known;
+    if (known.sources) {
+        check_path_allocation(sections, reporter, faults);
+        check_parts(sections, faults);
+    }
+    if (known.sources && known.scene) {
+        check_hours(sections, reporter, faults);
+    }
 }
 
 /// Refuses [sweep], which has several scenes or lights.
@@ -310,7 +372,7 @@ FrameOfRun read_frame(
     SceneBuilder builder = begin_scene(context);
     read_materials(top, context, builder);
     std::vector<GapFractionSpec> gap_fractions =
-        read_geometry_sections(top, context, add_organs, builder);
+        read_geometry_sections(top, context, add_organs, builder).gap_fractions;
     read_detectors(top, builder);
     refuse_options_at_the_top(top);
     top.finish();
@@ -401,7 +463,7 @@ OpenedRun open_run(const std::string& path, const FileAccess& access) {
     const std::filesystem::path absolute = access.absolute(path);
     OpenedRun run{
         path == "-" ? "standard input" : path, access.read(path),
-        InputFiles(absolute.parent_path(), access.read)};
+        InputFiles(absolute.parent_path(), access)};
     run.files.note(path, absolute, run.text);
     run.files.mark_run_file();
     return run;
@@ -446,16 +508,17 @@ RunFile read_run_document(
     Reporter reporter{name, {}, {}};
     TableReader top(document, "", reporter);
     Sections sections = read_sections(top, files, overrides, known);
-    if (reporter.faults.empty()) {
-        Faults faults;
-        check_with_sources(sections, *sections.scene, faults, no_light_policy);
-        check_path_allocation(sections, reporter, faults);
-        check_hours(sections, reporter, faults);
-        check_parts(sections, faults);
-        add_run_faults(faults, sections.options, reporter);
+    if (!sections.scene) {
+        throw_in_order(reporter);
     }
-    throw_in_order(reporter);
-    std::vector<Warning> warnings = fold_warnings(std::move(reporter.warnings), lint_of(sections));
+    Faults faults;
+    check_with_sources(sections, *sections.scene, faults, no_light_policy);
+    check_times(sections, reporter, faults);
+    add_run_faults(faults, sections.options, reporter);
+    std::vector<Warning> warnings;
+    if (reporter.faults.empty()) {
+        warnings = fold_warnings(std::move(reporter.warnings), lint_of(sections));
+    }
     RunFile run{
         name,
         std::move(sections.title),
@@ -470,8 +533,10 @@ RunFile read_run_document(
         std::move(sections.sources.notes),
         std::move(warnings),
         std::make_shared<const Node>(completed(std::move(document), sections.options.spec))};
-    check_rows(run, reporter);
-    check_gaps(run.scene, run.gap_fractions, reporter.faults, run.warnings);
+    check_rows(run, sections.known, reporter);
+    check_gaps(
+        sections.known.scene ? &run.scene : nullptr, run.gap_fractions, reporter.faults,
+        run.warnings);
     throw_in_order(reporter);
     return run;
 }
@@ -487,7 +552,7 @@ SceneOfRun read_scene_document(
     FrameOfRun frame = read_frame(document, files, add_organs, reporter);
     std::optional<Scene> scene = build(std::move(frame.builder), {.overlaps = overlaps}, reporter);
     if (reporter.faults.empty()) {
-        check_gaps(*scene, frame.gap_fractions, reporter.faults, reporter.warnings);
+        check_gaps(&*scene, frame.gap_fractions, reporter.faults, reporter.warnings);
     }
     throw_in_order(reporter);
     std::vector<Warning> warnings =
@@ -522,15 +587,18 @@ LightOfRun read_light_document(
     refuse_sweep(top);
     RunFileContext context = read_context(top, files);
     Sections sections;
+    const bool has_context = reporter.faults.empty();
+    sections.known.bands = has_context;
     read_run_options(top, sections.options);
+    sections.known.unknown_options = sections.options.unknown;
     sections.sources = read_sources(top, context);
     sections.series = read_series(top, context, sections.sources, &scene);
+    sections.known.sources =
+        has_context && sections.sources.is_whole && sections.series.has_value() == context.has_time;
     top.finish();
-    if (reporter.faults.empty()) {
-        Faults faults;
-        check_with_sources(sections, scene, faults, NoLightPolicy::refused);
-        add_run_faults(faults, sections.options, reporter);
-    }
+    Faults faults;
+    check_with_sources(sections, scene, faults, NoLightPolicy::refused);
+    add_run_faults(faults, sections.options, reporter);
     throw_in_order(reporter);
     for (auto& more :
          {lint_lamp_unit(scene, sections.sources.sources, unit_origin(top)),

@@ -61,7 +61,7 @@ class ControlReader {
         control.sources = table_.required("sources", table_.text("sources")).value_or("");
         if (!control.sources.empty()) {
             table_.rename(fmt::format("control '{}'", control.sources));
-            check_lamps(control, sources.sources);
+            check_lamps(control, sources);
         }
         control.sensors = table_.required("sensors", table_.text("sensors")).value_or("");
         check_sensors(control.sensors);
@@ -84,7 +84,8 @@ class ControlReader {
     }
 
   private:
-    void check_lamps(const LampControl& control, const Sources& sources) {
+    void check_lamps(const LampControl& control, const SourceList& given) {
+        const Sources& sources = given.sources;
         std::vector<std::string_view> lamps;
         for (const auto& source : sources) {
             if (source->is_lamp() && std::ranges::find(lamps, source->name()) == lamps.end()) {
@@ -93,7 +94,7 @@ class ControlReader {
         }
         const bool fits = std::ranges::any_of(
             sources, [&](const auto& source) { return controls(control, *source); });
-        if (!fits) {
+        if (!fits && given.is_whole) {
             table_.fault_at(
                 "sources", fmt::format("no lamp is called '{}'", control.sources),
                 lamps.empty() ? "there are no lamps" : "",

@@ -80,14 +80,18 @@ bool is_fulfilled(const Scene& scene, const std::string& condition) {
 }  // namespace
 
 void check_gaps(
-    const Scene& scene,
+    const Scene* scene,
     const std::vector<GapFractionSpec>& specs,
     Faults& faults,
     std::vector<Warning>& warnings) {
     for (const GapFractionSpec& spec : specs) {
         const std::size_t before = faults.size();
-        check_gap_fraction(scene, spec, faults);
-        if (faults.size() == before && !spec.where.empty() && !is_fulfilled(scene, spec.where)) {
+        if (scene == nullptr) {
+            check_gap_keys(spec, faults);
+            continue;
+        }
+        check_gap_fraction(*scene, spec, faults);
+        if (faults.size() == before && !spec.where.empty() && !is_fulfilled(*scene, spec.where)) {
             warnings.push_back(
                 {spec.location, fmt::format("where: no organ fulfils \"{}\"", spec.where)});
         }

@@ -212,9 +212,11 @@ std::vector<Interval> read_intervals(TimeContext& context) {
         return {};
     }
     if (!has_times && !context.utc_offset_hours) {
-        table.missing(
-            "utc_offset_hours",
-            "write the clock's offset from UTC, 2 for central European summer time");
+        if (table.any("utc_offset_hours") == nullptr) {
+            table.missing(
+                "utc_offset_hours",
+                "write the clock's offset from UTC, 2 for central European summer time");
+        }
         return {};
     }
     if (has_times) {

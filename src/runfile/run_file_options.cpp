@@ -106,6 +106,7 @@ void read_option(TableReader& table, const Option& option, RunOptions& options) 
         return;
     }
     options.locations[option.key] = table.reporter().where(given->line);
+    options.unknown.push_back(option.key);  // until it is set
     const std::size_t before = table.reporter().faults.size();
     std::optional<OptionValue> value =
         option_value(option.key == "groups" ? with_group_texts(*given, table.reporter()) : *given);
@@ -126,6 +127,7 @@ void read_option(TableReader& table, const Option& option, RunOptions& options) 
         return;
     }
     option.set(options.spec, *value);
+    options.unknown.pop_back();
 }
 
 }  // namespace
@@ -153,6 +155,7 @@ void apply_overrides(
         } else if (auto fault = check_option(*option, parse_option(*option, given.text))) {
             fault->where = given.where;
             reporter.faults.add(*fault);
+            options.unknown.push_back(option->key);
         } else {
             option->set(options.spec, parse_option(*option, given.text));
             options.locations[option->key] = given.where;

@@ -110,6 +110,9 @@ std::optional<std::string> read_output_path(
             input->path == *path ? "" : fmt::format("read as '{}'", input->path),
             "name another file");
     }
+    if (const std::string why = files.why_unwritable(key, resolved); !why.empty()) {
+        table.fault_at(key, fmt::format("{} = '{}' can't be written", key, *path), why);
+    }
     return resolved;
 }
 

@@ -20,6 +20,7 @@
 #include "quasimc/mesh.h"
 #include "quasimc/run_file.h"
 #include "quasimc/source.h"
+#include "run/known_parts.h"
 #include "runfile/run_file.h"
 #include "scene/scene.h"
 #include "text/table_reader.h"
@@ -61,6 +62,7 @@ struct RunFileContext {
 struct RunOptions {
     RunSpec spec;
     std::map<std::string_view, std::string> locations;
+    std::vector<std::string_view> unknown;  ///< keys of options with faults
 };
 
 void read_run_options(TableReader& top, RunOptions& options);
@@ -98,8 +100,8 @@ void add_run_faults(const Faults& found, const RunOptions& options, Reporter& re
 /// Reads [[table]] after [output].
 void read_tables(
     TableReader& top, const InputFiles& files, const std::vector<Band>& bands, OutputSpec& output);
-/// Checks the conditions of tables.
-void check_rows(RunFile& run, Reporter& reporter);
+/// Checks the origins and conditions of tables, as far as what they refer to is known.
+void check_rows(RunFile& run, const KnownParts& known, Reporter& reporter);
 
 // run_file_detectors.cpp
 void read_detectors(TableReader& top, SceneBuilder& builder);
@@ -112,6 +114,7 @@ struct SourceList {
     Sources sources;
     std::vector<std::string> notes;
     std::vector<std::optional<DailyHours>> hours;  ///< empty: it shines all the time
+    bool is_whole = true;                          ///< false: some had faults
 };
 /// Reads all sources; sets context.sun.
 [[nodiscard]] SourceList read_sources(TableReader& top, RunFileContext& context);
@@ -171,9 +174,10 @@ void move_triangles(const Affine& transform, std::vector<Triangle>& triangles);
 void move_points(const Affine& transform, std::vector<Vec3>& points);
 
 // run_file_gap_fraction.cpp
-/// Checks positions and conditions against the scene; warns of a condition that no organ fulfils.
+/// Checks keys, and positions and conditions against the scene; warns of a condition that no organ
+/// fulfils. @param scene  null: unknown
 void check_gaps(
-    const Scene& scene,
+    const Scene* scene,
     const std::vector<GapFractionSpec>& specs,
     Faults& faults,
     std::vector<Warning>& warnings);

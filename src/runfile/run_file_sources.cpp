@@ -159,6 +159,7 @@ void read_in_order(
 }  // namespace
 
 SourceList read_sources(TableReader& top, RunFileContext& context) {
+    const std::size_t before = top.reporter().faults.size();
     const std::vector<Node> tables = tables_of_sources(top, context);
     // Suns first, as skies depend on them.
     std::vector<std::size_t> order(tables.size());
@@ -179,6 +180,7 @@ SourceList read_sources(TableReader& top, RunFileContext& context) {
     if (top.any("source") == nullptr && !has_files && top.any("time") == nullptr) {
         top.fault("no source of light is given", "", "add a source or " + top.table_name("time"));
     }
+    list.is_whole = top.reporter().faults.size() == before;
     return list;
 }
 

@@ -230,6 +230,15 @@ void warn_of_empty_groups(RunFile& run, const std::string& file) {
     }
 }
 
+/// Whether the groups of a run that has faults can be made.
+bool knows_groups(const RunFile& run, const KnownParts& known) {
+    Faults faults;
+    if (known.knows_groups()) {
+        check_groups(run.scene, group_spec(run.spec), faults);
+    }
+    return known.knows_groups() && faults.empty();
+}
+
 }  // namespace
 
 void read_tables(
@@ -248,16 +257,25 @@ void read_tables(
     }
 }
 
-void check_rows(RunFile& run, Reporter& reporter) {
-    const std::vector<std::string> origins = all_columns(run).origins;
+void check_rows(RunFile& run, const KnownParts& known, Reporter& reporter) {
+    const bool has_groups = reporter.faults.empty() || knows_groups(run, known);
     for (const TableSpec& table : run.output.tables) {
-        check_origins(table, origins, reporter);
-        if (table.rows == CsvRows::sensors) {
+        if (known.sources && known.knows({"origins"})) {
+            check_origins(table, all_columns(run).origins, reporter);
+        }
+        if (known.sensors && table.rows == CsvRows::sensors) {
             check_receivers(table, run.scene, reporter);
         }
-        check_condition(table, run, reporter);
+        const bool has_labels = table.rows == CsvRows::groups    ? has_groups
+                                : table.rows == CsvRows::sensors ? known.sensors
+                                                                 : known.knows_groups();  // layers
+        if (has_labels) {
+            check_condition(table, run, reporter);
+        }
     }
-    warn_of_empty_groups(run, reporter.file);
+    if (has_groups) {
+        warn_of_empty_groups(run, reporter.file);
+    }
 }
 
 }  // namespace quasimc

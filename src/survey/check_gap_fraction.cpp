@@ -11,6 +11,10 @@
 namespace quasimc {
 namespace {
 
+std::string location_of(const GapFractionSpec& spec) {
+    return spec.location.empty() ? fmt::format("gap_fraction '{}'", spec.name) : spec.location;
+}
+
 void check_rings(const std::vector<double>& rings, const std::string& where, Faults& faults) {
     const bool rises = std::is_sorted(rings.begin(), rings.end(), std::less_equal<>());
     const bool is_inside = std::all_of(
@@ -79,13 +83,17 @@ void check_positions(
 
 }  // namespace
 
-void check_gap_fraction(const Scene& scene, const GapFractionSpec& spec, Faults& faults) {
-    const std::string where =
-        spec.location.empty() ? fmt::format("gap_fraction '{}'", spec.name) : spec.location;
+void check_gap_keys(const GapFractionSpec& spec, Faults& faults) {
+    const std::string where = location_of(spec);
     check_rings(spec.rings_deg, where, faults);
     check_number("azimuths", spec.azimuths, kMaxGapAzimuths, where, faults);
     check_number("rays", spec.rays, kMaxGapRays, where, faults);
     check_number("replicates", spec.replicates, kMaxGapReplicates, where, faults);
+}
+
+void check_gap_fraction(const Scene& scene, const GapFractionSpec& spec, Faults& faults) {
+    const std::string where = location_of(spec);
+    check_gap_keys(spec, faults);
     check_condition(scene, spec.where, where, faults);
     check_positions(scene, spec, where, faults);
 }

@@ -115,7 +115,7 @@ const std::vector<BadInput> kBadDocuments{
      "run.toml:7: [output]: csv = './leaves.tri' is an input of this run"},
     {"OutputTwice", "csv = \"out.csv\"", "csv = \"out.json\"", "csv and json name the same file"},
     {"OutputFolderMissing", "csv = \"out.csv\"", "csv = \"none/out.csv\"",
-     "none/out.csv: can't be written (No such file or directory)"},
+     "run.toml:7: [output]: csv = 'none/out.csv' can't be written (No such file or directory)"},
     {"OutputIsAFolder", "csv = \"out.csv\"", "csv = \".\"", "can't be written"},
 };
 

@@ -253,6 +253,24 @@ TEST_F(OutputsTest, ThatCanNotBeOpenedAreReportedAtOnce) {
     EXPECT_EQ(folder_.read("out.json"), "old");
 }
 
+TEST_F(OutputsTest, ThatCanNotBeWrittenAreReportedWithAllFaultsOfTheFile) {
+    folder_.write(
+        "bad.toml", replaced(
+                        replaced(good_run_file(), "\"out.csv\"", "\"none/a.csv\""), "paths = 256",
+                        "paths = 0") +
+                        "[[table]]\nfile = \"none/b.csv\"\n");
+    const Outcome outcome = run({"run", "bad.toml"});
+    EXPECT_EQ(outcome.status, 1);
+    for (const char* part :
+         {"csv = 'none/a.csv' can't be written (No such file", "file = 'none/b.csv' can't be",
+          "paths: 0 is out of range"}) {
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << part << outcome.err;
+    }
+    // A flag replaces the path of the file.
+    const Outcome other = run({"run", "bad.toml", "--csv", "c.csv"});
+    EXPECT_EQ(other.err.find("none/a.csv"), std::string::npos) << other.err;
+}
+
 /// The library of NetCDF is loaded when a file is asked for. A file that is none lies before it
 /// here.
 TEST_F(OutputsTest, AsNetcdfNeedItsLibraryBeforeAnythingIsComputed) {
