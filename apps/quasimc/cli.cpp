@@ -123,6 +123,15 @@ CLI::Option* add_target(CLI::App& app, const Flag& flag, T* target) {
     return app.add_option(flag.name, *target, flag.summary);
 }
 
+bool takes_one_value(const Flag& flag) {
+    return !std::holds_alternative<bool*>(flag.target) &&
+           !std::holds_alternative<std::vector<std::string>*>(flag.target);
+}
+
+bool has_checked_values(const Flag& flag) {
+    return !flag.choices.empty() || is_number(flag);
+}
+
 void add_flag(CLI::App& app, const Flag& flag) {
     CLI::Option& option =
         *std::visit([&](auto* target) { return add_target(app, flag, target); }, flag.target);
@@ -132,7 +141,7 @@ void add_flag(CLI::App& app, const Flag& flag) {
     if (!std::holds_alternative<bool*>(flag.target)) {
         option.option_text(type_name(flag));
     }
-    if (!flag.choices.empty() || is_number(flag)) {
+    if (has_checked_values(flag)) {
         option.check([&flag](const std::string& text) { return about_value(flag, text); });
     }
 }
@@ -189,6 +198,38 @@ std::vector<std::string> with_own_names(
     return arguments;
 }
 
+/// The errors of an option: repeated, excluded by another, or of wrong values; one line each.
+std::string about_option(const CLI::App& app, const Flag& flag) {
+    const CLI::Option& option = *app.get_option(std::string(names_of(flag).front()));
+    const std::string name = option.get_name();
+    std::string lines;
+    if (takes_one_value(flag) && option.count() > 1) {
+        lines += fmt::format(
+            "{}: it is given {} times (it takes one value); give it once\n", name, option.count());
+    }
+    if (!flag.excludes.empty() && option.count() > 0 &&
+        app.get_option(flag.excludes)->count() > 0) {
+        lines += fmt::format(
+            "{0}: it is given with {1} (each excludes the other); remove one of them\n", name,
+            flag.excludes);
+    }
+    for (const std::string& text : has_checked_values(flag) ? option.results() : CLI::results_t()) {
+        const std::string problem = about_value(flag, text);
+        lines += problem.empty() ? "" : fmt::format("{}: {}\n", name, problem);
+    }
+    return lines;
+}
+
+/// The errors of all options; if there are none, that of the parser.
+std::string about_options(
+    const CLI::App& app, const Command* command, const CLI::ParseError& error) {
+    std::string lines;
+    for (const Flag& flag : command != nullptr ? command->flags : std::vector<Flag>()) {
+        lines += about_option(*app.get_subcommand(command->name), flag);
+    }
+    return lines.empty() ? error.what() : lines;
+}
+
 /// Prints the errors of a command line.
 /// @param lines  of text
 Parsed refuse(const Program& program, const Command* command, const std::string& lines) {
@@ -237,7 +278,7 @@ Parsed parse_command_line(const Program& program, int argc, char** argv) {
         return refuse(program, command, about_extras(program, command, app.remaining(true)));
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() != 0) {
-            return refuse(program, command, error.what());
+            return refuse(program, command, about_options(app, command, error));
         }
         app.exit(error, std::cout, std::cerr);
         parsed.exit = Exit::done;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
+#include "base/shown_faults.h"
 #include "base/text.h"
 #include "text/numbers.h"
 
@@ -75,13 +76,8 @@ void print_error(std::string_view text) {
 }
 
 void print_errors(const quasimc::InputError& error) {
-    constexpr std::size_t kMaxPrinted = 50;
-    const std::size_t count = error.faults().size();
-    for (std::size_t i = 0; i < std::min(count, kMaxPrinted); ++i) {
-        print_error(error.faults()[i].text());
-    }
-    if (count > kMaxPrinted) {
-        fmt::print(stderr, "... and {} more\n", count - kMaxPrinted);
+    for (const std::string& line : quasimc::shown_faults(error.faults())) {
+        print_error(line);
     }
 }
 

@@ -1,29 +1,25 @@
 #include <algorithm>
+#include <iterator>
 
 #include "base/checks.h"
+#include "base/shown_faults.h"
 #include "base/text.h"
 #include "quasimc/error.h"
 
 namespace quasimc {
 namespace {
 
-constexpr std::size_t kMaxShown = 50;
-
 std::string joined(const std::vector<Fault>& faults) {
     std::string text;
-    const std::size_t shown = std::min(faults.size(), kMaxShown);
-    for (std::size_t i = 0; i < shown; ++i) {
-        text += (i > 0 ? "\n" : "") + faults[i].text();
-    }
-    if (shown < faults.size()) {
-        text += "\n... and " + std::to_string(faults.size() - shown) + " more";
+    for (const std::string& line : shown_faults(faults)) {
+        text += (text.empty() ? "" : "\n") + line;
     }
     return text;
 }
 
 /// Makes texts from untrusted files printable: their terminal escapes must not reach a terminal,
 /// nor their invalid bytes a text of Python.
-std::vector<Fault> shown_faults(std::vector<Fault> faults) {
+std::vector<Fault> printable_faults(std::vector<Fault> faults) {
     for (Fault& fault : faults) {
         for (std::string* text : {&fault.where, &fault.problem, &fault.why, &fault.suggestion}) {
             *text = printable(*text);
@@ -45,8 +41,21 @@ std::string Fault::text() const {
     return text;
 }
 
+std::vector<std::string> shown_faults(const std::vector<Fault>& faults) {
+    constexpr std::size_t kMaxShown = 50;
+    std::vector<std::string> lines;
+    const std::size_t shown = std::min(faults.size(), kMaxShown);
+    std::transform(
+        faults.begin(), faults.begin() + static_cast<std::ptrdiff_t>(shown),
+        std::back_inserter(lines), [](const Fault& fault) { return fault.text(); });
+    if (shown < faults.size()) {
+        lines.push_back("... and " + std::to_string(faults.size() - shown) + " more");
+    }
+    return lines;
+}
+
 InputError::InputError(std::vector<Fault> faults)
-    : std::runtime_error(printable(joined(faults))), faults_(shown_faults(std::move(faults))) {
+    : std::runtime_error(printable(joined(faults))), faults_(printable_faults(std::move(faults))) {
     EXPECT(!faults_.empty());
 }
 

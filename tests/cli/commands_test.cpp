@@ -108,6 +108,10 @@ TEST_F(ProgramTest, MistakenFlagsAreNamedWithTheNearest) {
         {{"run", "run.toml", "--paths"}, "--paths: a value is missing\n"},
         {{"run", "run.toml", "--paths", "--quiet"}, "--paths: a value is missing\n"},
         {{"run", "run.toml", "--path", "3"}, "unknown option --path; did you mean '--paths'?\n"},
+        {{"run", "run.toml", "--seed", "3", "--seed", "4"},
+         "--seed: it is given 2 times (it takes one value); give it once\n"},
+        {{"run", "run.toml", "--repeat", "out.json"},
+         "FILE: it is given with --repeat (each excludes the other); remove one of them\n"},
         {{"run", "run.toml", "--sampeler=sobol"},
          "unknown option --sampeler; did you mean '--sampler'?\n"},
         {{"run", "run.toml", "--wings"}, "unknown option --wings\n"},
@@ -117,6 +121,18 @@ TEST_F(ProgramTest, MistakenFlagsAreNamedWithTheNearest) {
         EXPECT_EQ(outcome.status, 2);
         EXPECT_EQ(
             outcome.err, "error: " + message + "Run 'quasimc run --help' for more information.\n");
+    }
+}
+
+TEST_F(ProgramTest, AllMistakesOfFlagsAreReportedAtOnce) {
+    const Outcome outcome = run(
+        {"show", "run.toml", "-o", "a.png", "-o", "b.png", "--sweep-point", "0", "--minus",
+         "out.json", "--error"});
+    EXPECT_EQ(outcome.status, 2);
+    for (const char* part :
+         {"2 times (it takes one value); give it once", "error: --sweep-point: 0 is out of range",
+          "error: --minus: it is given with --error"}) {
+        EXPECT_NE(outcome.err.find(part), std::string::npos) << part << outcome.err;
     }
 }
 
