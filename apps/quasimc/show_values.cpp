@@ -9,6 +9,7 @@
 
 #include "base/text.h"
 #include "files/input_files.h"
+#include "resultio/describe_result.h"
 #include "resultio/describe_series.h"
 #include "resultio/read_result.h"
 #include "resultio/read_rows.h"
@@ -202,6 +203,10 @@ void subtract(
     const std::string& title,
     const ShownValues& of_other,
     ShownValues& values) {
+    if (of_other.unit != values.unit) {
+        throw quasimc::InputError(
+            {quasimc::fault_of_units(title, values.name, values.unit, of_other.unit)});
+    }
     std::unordered_map<std::int64_t, const quasimc::Estimate*> by_id;
     const auto& organs = other.run.scene.organs();
     for (std::size_t i = 0; i < organs.size(); ++i) {

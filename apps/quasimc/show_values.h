@@ -71,6 +71,7 @@ struct ShownValues {
 /// Subtracts the values of the same organs, by id, of another run. Errors are those of independent
 /// results.
 /// @param title  of the other run
+/// @throws quasimc::InputError  if their units differ
 void subtract(
     const quasimc::Scene& scene,
     const ShownRun& other,

@@ -51,6 +51,20 @@ std::string title_of(const RunFile& run) {
     return run.title.empty() ? std::filesystem::path(run.path).filename().string() : run.title;
 }
 
+Fault fault_of_units(
+    const std::string& where,
+    const std::string& quantity,
+    const std::string& unit,
+    const std::string& other_unit) {
+    return {
+        where,
+        fmt::format(
+            "{} is in {} here, but in {} in the result that it is subtracted from", quantity,
+            other_unit, unit),
+        "numbers of different units have no difference",
+        "compute both in the same units: irradiance_unit, length_unit"};
+}
+
 std::vector<std::string> audit_lines(const RunFile& run, const Result& result) {
     if (!result.audit) {
         return {};

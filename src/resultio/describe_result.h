@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "quasimc/error.h"
 #include "quasimc/result.h"
 #include "quasimc/series.h"
 #include "runfile/run_file.h"
@@ -13,6 +14,14 @@ namespace quasimc {
 
 /// The title of a run, or else the name of its file without folders.
 [[nodiscard]] std::string title_of(const RunFile& run);
+
+/// The fault of a quantity whose unit in another result differs, so that there is no difference.
+/// @param where  the other result
+[[nodiscard]] Fault fault_of_units(
+    const std::string& where,
+    const std::string& quantity,
+    const std::string& unit,
+    const std::string& other_unit);
 
 /// The outcome of a result's audit, one line for the whole and one for each of the first bands;
 /// none without an audit.

@@ -1,9 +1,11 @@
 #include "window/window_difference.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <unordered_map>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "quasimc/error.h"
@@ -22,6 +24,20 @@ Estimate difference_of(const Estimate& a, const Estimate& b) {
     return {mean, error, mean - kNormal95 * error, mean + kNormal95 * error};
 }
 
+/// Refuses columns of both results whose units differ.
+void check_units(const std::vector<WindowColumn>& columns, const ReadResult& minus) {
+    const Scene& scene = minus.run.scene;
+    for (const WindowColumn& other :
+         window_columns(scene.bands(), scene.length_unit(), minus.run.spec.ratios)) {
+        const auto found = std::ranges::find(columns, other.path, &WindowColumn::path);
+        if (found != columns.end() && found->unit != other.unit) {
+            throw InputError({fault_of_units(
+                minus.path, fmt::format("{}, {}", found->name, found->band), found->unit,
+                other.unit)});
+        }
+    }
+}
+
 }  // namespace
 
 RowsQuery window_query(const RunFile& run, const std::vector<WindowColumn>& columns) {
@@ -38,6 +54,7 @@ RowsQuery window_query(const RunFile& run, const std::vector<WindowColumn>& colu
 WindowDifference::WindowDifference(
     const WindowOrgans& organs, const std::vector<WindowColumn>& columns, const ReadResult& minus)
     : title_(title_of(minus.run)) {
+    check_units(columns, minus);
     const WindowOrgans others(minus.run.scene);
     std::unordered_map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < others.all().size(); ++i) {

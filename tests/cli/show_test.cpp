@@ -111,6 +111,15 @@ TEST_F(ShowCommand, DrawsTheDifferenceOfTwoResults) {
         run({"show", "out.json", "-o", "p.png", "--minus", "other.json", "--error"}).status, 2);
 }
 
+TEST_F(ShowCommand, RefusesADifferenceOfUnits) {
+    ASSERT_EQ(run({"run", "run.toml"}).status, 0);
+    folder_.write("photons.toml", "irradiance_unit = \"umol m-2 s-1\"\n" + good_run_file());
+    ASSERT_EQ(run({"run", "photons.toml", "--json", "photons.json"}).status, 0);
+    expect_fault(
+        {"show", "out.json", "-o", "p.png", "--minus", "photons.json"},
+        "photons.json: absorbed flux density, PAR is in umol m-2 s-1 here, but in W m-2");
+}
+
 TEST_F(ShowCommand, DrawsWithoutABackground) {
     const std::string bare = drawn({"run.toml", "--background", "transparent"});
     ASSERT_GT(bare.size(), 25U);

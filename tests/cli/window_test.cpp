@@ -80,6 +80,10 @@ TEST_F(WindowCommand, WritesDifferencesOfResults) {
     EXPECT_EQ(run(report("other.json")).status, 0);
     const std::string html = folder_.read("p.html");
     EXPECT_NE(html.find("\"only_first\":2,\"only_other\":2"), std::string::npos);
+    folder_.write(
+        "photons.toml", "irradiance_unit = \"umol m-2 s-1\"\n" + folder_.read("run.toml"));
+    ASSERT_EQ(run({"run", "photons.toml", "--json", "photons.json"}).status, 0);
+    expect_fault(report("photons.json"), "is in umol m-2 s-1 here, but in W m-2");
 }
 
 TEST_F(WindowCommand, ServesUntilItIsInterrupted) {
