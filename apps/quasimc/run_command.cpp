@@ -110,6 +110,20 @@ void print_unlit(const quasimc::SeriesSummary& summary, bool has_times) {
     }
 }
 
+/// Warns on stderr if the run was stopped before the light on sensors was computed.
+void print_missing_sensors(const quasimc::RunFile& run, const quasimc::SeriesSummary& summary) {
+    if (summary.without_sensors > 0) {
+        const std::string when =
+            summary.computed > 1
+                ? fmt::format(
+                      "at {} of the {} computed times: ", summary.without_sensors, summary.computed)
+                : "";
+        print_warning(fmt::format(
+            "sensors: {}{}; the results have none there", when,
+            quasimc::describe_missing_sensors(run.spec, summary.stop)));
+    }
+}
+
 /// @param reading  started when reading the files began
 Exit run(
     const RunArguments& arguments,
@@ -130,6 +144,7 @@ Exit run(
     const Repetition repetition =
         judge_repetition(arguments, stored, repeated.digest, repeated.difference, sweep.all().stop);
     print_unlit(sweep.all(), stored.runs.size() > 1 || sweep.file().series.has_value());
+    print_missing_sensors(sweep.file(), sweep.all());
     print_audit(sweep.all().audit_p_value);
     if (!arguments.quiet) {
         sweep.writers().print_summary(

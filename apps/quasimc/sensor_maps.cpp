@@ -80,7 +80,8 @@ quasimc::ArrayMap map_of(
 /// Draws the maps of all arrays at the end.
 class SensorMaps final : public quasimc::OutputWriter {
   public:
-    explicit SensorMaps(const quasimc::OutputInput& input) : run_(&input.run), sink_(input.sink) {}
+    explicit SensorMaps(const quasimc::OutputInput& input)
+        : run_(&input.run), sink_(input.sink), where_(input.where) {}
 
     void next_run(
         const quasimc::RunFile& run, const quasimc::SeriesSummary& /*series_summary*/) override {
@@ -95,7 +96,12 @@ class SensorMaps final : public quasimc::OutputWriter {
         if (run_->series && series_summary.total.sensors) {
             draw(*quasimc::in_summed_units(*run_, series_summary.total).sensors);
         }
-        sink_(image_ ? quasimc::to_png(*image_) : std::string());
+        if (!image_) {
+            throw quasimc::InputError(
+                {{where_, "there is no light on sensors to draw",
+                  "the run was stopped before it was computed", ""}});
+        }
+        sink_(quasimc::to_png(*image_));
     }
     [[nodiscard]] bool wants(quasimc::SeriesPart part) const override {
         return part ==
@@ -118,6 +124,7 @@ class SensorMaps final : public quasimc::OutputWriter {
 
     const quasimc::RunFile* run_;
     quasimc::TextSink sink_;
+    std::string where_;
     std::optional<quasimc::Image> image_;
 };
 

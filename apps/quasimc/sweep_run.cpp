@@ -17,6 +17,7 @@ void add_point(const quasimc::SeriesSummary& point, quasimc::SeriesSummary& all)
     all.at_target += point.at_target;
     all.completed += point.completed;
     all.with_fewer_paths += point.with_fewer_paths;
+    all.without_sensors += point.without_sensors;
     all.stop = point.stop == quasimc::StopReason::finished ? all.stop : point.stop;
     // The smallest p value times the number of audits (Bonferroni).
     if (point.audited > 0) {

@@ -281,7 +281,8 @@ int quasimc_result_get_groups(
     double* values,
     int64_t count);
 
-/** Sensors ([[sensors]]): the number of their results. 0 without sensors. */
+/** Sensors ([[sensors]]): the number of their results. 0 without sensors, and if the run
+ *  was stopped before their light was computed. */
 int64_t quasimc_result_sensor_count(const quasimc_result* result);
 /** NULL and an error if there is no such sensor. */
 const char* quasimc_result_sensor_name(const quasimc_result* result, int64_t sensor);

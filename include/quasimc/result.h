@@ -263,7 +263,8 @@ struct Result {
     /// fractions and the light of parts. Their means add up to those of all light, to rounding.
     std::vector<OriginLight> origins;
     /// The light on sensors (Scene::sensors()), in their order, as that on organs; they absorb
-    /// none. Null without sensors. Result::rays and times include them.
+    /// none. Null without sensors, and if the run was stopped before their light was computed.
+    /// Result::rays and times include them.
     std::shared_ptr<const Result> sensors = {};
 
     ChosenMethod chosen;

@@ -105,6 +105,7 @@ struct SeriesSummary {
         0;  ///< number of time steps reported; fewer than all if the series was stopped
     std::size_t with_fewer_paths =
         0;  ///< number of computed time steps with fewer paths than requested, for lack of time
+    std::size_t without_sensors = 0;  ///< number of them that were stopped before their sensors
     /// finished; or the reason for missing time steps or paths: time_limit or interrupted.
     StopReason stop = StopReason::finished;
     std::size_t audited = 0;  ///< number of computed time steps that were audited

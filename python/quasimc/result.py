@@ -148,7 +148,10 @@ class Result(Light):
 
     @cached_property
     def sensors(self):
-        """Light on sensors: dict, name of a set -> `Sensors`, in the order in which they were added."""
+        """Light on sensors: dict, name of a set -> `Sensors`, in the order in which they were added.
+
+        Empty if the run was stopped before it was computed; `sensors["bench"]` is then a KeyError.
+        """
         return sensors_by_name(self._sensor_light, self.organs)
 
     @cached_property

@@ -155,16 +155,27 @@ def free_sensor_variables(sensors, taken):
             return variables, coordinates
 
 
+class _NotComputed(dict):
+    """No sensors, in a result of a scene that has some."""
+
+    def __missing__(self, key):
+        raise KeyError(
+            f"there is no light on sensors {key!r}: the run was stopped before it was computed"
+        )
+
+
 def sensors_by_name(light, organs, is_sum=False):
     """The sets of sensors by name: dict of `Sensors`.
 
     Parameters
     ----------
     light : dict or None
-        Values of the core.
+        Values of the core; None if they were not computed.
     """
+    if light is None and organs.sensor_sets:
+        return _NotComputed()
     sets, first = {}, 0
-    for own in organs.sensor_sets if light is not None else ():
+    for own in organs.sensor_sets:
         rows = slice(first, first + len(own["names"]))
         sets[own["name"]] = Sensors(own, rows, light, organs, is_sum)
         first = rows.stop

@@ -240,7 +240,9 @@ const DetectorResult& detector_of(const quasimc_result* result, const char* name
 const Result& sensors_of(const quasimc_result* result) {
     const auto& sensors = deref(result, "result").result.sensors;
     if (!sensors) {
-        throw Misuse("the scene has no sensors");
+        throw Misuse(
+            "the result has no sensors: the scene has none, or the run was stopped before their "
+            "light was computed");
     }
     return *sensors;
 }

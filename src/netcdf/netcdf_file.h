@@ -24,7 +24,7 @@ struct NetcdfBlock {
     std::vector<std::size_t> start, count;
 };
 
-/// A netCDF-4 file under construction. First everything is defined, then values are written. The
+/// A netCDF-4 file under construction. Variables are defined before their values are written. The
 /// file has no name, so that it disappears if the program ends early.
 class NetcdfFile {
   public:

@@ -75,28 +75,37 @@ class SensorAxes {
 
 }  // namespace
 
-NetcdfSensors::NetcdfSensors(const RunFile& run, NetcdfAxes& axes, NetcdfFile& file) {
-    SensorAxes own(run, axes, file);
+void NetcdfSensors::define(const RunFile& run) {
+    if (!sets_.empty()) {
+        return;
+    }
+    SensorAxes own(run, axes_, file_);
     std::size_t first = 0;
     for (const SensorSet& set : run.scene.sensors()) {
-        sets_.emplace_back(run, axes, own.add(set, first));
+        sets_.emplace_back(run, axes_, own.add(set, first));
         first += set.rows();
     }
 }
 
-void NetcdfSensors::put(const std::vector<std::size_t>& start, const Result& result) {
+void NetcdfSensors::put(
+    const RunFile& run, const std::vector<std::size_t>& start, const Result& result) {
+    if (!result.sensors) {
+        return;
+    }
+    define(run);
     for (LightVariables& set : sets_) {
-        if (result.sensors) {
-            set.put(start, *result.sensors);
-        }
+        set.put(start, *result.sensors);
     }
 }
 
-void NetcdfSensors::put_day(const std::vector<std::size_t>& start, const SeriesSum& sum) {
+void NetcdfSensors::put_day(
+    const RunFile& run, const std::vector<std::size_t>& start, const SeriesSum& sum) {
+    if (!sum.sensors) {
+        return;
+    }
+    define(run);
     for (LightVariables& set : sets_) {
-        if (sum.sensors) {
-            set.put_day(start, *sum.sensors);
-        }
+        set.put_day(start, *sum.sensors);
     }
 }
 

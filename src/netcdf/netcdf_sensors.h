@@ -14,15 +14,21 @@ namespace quasimc {
 /// shape.
 class NetcdfSensors {
   public:
-    /// Defines the variables and writes names and positions. @param axes  must outlive this
-    NetcdfSensors(const RunFile& run, NetcdfAxes& axes, NetcdfFile& file);
+    /// @param axes, file  must outlive this
+    NetcdfSensors(NetcdfAxes& axes, NetcdfFile& file) : axes_(axes), file_(file) {}
 
     /// Writes the light of a time step. @param start  indices along the axes of the sweep, and time
-    void put(const std::vector<std::size_t>& start, const Result& result);
+    void put(const RunFile& run, const std::vector<std::size_t>& start, const Result& result);
     /// Writes the sum of a day, which is in the units of sums (in_summed_units).
-    void put_day(const std::vector<std::size_t>& start, const SeriesSum& sum);
+    void put_day(const RunFile& run, const std::vector<std::size_t>& start, const SeriesSum& sum);
 
   private:
+    /// Defines the variables and writes names and positions, with the first light: a run that was
+    /// stopped has none.
+    void define(const RunFile& run);
+
+    NetcdfAxes& axes_;
+    NetcdfFile& file_;
     std::vector<LightVariables> sets_;
 };
 

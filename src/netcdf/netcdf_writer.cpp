@@ -29,7 +29,7 @@ class NetcdfLight final : public NetcdfWriter {
           axes_(run, file_),
           organ_light_(run, axes_, file_),
           detectors_(run, axes_),
-          sensors_(run, axes_, file_),
+          sensors_(axes_, file_),
           controls_(run, axes_),
           gaps_(run, axes_, file_) {
         file_.add_attributes(netcdf_attributes(run, program_version));
@@ -55,7 +55,7 @@ class NetcdfLight final : public NetcdfWriter {
         }
         organ_light_.put(start, result);
         detectors_.put(start, result);
-        sensors_.put(start, result);
+        sensors_.put(*run_, start, result);
     }
 
     void on_day(std::size_t day, const SeriesSum& sum) override {
@@ -71,7 +71,7 @@ class NetcdfLight final : public NetcdfWriter {
         std::vector<std::size_t> start = axes_.indices_of(*run_);
         start.push_back(day);
         organ_light_.put_day(start, sum);
-        sensors_.put_day(start, sum);
+        sensors_.put_day(*run_, start, sum);
     }
 
     void add_controls(const std::vector<ControlOutcome>& outcomes) override {

@@ -110,6 +110,10 @@ std::string describe_stop(const RunSpec& spec, const Result& result) {
         lacks_audit ? ", without the audit" : "");
 }
 
+std::string describe_missing_sensors(const RunSpec& spec, StopReason stop) {
+    return fmt::format("not computed, as the run was stopped before them ({})", reason(spec, stop));
+}
+
 std::string describe_stop(const RunFile& run, const SeriesSummary& summary) {
     const std::string why = reason(run.spec, summary.stop);
     if (why.empty()) {

@@ -35,6 +35,9 @@ namespace quasimc {
 
 /// The reason why a result has fewer paths than requested; empty if it has all.
 [[nodiscard]] std::string describe_stop(const RunSpec& spec, const Result& result);
+/// The reason why a result of a scene with sensors has no light on them: the run was stopped.
+/// @param stop  Result::stop, SeriesSummary::stop
+[[nodiscard]] std::string describe_missing_sensors(const RunSpec& spec, StopReason stop);
 /// The reason why a series has fewer time steps or paths than requested; empty if it has all.
 [[nodiscard]] std::string describe_stop(const RunFile& run, const SeriesSummary& summary);
 

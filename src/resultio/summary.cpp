@@ -274,6 +274,15 @@ std::string series_lines(const RunFile& run, const SeriesSummary& summary) {
     return text;
 }
 
+std::string sensors_line(const RunFile& run, const Result& result) {
+    if (run.scene.sensors().empty()) {
+        return "";
+    }
+    return line(
+        "sensors", result.sensors ? describe_sensors(*result.sensors)
+                                  : describe_missing_sensors(run.spec, result.stop));
+}
+
 /// How the one time of a run without [time] was computed.
 std::string result_lines(const RunFile& run, const Result& result) {
     CanopySum canopy(run.scene);
@@ -285,8 +294,7 @@ std::string result_lines(const RunFile& run, const Result& result) {
             run.scene, result.budget, result.escaped_by_difference,
             [&](const Band& band) { return flux_unit(band.unit, run.scene.length_unit()); }) +
         origin_lines(run, result) + canopy_lines(run, canopy, &result.groups) +
-        error_line(run, error_statistics(run.scene, result)) +
-        (result.sensors ? line("sensors", describe_sensors(*result.sensors)) : "");
+        error_line(run, error_statistics(run.scene, result)) + sensors_line(run, result);
     for (const std::string& words : audit_lines(run, result)) {
         text += line("audit", words);
     }

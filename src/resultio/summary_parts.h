@@ -34,6 +34,7 @@ inline constexpr double kBadlyKnown = 0.5;
 [[nodiscard]] std::string advice_on_error(const RunFile& run, double median);
 
 /// The number of sensors, and the errors of the light on the brighter side of each.
+/// @param sensors  Result::sensors
 [[nodiscard]] std::string describe_sensors(const Result& sensors);
 /// Whether the target of a run was reached, and by how much of its light.
 [[nodiscard]] std::string describe_target(const RunFile& run, const Result& result);

@@ -12,6 +12,7 @@
 
 #include "base/text.h"
 #include "resultio/csv_parts.h"
+#include "resultio/describe_result.h"
 #include "resultio/describe_series.h"
 #include "resultio/output_input.h"
 #include "resultio/sweep_sum.h"
@@ -96,22 +97,19 @@ class TableWriter final : public OutputWriter {
     }
 
     void on_time_step(const TimeStepResult& step) override {
-        const auto& sensors = step.result.sensors;
-        if (is_of_sensors() && sensors && std::isnan(sensors->values.front().mean)) {
-            lacks_sensors_ = true;
-        }
-        if (is_summed(table_.times) || (is_of_sensors() && !step.result.sensors)) {
+        const Result* result = is_of_sensors() ? step.result.sensors.get() : &step.result;
+        lacks_sensors_ = lacks_sensors_ || result == nullptr;
+        if (is_summed(table_.times)) {
             return;
         }
         if (!std::exchange(has_head_, true)) {
             write_head(&step.result);
         }
-        if (!is_written(*run_, step.time_step, step.result)) {
+        if (result == nullptr || !is_written(*run_, step.time_step, step.result)) {
             return;
         }
         const std::string time = run_->series ? run_->series->notes[step.time_step].time + "," : "";
-        const Result& result = is_of_sensors() ? *step.result.sensors : step.result;
-        write_rows(csv_point_fields(*run_) + time, {&result, nullptr}, result.groups);
+        write_rows(csv_point_fields(*run_) + time, {result, nullptr}, result->groups);
     }
 
     void on_day(std::size_t day, const SeriesSum& sum) override {
@@ -189,12 +187,21 @@ class TableWriter final : public OutputWriter {
                 run, is_of_groups()    ? "table of groups"
                      : is_of_sensors() ? "table of sensors"
                                        : "table of organs") +
-            (run.series ? series_comments(run) : "") +
-            (is_single ? csv_result_comments(run, is_of_sensors() ? *result->sensors : *result)
-                       : ""));
+            (run.series ? series_comments(run) : "") + (is_single ? result_comments(*result) : ""));
         sink_(first.comments + comments());
         add_names(first.names);
         sink_(fmt::format("{}\n", fmt::join(first.names, ",")));
+    }
+
+    /// @param result  the only one
+    [[nodiscard]] std::string result_comments(const Result& result) const {
+        if (!is_of_sensors()) {
+            return csv_result_comments(*run_, result);
+        }
+        return result.sensors
+                   ? csv_result_comments(*run_, *result.sensors)
+                   : fmt::format(
+                         "# sensors: {}\n", describe_missing_sensors(run_->spec, result.stop));
     }
 
     /// The columns before those of rows, and their comments.

@@ -216,19 +216,19 @@ void Simulator::State::add_sensors(
     early.stop_at(control.deadline.latest());
     const Scene all = scene_with_sensors(scene);
     const RunSpec own = spec_of_sensors(scene, spec);
-    Result sensors;
     try {
-        sensors = sensors_of(
+        Result sensors = sensors_of(
             trace({all, sources, own, control, {}, control.deadline, role, Clock::now()}, early),
             scene);
+        sensors.chosen = {Method::from_organs, "paths start on the sensors"};
+        add_sunlit_of_hidden_suns(scene_of_sensors(scene), sources, sensors);
+        add_work(sensors, own, spec_of_organs(scene, spec), result);
+        result.sensors = std::make_shared<const Result>(std::move(sensors));
     } catch (const StopRequested&) {
-        sensors = unknown_sensors(scene, own);
-        sensors.stop = early.why();
+        Result none;
+        none.stop = early.why();
+        add_work(none, own, spec_of_organs(scene, spec), result);
     }
-    sensors.chosen = {Method::from_organs, "paths start on the sensors"};
-    add_sunlit_of_hidden_suns(scene_of_sensors(scene), sources, sensors);
-    add_work(sensors, own, spec_of_organs(scene, spec), result);
-    result.sensors = std::make_shared<const Result>(std::move(sensors));
 }
 
 Result Simulator::State::light_on_sensors(

@@ -148,22 +148,4 @@ Result sensors_of(Result all, const Scene& scene) {
     return all;
 }
 
-Result unknown_sensors(const Scene& scene, const RunSpec& spec) {
-    const std::size_t rows = sensor_rows(scene);
-    Result result;
-    result.bands = scene.bands().size();
-    result.ratios = spec.ratios.size();
-    result.names = scene_of_sensors(scene).names();
-    result.values.assign(rows * kQuantities * result.bands, kUnknownEstimate);
-    result.ratio_values.assign(rows * result.ratios, kUnknownEstimate);
-    result.replicates = spec.replicates;
-    RunSpec plain = spec;
-    plain.origins.clear();
-    plain.ratios.clear();
-    for (const std::string& origin : spec.origins) {
-        result.origins.push_back({origin, unknown_sensors(scene, plain)});
-    }
-    return result;
-}
-
 }  // namespace quasimc

@@ -27,7 +27,4 @@ void check_sensor_light(const Scene& scene, const Sources& sources, Faults& faul
 /// @param scene  with the sensors
 [[nodiscard]] Result sensors_of(Result all, const Scene& scene);
 
-/// The result of sensors whose light was not computed, because the run was stopped.
-[[nodiscard]] Result unknown_sensors(const Scene& scene, const RunSpec& spec);
-
 }  // namespace quasimc

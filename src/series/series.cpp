@@ -165,6 +165,7 @@ class SeriesRun final : public SeriesSteps {
             ++summary_.with_fewer_paths;
             end_series(result.stop, summary_);
         }
+        summary_.without_sensors += !in_.scene.sensors().empty() && !result.sensors ? 1 : 0;
         ++summary_.methods[result.chosen.method];
         const bool is_unlit = result.stop == StopReason::no_light;
         summary_.unlit += is_unlit ? 1 : 0;

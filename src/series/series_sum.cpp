@@ -42,6 +42,7 @@ void SeriesAdder::add_part(const Result& result, const Result* sensors, double w
 
 void SeriesAdder::add(const Result& result, double weight, double seconds) {
     const Result* sensors = result.sensors.get();
+    lacks_sensors_ = lacks_sensors_ || sensors == nullptr;
     add_part(result, sensors, weight, all_);
     add_shares(result, weight, freedom_of(result));
     for (std::size_t i = 0; i < result.origins.size(); ++i) {
@@ -120,7 +121,7 @@ SeriesSum SeriesAdder::sum(
         sum.origins.push_back({part.name, sum_of(part)});
         sensors.origins.push_back({part.name, sensors_of(part)});
     }
-    if (of_sensors > 0) {
+    if (of_sensors > 0 && !lacks_sensors_) {
         sum.sensors = std::make_shared<const SeriesSum>(std::move(sensors));
     }
     return sum;

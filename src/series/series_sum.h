@@ -33,7 +33,7 @@ class SeriesAdder {
     void add_seconds(double seconds) { seconds_ += seconds; }
     /// @param values  number of values, in case nothing was added
     /// @param groups  gets the values
-    /// @param of_sensors  number of values of sensors
+    /// @param of_sensors  number of values of sensors, which are summed if all results have them
     [[nodiscard]] SeriesSum sum(
         std::size_t bands,
         std::size_t values,
@@ -54,6 +54,7 @@ class SeriesAdder {
     Part all_;
     std::vector<Part> origins_;
     std::vector<TimeQuotient> shares_;  // as GroupResults::shares
+    bool lacks_sensors_ = false;        // whether a result lacks its sensors
     bool has_parts_ = false;
     SunShadeAdder organ_parts_, group_parts_;
     double seconds_ = 0;

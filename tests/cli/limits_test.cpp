@@ -83,6 +83,33 @@ TEST_F(LimitsTest, AClosedWhiteBoxIsLeftWithoutAFile) {
     EXPECT_FALSE(std::filesystem::exists(folder_.path() / "box.csv"));
 }
 
+/// Paths end outside of the box, but never within, where the sensors are.
+TEST_F(LimitsTest, SensorsThatTheTimeDidNotReachAreAbsent) {
+    std::string file = white_box();
+    file.replace(file.find("position = [0.5, 0.5, 0.5]"), 26, "position = [0.5, 0.5, 2.5]");
+    folder_.write(
+        "box.toml",
+        file +
+            "[[sensors]]\nname = \"bench\"\nat = { start = [0.2, 0.2, 0.5], along = [0.5, 0, 0], "
+            "across = [0, 0.5, 0], counts = [2, 2] }\n");
+    const Outcome outcome = run_within(
+        0.5,
+        {"run", "box.toml", "--paths", "256", "--replicates", "2", "--sensors-csv", "sensors.csv",
+         "--sensors-picture", "sensors.png", "--json", "box.json"},
+        "stopped");
+    EXPECT_EQ(outcome.status, 2) << outcome.err;
+    const std::string reason = "not computed, as the run was stopped before them (max_seconds = ";
+    EXPECT_TRUE(contains(outcome.err, "warning: sensors: " + reason)) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "\nsensors   " + reason)) << outcome.out;
+    EXPECT_TRUE(contains(outcome.err, "there is no light on sensors to draw")) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_.path() / "sensors.png"));
+    const std::string table = folder_.read("sensors.csv");
+    EXPECT_TRUE(contains(table, "\n# sensors: " + reason)) << table;
+    EXPECT_FALSE(contains(table, "\n1,bench")) << table;
+    EXPECT_TRUE(contains(folder_.read("box.csv"), "\n6,wall"));
+    EXPECT_EQ(run({"convert", "box.json", "again.vtp"}).status, 0);
+}
+
 TEST_F(LimitsTest, ASeriesSharesItsTime) {
     folder_.write(
         "days.toml",

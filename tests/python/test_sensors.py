@@ -193,3 +193,18 @@ def same_light(one, other):
 
 def other_seed(scene):
     return scene.run(**{**FEW, "seed": 4}, origins=["sun", "sky"])
+
+
+def test_sensors_that_a_stopped_run_did_not_reach_are_absent():
+    scene = quasimc.Scene("PAR")
+    scene.add_material("white", reflectance=1)
+    scene.add_organ("sphere", material="white", center=[0, 0, 0], radius=1)
+    scene.add_sensors([0, 0, 0.5], name="inside")
+    scene.sources.append(quasimc.Source("uniform_sky", irradiance_horizontal=1))
+    result = scene.run(max_seconds=1, method="light_tracing", **FEW)  # no path leaves the sphere
+    assert result.run.stop == "time_limit"
+    assert dict(result.sensors) == {}
+    with pytest.raises(KeyError, match="'inside': the run was stopped before it was computed"):
+        result.sensors["inside"]
+    assert result["absorbed_flux"].values.shape == (1, 1)
+    assert dict(pickle.loads(pickle.dumps(result)).sensors) == {}

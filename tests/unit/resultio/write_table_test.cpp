@@ -265,6 +265,30 @@ TEST(Tables, OfSensorsHaveNoLightOfParts) {
         "quantities: there is no 'incident_upper_sunlit' in such a table"));
 }
 
+/// A stopped run writes no rows of sensors that were not computed, and no text that claims some.
+TEST(Sensors, OfAStoppedRunAreAbsentInFiles) {
+    RunFile run = read_text(with_sensors("").text());
+    run.spec.max_seconds = 2;
+    Result result = quasimc::run(run.scene, run.sources, run.spec);
+    result.sensors = nullptr;
+    result.stop = StopReason::time_limit;
+    std::string out;
+    const TextSink sink = [&](std::string_view piece) { out += piece; };
+    const TableSpec& table = run.output.tables.at(0);
+    const auto writer = make_table({run, sink, table.file, table.location, &table});
+    writer->on_time_step({0, result});
+    writer->finish({});
+    const std::string reason =
+        "not computed, as the run was stopped before them (max_seconds = 2 reached)";
+    EXPECT_NE(out.find("\n# sensors: " + reason + "\n"), std::string::npos) << out;
+    EXPECT_EQ(rows_of(out).size(), 1U) << "the names of columns";
+    EXPECT_NE(summary(run, result, {}).find("\nsensors   " + reason + "\n"), std::string::npos);
+    out.clear();
+    write_json(run, result, sink);
+    EXPECT_EQ(out.rfind("\"sensors\": ["), out.find("\"sensors\": [")) << "only the run file's";
+    EXPECT_GT(out.rfind("\"organs\": ["), out.rfind("\"sensors\": ["));
+}
+
 /// Both sides in JSON, and the fluence rate of a sphere; no sensor among the organs.
 TEST(Sensors, AreBesideTheOrgansInJson) {
     const RunFile run = read_text(with_sensors("").text());

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stop_token>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -383,6 +384,48 @@ TEST(SensorSets, AreSummedOverDays) {
     EXPECT_NEAR(
         summary.total.sensors->at(1, Quantity::incident_upper, 0).mean,
         first.mean * (3600 + .5 * 1800), 1e-8);
+}
+
+/// Stops a run when the light on organs is complete.
+class StoppingAfterOrgans final : public RunListener {
+  public:
+    void on_last_round(const RunSoFar& /*run*/) override { source_.request_stop(); }
+    [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+  private:
+    std::stop_source source_;
+};
+
+TEST(SensorSets, AreAbsentIfTheRunIsStoppedBeforeThem) {
+    SceneBuilder builder = infinite_stand();
+    builder.add_sensors(set_at("points", {{.5, .5, .1}, {.2, .5, 2}}));
+    const Scene scene = std::move(builder).build();
+    StoppingAfterOrgans stopping;
+    const Result result =
+        run(scene, {sky({1})}, spec_for_sensors(),
+            {.stop = stopping.token(), .listeners = {&stopping}});
+    EXPECT_EQ(result.sensors, nullptr);
+    EXPECT_EQ(result.stop, StopReason::interrupted);
+    EXPECT_GT(result.at(0, Quantity::absorbed_flux, 0).mean, 0) << "the organs are complete";
+}
+
+/// A sum needs the sensors of all of its times.
+TEST(SensorSets, AreAbsentInTheSumOfASeriesThatIsStoppedBeforeThem) {
+    SceneBuilder builder = infinite_stand();
+    builder.add_sensors(set_at("points", {{.5, .5, .1}, {.2, .5, 2}}));
+    const Scene scene = std::move(builder).build();
+    const std::vector<TimeStep> steps{
+        {.name = "night", .sources = {}, .directional_key = "", .seconds = 600},
+        {.name = "day", .sources = {sky({1})}, .directional_key = "sky", .seconds = 3600}};
+    StoppingAfterOrgans stopping;
+    Listening listening;
+    const SeriesSummary summary = run_series(
+        scene, steps, spec_for_sensors(),
+        {.stop = stopping.token(), .listeners = {&stopping, &listening}});
+    EXPECT_EQ(summary.completed, 2U);
+    EXPECT_EQ(summary.without_sensors, 1U);
+    EXPECT_EQ(summary.total.sensors, nullptr);
+    EXPECT_GT(summary.total.at(0, Quantity::absorbed_flux, 0).mean, 0);
 }
 
 std::string faults_of_sensors(const Scene& scene, const Sources& sources) {
