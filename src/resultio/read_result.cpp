@@ -96,9 +96,9 @@ bool names_a_file(const Member& key) {
         keys.begin(), keys.end(), [&](const OutputKey& output) { return output.name == key.key; });
 }
 
-/// Removes tables and the paths of outputs; the choice of quantities and bands stays.
+/// Removes the paths of [output], which flags name again; tables and the choice of quantities and
+/// bands stay.
 void forget_outputs(Node::Table& members) {
-    std::erase_if(members, [](const Member& member) { return member.key == "table"; });
     for (Member& member : members) {
         auto* output = std::get_if<Node::Table>(&member.node.value);
         if (member.key == "output" && output != nullptr) {

@@ -83,6 +83,35 @@ TEST_F(PartsTest, HaveTheSensorsOfTheWhole) {
     EXPECT_NE(rows("w.csv").find("2,sensors 2,0.5,0.5,0.5,sensors"), std::string::npos);
 }
 
+/// Rows of organs and of the sum over a sweep, without their comments on inputs.
+TEST_F(PartsTest, HaveTheTablesOfTheWhole) {
+    const std::string tables =
+        "[[table]]\nfile = \"organs.csv\"\n"
+        "[[table]]\nfile = \"sum.csv\"\nrows = \"groups\"\nper = \"sweep\"\n"
+        "[sweep]\nseed = [1, 2]\nweights = [1, 3]\n";
+    folder_.write("tables.toml", good_run_file() + tables);
+    const auto rows_of = [&](const std::string& name, const std::string& first) {
+        const std::string text = folder_.read(name);
+        return text.substr(text.find("\n" + first));
+    };
+    ASSERT_EQ(run({"run", "tables.toml", "--json", "whole.json"}).status, 0);
+    const std::string organs = rows_of("organs.csv", "seed,id,");
+    const std::string sum = rows_of("sum.csv", "by,");
+    for (const char* again : {"merge", "run"}) {
+        folder_.write("organs.csv", "");
+        folder_.write("sum.csv", "");
+        const bool is_merged = std::string(again) == "merge";
+        if (is_merged) {
+            compute_parts(2, {"tables.toml"});
+        }
+        const Outcome outcome =
+            is_merged ? run({"merge", "p1", "p2"}) : run({"run", "--repeat", "whole.json"});
+        ASSERT_EQ(outcome.status, 0) << outcome.err;
+        EXPECT_EQ(rows_of("organs.csv", "seed,id,"), organs) << again;
+        EXPECT_EQ(rows_of("sum.csv", "by,"), sum) << again;
+    }
+}
+
 TEST_F(PartsTest, MayBeMoreThanThereIsWork) {
     compute_parts(41, {"run.toml", "--paths", "64", "--replicates", "2"});
     std::vector<std::string> words{"merge", "--csv", "m.csv"};

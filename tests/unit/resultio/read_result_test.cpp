@@ -22,7 +22,9 @@ class StoredRunTest : public FolderTest {
         RunText text;
         text.run = "[run]\npaths = 256\nreplicates = 3\nseed = 11\nlayer_heights = [0, 0.5, 2]\n";
         text.organs = "[[geometry]]\nfile = 'leaves.tri'\nmaterial = 'leaf'\n";
-        text.rest = "[output]\ncsv = 'a.csv'\nquantities = ['incident_upper']\n";
+        text.rest =
+            "[output]\ncsv = 'a.csv'\nquantities = ['incident_upper']\n"
+            "[[table]]\nfile = 't.csv'\n";
         folder_.write("here/run.toml", text.text());
         folder_.write("here/leaves.tri", "0 0 0 1 0 0 0 1 0\n0.2 0 1 1 0 1.3 0 1 1\n");
         const RunFile run = read_run_file((folder_.path() / "here/run.toml").string());
@@ -53,12 +55,15 @@ TEST_F(StoredRunTest, GivesTheSameNumbersAgain) {
     EXPECT_EQ(digest_of_organs(run, quasimc::run(run.scene, run.sources, run.spec)), digest_);
 }
 
-TEST_F(StoredRunTest, KeepsOptionsAndForgetsOutputs) {
+TEST_F(StoredRunTest, KeepsOptionsAndTablesAndForgetsOtherOutputs) {
     const RunFile run = read_result_sweep(result_.string()).runs.take(0);
     EXPECT_EQ(run.spec.paths, 256U);
     EXPECT_EQ(run.spec.seed, 11U);
     EXPECT_EQ(run.spec.layer_heights, (std::vector<double>{0, .5, 2}));
     EXPECT_TRUE(run.output.files.empty());
+    ASSERT_EQ(run.output.tables.size(), 1U);
+    EXPECT_EQ(run.output.tables[0].file, (folder_.path() / "here/t.csv").string())
+        << "beside the result";
     EXPECT_EQ(run.output.quantities, std::vector<std::string>{"incident_upper"});
     EXPECT_EQ(run.inputs.size(), 2U);
 }
