@@ -43,6 +43,8 @@ struct SeriesSum {
     /// area is its mean over area and time.
     std::vector<Estimate> sunlit_hours = {};
     SunShadeLight sun_shade = {};
+    /// As Result::canopy: flux x s on the horizontal, and fractions that are quotients of sums.
+    std::vector<CanopyFractions> canopy = {};
     std::vector<OriginSum> origins;  ///< each origin alone, as Result::origins
     /// The light on sensors, as Result::sensors; null without sensors.
     std::shared_ptr<const SeriesSum> sensors = {};

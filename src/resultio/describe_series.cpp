@@ -74,6 +74,9 @@ SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
             (*values)[i] = scaled((*values)[i], factors[i % factors.size()]);
         }
     }
+    for (std::size_t b = 0; b < sum.canopy.size(); ++b) {
+        sum.canopy[b].incident *= factors[b];
+    }
     for (SunShadeLight* light : {&sum.sun_shade, &sum.groups.sun_shade}) {
         for (std::size_t i = 0; i < light->values.size(); ++i) {
             const auto& entry = sun_shade_table()[i / light->bands % kSunShadeQuantities];

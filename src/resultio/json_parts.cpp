@@ -109,20 +109,6 @@ Json audit_of(const Scene& scene, const std::optional<Audit>& audit) {
             {"level", kAuditLevel},  {"agrees", audit->agrees()},       {"bands", bands}};
 }
 
-Json canopy_of(const Scene& scene, const Result& result) {
-    Json object = Json::object();
-    for (std::size_t b = 0; b < result.canopy.size(); ++b) {
-        const Band& band = scene.bands()[b];
-        Json& one = object[band.name];
-        one["unit"] = flux_unit(band.unit, scene.length_unit());
-        one["incident"] = result.canopy[b].incident;
-        for (const FractionEntry& entry : fraction_table()) {
-            one[std::string(entry.name)] = json_estimate(result.canopy[b].*entry.part);
-        }
-    }
-    return object;
-}
-
 Json detectors_of(const Scene& scene, const Result& result) {
     Json list = Json::array();
     for (const DetectorResult& detector : result.detectors) {
@@ -222,6 +208,22 @@ std::string_view stop_name(StopReason stop) {
     }
 }
 
+Json json_canopy(
+    const Scene& scene,
+    const std::vector<CanopyFractions>& canopy,
+    const std::vector<std::string>& units) {
+    Json object = Json::object();
+    for (std::size_t b = 0; b < canopy.size(); ++b) {
+        Json& one = object[scene.bands()[b].name];
+        one["unit"] = units[b];
+        one["incident"] = canopy[b].incident;
+        for (const FractionEntry& entry : fraction_table()) {
+            one[std::string(entry.name)] = json_estimate(canopy[b].*entry.part);
+        }
+    }
+    return object;
+}
+
 Json json_light(std::span<const Band> bands, const std::string& length_unit, const Result& result) {
     Json light = {
         {"method", {{"used", method_name(result.chosen.method)}, {"reason", result.chosen.reason}}},
@@ -244,7 +246,11 @@ Json json_light(const RunFile& run, const Result& result) {
     light["method"]["requested"] = method_name(run.spec.method);
     light["audit"] = audit_of(run.scene, result.audit);
     if (!result.canopy.empty()) {
-        light["canopy"] = canopy_of(run.scene, result);
+        std::vector<std::string> units;
+        for (const Band& band : run.scene.bands()) {
+            units.push_back(flux_unit(band.unit, run.scene.length_unit()));
+        }
+        light["canopy"] = json_canopy(run.scene, result.canopy, units);
     }
     if (!result.detectors.empty()) {
         light["detectors"] = detectors_of(run.scene, result);

@@ -33,6 +33,11 @@ inline constexpr int kResultVersion = 2;
     std::span<const Band> bands, const std::string& length_unit, const Result& result);
 /// A result of a run file: also requested method, audit, canopy and detectors.
 [[nodiscard]] Json json_light(const RunFile& run, const Result& result);
+/// The light on the horizontal, and the fractions of a canopy. @param units  of fluxes, by band
+[[nodiscard]] Json json_canopy(
+    const Scene& scene,
+    const std::vector<CanopyFractions>& canopy,
+    const std::vector<std::string>& units);
 [[nodiscard]] Json json_estimate(const Estimate& estimate);
 [[nodiscard]] Json json_vector(const Vec3& vector);
 

@@ -48,6 +48,7 @@ SweepSum::SweepSum(const RunFile& first, const TableSpec& table)
     light_ = none;
     origins_.assign(written_columns(first).origins.size(), none);
     incident_ = ReplicateSum(replicates, bands_);
+    canopy_ = ReplicateSum(replicates, bands_ * fraction_table().size());
     areas_.assign(rows_, 1);
 }
 
@@ -59,6 +60,10 @@ void SweepSum::choose_quantities() {
         is_of(CsvRows::groups) && std::ranges::any_of(share_table(), [&](const ShareEntry& entry) {
             return is_asked(entry.name);
         });
+    has_fractions_ = is_of(CsvRows::groups) &&
+                     std::ranges::any_of(fraction_table(), [&](const FractionEntry& entry) {
+                         return is_asked(entry.name);
+                     });
     for (const QuantityEntry& entry : quantity_table()) {
         const bool is_whole_of_share = has_shares && entry.quantity == Quantity::absorbed_flux;
         const bool is_on_spheres = is_of(CsvRows::sensors) && is_asked(kFluenceRate) &&
@@ -104,13 +109,13 @@ void SweepSum::add(const SeriesSums& sums) {
     light.add(
         combine_replicates(sums.sums, sums.scene, sums.spec, rows.organs, quantities_), factor);
     if (!is_of_origin && is_of(CsvRows::groups)) {
-        add_incident(sums, factor);
+        add_canopy(sums, factor);
     }
 }
 
-void SweepSum::add_incident(const SeriesSums& sums, double weight) {
-    const std::vector<std::vector<double>> flux =
-        horizontal_flux(read_flows(sums.sums, sums.scene), sums.scene, sums.spec);
+void SweepSum::add_canopy(const SeriesSums& sums, double weight) {
+    const BandFlows flows = read_flows(sums.sums, sums.scene);
+    const std::vector<std::vector<double>> flux = horizontal_flux(flows, sums.scene, sums.spec);
     is_incident_known_ = is_incident_known_ && !flux.empty();
     if (!is_incident_known_) {
         return;
@@ -122,10 +127,14 @@ void SweepSum::add_incident(const SeriesSums& sums, double weight) {
         }
     }
     incident_.add(all, weight);
+    if (has_fractions_) {
+        canopy_.add(canopy_replicates(flows, sums.sums, sums.scene, sums.spec), weight);
+    }
 }
 
 void SweepSum::end_point(bool is_complete) {
     light_.end_point();
+    canopy_.end_point();
     for (ReplicateSum& origin : origins_) {
         origin.end_point();
     }
@@ -196,6 +205,26 @@ std::vector<Estimate> SweepSum::shares() const {
     return shares;
 }
 
+std::vector<CanopyFractions> SweepSum::canopy() const {
+    std::vector<CanopyFractions> all(has_fractions_ && is_incident_known_ ? bands_ : 0);
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        all[b].incident = incident_.estimate(b, per_weight()).mean;
+        for (std::size_t i = 0; i < fraction_table().size(); ++i) {
+            const std::size_t own = b * fraction_table().size() + i;
+            const auto part = fraction_table()[i].part;
+            Estimate& fraction = all[b].*part;
+            fraction = share_of(canopy_.values(own), canopy_.estimate(own, 1), incident_.values(b));
+            const bool is_absorbed = part == &CanopyFractions::absorptance ||
+                                     part == &CanopyFractions::ground_absorptance;
+            if (is_absorbed && fraction.mean > 0) {
+                const double incident = estimate_mean(incident_.values(b)).mean;
+                fraction = widened(fraction, canopy_.size(own) * (1 / incident));
+            }
+        }
+    }
+    return all;
+}
+
 SeriesSum SweepSum::sum_of(const ReplicateSum& light) const {
     SeriesSum sum;
     sum.bands = bands_;
@@ -217,6 +246,7 @@ SeriesSum SweepSum::sum() const {
     }
     if (is_of(CsvRows::groups)) {
         sum.groups.shares = shares();
+        sum.canopy = canopy();
     }
     if (is_of(CsvRows::sensors)) {
         SeriesSum with_sensors;

@@ -59,21 +59,24 @@ class SweepSum {
     /// The factor that makes a mean of a sum; 1 with [time].
     [[nodiscard]] double per_weight() const;
     void choose_quantities();
-    void add_incident(const SeriesSums& sums, double weight);
+    void add_canopy(const SeriesSums& sums, double weight);
     [[nodiscard]] std::vector<Estimate> values_of(const ReplicateSum& light) const;
     [[nodiscard]] std::vector<Estimate> shares() const;
+    [[nodiscard]] std::vector<CanopyFractions> canopy() const;
     [[nodiscard]] SeriesSum sum_of(const ReplicateSum& light) const;
 
     const RunFile* run_;
     TableSpec table_;
     std::size_t bands_;
     std::vector<Quantity> quantities_;  // that the table needs
+    bool has_fractions_ = false;        // whether it needs those of the canopy
     std::size_t rows_ = 0;
     GroupResults groups_;        // of the current point, without light
     std::vector<double> areas_;  // of the rows, after add()
     ReplicateSum light_;
     std::vector<ReplicateSum> origins_;
     ReplicateSum incident_;  // on the horizontal, by band
+    ReplicateSum canopy_;    // the flux of each fraction, by band
     bool is_incident_known_ = true;
     double seconds_ = 0;  // sum over points of weight x time
     std::size_t points_ = 0;

@@ -184,9 +184,6 @@ class ColumnList {
     }
 
     void add_fractions(std::size_t b) {
-        if (is_summed(table_.times)) {
-            return;
-        }
         const std::string& band = run_.scene.bands()[b].name;
         for (const FractionEntry& entry : fraction_table()) {
             if (is_selected(table_.quantities, entry.name)) {
@@ -194,8 +191,9 @@ class ColumnList {
                 add(entry.name, band, "1",
                     fmt::format("{}; only in the row of all organs", entry.summary),
                     [part, b](const RowLight& light, std::size_t row) {
-                        const bool is_known = row == 0 && !light.result->canopy.empty();
-                        return is_known ? light.result->canopy[b].*part : kUnknownEstimate;
+                        const std::vector<CanopyFractions>& canopy =
+                            light.sum != nullptr ? light.sum->canopy : light.result->canopy;
+                        return row == 0 && !canopy.empty() ? canopy[b].*part : kUnknownEstimate;
                     });
             }
         }

@@ -35,22 +35,16 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
         if (written.has_sunlit_hours && rows == CsvRows::groups) {
             columns.emplace_back(kSunlitAreaHours);
         }
-        for (std::size_t i = 0; rows == CsvRows::groups && i < written.bands.size(); ++i) {
-            for (const ShareEntry& entry : share_table()) {
-                columns.push_back(
-                    fmt::format("{}_{}", entry.name, run.scene.bands()[written.bands[i]].name));
-            }
+    } else {
+        if (written.has_sunlit) {
+            columns.emplace_back("sunlit_fraction");
         }
-        return columns;
-    }
-    if (written.has_sunlit) {
-        columns.emplace_back("sunlit_fraction");
-    }
-    if (written.has_sunlit && rows == CsvRows::groups) {
-        columns.emplace_back("sunlit_area");
-    }
-    for (const std::string& ratio : run.spec.ratios) {
-        columns.push_back("ratio_" + ratio);
+        if (written.has_sunlit && rows == CsvRows::groups) {
+            columns.emplace_back("sunlit_area");
+        }
+        for (const std::string& ratio : run.spec.ratios) {
+            columns.push_back("ratio_" + ratio);
+        }
     }
     for (std::size_t i = 0; rows == CsvRows::groups && i < written.bands.size(); ++i) {
         const std::string& band = run.scene.bands()[written.bands[i]].name;
@@ -64,9 +58,15 @@ std::vector<std::string> estimate_columns(const RunFile& run, CsvRows rows, CsvT
     return columns;
 }
 
-/// The comments on the shares of groups.
+/// The comments on the shares of groups, and on the fractions of the canopy.
 std::string share_columns() {
     std::string out;
+    for (const FractionEntry& entry : fraction_table()) {
+        out += fmt::format(
+            "# column {}_BAND [1]: {}; only in the row of all organs, above a ground or in a "
+            "cell\n",
+            entry.name, entry.summary);
+    }
     for (const ShareEntry& entry : share_table()) {
         out += fmt::format("# column {}_BAND [1]: {}\n", entry.name, entry.summary);
     }
@@ -101,12 +101,6 @@ std::string time_step_columns(const RunFile& run, CsvRows rows) {
         out += fmt::format(
             "# column ratio_{} [1]: ratio of incident light, both sides of the {}\n",
             one_line(ratio), is_of_groups ? "organs" : "organ");
-    }
-    for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
-        out += fmt::format(
-            "# column {}_BAND [1]: {}; only in the row of all organs, above a ground or in a "
-            "cell\n",
-            fraction_table()[i].name, fraction_table()[i].summary);
     }
     return out;
 }
@@ -150,13 +144,15 @@ void append_shares(
 }
 
 /// The shares of a group, and the fractions of the canopy, which the group of all organs has.
+/// @param light  a Result or a SeriesSum
+template <typename Light>
 void append_fractions(
-    std::string& out, const WrittenColumns& written, const Result& result, std::size_t group) {
-    const bool has_fractions = group == 0 && !result.canopy.empty();
+    std::string& out, const WrittenColumns& written, const Light& light, std::size_t group) {
+    const bool has_fractions = group == 0 && !light.canopy.empty();
     for (const std::size_t b : written.bands) {
-        append_shares(out, result.groups, group, b);
+        append_shares(out, light.groups, group, b);
         for (const FractionEntry& entry : fraction_table()) {
-            append_csv(out, has_fractions ? result.canopy[b].*entry.part : kUnknownEstimate);
+            append_csv(out, has_fractions ? light.canopy[b].*entry.part : kUnknownEstimate);
         }
     }
 }
@@ -289,9 +285,7 @@ void CsvWriter::on_day(std::size_t day, const SeriesSum& raw) {
             append_parts(out, written, sum.groups.sun_shade, i);
             append_hours(out, written, sum.groups.sunlit_fraction, i);
             append_hours(out, written, sum.groups.sunlit_area, i);
-            for (const std::size_t b : written.bands) {
-                append_shares(out, sum.groups, i, b);
-            }
+            append_fractions(out, written, sum, i);
         });
 }
 

@@ -98,6 +98,13 @@ void write_sum(JsonLines& json, const RunFile& run, const SeriesSum& raw) {
     const JsonNames names = json_names(run, written_columns(run));
     const std::vector<Organ>& organs = run.scene.organs();
     json.members({{"seconds", sum.seconds}});
+    if (!sum.canopy.empty()) {
+        std::vector<std::string> units;
+        for (const Band& band : run.scene.bands()) {
+            units.push_back(summed_unit(flux_unit(band.unit, run.scene.length_unit())).name);
+        }
+        json.members({{"canopy", json_canopy(run.scene, sum.canopy, units)}});
+    }
     write_groups(json, run, sum);
     json.begin('[', "organs");
     for (std::size_t i = 0; i < organs.size(); ++i) {

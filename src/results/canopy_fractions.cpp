@@ -1,8 +1,13 @@
 #include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
 
 #include "results/bounds/organ_reader.h"
 #include "results/flows.h"
+#include "results/fraction_table.h"
 #include "results/groups.h"
+#include "results/totals.h"
 #include "scene/lint.h"
 #include "sums/statistics.h"
 
@@ -11,6 +16,13 @@ namespace {
 
 bool is_infinite(const Scene& scene) {
     return scene.cell().along_x && scene.cell().along_y;
+}
+
+/// The flux of each fraction, in the order of fraction_table().
+std::array<double Flows::*, fraction_table().size()> parts_of_fractions(const Scene& scene) {
+    return {
+        is_infinite(scene) ? &Flows::escaped : &Flows::escaped_scattered, &Flows::on_ground,
+        &Flows::organs, &Flows::ground};
 }
 
 /// One contribution to the ground: flux on it and absorbed.
@@ -28,6 +40,27 @@ GroundContribution contribution_on_ground(
     const OrganReader reader(sum_reader, scene, spec, ground);
     const double contribution = reader.largest(sum_reader.direct, band);
     return {contribution, contribution * reader.largest_absorptance(band)};
+}
+
+/// The largest contribution of an organ to the absorbed light of each band.
+std::vector<TotalContribution> total_contributions(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    std::vector<std::uint32_t> indices(scene.organs().size());
+    std::iota(indices.begin(), indices.end(), 0U);
+    std::vector<OrganWeights> organs;
+    for (const std::uint32_t& index : indices) {
+        organs.push_back({std::span(&index, 1)});
+    }
+    const std::array quantities{Quantity::absorbed_flux};
+    const std::vector<ContributionSize> sizes =
+        combine_replicates(sums, scene, spec, organs, quantities).sizes;
+    std::vector<TotalContribution> all(sums->bands());
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+        const bool is_ground = scene.organs()[i / all.size()].is_ground;
+        all[i % all.size()].include(
+            is_ground ? TotalContribution{{}, sizes[i]} : TotalContribution{sizes[i], {}});
+    }
+    return all;
 }
 
 /// Makes fractions of the flows of one band.
@@ -98,6 +131,35 @@ std::vector<CanopyFractions> evaluate_canopy(
         }
     }
     return fractions;
+}
+
+CombinedReplicates canopy_replicates(
+    const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    const Organ* ground = ground_of(scene);
+    const std::array parts = parts_of_fractions(scene);
+    CombinedReplicates all;
+    for (std::size_t r = 0; r < sums->replicates.size(); ++r) {
+        for (const std::vector<Flows>& band : flows) {
+            for (const auto part : parts) {
+                const bool is_known = ground != nullptr || part == &Flows::organs;
+                all.values.push_back(is_known ? band[r].*part : kUnknownEstimate.mean);
+            }
+        }
+    }
+    const std::vector<TotalContribution> absorbed = total_contributions(sums, scene, spec);
+    const auto replicates = static_cast<double>(sums->replicates.size());
+    for (std::size_t b = 0; b < flows.size(); ++b) {
+        const double on_ground =
+            ground != nullptr ? contribution_on_ground(sums, scene, spec, *ground, b).on_ground : 0;
+        for (const auto part : parts) {
+            all.sizes.push_back(
+                part == &Flows::organs      ? absorbed[b].organs
+                : part == &Flows::ground    ? absorbed[b].ground
+                : part == &Flows::on_ground ? ContributionSize{on_ground / replicates, 0}
+                                            : ContributionSize{});
+        }
+    }
+    return all;
 }
 
 std::vector<CanopyFractions> zero_canopy(const Scene& scene) {

@@ -4,6 +4,7 @@
 
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
+#include "results/combine.h"
 #include "scene/scene.h"
 
 namespace quasimc {
@@ -30,6 +31,11 @@ using BandFlows = std::vector<std::vector<Flows>>;
 
 /// The fractions of each band (Result::canopy).
 [[nodiscard]] std::vector<CanopyFractions> evaluate_canopy(
+    const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+/// The fluxes of the fractions of a canopy, replicate by replicate, for arithmetic beyond sums:
+/// bands in place of sums, fractions (fraction_table()) in place of quantities and bands. NaN where
+/// they are unknown.
+[[nodiscard]] CombinedReplicates canopy_replicates(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 /// Fractions of a scene without light: NaN.
 [[nodiscard]] std::vector<CanopyFractions> zero_canopy(const Scene& scene);

@@ -148,6 +148,9 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     for (std::size_t i = 0; is_of_groups && i < share_table().size(); ++i) {
         names.push_back(share_table()[i].name);
     }
+    for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
+        names.push_back(fraction_table()[i].name);
+    }
     if (times == CsvTimes::sweep) {
         return names;
     }
@@ -164,9 +167,6 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     names.insert(names.end(), {"sunlit_fraction", "ratios"});
     if (is_of_groups) {
         names.emplace_back("sunlit_area");
-        for (const FractionEntry& entry : fraction_table()) {
-            names.push_back(entry.name);
-        }
     }
     return names;
 }

@@ -45,6 +45,7 @@ void SeriesAdder::add(const Result& result, double weight, double seconds) {
     lacks_sensors_ = lacks_sensors_ || sensors == nullptr;
     add_part(result, sensors, weight, all_);
     add_shares(result, weight, freedom_of(result));
+    add_canopy(result, weight, freedom_of(result));
     for (std::size_t i = 0; i < result.origins.size(); ++i) {
         add_part(
             result.origins[i].light, sensors != nullptr ? &sensors->origins[i].light : nullptr,
@@ -71,6 +72,30 @@ void SeriesAdder::add_shares(const Result& result, double weight, double freedom
             is_of_incident ? Estimate{incident} : groups.at(0, Quantity::absorbed_flux, band);
         shares_[i].add(groups.shares[i], whole, {weight, weight}, freedom);
     }
+}
+
+void SeriesAdder::add_canopy(const Result& result, double weight, double freedom) {
+    canopy_.resize(result.canopy.size());
+    for (std::size_t b = 0; b < canopy_.size(); ++b) {
+        const CanopyFractions& own = result.canopy[b];
+        canopy_[b].incident += weight * own.incident;
+        for (std::size_t i = 0; i < fraction_table().size(); ++i) {
+            canopy_[b].fractions[i].add(
+                own.*fraction_table()[i].part, {own.incident}, {weight, weight}, freedom);
+        }
+    }
+}
+
+std::vector<CanopyFractions> SeriesAdder::canopy() const {
+    std::vector<CanopyFractions> all;
+    for (const CanopyOfBand& sums : canopy_) {
+        CanopyFractions& own = all.emplace_back();
+        own.incident = sums.incident;
+        for (std::size_t i = 0; i < fraction_table().size(); ++i) {
+            own.*fraction_table()[i].part = sums.fractions[i].estimate();
+        }
+    }
+    return all;
 }
 
 /// Sets the light of parts, and sunlit hours.
@@ -107,6 +132,7 @@ SeriesSum SeriesAdder::sum(
         return sum;
     };
     SeriesSum sum = sum_of(all_);
+    sum.canopy = canopy();
     if (!groups.values.empty()) {
         sum.groups.shares.assign(groups.groups.size() * kGroupShares * bands, kUnknownEstimate);
         std::ranges::transform(shares_, sum.groups.shares.begin(), [](const TimeQuotient& share) {

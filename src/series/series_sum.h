@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "quasimc/result.h"
 #include "quasimc/series.h"
+#include "results/fraction_table.h"
 #include "series/sun_shade_sum.h"
 #include "series/time_sums.h"
 
@@ -46,15 +48,22 @@ class SeriesAdder {
         std::string name;
         std::vector<TimeSum> organs = {}, groups = {}, sensors = {};
     };
+    struct CanopyOfBand {
+        double incident = 0;
+        std::array<TimeQuotient, fraction_table().size()> fractions;
+    };
     /// @param sensors  or null
     static void add_part(const Result& result, const Result* sensors, double weight, Part& part);
     void add_shares(const Result& result, double weight, double freedom);
+    void add_canopy(const Result& result, double weight, double freedom);
+    [[nodiscard]] std::vector<CanopyFractions> canopy() const;
     void put_parts(SeriesSum& sum) const;
 
     Part all_;
     std::vector<Part> origins_;
     std::vector<TimeQuotient> shares_;  // as GroupResults::shares
-    bool lacks_sensors_ = false;        // whether a result lacks its sensors
+    std::vector<CanopyOfBand> canopy_;
+    bool lacks_sensors_ = false;  // whether a result lacks its sensors
     bool has_parts_ = false;
     SunShadeAdder organ_parts_, group_parts_;
     double seconds_ = 0;

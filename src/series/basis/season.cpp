@@ -286,6 +286,7 @@ class Season final : public SeriesSteps {
             .seconds = period.seconds,
             .values = std::move(result.values),
             .groups = without_fractions(std::move(result.groups)),
+            .canopy = std::move(result.canopy),
             .origins = {}};
     }
 

@@ -236,16 +236,13 @@ TEST(SweepTable, HasTheLightOfOrigins) {
 
 /// Fractions are quotients of sums.
 TEST(SweepTable, HasTheSharesOfGroups) {
+    const std::string quantities =
+        "quantities = ['fraction_incident', 'fraction_absorbed', 'reflectance', 'transmittance', "
+        "'absorptance', 'ground_absorptance']\n";
     const auto texts = written(stand(
         "[sweep]\nsource.sun.irradiance_facing = [[1, 2], [0, 0], [3, 6]]\nweights = [1, 7, 2]\n" +
-        table(
-            "sum.csv",
-            "rows = 'groups'\nper = 'sweep'\nbands = ['R']\n"
-            "quantities = ['fraction_incident', 'fraction_absorbed']\n") +
-        table(
-            "each.csv",
-            "rows = 'groups'\nbands = ['R']\n"
-            "quantities = ['fraction_incident', 'fraction_absorbed']\n")));
+        table("sum.csv", "rows = 'groups'\nper = 'sweep'\nbands = ['R']\n" + quantities) +
+        table("each.csv", "rows = 'groups'\nbands = ['R']\n" + quantities)));
     const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
     ASSERT_EQ(sum.size(), 4U);
     for (std::size_t row = 1; row < sum.size(); ++row) {
@@ -254,6 +251,29 @@ TEST(SweepTable, HasTheSharesOfGroups) {
         for (std::size_t i = 0; i < found.size(); ++i) {
             expect_near(found[i], one[i], sum[0][5 + i]);
         }
+        const bool has_fractions = row == 1;
+        for (std::size_t i = 6; i < found.size(); i += 3) {
+            EXPECT_EQ(found[i] > 0 && found[i + 1] > 0, has_fractions) << sum[0][5 + i];
+        }
+    }
+}
+
+/// The fraction of a sum is not the mean of fractions, but weighs them by the light on the
+/// horizontal: here 1 and sqrt(2).
+TEST(SweepTable, WeighsFractionsOfTheCanopyByTheLight) {
+    const std::string keys =
+        "rows = 'groups'\nbands = ['R']\nquantities = ['absorptance', 'transmittance']\n" + kMeans;
+    const auto texts = written(stand(
+        "[sweep]\nsource.sun.direction = [[1, 0, -1], [0, 0, -1]]\nweights = [1, 2]\n" +
+        table("sum.csv", keys + "per = 'sweep'\n") + table("each.csv", keys)));
+    const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+    const auto found = numbers_from(sum[1], 5);
+    const auto first = numbers_from(each[1], 6), second = numbers_from(each[sum.size()], 6);
+    ASSERT_EQ(found.size(), 2U);
+    const double weight = 2 * std::sqrt(2.0);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        expect_near(found[i], (first[i] + weight * second[i]) / (1 + weight), sum[0][5 + i]);
+        EXPECT_GT(std::abs(first[i] - second[i]), 1e-3);
     }
 }
 

@@ -224,6 +224,46 @@ TEST(Tables, OfAPeriodHaveTheSumOfItsDays) {
     }
 }
 
+/// The row of all organs has them, as in tables of time steps.
+TEST(Tables, OfSumsHaveTheFractionsOfTheCanopy) {
+    const std::string keys =
+        "rows = 'groups'\nwhere = \"by == 'all'\"\nbands = ['R']\nstatistics = ['mean', 'se']\n"
+        "quantities = ['absorbed_flux', 'fraction_incident', 'absorptance', 'transmittance']\n";
+    const auto texts = written_sums(tabulated(
+        keys + "per = 'day'\n[[table]]\nfile = 'period.csv'\n" + keys + "per = 'period'\n",
+        kTwoDays));
+    for (const std::string& text : texts) {
+        const auto rows = rows_of(text);
+        ASSERT_GE(rows.size(), 2U);
+        EXPECT_NE(
+            rows[0].find(",transmittance_R,transmittance_R_se,absorptance_R,absorptance_R_se"),
+            std::string::npos)
+            << rows[0];
+        const std::size_t mean = 8, share = mean + 2, transmittance = mean + 4;
+        const std::size_t absorptance = mean + 6;
+        EXPECT_NEAR(number_at(rows[1], absorptance), number_at(rows[1], share), 1e-9)
+            << "fAPAR is that of all organs";
+        EXPECT_GT(number_at(rows[1], absorptance + 1), 0);
+        EXPECT_GT(number_at(rows[1], transmittance), 0.5);
+    }
+}
+
+TEST(Sums, HaveTheFractionsOfTheCanopyInJson) {
+    const RunFile run = read_text(tabulated("", kTwoDays).text());
+    std::string out;
+    JsonWriter writer(run, [&](std::string_view piece) { out += piece; });
+    writer.finish(run_series(
+        run.scene, run.series->time_steps, run.spec, RunControl{.listeners = {&writer}}));
+    const std::string days = out.substr(out.find("\"days\": "));
+    const std::string canopy = "\"canopy\": {";
+    const std::size_t first = days.find(canopy), total = days.find("\"total\": ");
+    EXPECT_LT(first, total);
+    EXPECT_LT(days.find(canopy, total), days.find("\"organs\": [", total));
+    const std::string of_day = days.substr(first, days.find("\"groups\"", first) - first);
+    EXPECT_NE(of_day.find("\"unit\": \"J\""), std::string::npos) << of_day;
+    EXPECT_NE(of_day.find("\"ground_absorptance\""), std::string::npos);
+}
+
 TEST(Tables, OfAPeriodHaveNoRowsWithoutAllOfItsTimes) {
     const RunText text = tabulated(kSumsOfPlants + "per = 'period'\n", kTwoDays);
     EXPECT_EQ(rows_of(written_sums(text).at(0)).size(), 3U);

@@ -10,6 +10,7 @@
 
 #include "geometry/shapes/shapes.h"
 #include "quasimc/series.h"
+#include "results/fraction_table.h"
 #include "statistical/scenes.h"
 #include "support/listening.h"
 #include "support/random_leaves.h"
@@ -506,7 +507,7 @@ TEST(GroupSums, OfADayAreThoseOfItsOrgansWithErrorsOfTheirOwn) {
     EXPECT_EQ(results[3].groups.groups[1].organs.size(), 2U);
 }
 
-/// Shares of a day are quotients of its sums; those of one time step are that step's.
+/// Shares and fractions of a day are quotients of its sums; those of one time step are that step's.
 TEST(GroupSums, OfADayHaveSharesOfTheSums) {
     const Scene scene = make_two_plants();
     const std::vector<TimeStep> times{
@@ -538,6 +539,24 @@ TEST(GroupSums, OfADayHaveSharesOfTheSums) {
             const Estimate step = results[3].groups.share(g, GroupShare::absorbed, b);
             EXPECT_NEAR(next.mean, step.mean, 1e-12);
             EXPECT_NEAR(next.standard_error, step.standard_error, 1e-12);
+        }
+    }
+    for (std::size_t b = 0; b < 2; ++b) {
+        const CanopyFractions& day = days[0].canopy.at(b);
+        EXPECT_NEAR(
+            day.incident, 3600 * (results[0].canopy[b].incident + results[1].canopy[b].incident),
+            1e-9 * day.incident);
+        double absorbed = 0;
+        for (const Result* step : {&results[0], &results[1]}) {
+            absorbed += 3600 * step->canopy[b].incident * step->canopy[b].absorptance.mean;
+        }
+        EXPECT_NEAR(day.absorptance.mean, absorbed / day.incident, 1e-12);
+        EXPECT_GT(day.reflectance.standard_error, 0);
+        const CanopyFractions &next = days[1].canopy.at(b), &step = results[3].canopy.at(b);
+        for (const FractionEntry& entry : fraction_table()) {
+            EXPECT_NEAR((next.*entry.part).mean, (step.*entry.part).mean, 1e-12) << entry.name;
+            EXPECT_NEAR(
+                (next.*entry.part).standard_error, (step.*entry.part).standard_error, 1e-12);
         }
     }
     // The larger amount of light at noon determines the error.
