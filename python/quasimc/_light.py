@@ -25,17 +25,9 @@ class Light(Mapping):
     """
 
     def __init__(
-        self,
-        values,
-        index,
-        organs,
-        *,
-        sunlit=None,
-        rows=None,
-        replicates=None,
-        origins=None,
+        self, values, index, organs, *, sunlit=None, rows=None, replicates=None, origins=None,
         is_summed=False,
-    ):
+    ):  # fmt: skip
         self._values = values  # (rows, quantities, bands, 4)
         self._index = index
         self._organs = organs

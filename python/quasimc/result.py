@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from functools import cached_property
 
 import numpy as np
@@ -10,13 +9,15 @@ import numpy as np
 from . import _core
 from ._format import number
 from ._index import GroupIndex, OrganIndex
-from ._light import Light, estimate_columns, label_columns, origins_of, ratio_estimates
+from ._light import Light, origins_of, ratio_estimates
+from ._result_tables import ResultTables
+from ._result_views import ResultViews
 from ._spread import Combination, Rows
-from .detectors import DetectorResult, detector_variables
+from .detectors import DetectorResult
 from .estimates import Estimates
 from .groups import Groups, group_rows
 from .run_info import Parts, RunInfo
-from .sensors import free_sensor_variables, sensors_by_name
+from .sensors import sensors_by_name
 from .sun_shade import parts_of
 
 
@@ -27,7 +28,7 @@ class GroundLight(Light):
         return super().__getitem__(quantity)[0]
 
 
-class Result(Light):
+class Result(ResultTables, ResultViews, Light):
     """The light of every organ.
 
     ``result["absorbed_flux"]["PAR"]`` are the `Estimates` of the organs, in the order of
@@ -259,87 +260,6 @@ class Result(Light):
             extensive=light.extensive,
         )
 
-    # Files and pictures.
-
-    def save(self, path):
-        """Writes the result to a file, in the format of its ending.
-
-        ".json": all, for `quasimc.open` and the program; ".csv": the table of organs; ".nc": NetCDF;
-        ".vtp", ".glb", ".ply": the scene with its light for ParaView, Blender and MeshLab. Results of
-        series and of growth steps can't be saved.
-
-        Returns
-        -------
-        pathlib.Path
-        """
-        from ._store import save
-
-        return save(self, path)
-
-    def picture(self, path=None, quantity="absorbed_flux_density", band=None, **options):
-        """Draws the scene coloured by its light, by the program (docs/guide/pictures.md).
-
-        Parameters
-        ----------
-        path : str or path
-            PNG file to write; None: none.
-        quantity, band : str
-            What colours show; default: the absorbed flux density in the first band.
-        **options
-            Options of `quasimc show`: error=True, camera="top", size=(1200, 900), fov, clip, range,
-            colormap, label, minus (a result whose values are subtracted).
-
-        Returns
-        -------
-        Picture
-            A notebook displays it.
-        """
-        from ._store import json_file
-        from .pictures import draw
-
-        minus = options.pop("minus", None)
-        with json_file(self) as stored:
-            options = {"quantity": quantity, "band": band, **options}
-            if minus is None:
-                picture = draw(stored, options)
-            else:
-                with json_file(minus) as other:
-                    picture = draw(stored, {**options, "minus": other})
-        if path is not None:
-            picture.save(path)
-        return picture
-
-    def report(self, path):
-        """Writes one HTML page with the scene to turn and all numbers. Returns its path."""
-        from pathlib import Path
-
-        from ._program import call
-        from ._store import json_file
-
-        with json_file(self) as stored:
-            call("report", stored, "-o", os.fspath(path))
-        return Path(path)
-
-    def show(self):
-        """Shows the result in 3D: in a notebook in a frame, elsewhere in a browser.
-
-        Returns
-        -------
-        Page of a notebook, or the address of the page, which this process serves until it ends.
-        """
-        from tempfile import mkdtemp
-
-        from ._store import text_of
-        from .pictures import Page, in_notebook, open_in_browser
-
-        folder = mkdtemp()
-        if in_notebook():
-            return Page(self.report(os.path.join(folder, "result.html")).read_text("utf-8"))
-        path = os.path.join(folder, "result.json")
-        with open(path, "wb") as file:
-            file.write(text_of(self, "json"))
-        return open_in_browser(path)
-
     def __reduce__(self):
         from ._store import state_of
 
@@ -367,90 +287,6 @@ class Result(Light):
             raise ValueError(
                 f'{what}: the replicates of this run were not kept; run with keep="replicates"'
             )
-
-    def to_pandas(self):
-        """Returns a pandas.DataFrame with a row for each organ.
-
-        The index is the organ's id; the columns are those of the CSV files: name, labels, area,
-        ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``. A label with the name of
-        another column becomes ``label_<key>``. Units are in ``frame.attrs["units"]``.
-        """
-        import pandas
-
-        columns = self._columns()
-        if self._has_sunlit:
-            columns.update(estimate_columns("sunlit_fraction", self["sunlit_fraction"]))
-        for name, estimates in self.ratios.items():
-            columns.update(estimate_columns(f"ratio_{name}", estimates))
-        labels = label_columns(self.organs.labels, columns)
-        columns = {"name": self.organs.names, **labels, "area": self.organs.areas, **columns}
-        frame = pandas.DataFrame(columns, index=pandas.Index(self.organs.ids, name="id"))
-        frame.attrs["units"] = {
-            f"{quantity}_{band}": self[quantity][band].unit
-            for quantity in _core.quantities()
-            for band in self.bands
-        }
-        return frame
-
-    def to_pyvista(self):
-        """Returns a pyvista.PolyData: the triangles of the organs with their light.
-
-        Cells have the arrays "organ" (ids), "name", ``label_<key>``, and the columns of `to_pandas`:
-        ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``, equal for all triangles of an organ.
-        Coordinates are in the axes and the length unit of the scene. The ground is not among them.
-
-        Raises ImportError if pyvista is missing, and ValueError if the triangles were not stored.
-        """
-        from ._exchange import to_pyvista
-
-        columns = self._columns()
-        if self._has_sunlit:
-            columns.update(estimate_columns("sunlit_fraction", self["sunlit_fraction"]))
-        for name, estimates in self.ratios.items():
-            columns.update(estimate_columns(f"ratio_{name}", estimates))
-        return to_pyvista(self.organs, columns)
-
-    def to_xarray(self):
-        """Returns an xarray.Dataset with the dimensions organ, band and statistic.
-
-        Statistics are mean, standard_error, ci95_low, ci95_high. Units are attributes of the
-        variables. A detector is a variable with its name and the dimension <name>_bin instead of
-        organ; if the name is used already, it is ``detector_<name>``. Sensors have the variables of
-        `Sensors.to_xarray` with the name of their set in front: ``bench_incident_upper``, along
-        ``bench_point``, or ``bench_j`` and ``bench_i``.
-        """
-        import xarray
-
-        variables, dimensions = {}, ("organ", "band", "statistic")
-        for i, quantity in enumerate(_core.quantities()):
-            attributes = {"units": ", ".join(dict.fromkeys(self[quantity]._units))}
-            variables[quantity] = (dimensions, self._values[:, i], attributes)
-        if self._has_sunlit:
-            variables["sunlit_fraction"] = (("organ", "statistic"), self._sunlit, {"units": "1"})
-        coordinates = {
-            "organ": self.organs.ids,
-            "band": list(self.bands),
-            "statistic": ["mean", "standard_error", "ci95_low", "ci95_high"],
-            "name": ("organ", np.asarray(self.organs.names)),
-            "area": ("organ", self.organs.areas, {"units": f"{self.organs.length_unit}2"}),
-        }
-        for key, values in label_columns(self.organs.labels, [*variables, *dimensions]).items():
-            coordinates[key] = ("organ", np.asarray(values))
-        taken = [*variables, *coordinates]
-        for name, detector in detector_variables(self.detectors, taken).items():
-            variables[name] = detector.to_xarray().rename(bin=f"{name}_bin")
-        for sensors in self.sensors.values():
-            more, points = free_sensor_variables(sensors, {*variables, *coordinates})
-            variables |= more
-            coordinates |= points
-        return xarray.Dataset(variables, coordinates, {"method": self.run.method})
-
-    @property
-    def plot(self):
-        """Plots by matplotlib: Plots, with scene, profile, histogram, light_by_index, convergence."""
-        from .plotting import Plots
-
-        return Plots(self)
 
     def __repr__(self):
         info = f"{self.run.method}, {self.run.paths:,} paths x {self.run.replicates}"

@@ -3,27 +3,23 @@
 from __future__ import annotations
 
 import copy
-import difflib
 import os
 from collections import Counter
 from collections.abc import Mapping
 
-import numpy as np
-
 from . import _core
 from ._assigned import Assigned
+from ._contents import Contents
 from ._lock import OneAtATime
-from ._meshes import digest, input_error, mesh_arrays, owned, plain
+from ._meshes import plain
 from ._runs import Runs
-from ._tables import FRAME_KEYS, ids_of, marks_of, numbered
+from ._scene_meshes import LISTS, SceneMeshes
+from ._tables import FRAME_KEYS, marks_of, numbered
 from ._views import Views
 from ._warn import warn_here
 from .materials import Materials
 from .organs import Organs
 from .scene_organs import SceneOrgans
-
-#: Keys of a document whose entries are added one by one, and may have a name.
-_LISTS = ("organ", "geometry", "sensors", "detector", "source", "control")
 
 
 def options():
@@ -42,22 +38,7 @@ def _band_keys(bands):
     return {"bands": bands}
 
 
-def _rows_of_points(points):
-    """The rows of `at` for an array of points; those of a plane of points have labels i and j."""
-    points = np.asarray(points, dtype=float)
-    if points.ndim not in (1, 2, 3) or points.shape[-1] != 3 or points.size == 0:
-        shape = "(3,), (points, 3) or (rows, columns, 3)"
-        raise input_error("add_sensors", f"points have the shape {points.shape}", f"it must be {shape}")
-    if points.ndim < 3:
-        return points.reshape(-1, 3).tolist()
-    return [
-        {"x": x, "y": y, "z": z, "i": i + 1, "j": j + 1}
-        for j, row in enumerate(points.tolist())
-        for i, (x, y, z) in enumerate(row)
-    ]
-
-
-class Scene(Assigned, Runs, Views):
+class Scene(Assigned, Contents, SceneMeshes, Runs, Views):
     """Organs and their materials, optionally a ground and a periodic cell.
 
     Arguments have the names of the run file (docs/reference/run-file.md). Arrays are copied: later
@@ -83,28 +64,15 @@ class Scene(Assigned, Runs, Views):
     """
 
     def __init__(
-        self,
-        bands="PAR",
-        *,
-        irradiance_unit=None,
-        length_unit=None,
-        up=None,
-        north=None,
-        site=None,
+        self, bands="PAR", *, irradiance_unit=None, length_unit=None, up=None, north=None, site=None,
         title=None,
-    ):
+    ):  # fmt: skip
         given = {
-            "title": title,
-            "irradiance_unit": irradiance_unit,
-            "length_unit": length_unit,
-            "up": up,
+            "title": title, "irradiance_unit": irradiance_unit, "length_unit": length_unit, "up": up,
             "north": north,
-        }
-        self._init(
-            plain({**_band_keys(bands), **{k: v for k, v in given.items() if v is not None}}),
-            "scene",
-            None,
-        )
+        }  # fmt: skip
+        given = {key: value for key, value in given.items() if value is not None}
+        self._init(plain({**_band_keys(bands), **given}), "scene", None)
         self.site = site
 
     def _init(self, table, name, folder):
@@ -120,7 +88,7 @@ class Scene(Assigned, Runs, Views):
         self._frame = None  # what meshes are checked against; None: materials were changed
         self._known = set()  # names of materials that the frame has
         self._marks = Counter()  # of all that was added
-        self._marks.update(m for key in _LISTS for e in table.get(key, []) for m in marks_of(key, e))
+        self._marks.update(m for key in LISTS for e in table.get(key, []) for m in marks_of(key, e))
         self._organs = None
         self._overlaps = _core.KnownOverlaps()  # what edits of few triangles leave as it is
         self._simulator = _core.Simulator()
@@ -183,16 +151,8 @@ class Scene(Assigned, Runs, Views):
         **keys
             reflection_model, reflection_exponent and others.
         """
-        given = plain(
-            dict(
-                name=name,
-                reflectance=reflectance,
-                transmittance=transmittance,
-                upper=upper,
-                lower=lower,
-                **keys,
-            )
-        )
+        given = dict(reflectance=reflectance, transmittance=transmittance, upper=upper, lower=lower)
+        given = plain({"name": name, **given, **keys})
         with self._lock.to_change():
             self._frame_of([given])
             materials = list(self._table.get("material", []))
@@ -216,365 +176,10 @@ class Scene(Assigned, Runs, Views):
         with self._lock.to_change():
             self._set("material", [m for m in self._table["material"] if m.get("name") != name])
 
-    def add_mesh(
-        self,
-        vertices,
-        faces=None,
-        *,
-        material,
-        organ=None,
-        name=None,
-        labels=None,
-        measured=True,
-        field_of_view_deg=90.0,
-    ):
-        """Adds organs made of triangles. In results they follow the organs of `add_organ` and `add_file`.
-
-        Arrays are copied. A mesh with the name of an earlier one, or equal to it, is added with a
-        warning; use `replace` to replace the earlier one.
-
-        Parameters
-        ----------
-        vertices : array_like
-            (n, 3), in the length unit; without faces (m, 3, 3), the corners of each triangle.
-        faces : array_like of int
-            (m, 3): indices of vertices, from 0.
-        material : str, dict or list of str
-            One name; or a dict by the ids in `organ`; or one name for each face.
-        organ : int or array_like of int
-            (m,): the id of the organ of each face, or of all; unique in the scene. Results list the
-            organs by ascending id; organs of `add_organ` without an id are then numbered after the
-            largest. Default: all faces are one organ, with the next free id.
-        name : str, dict or list of str
-            Names of the organs: a dict by the ids in `organ`, or a list of one for each, in the order
-            in which the organs first appear in `organ`; one name for several is followed by the id.
-        labels : dict
-            Key -> a value for all, a dict by the ids in `organ`, or a list of one for each organ, in
-            the order in which they first appear there.
-        measured : bool
-            Whether their light is reported.
-        field_of_view_deg : float
-            Half angle about the normal for sensors, degrees.
-        """
-        with self._lock.to_change():
-            mesh = self._mesh(
-                vertices, faces, organ, material, name, labels, measured, field_of_view_deg
-            )
-            self._check_mesh(mesh, [])
-            self._warn_of_second("mesh", mesh)
-            self._put(mesh, (self._numbered,))
-        return self
-
-    def add_trimesh(self, mesh, *, material, **keys):
-        """Adds the triangles of a trimesh.Trimesh, in the length unit of the scene.
-
-        The face attribute "organ", if there is one, has the ids of organs; `organ` overrides it.
-        Other keywords, the value that is returned and errors are those of `add_mesh`.
-        """
-        from ._exchange import of_trimesh
-
-        vertices, faces, organ = of_trimesh(mesh)
-        return self.add_mesh(
-            vertices, faces, material=material, organ=keys.pop("organ", organ), **keys
-        )
-
-    def add_pyvista(self, mesh, *, material, **keys):
-        """Adds the surface of a data set of pyvista, in the length unit of the scene.
-
-        Polygons are divided into triangles. The array of cells "organ", if there is one, has the ids
-        of organs; `organ` overrides it. Other keywords, the value that is returned and errors are
-        those of `add_mesh`.
-        """
-        from ._exchange import of_pyvista
-
-        vertices, faces, organ = of_pyvista(mesh)
-        return self.add_mesh(
-            vertices, faces, material=material, organ=keys.pop("organ", organ), **keys
-        )
-
-    def replace(
-        self,
-        name,
-        vertices,
-        faces=None,
-        *,
-        material,
-        organ=None,
-        labels=None,
-        measured=True,
-        field_of_view_deg=90.0,
-    ):
-        """Replaces everything with a name by a mesh; the arguments are those of `add_mesh`.
-
-        Raises
-        ------
-        InputError
-            If nothing has this name, or the mesh is invalid; the scene stays unchanged.
-        """
-        with self._lock.to_change():
-            mesh = self._mesh(
-                vertices, faces, organ, material, name, labels, measured, field_of_view_deg
-            )
-            self._check_name(name)
-            numbers = self._numbers.get(name, ())
-            self._check_mesh(mesh, numbers)
-            number = min(numbers, default=(self._numbered,))
-            self._remove(name)
-            self._put(mesh, number)
-        return self
-
-    def remove(self, name):
-        """Removes everything with a name: meshes, organs, files, detectors and sources.
-
-        Raises
-        ------
-        InputError
-            If nothing has this name.
-        """
-        with self._lock.to_change():
-            self._check_name(name)
-            self._remove(name)
-        return self
-
-    def _mesh(self, vertices, faces, organ, material, name, *others):
-        """A mesh that later writes to the arrays don't change."""
-        where = f"{self._name}: mesh {self._numbered + 1}"
-        mesh = mesh_arrays(where, vertices, faces, organ, material, name, *others)
-        mesh["vertices"] = owned(mesh["vertices"], vertices)
-        mesh["faces"] = owned(mesh["faces"], faces)
-        mesh["name"] = name if isinstance(name, str) else None
-        mesh["digest"] = digest(mesh)
-        return mesh
-
-    def _check_mesh(self, mesh, replaced):
-        """Refuses a faulty mesh, and ids of meshes that are not replaced: those of other numbers."""
-        later = set()
-        if "geometry" in self._table or not {"material", "material_file"} & self._table.keys():
-            # Files may define materials, and scenes may get theirs later.
-            later = set(mesh["materials"])
-        if self._frame is None or not later <= self._known:
-            materials = self._table.get("material", [])
-            later |= self._known if self._frame is not None else set()
-            later -= {m.get("name") for m in materials}
-            assumed = [{"name": name, "reflectance": 0} for name in sorted(later)]
-            self._frame = self._frame_of([*materials, *assumed])
-            self._known = {m.get("name") for m in [*materials, *assumed]}
-        self._frame.check(mesh)
-        double = [id for id in ids_of(mesh) if self._ids.get(id) not in (None, *replaced)]
-        if double:
-            raise input_error(
-                mesh["where"],
-                f"an earlier mesh has an organ with the id {min(double)}",
-                "ids must be unique",
-                "use other ids, or replace that mesh by its name",
-            )
-
-    def _put(self, mesh, number):
-        self._meshes[number] = mesh
-        if mesh["name"] is not None:
-            self._numbers.setdefault(mesh["name"], set()).add(number)
-        self._ids.update(dict.fromkeys(ids_of(mesh), number))
-        self._marks.update(marks_of("mesh", mesh))
-        self._numbered += 1
-        self._built = None
-
-    def _mesh_list(self):
-        """The meshes in their order."""
-        return [self._meshes[number] for number in sorted(self._meshes)]
-
     def _frame_of(self, materials):
         """Materials, checked, for meshes to be checked against."""
         table = {key: self._table[key] for key in FRAME_KEYS if key in self._table}
         return _core.Frame(self._document_of({**table, "material": materials}))
-
-    def _check_name(self, name):
-        if ("name", name) not in self._marks:
-            names = {mark[1] for mark in self._marks if mark[0] == "name"}
-            near = difflib.get_close_matches(str(name), names, 1)
-            raise input_error(
-                self._name,
-                f"nothing has the name {name!r}",
-                "" if names else "there are no names",
-                f"did you mean {near[0]!r}?" if near else "",
-            )
-
-    def _remove(self, name):
-        for number in list(self._numbers.get(name, ())):
-            self._take(number)
-        for key in _LISTS if ("name", name) in self._marks else ():
-            entries = self._table.get(key, [])
-            left = [entry for entry in entries if entry.get("name") != name]
-            if len(left) < len(entries):
-                self._set(key, left)
-            for entry in entries:
-                if entry.get("name") == name:
-                    self._unmark(key, entry)
-        self._built = None
-
-    def _take(self, number):
-        """Removes the mesh of a number."""
-        mesh = self._meshes.pop(number)
-        if mesh["name"] is not None:
-            self._numbers[mesh["name"]].remove(number)
-        for id in ids_of(mesh):
-            del self._ids[id]
-        self._unmark("mesh", mesh)
-        self._built = None
-
-    def _unmark(self, key, entry):
-        for mark in marks_of(key, entry):
-            self._marks[mark] -= 1
-            if not self._marks[mark]:
-                del self._marks[mark]
-
-    def _warn_of_second(self, key, entry):
-        """Warns of what is added twice: a cell of a notebook that was run again.
-
-        Of meshes of one name the second alone is warned of: many may have one name on purpose.
-        """
-        what = {"geometry": "file"}.get(key, key)
-        for mark in marks_of(key, entry):
-            is_second = self._marks[mark] == 1 and key == "mesh"
-            if is_second if mark[0] == "name" else mark in self._marks:
-                same = f"of the name {mark[1]!r}" if mark[0] == "name" else "equal to this one"
-                warn_here(
-                    [
-                        f"{self._name}: the scene already has a {what} {same} and now has both; "
-                        "use replace() or remove() to keep one"
-                    ]
-                )
-                break
-
-    def add_organ(self, shape, *, material, **keys):
-        """Adds an organ with a parametric shape: triangle, rhombus, polygon, bezier, cylinder, disk, ...
-
-        Parameters
-        ----------
-        shape : str
-            One of `quasimc.shapes()`.
-        material : str
-        **keys
-            Keys of the shape (corners, base, length, ...), and id, name, labels, measured,
-            transform, at, field_of_view_deg.
-        """
-        return self._add("organ", {"shape": shape, "material": material, **self._with_paths(keys)})
-
-    def add_file(self, file, **keys):
-        """Adds organs from a geometry file (tri, OBJ, PLY, ...).
-
-        Parameters
-        ----------
-        file : str or path
-            Relative to the current folder (for a loaded scene: to the folder of its file).
-        **keys
-            format, organs, material, materials, name, labels, labels_from, measured, first_id,
-            transform, at, plant_unit.
-        """
-        return self._add("geometry", {"file": self._path(file), **self._with_paths(keys)})
-
-    def add_sensors(self, points=None, name="sensors", **keys):
-        """Adds points at which light is measured; `Result.sensors` has their light.
-
-        They shade nothing and change no other number (docs/reference/run-file.md#sensors).
-
-        Parameters
-        ----------
-        points : array_like, optional
-            (3,), (points, 3) or (rows, columns, 3): positions in the axes of the scene, whose shape the
-            results have. Alternatively `at`: rows, a file or a regular array, as in a run file.
-        name : str
-            Unique among the sensors of the scene.
-        **keys
-            at, facing, receiver, field_of_view_deg, size, average, labels.
-
-        Raises
-        ------
-        InputError
-            If points have another shape; and when the scene is built, if sensors are invalid.
-
-        Examples
-        --------
-        >>> scene.add_sensors([[0, 0, 0.5], [1, 0, 0.5]], name="bench")  # doctest: +SKIP
-        """
-        if points is not None:
-            if "at" in keys:
-                raise TypeError("give points or at, not both")
-            keys["at"] = _rows_of_points(points)
-        return self._add("sensors", {"name": name, **self._with_paths(keys)})
-
-    def add_control(self, sources, sensors, **keys):
-        """Has lamps switched and dimmed by the light at sensors, in runs with time steps.
-
-        `Series.control` has the outcome (docs/reference/run-file.md#control).
-
-        Parameters
-        ----------
-        sources : str
-            Pattern of the names of lamps: ``"hps *"``.
-        sensors : str
-            Name of flat sensors, of whose upper sides the mean is taken.
-        **keys
-            on_below, daily_target, set_point, dim_min, electrical_power_w, band.
-
-        Raises
-        ------
-        InputError
-            By the run, with all errors.
-
-        Examples
-        --------
-        >>> scene.add_control("hps *", "bench", on_below=150, daily_target=14)  # doctest: +SKIP
-        """
-        return self._add("control", {"sources": sources, "sensors": sensors, **keys})
-
-    def add_detector(self, type, **keys):
-        """Adds a detector, which sorts light that organs do not report (docs/reference/detectors.md)."""
-        return self._add("detector", {"type": type, **keys})
-
-    def _set_sources(self, tables):
-        """Other sources, which are tables of a run file."""
-        with self._lock.to_change():
-            for table in self._table.get("source", []):
-                self._unmark("source", table)
-            self._marks.update(mark for table in tables for mark in marks_of("source", table))
-            self._table["source"] = tables
-            if not tables:
-                del self._table["source"]
-            self._document = None
-
-    def _path(self, file):
-        """A path as it is kept: what it means does not change with the current folder."""
-        return os.fspath(file) if self._folder is not None else os.path.abspath(file)
-
-    def _with_paths(self, keys):
-        """The keys with the paths of tables of copies and of labels as they are kept."""
-        tables = {
-            key: {**value, "file": self._path(value["file"])}
-            for key, value in keys.items()
-            if key in ("at", "labels_from") and isinstance(value, Mapping) and "file" in value
-        }
-        return {**keys, **tables}
-
-    def _add(self, key, table):
-        table = plain(table)
-        with self._lock.to_change():
-            self._append(key, table)
-            self._built = None
-        return self
-
-    def _append(self, key, entry):
-        self._warn_of_second(key, entry)
-        self._marks.update(marks_of(key, entry))
-        self._table.setdefault(key, []).append(entry)
-        self._document = None
-
-    def _set(self, key, value):
-        self._table[key] = value
-        self._document = None
-        self._built = None
-        self._frame = None if key in ("material", "geometry") else self._frame
-
-    # Building and running.
 
     def build(self):
         """Builds and checks the scene, if that has not been done.

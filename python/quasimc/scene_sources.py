@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, MutableSequence
 
 from ._meshes import input_error, plain
-from ._tables import marks_of
 from .sources import Source
 
 

@@ -374,8 +374,8 @@ def test_calls_cost_the_same_however_much_was_added(tmp_path, monkeypatch):
         scene.add_mesh(TRIANGLE + i, [[0, 1, 2]], organ=[i + 1], material="leaf", name=f"leaf {i}")
     assert len(materials) == 1
     seen = []
-    monkeypatch.setattr(quasimc.scene, "ids_of", counted(quasimc.scene.ids_of, seen))
-    monkeypatch.setattr(quasimc.scene, "marks_of", counted(quasimc.scene.marks_of, seen))
+    monkeypatch.setattr(quasimc._scene_meshes, "ids_of", counted(quasimc._scene_meshes.ids_of, seen))
+    monkeypatch.setattr(quasimc._scene_meshes, "marks_of", counted(quasimc._scene_meshes.marks_of, seen))
     scene.replace("leaf 3", TRIANGLE + 30, [[0, 1, 2]], organ=[4], material="leaf")
     assert len(materials) == 1 and len(seen) < 10  # of 20 meshes
     for i in range(5):

@@ -12,7 +12,13 @@ import quasimc
 
 SOURCE = Path(os.environ["QUASIMC_SOURCE_DIR"])
 PACKAGE = SOURCE / "python" / "quasimc"
-PRIVATE_PARTS = ("quasimc._assigned", "quasimc._runs", "quasimc._views")
+PRIVATE_PARTS = [
+    f"quasimc.{name}"
+    for name in (
+        "_assigned", "_contents", "_result_tables", "_result_views", "_runs", "_scene_meshes",
+        "_selection", "_sums", "_views",
+    )
+]  # fmt: skip
 STUB = ast.parse((PACKAGE / "__init__.pyi").read_text())
 
 

@@ -1,0 +1,95 @@
+"""Files, pictures and pages of results."""
+
+from __future__ import annotations
+
+import os
+
+
+class ResultViews:
+    """Part of `Result`."""
+
+    def save(self, path):
+        """Writes the result to a file, in the format of its ending.
+
+        ".json": all, for `quasimc.open` and the program; ".csv": the table of organs; ".nc": NetCDF;
+        ".vtp", ".glb", ".ply": the scene with its light for ParaView, Blender and MeshLab. Results of
+        series and of growth steps can't be saved.
+
+        Returns
+        -------
+        pathlib.Path
+        """
+        from ._store import save
+
+        return save(self, path)
+
+    def picture(self, path=None, quantity="absorbed_flux_density", band=None, **options):
+        """Draws the scene coloured by its light, by the program (docs/guide/pictures.md).
+
+        Parameters
+        ----------
+        path : str or path
+            PNG file to write; None: none.
+        quantity, band : str
+            What colours show; default: the absorbed flux density in the first band.
+        **options
+            Options of `quasimc show`: error=True, camera="top", size=(1200, 900), fov, clip, range,
+            colormap, label, minus (a result whose values are subtracted).
+
+        Returns
+        -------
+        Picture
+            A notebook displays it.
+        """
+        from ._store import json_file
+        from .pictures import draw
+
+        minus = options.pop("minus", None)
+        with json_file(self) as stored:
+            options = {"quantity": quantity, "band": band, **options}
+            if minus is None:
+                picture = draw(stored, options)
+            else:
+                with json_file(minus) as other:
+                    picture = draw(stored, {**options, "minus": other})
+        if path is not None:
+            picture.save(path)
+        return picture
+
+    def report(self, path):
+        """Writes one HTML page with the scene to turn and all numbers. Returns its path."""
+        from pathlib import Path
+
+        from ._program import call
+        from ._store import json_file
+
+        with json_file(self) as stored:
+            call("report", stored, "-o", os.fspath(path))
+        return Path(path)
+
+    def show(self):
+        """Shows the result in 3D: in a notebook in a frame, elsewhere in a browser.
+
+        Returns
+        -------
+        Page of a notebook, or the address of the page, which this process serves until it ends.
+        """
+        from tempfile import mkdtemp
+
+        from ._store import text_of
+        from .pictures import Page, in_notebook, open_in_browser
+
+        folder = mkdtemp()
+        if in_notebook():
+            return Page(self.report(os.path.join(folder, "result.html")).read_text("utf-8"))
+        path = os.path.join(folder, "result.json")
+        with open(path, "wb") as file:
+            file.write(text_of(self, "json"))
+        return open_in_browser(path)
+
+    @property
+    def plot(self):
+        """Plots by matplotlib: Plots, with scene, profile, histogram, light_by_index, convergence."""
+        from .plotting import Plots
+
+        return Plots(self)
