@@ -6,7 +6,9 @@ import warnings
 
 import numpy as np
 
-from ._spread import Combination, Spread, linear
+from ._combination import Combination
+from ._first_order import FirstOrder
+from ._spread import Spread, paired
 from ._units import product
 from .errors import QuasimcWarning
 
@@ -73,8 +75,7 @@ def times(light, factors):
         if isinstance(light._source, Combination) and np.all(factors > 0):
             source = _scaled_rows(light, factors)
     if source is None and light._source is not None:
-        spread = light._source.spread()
-        source = linear(spread.means * factors, [(spread, factors)])
+        source = FirstOrder.of(lambda x: x * factors, lambda x: [factors], [light._source])
     if values is None:
         values = source.estimates() if source is not None else _turned(light, factors)
     result = light._like(values, source, shape=shape)
@@ -108,8 +109,7 @@ def _shifted(light, numbers):
     moved = numbers[..., None] * np.array([1.0, 0, 1, 1])
     source = None
     if light._source is not None:
-        spread = light._source.spread()
-        source = linear(spread.means + numbers, [(spread, 1.0)])
+        source = FirstOrder.of(lambda x: x + numbers, lambda x: [1.0], [light._source])
     return light._like(light._values + moved, source, shape=shape)
 
 
@@ -129,21 +129,21 @@ def _function(ufunc, light):
     if ufunc is np.negative:
         return times(light, np.array(-1.0))
     with np.errstate(divide="ignore", invalid="ignore"):
-        result = of_spreads(ufunc, lambda x: [slope(x)], [light])
+        result = of_sources(ufunc, lambda x: [slope(x)], [light])
     result.name = light.name if ufunc is np.positive else f"{ufunc.__name__}({light.name})"
     result._set_units([unit_of(unit) for unit in light._units])
     return result
 
 
 def _power(light, power):
-    result = of_spreads(lambda x: x**power, lambda x: [power * x ** (power - 1)], [light])
+    result = of_sources(lambda x: x**power, lambda x: [power * x ** (power - 1)], [light])
     result._set_units([product("", unit, float(power)) if not power.ndim else "" for unit in light._units])
     return result
 
 
 def _over(numbers, light):
     with np.errstate(divide="ignore", invalid="ignore"):
-        result = of_spreads(lambda x: numbers / x, lambda x: [-numbers / x**2], [light])
+        result = of_sources(lambda x: numbers / x, lambda x: [-numbers / x**2], [light])
     result._set_units([product("", unit, -1) if not numbers.ndim else "" for unit in light._units])
     return result
 
@@ -161,7 +161,7 @@ def _of_two(ufunc, a, b):
     if ufunc in (np.add, np.subtract) and set(a._units) != set(b._units):
         raise ValueError(f"the units differ: {a._units[0]!r} and {b._units[0]!r}; see with_unit()")
     with np.errstate(divide="ignore", invalid="ignore"):
-        result = of_spreads(ufunc, slopes[ufunc], [a, b])
+        result = of_sources(ufunc, slopes[ufunc], [a, b])
     if a.name != b.name:
         result.name = f"{a.name} {_SIGNS[ufunc]} {b.name}"
     if ufunc in (np.multiply, np.true_divide):
@@ -174,21 +174,19 @@ def _of_two(ufunc, a, b):
     return result
 
 
-def of_spreads(function, slopes, arguments):
+def of_sources(function, slopes, arguments):
     """A function of estimates to first order in their deviations.
 
     Its errors are unknown if those of an argument are not kept.
     """
     index, bands = _common(arguments)
-    spreads = spreads_of(arguments)
-    if spreads is None:
+    sources = sources_of(arguments)
+    if sources is None:
         warn_of_unknown(arguments)
         means = np.asarray(function(*[argument.values for argument in arguments]))
         values, source = unknown(means), None
     else:
-        means = [spread.means for spread in spreads]
-        value = np.asarray(function(*means))
-        source = linear(value, list(zip(spreads, slopes(*means))))
+        source = FirstOrder.of(function, slopes, sources)
         values = source.estimates()
     shape = values.shape[:-1]
     first = max(arguments, key=lambda argument: argument.ndim)
@@ -215,22 +213,17 @@ def _common(arguments):
     return index, bands
 
 
-def spreads_of(arguments):
-    """The spreads of estimates, of equal numbers of replicates; None if one is not known.
+def sources_of(arguments):
+    """The sources of estimates, of equal numbers of replicates; None if one is not known.
 
     Numbers without an error deviate in no replicate.
     """
-    known = [a._source.spread() for a in arguments if a._source is not None]
-    counts = sorted({spread.replicates for spread in known})
-    if len(counts) > 1:
-        raise ValueError(f"{counts[0]} and {counts[1]} replicates: they can't be paired")
+    known = [a._source for a in arguments if a._source is not None]
+    count = paired(known) if known else 2
     exact = [a for a in arguments if a._source is None]
     if not all(np.all(a.standard_error == 0) for a in exact):
         return None
-    count, known = (counts or [2])[0], iter(known)
-    return [
-        Spread.exact(a.values, count) if a._source is None else next(known) for a in arguments
-    ]
+    return [Spread.exact(a.values, count) if a._source is None else a._source for a in arguments]
 
 
 def unknown(means):
@@ -265,9 +258,10 @@ def jackknife(function, arguments):
 
     Returns it with the jackknife's estimate of the bias of the function of the means.
     """
-    spreads = spreads_of(arguments)
-    if spreads is None:
+    sources = sources_of(arguments)
+    if sources is None:
         return None, None
+    spreads = [source.spread() for source in sources]
     count = spreads[0].replicates
     value = np.asarray(function(*[spread.means for spread in spreads]), float)
     if count < 2:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from . import _core
-from ._spread import Combination
+from ._combination import Combination
 from .estimates import Estimates
 
 

@@ -56,7 +56,7 @@ class Selectable:
     def _within(self, key):
         """Positions of the second axis of rows."""
         rows = self._rows(key, self.shape[1])
-        source = None if self._source is None else self._source.each(lambda part: part.take(rows))
+        source = None if self._source is None else self._source.take_inner(rows)
         keeps_inner = self._inner is not None and np.ndim(rows)
         index = self.index
         if index is not None:

@@ -1,75 +1,79 @@
-"""Light of several runs as one array: points of a sweep, or time steps."""
+"""Numbers of several runs: points of a sweep, or time steps."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
-from ._spread import Spread, Stack
-from .estimates import Estimates
+from ._spread import Spread, linear, paired
 
 
-def stacked(parts, runs):
-    """The estimates of several runs as one, whose first axis is that of runs.
+class Stack:
+    """Numbers of several runs, each of its own source; the first axis is that of runs. A source itself.
 
-    Parameters
-    ----------
-    parts : list of Estimates
-        Of equal shape and of the same organs.
-    runs : RunIndex
-        Their meaning; its `inner` is replaced.
+    Runs may share their random numbers: a contribution that one of them lacks, others may lack too.
     """
-    first = parts[0]
-    for part in parts:
-        if part.shape != first.shape or not part.index == first.index:
-            raise ValueError(
-                f"the {runs.axis}s have different organs: take each alone, or use quasimc.align(a, b)"
-            )
-    origins = [name for name in first.origins if all(name in part.origins for part in parts)]
-    return Estimates(
-        np.stack([part._values for part in parts]),
-        first.name,
-        first._units,
-        first.bands,
-        index=runs.with_inner(first.index),
-        source=_source_of(parts, runs.axis == "point"),
-        origins={
-            name: (lambda name=name: stacked([part.origin(name) for part in parts], runs))
-            for name in origins
-        },
-        extensive=first.extensive,
+
+    __slots__ = ("_parts", "_is_shared")
+
+    def __init__(self, parts, is_shared):
+        self._parts = list(parts)
+        self._is_shared = is_shared
+
+    def _with(self, parts):
+        return Stack(parts, self._is_shared)
+
+    @property
+    def ndim(self):
+        return 1 + self._parts[0].ndim
+
+    @property
+    def replicates(self):
+        return paired(self._parts)
+
+    def with_band(self, band):
+        return self._with(part.with_band(band) for part in self._parts)
+
+    def take(self, key):
+        return self._parts[key] if np.ndim(key) == 0 else self._with(self._parts[row] for row in key)
+
+    def take_inner(self, key):
+        return self._with(part.take(key) for part in self._parts)
+
+    def summed(self, factors, axes=(0,)):
+        if 1 in axes:
+            rows = self._with(part.summed(own) for part, own in zip(self._parts, factors))
+            return rows if axes == (1,) else rows.summed(np.ones(len(factors)))
+        spreads = self._spreads()
+        means = sum(factor * spread.means for factor, spread in zip(factors, spreads))
+        total = linear(means, list(zip(spreads, factors)))
+        if self._is_shared:
+            total.sizes = shared_sizes(spreads, factors)
+        return total
+
+    def _spreads(self):
+        paired(self._parts)
+        return [part.spread() for part in self._parts]
+
+    def estimates(self):
+        return np.stack([part.estimates() for part in self._parts])
+
+    def spread(self):
+        spreads = self._spreads()
+        return Spread(
+            np.stack([spread.means for spread in spreads]),
+            np.stack([spread.deviations for spread in spreads], axis=1),
+            np.stack([spread.sizes for spread in spreads]),
+        )
+
+
+def shared_sizes(spreads, factors):
+    """One contribution to a weighted sum of runs with the same random numbers: it may be missing from all of
+    them, so sizes of one sign add up; those of the other sign are as if independent."""
+    above, below = (
+        sum(
+            np.maximum(sign * factor, 0.0)[..., None] * spread.sizes[..., ::sign]
+            for factor, spread in zip(factors, spreads)
+        )
+        for sign in (1, -1)
     )
-
-
-def _source_of(parts, is_shared):
-    """What sums are made of; None if it is not known for any run.
-
-    Points of a sweep share their random numbers, time steps do not.
-    """
-    known = [part._source for part in parts if part._source is not None]
-    if not known:
-        return None
-    count = known[0].spread().replicates if len(known) < len(parts) else 0
-    sources = (
-        Spread.of_values(part.values, part.standard_error, count) if part._source is None else part._source
-        for part in parts
-    )
-    return Stack(sources, is_shared)
-
-
-class StackedLight(Mapping):
-    """Light of several runs by its quantity or part: ``light[quantity]`` has the axis of runs first."""
-
-    def __init__(self, lights, runs):
-        self._lights = lights
-        self._runs = runs
-
-    def __getitem__(self, name):
-        return stacked([light[name] for light in self._lights], self._runs)
-
-    def __iter__(self):
-        return iter(self._lights[0])
-
-    def __len__(self):
-        return len(self._lights[0])
+    return np.hypot(above, below)

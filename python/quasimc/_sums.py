@@ -109,7 +109,9 @@ class Summable:
     def _weighted(self, weights, first):
         """The weighted sum over as many axes as the weights have, from the first one."""
         if self._source is not None:
-            source = self._source.summed(weights, first) if first else self._source.summed(weights)
+            factors = weights.reshape(*weights.shape, *[1] * (self.ndim - first - weights.ndim))
+            axes = tuple(range(first, first + weights.ndim))
+            source = self._source.summed(np.broadcast_to(factors, self.shape), axes)
             values = source.estimates()
         else:
             source, values = None, self._sum_of_unknown(weights, first)

@@ -21,7 +21,9 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
     ``light["PAR"]`` selects a band, ``light[3]``, ``light[1:4]`` and ``light[mask]`` select by position,
     and `at` selects by id or name. Sums and arithmetic keep the errors: they are computed replicate by
     replicate, never added in quadrature, and replicate r of one is paired with replicate r of the other.
-    ``np.asarray(light)`` are the values alone.
+    A sum of arithmetic has the error of the arithmetic of sums: ``(a - b).sum()`` that of
+    ``a.sum() - b.sum()``. ``np.asarray(light)`` are the values alone. Pickled estimates keep replicates,
+    but no single contributions: errors of their sums may be larger.
 
     Intervals contain the values and end at physical bounds (docs/theory/statistics.md); after
     differences, ratios and functions they have no bounds.

@@ -7,12 +7,12 @@ from functools import cached_property
 import numpy as np
 
 from . import _core
+from ._combination import Combination, Rows
 from ._format import number
 from ._index import GroupIndex, OrganIndex
 from ._light import Light, origins_of, ratio_estimates
 from ._result_tables import ResultTables
 from ._result_views import ResultViews
-from ._spread import Combination, Rows
 from .detectors import DetectorResult
 from .estimates import Estimates
 from .groups import Groups, group_rows

@@ -9,7 +9,7 @@ import numpy as np
 from . import _core
 from ._index import OrganIndex, RunIndex, time_index
 from ._light import Light, label_columns
-from ._stack import StackedLight
+from ._stacked_light import StackedLight
 from .control import Control
 from .groups import Groups
 from .result import Result

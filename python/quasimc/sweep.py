@@ -10,7 +10,7 @@ import numpy as np
 
 from ._index import RunIndex
 from ._meshes import input_error
-from ._stack import StackedLight
+from ._stacked_light import StackedLight
 from .values import Value
 
 #: Keys whose values are assigned to a scene: the first part of a name.

@@ -133,8 +133,10 @@ def test_a_sweep_is_pickled(swept):
     ours, theirs = (each["absorbed_flux"]["PAR"].sum(axis="organ") for each in (back, swept))
     assert ours._values == pytest.approx(theirs._values, rel=1e-12)
     light = swept["absorbed_flux"]["PAR"]
-    ours, theirs = ((each + 0.0).sum(axis=1) for each in (pickle.loads(pickle.dumps(light)), light))
-    assert ours._values == pytest.approx(theirs._values, rel=1e-9)
+    ours = pickle.loads(pickle.dumps(light))
+    assert (ours + 0.0)._values == pytest.approx((light + 0.0)._values, rel=1e-9)
+    ours, theirs = (each.sum(axis=1)._source.spread() for each in (ours, light))
+    assert ours.deviations == pytest.approx(theirs.deviations, rel=1e-9)
 
 
 def test_a_sum_over_points_has_a_weight_for_each(swept):
