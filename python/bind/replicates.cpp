@@ -15,6 +15,7 @@
 #include "results/combine.h"
 #include "results/evaluate.h"
 #include "results/groups.h"
+#include "results/totals.h"
 #include "run/evaluation_of.h"
 #include "run/run_state.h"
 #include "sums/origin_sums.h"
@@ -86,19 +87,24 @@ Numbers combined_sunlit(
     return array_of(values, {static_cast<py::ssize_t>(values.size())});
 }
 
+/// @param shape  (..., 2): one contribution more, and one less
+Numbers sizes_of(const std::vector<ContributionSize>& sizes, std::vector<py::ssize_t> shape) {
+    Numbers array(std::move(shape));
+    double* out = array.mutable_data();
+    for (const ContributionSize& size : sizes) {
+        *out++ = size.more;
+        *out++ = size.less;
+    }
+    return array;
+}
+
 /// Values (replicates, sums, bands), and sizes of a contribution (sums, bands, 2).
 py::tuple tuple_of(
     const CombinedReplicates& all, const ReplicateSums& kept, std::size_t sums, std::size_t bands) {
     const auto count = static_cast<py::ssize_t>(sums), columns = static_cast<py::ssize_t>(bands);
     const auto number = static_cast<py::ssize_t>(kept.sums->replicates.size());
     const Numbers values(std::vector<py::ssize_t>{number, count, columns}, all.values.data());
-    Numbers sizes(std::vector<py::ssize_t>{count, columns, 2});
-    double* out = sizes.mutable_data();
-    for (const ContributionSize& size : all.sizes) {
-        *out++ = size.more;
-        *out++ = size.less;
-    }
-    return py::make_tuple(values, sizes);
+    return py::make_tuple(values, sizes_of(all.sizes, {count, columns, 2}));
 }
 
 py::tuple replicates(
@@ -123,6 +129,21 @@ py::tuple sunlit_replicates(
     const CombinedReplicates all = unlocked(
         [&] { return combine_sunlit_replicates(kept.sums, *kept.scene, kept.spec, rows); });
     return tuple_of(all, kept, rows.size(), 1);
+}
+
+/// The light of the whole scene: name -> (values (replicates, bands), sizes (bands, 2)).
+py::dict totals_of(const ReplicateSums& kept) {
+    const auto all =
+        unlocked([&] { return replicates_of_totals(kept.sums, *kept.scene, kept.spec); });
+    const auto bands = static_cast<py::ssize_t>(kept.sums->bands());
+    py::dict totals;
+    for (const TotalReplicates& total : all) {
+        const auto replicates = static_cast<py::ssize_t>(total.values.size()) / bands;
+        totals[py::str(std::string(total.name))] = py::make_tuple(
+            Numbers(std::vector<py::ssize_t>{replicates, bands}, total.values.data()),
+            sizes_of(total.sizes, {bands, 2}));
+    }
+    return totals;
 }
 
 /// Groups of the kept sums, which are not those of the run: a dict as of groups_dict().
@@ -223,6 +244,7 @@ void bind_replicates(py::module_& module) {
         .def(
             "sunlit_replicates", &sunlit_replicates, py::arg("starts"), py::arg("organs"),
             py::arg("weights"))
+        .def("totals", &totals_of)
         .def("groups", &groups_of, py::arg("labels"), py::arg("layers"), py::arg("layer_heights"))
         .def("whole", &whole_of)
         .def("origin", &origin_of, py::arg("name"));

@@ -240,7 +240,7 @@ def warn_of_unknown(arguments):
     warn_here(
         [
             f"the replicates of {names} were not kept: errors of sums and differences are unknown; "
-            'run with keep="replicates"; of sums over days, budgets and canopies there are none: use '
+            'run with keep="replicates"; of sums over days there are none: use '
             "groups of the run (of sensors, average=True)"
         ]
     )

@@ -8,17 +8,41 @@ import numpy as np
 
 from . import _core
 from ._combination import Combination, Rows
+from ._first_order import FirstOrder
 from ._format import number
 from ._index import GroupIndex, OrganIndex
 from ._light import Light, origins_of, ratio_estimates
 from ._result_tables import ResultTables
 from ._result_views import ResultViews
+from ._spread import Spread
 from .detectors import DetectorResult
 from .estimates import Estimates
 from .groups import Groups, group_rows
 from .run_info import Parts, RunInfo
 from .sensors import sensors_by_name
 from .sun_shade import parts_of
+
+
+#: Fractions of the light on the horizontal: what they are of.
+_FRACTIONS = {
+    "reflectance": "reflected", "transmittance": "transmitted", "absorptance": "absorbed_by_organs",
+    "ground_absorptance": "absorbed_by_ground",
+}  # fmt: skip
+
+
+def fractions_of(totals):
+    """The fractions of a canopy: dict, name -> source. Without a ground those of the ground are NaN."""
+    incident = totals["incident"]
+    nan = np.full(incident.means.shape, np.nan)
+    unknown = Spread.of_values(nan, nan, incident.replicates)
+    has_ground = "transmitted" in totals
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return {
+            name: FirstOrder.of(np.divide, lambda x, y: (1 / y, -x / y**2), [totals[part], incident])
+            if has_ground or name == "absorptance"
+            else unknown
+            for name, part in _FRACTIONS.items()
+        }
 
 
 class GroundLight(Light):
@@ -122,13 +146,21 @@ class Result(ResultTables, ResultViews, Light):
         )
 
     @cached_property
+    def _totals(self):
+        """The light of the whole scene replicate by replicate: dict, name -> Spread; empty: not kept."""
+        if self._replicates is None:
+            return {}
+        totals = self._replicates.totals()
+        return {name: Spread.of_replicates(*numbers) for name, numbers in totals.items()}
+
+    @cached_property
     def budget(self):
-        """Energy budget: dict, part -> Estimates of shape (bands,), flux.
+        """Energy budget: dict, part -> Estimates of shape (bands,), flux; they know their replicates.
 
         "closure_error" is the fraction of the emitted light that is not accounted for (rounding).
         """
         units = [self._unit("absorbed_flux", unit) for unit in self.organs.units]
-        parts = Parts(self._core.budget, self.bands, units)
+        parts = Parts(self._core.budget, self.bands, units, self._totals)
         if "closure_error" in parts:
             parts["closure_error"]._set_unit("")
         return parts
@@ -137,10 +169,13 @@ class Result(ResultTables, ResultViews, Light):
     def canopy(self):
         """Fractions of the light on the horizontal: dict, part -> Estimates of shape (bands,).
 
+        The difference of two results, ``a.canopy["absorptance"] - b.canopy["absorptance"]``, pairs their
+        replicates.
         "incident" is the flux on the horizontal area, in the unit of flux. Empty without a ground or
         a cell that is periodic along both axes.
         """
-        parts = Parts(self._core.canopy, self.bands, ("",) * len(self.bands))
+        sources = fractions_of(self._totals) if self._core.canopy and self._totals else {}
+        parts = Parts(self._core.canopy, self.bands, ("",) * len(self.bands), sources)
         if "incident" in parts:
             parts["incident"]._set_units(
                 self._unit("absorbed_flux", unit) for unit in self.organs.units

@@ -52,11 +52,12 @@ class RunInfo:
 class Parts(dict):
     """Light of the whole scene by its part, name -> Estimates of shape (bands,)."""
 
-    def __init__(self, rows, bands, units):
-        super().__init__(
-            (name, Estimates(np.array([_numbers(row[name]) for row in rows]), name, units, bands))
-            for name in (rows[0] if rows else ())
-        )
+    def __init__(self, rows, bands, units, sources):
+        """@param sources: dict, name -> source of estimates; parts without an error need none"""
+        super().__init__()
+        for name in rows[0] if rows else ():
+            values = np.array([_numbers(row[name]) for row in rows])
+            self[name] = Estimates(values, name, units, bands, source=sources.get(name))
         self._bands = bands
 
     def __missing__(self, key):

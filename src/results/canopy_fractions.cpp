@@ -109,6 +109,10 @@ std::vector<std::vector<double>> horizontal_flux(
     return incident;
 }
 
+double Flows::*reflected_flux(const Scene& scene) {
+    return is_infinite(scene) ? &Flows::escaped : &Flows::escaped_scattered;
+}
+
 std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     const Organ* ground = ground_of(scene);
@@ -124,8 +128,7 @@ std::vector<CanopyFractions> evaluate_canopy(
         if (ground != nullptr) {
             const GroundContribution contribution =
                 contribution_on_ground(sums, scene, spec, *ground, b);
-            own.reflectance =
-                maker.fraction(infinite ? &Flows::escaped : &Flows::escaped_scattered);
+            own.reflectance = maker.fraction(reflected_flux(scene));
             own.transmittance = maker.fraction(&Flows::on_ground, contribution.on_ground);
             own.ground_absorptance = maker.fraction(&Flows::ground, contribution.absorbed);
         }

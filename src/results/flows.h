@@ -29,6 +29,10 @@ using BandFlows = std::vector<std::vector<Flows>>;
 [[nodiscard]] std::vector<std::vector<double>> horizontal_flux(
     const BandFlows& flows, const Scene& scene, const EvaluationSpec& spec);
 
+/// The flux that leaves a canopy upwards: all that escapes from a cell that is periodic along both
+/// axes, or scattered light that does.
+[[nodiscard]] double Flows::*reflected_flux(const Scene& scene);
+
 /// The fractions of each band (Result::canopy).
 [[nodiscard]] std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec);

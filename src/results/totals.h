@@ -2,6 +2,7 @@
 
 #include <mutex>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -38,5 +39,17 @@ class TotalContributions {
 /// contribution, and the emitted flux as a limit.
 void report_errors_of_totals(
     const Sums& sums, const Scene& scene, const TotalContributions& contributions, Result& result);
+
+/// The light of the whole scene, replicate by replicate, for arithmetic beyond the budget and the
+/// fractions of the canopy.
+struct TotalReplicates {
+    std::string_view name;                ///< as in the budget; or incident, reflected, transmitted
+    std::vector<double> values;           ///< [replicate * bands + band], flux
+    std::vector<ContributionSize> sizes;  ///< by band: one contribution, as in the budget's errors
+};
+/// @returns the parts of the budget; and light on the horizontal, light that the canopy reflects,
+/// and light on the ground, where these are known
+[[nodiscard]] std::vector<TotalReplicates> replicates_of_totals(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 
 }  // namespace quasimc
