@@ -14,6 +14,7 @@
 #include "base/text.h"
 #include "bind.h"
 #include "document.h"
+#include "draft.h"
 #include "files/input_files.h"
 #include "results/organ_height.h"
 #include "results/organ_values.h"
@@ -278,6 +279,7 @@ void bind_scene(py::module_& module) {
         .def_readonly("name", &Document::name)
         .def_readonly("folder", &Document::folder)
         .def("table", [](const Document& document) { return to_python(document.node); })
+        .def("draft", &draft_of)
         .def("build", &build, py::arg("meshes"), py::arg("overlaps") = nullptr);
 
     py::class_<KnownOverlaps>(module, "KnownOverlaps").def(py::init<>());

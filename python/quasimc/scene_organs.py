@@ -10,19 +10,24 @@ import numpy as np
 
 from ._mesh_edits import divided, moved, organ_count, organs_from, with_entries, with_triangles
 from ._meshes import input_error, mesh_arrays
+from ._taken_out import TakenOut
 
 
 class SceneOrgans:
     """The organs of a scene as it is now: all that `Organs` has, and ways to edit them.
 
-    Organs of `Scene.add_mesh` can be edited; those of shapes and files are replaced or removed as a
-    whole by `Scene.replace` and `Scene.remove`. An edited organ keeps its position in results, and
-    they have the bits of a new scene with the same organs in the same order. Organs that were added
-    without an id are numbered anew when others are removed.
+    An edited organ keeps its position in results, and they have the bits of a new scene with the same
+    organs in the same order. Organs that were added without an id are numbered anew when others are
+    removed.
+
+    The first edit of an organ of a shape or a file takes all organs of shapes and files out: they
+    become meshes with the same ids, names, labels and materials, in the same order, and the files are
+    not read again. Copies get triangles of their own, which need memory. Later `Scene.add_organ` and
+    `add_file` add before them.
 
     `which` is an id, a name, a list of these, or a mask of organs ((organs,) of bool, as of `where`).
     A refused call changes nothing: it raises KeyError if there is no such organ, and InputError if
-    an organ is of a shape or a file, or the change is invalid.
+    the change is invalid.
 
     Examples
     --------
@@ -69,7 +74,7 @@ class SceneOrgans:
             None, None, True, 90.0,
         )  # fmt: skip
         with self._edited._lock.to_change():
-            found = self._find(which)
+            found, taken = self._find(which)
             given = [id for _, _, id in found] if new["ids"] is None else new["ids"].tolist()
             if sorted(given) != sorted(id for _, _, id in found) or len(given) != organ_count(new):
                 raise input_error(
@@ -79,12 +84,12 @@ class SceneOrgans:
                     "give organ=, the id of the organ of each face",
                 )
             parts = {id: organs_from(new, i, i + 1) for i, id in enumerate(given)}
-            self._change(found, lambda organ, id: with_triangles(organ, parts[id]))
+            self._change(found, taken, lambda organ, id: with_triangles(organ, parts[id]))
 
     def remove(self, which):
         """Removes organs."""
         with self._edited._lock.to_change():
-            self._change(self._find(which), None)
+            self._change(*self._find(which), None)
 
     def transform(self, which, *, scale=1, rotate=None, translate=None):
         """Scales, then rotates, then translates organs, as `transform` of a run file does.
@@ -106,7 +111,7 @@ class SceneOrgans:
             _check_rotation(rotate)
         with self._edited._lock.to_change():
             self._change(
-                self._find(which), lambda organ, _: moved(organ, scale, rotate, translate)
+                *self._find(which), lambda organ, _: moved(organ, scale, rotate, translate)
             )
 
     def set(self, which, *, material=None, labels=None, name=None, measured=None):
@@ -125,34 +130,26 @@ class SceneOrgans:
             raise input_error("organs.set", f"labels is of the type {kind}", "it must be a dict")
         with self._edited._lock.to_change():
             self._change(
-                self._find(which),
+                *self._find(which),
                 lambda organ, _: with_entries(organ, material, labels, name, measured),
             )
 
     def _find(self, which):
-        """Number of the mesh, index in it, and id of each organ."""
-        meshes = self._edited._meshes
+        """Number of the mesh, index in it, and id of each organ; and what must be taken out of files."""
+        meshes, taken = self._edited._meshes, None
         keys = self._keys(which)
-        found = [
-            _of_id(self._edited, key) if isinstance(key, numbers.Integral) else None for key in keys
-        ]
-        if None not in found:
-            return found
+        if all(isinstance(key, numbers.Integral) for key in keys):
+            found = [_of_id(self._edited, key) for key in keys]
+            if None not in found:
+                return found, None
         organs = self._edited._build()
+        positions = [organs.index_of(key) for key in keys]
+        if min(positions) < len(organs) - sum(organ_count(mesh) for mesh in meshes.values()):
+            taken = TakenOut(self._edited, organs)
+            meshes = {**taken.meshes, **meshes}
         order = [(number, i) for number in sorted(meshes) for i in range(organ_count(meshes[number]))]
         first = len(organs) - len(order)
-        for i, key in enumerate(keys):
-            if found[i] is None:
-                position = organs.index_of(key)
-                if position < first:
-                    raise input_error(
-                        "scene.organs",
-                        f"organ {organs.names[position]!r} is of a shape or a file",
-                        "only organs of add_mesh can be edited",
-                        "remove all of it by its name: scene.remove(name)",
-                    )
-                found[i] = (*order[position - first], int(organs.ids[position]))
-        return found
+        return [(*order[position - first], int(organs.ids[position])) for position in positions], taken
 
     def _keys(self, which):
         """Ids and names, each once."""
@@ -167,19 +164,24 @@ class SceneOrgans:
             return ids[array].tolist()
         return list(dict.fromkeys(key if isinstance(key, str) else int(key) for key in which))
 
-    def _change(self, found, change):
+    def _change(self, found, taken, change):
         """Puts changed organs instead of the old ones; `change` None: removes them."""
         scene = self._edited
+        meshes, check = scene._meshes, scene._check_mesh
+        if taken is not None:
+            meshes, check = {**taken.meshes, **meshes}, taken.check
         changed = defaultdict(dict)
         for number, index, id in found:
-            mesh = scene._meshes[number]
+            mesh = meshes[number]
             changed[number][index] = (
                 None if change is None else change(organs_from(mesh, index, index + 1), id)
             )
         for number, organs in changed.items():
             for organ in organs.values():
                 if organ is not None:
-                    scene._check_mesh(organ, [number])
+                    check(organ, [number])
+        if taken is not None:
+            taken.put()
         for number, organs in changed.items():
             parts = divided(scene._meshes[number], organs)
             scene._take(number)

@@ -155,7 +155,9 @@ def test_materials_of_faces_stay_with_their_faces():
 @pytest.mark.parametrize("wrong, error, message", [
     (lambda o: o.remove(77), KeyError, "no organ with the id 77"),
     (lambda o: o.remove("leaf 99"), KeyError, "leaf 9"),
-    (lambda o: o.remove(900), quasimc.InputError, "of a shape or a file .*add_mesh.*scene.remove"),
+    (lambda o: o.set(900, material="lefa"), quasimc.InputError, "lefa"),
+    (lambda o: o.replace(["organ 900", 1], triangles_of(1)[0]), quasimc.InputError, "give organ="),
+    (lambda o: o.transform(["organ 900", 77], translate=[0, 0, 1]), KeyError, "77"),
     (lambda o: o.remove(np.ones(3, bool)), quasimc.InputError, "mask has the shape"),
     (lambda o: o.replace(1, [[[0, 0, 0], [1, 0, np.nan], [0, 1, 0]]]), quasimc.InputError, ""),
     (lambda o: o.replace([1, 2], triangles_of(1)[0]), quasimc.InputError, "give organ="),
@@ -205,3 +207,106 @@ def test_copies_of_shapes_are_numbered_beyond_the_ids_of_meshes():
     scene.add_mesh(triangles_of(1)[0], material="leaf", organ=50)
     scene.add_mesh(triangles_of(1, seed=1)[0], material="leaf")
     assert scene.organs.ids.tolist() == [51, 52, 53, 50, 54]
+
+
+TWO_PLANTS = """mtllib leaf.mtl
+v 0 0 2
+v 1 0 2
+v 0 1 2
+v 1 1 2.5
+g blade
+usemtl blade
+f 1 2 3
+usemtl other
+f 2 3 4
+g sheath
+usemtl leaf
+f 1 2 4
+"""
+
+
+@pytest.fixture
+def mixed(tmp_path):
+    """Shapes, a copied shape, a file with materials of its own, a sensor, and a mesh."""
+    (tmp_path / "leaf.mtl").write_text("newmtl blade\nKd 0.2 0.3 0.1\nnewmtl other\nKd 0.5 0.5 0.5\n")
+    (tmp_path / "leaf.obj").write_text(TWO_PLANTS)
+    scene = empty()
+    scene.add_material("glass", transmittance=1, transmission_model="mirror")
+    scene.add_organ("cylinder", material="stem", base=[0.5, 0.5, 0], axis=[0, 0, 1], radius=0.02, name="stem",
+                    labels={"kind": "stem"})
+    scene.add_organ("disk", material="leaf", center=[0.2, 0.2, 1.5], normal=[0, 0, 1], radius=0.1, id=40,
+                    measured=False)
+    scene.add_organ("disk", material="glass", center=[0.5, 0.2, 1.5], normal=[0, 0, 1], radius=0.1, id=7,
+                    field_of_view_deg=30)
+    scene.add_file(tmp_path / "leaf.obj", organs="groups", name="plant", labels={"plant": "1"},
+                   transform={"scale": 0.5})
+    scene.add_mesh(triangles_of(1)[0], material="leaf", name="last", labels={"kind": "leaf"})
+    return scene
+
+
+@pytest.mark.filterwarnings("ignore::quasimc.QuasimcWarning")
+@pytest.mark.parametrize("edit", [
+    lambda organs: organs.transform("plant blade", translate=[0, 0, 0]),
+    lambda organs: organs.set("stem", labels={"kind": "stem"}),
+    lambda organs: organs.transform([40, "last"], scale=1),
+    lambda organs: organs.replace("stem", organs.triangles(0)),
+])  # fmt: skip
+def test_organs_are_taken_out_of_shapes_and_files_as_they_are(mixed, tmp_path, edit):
+    new = copy.copy(mixed)
+    new.build()
+    edit(mixed.organs)
+    (tmp_path / "leaf.obj").write_text("not read any more")
+    mixed.build()
+    (tmp_path / "leaf.obj").write_text(TWO_PLANTS)
+    same_bits(mixed, new)
+    ours, theirs = (s.run(SKY, **FEW, method="from_organs")["absorbed_flux"]["PAR"] for s in (mixed, new))
+    np.testing.assert_array_equal(ours.values, theirs.values)
+    assert np.isnan(ours.at(40).values) and mixed.organs.ids.tolist() == [1, 40, 7, 41, 42, 43]
+    assert set(mixed.materials) == {"leaf", "stem", "soil", "glass", "blade", "other"}
+
+
+@pytest.mark.filterwarnings("ignore::quasimc.QuasimcWarning")
+def test_organs_of_shapes_and_files_are_edited(mixed):
+    before = mixed.organs.triangles(3)
+    mixed.organs.transform("plant blade", translate=[0, 0, 0.25])
+    np.testing.assert_allclose(mixed.organs.triangles(3), before + [0, 0, 0.25], atol=1e-15)
+    mixed.organs.remove(40)
+    mixed.organs.set("plant sheath", material="stem", labels={"plant": 2})
+    mixed.organs.replace("stem", triangles_of(1, seed=3)[0])
+    assert mixed.organs.names == ["stem", "organ 7", "plant blade", "plant sheath", "last"]
+    assert mixed.organs.ids.tolist() == [1, 7, 41, 42, 43]
+    assert mixed.organs.labels["plant"] == ["", "", "1", "2", ""]
+    assert len(mixed.organs.triangles(0)) == 2
+    again = pickle.loads(pickle.dumps(mixed))
+    mixed.remove("plant")
+    assert mixed.organs.names == ["stem", "organ 7", "last"]
+    assert again.organs.names[2:4] == ["plant blade", "plant sheath"]
+    again.add_organ("disk", material="leaf", center=[0, 0, 1], normal=[0, 0, 1], radius=0.1, name="new")
+    again.organs.transform("new", translate=[0, 0, 1])
+    assert again.organs.names[0] == "new" and len(again.organs) == 6
+
+
+@pytest.mark.filterwarnings("ignore::quasimc.QuasimcWarning")
+def test_an_organ_under_another_comes_back_whole():
+    scene = empty()
+    for name in ("above", "below"):
+        scene.add_organ("polygon", material="leaf", name=name,
+                        corners=[[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+    assert scene.run(SKY, **FEW)["incident_upper"]["PAR"].values[1] == 0
+    scene.organs.remove("above")
+    assert scene.run(SKY, **FEW)["incident_upper"]["PAR"].values[0] > 10
+
+
+@pytest.mark.filterwarnings("ignore::quasimc.QuasimcWarning")
+def test_copies_become_organs_of_their_own():
+    scene = quasimc.Scene("PAR", up="y")
+    scene.add_material("leaf", reflectance=0.1)
+    scene.add_organ("disk", material="leaf", center=[0, 1, 0], normal=[0, 1, 0], radius=0.1, name="leaf",
+                    at=[{"x": 0, "y": 0, "z": 0, "row": "1"}, {"x": 1, "y": 0, "z": 0, "row": "2"}])
+    labels, triangles = scene.organs.labels, [scene.organs.triangles(i) for i in range(2)]
+    names = scene.organs.names
+    scene.organs.transform(names[1], translate=[0, 1, 0])
+    assert scene.organs.names == names and scene.organs.labels == labels
+    assert labels["row"] == ["1", "2"]
+    np.testing.assert_allclose(scene.organs.triangles(0), triangles[0], atol=1e-15)
+    np.testing.assert_allclose(scene.organs.triangles(1), triangles[1] + [0, 1, 0], atol=1e-15)
