@@ -5,8 +5,8 @@
 #include "files/input_files.h"
 #include "files/output_files.h"
 #include "netcdf/netcdf_writer.h"
-#include "resultio/read_light.h"
 #include "resultio/read_result.h"
+#include "resultio/replay_result.h"
 
 namespace {
 
@@ -38,22 +38,7 @@ void convert_to_netcdf(
     inputs.push_back({input, input, "", 0, false});
     quasimc::OutputFiles outputs({{output, "OUTPUT"}}, inputs);
     const auto writer = quasimc::make_netcdf_writer(run, outputs.sink(0), stored.program_version);
-    std::size_t at = 0;
-    // A stopped sweep has its first points only.
-    quasimc::LightEvents events;
-    events.on_point = [&](std::size_t point) {
-        while (at < point && at + 1 < stored.runs.size()) {
-            run = stored.runs.take(++at);
-            writer->next_run(run, {});
-        }
-    };
-    events.on_controls = [&](const auto& outcomes) { writer->add_controls(outcomes); };
-    events.on_time_step = [&](std::size_t time_step, const auto& result) {
-        writer->on_time_step({time_step, result});
-    };
-    events.on_day = [&](std::size_t day, const auto& sum) { writer->add_day(day, sum); };
-    quasimc::read_light(text, input, run, events);
-    writer->finish({});
+    quasimc::replay_result(text, input, stored.runs, run, *writer);
     outputs.commit();
     outputs.throw_if_given_up();
 }

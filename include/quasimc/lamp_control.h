@@ -50,6 +50,7 @@ struct ControlOutcome {
     std::size_t lamps = 0;                ///< their number
     std::vector<ControlStep> steps = {};  ///< per time step
     std::vector<ControlDay> days = {};    ///< by TimeStep::day
+    bool has_file_units = false;          ///< whether the sums of days have the units of files
 };
 
 /// The input of control_lamps().

@@ -48,6 +48,8 @@ struct SeriesSum {
     std::vector<OriginSum> origins;  ///< each origin alone, as Result::origins
     /// The light on sensors, as Result::sensors; null without sensors.
     std::shared_ptr<const SeriesSum> sensors = {};
+    /// Whether the light is in the units of files: mol m-2, J m-2.
+    bool has_file_units = false;
 
     [[nodiscard]] Estimate at(std::size_t organ, Quantity q, std::size_t band) const {
         return values[(organ * kQuantities + static_cast<std::size_t>(q)) * bands + band];

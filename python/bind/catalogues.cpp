@@ -96,11 +96,7 @@ void bind_catalogues(py::module_& module) {
         "unit_of", &unit_of_quantity, py::arg("quantity"), py::arg("unit"), py::arg("length_unit"));
     module.def(
         "summed_unit",
-        [](const std::string& unit) {
-            const SummedUnit summed = summed_unit(unit);
-            return py::make_tuple(summed.name, summed.factor);
-        },
-        py::arg("unit"));
+        [](const std::string& unit) { return summed_unit(unit).name; }, py::arg("unit"));
 }
 
 }  // namespace quasimc::python

@@ -7,9 +7,9 @@
 namespace quasimc::python {
 namespace {
 
-/// Mean, standard error and ends of the interval, times a factor.
-py::list numbers_of(const Estimate& estimate, double factor = 1) {
-    const Estimate e = reported(scaled(estimate, factor));
+/// Mean, standard error and ends of the interval.
+py::list numbers_of(const Estimate& estimate) {
+    const Estimate e = reported(estimate);
     py::list numbers;
     for (const double x : {e.mean, e.standard_error, e.ci95_low, e.ci95_high}) {
         numbers.append(x);
@@ -17,13 +17,13 @@ py::list numbers_of(const Estimate& estimate, double factor = 1) {
     return numbers;
 }
 
-py::dict day_under_control(const ControlDay& day, double factor) {
+py::dict day_under_control(const ControlDay& day) {
     py::dict own;
     own["hours_on"] = day.hours_on;
     own["kwh"] = day.kwh;
     own["hours_near_threshold"] = day.hours_near_threshold;
-    own["lamps"] = numbers_of(day.lamps, factor);
-    own["light"] = numbers_of(day.light, factor);
+    own["lamps"] = numbers_of(day.lamps);
+    own["light"] = numbers_of(day.light);
     return own;
 }
 
@@ -32,7 +32,6 @@ py::dict control_of(
     const ControlOutcome& outcome,
     const TimeSeries& series,
     const Band& band) {
-    const SummedUnit unit = summed_unit(band.unit);
     py::list factor, on, kwh, is_near_threshold, daylight, lamps, light;
     for (const ControlStep& step : outcome.steps) {
         factor.append(step.factor);
@@ -45,14 +44,14 @@ py::dict control_of(
     }
     py::dict days;
     for (std::size_t i = 0; i < outcome.days.size(); ++i) {
-        days[py::str(series.days[i])] = day_under_control(outcome.days[i], unit.factor);
+        days[py::str(series.days[i])] = day_under_control(outcome.days[i]);
     }
     py::dict own;
     own["sources"] = control.sources;
     own["sensors"] = control.sensors;
     own["band"] = band.name;
     own["unit"] = band.unit;
-    own["sum_unit"] = unit.name;
+    own["sum_unit"] = summed_unit(band.unit).name;
     own["lamp_count"] = outcome.lamps;
     own["factor"] = factor;
     own["on"] = on;

@@ -1,9 +1,7 @@
 // Results as files and as bytes.
 
-#include <algorithm>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,14 +12,16 @@
 #include "files/input_files.h"
 #include "light/source_origins.h"
 #include "quasimc/result_file.h"
+#include "record.h"
 #include "replicates.h"
 #include "result.h"
-#include "resultio/read_light.h"
+#include "resultio/output_input.h"
 #include "resultio/read_result.h"
-#include "resultio/read_rows.h"
+#include "resultio/replay_result.h"
 #include "run/evaluation_of.h"
 #include "run/zero_result.h"
 #include "runfile/run_file.h"
+#include "runfile/sweep.h"
 #include "scene.h"
 
 namespace quasimc::python {
@@ -32,75 +32,63 @@ RunFile run_of(const Document& document) {
     return read_run_document(document.node, document.name, files, {}, {}, NoLightPolicy::allowed);
 }
 
-/// The rows of a result in the order of a scene that has the same organs, by id.
-class RowOrder {
-  public:
-    /// @throws InputError  if the scene has other organs
-    RowOrder(const Result& result, const Scene& scene) {
-        std::unordered_map<std::int64_t, std::size_t> rows;
-        for (const Organ& organ : result.names->organs()) {
-            rows.emplace(organ.id, rows.size());
-        }
-        for (const Organ& organ : scene.organs()) {
-            const auto found = rows.find(organ.id);
-            if (found == rows.end() || rows.size() != scene.organs().size()) {
-                throw InputError(
-                    {{"scene", "it would be read with other ids of organs",
-                      "files have changed, or both files and meshes have no ids",
-                      "give add_file(first_id=...) and add_mesh(organ=...)"}});
-            }
-            from_.push_back(found->second);
-        }
-        to_.resize(from_.size());
-        for (std::size_t i = 0; i < from_.size(); ++i) {
-            to_[from_[i]] = static_cast<std::uint32_t>(i);
-        }
-    }
+/// The writer of a format: "json", "csv".
+std::unique_ptr<OutputWriter> make_writer(
+    const std::string& format, const RunFile& run, const TextSink& sink) {
+    return format == "csv" ? make_csv({run, sink}) : make_json({run, sink});
+}
 
-    void apply(Result& result) const {
-        const std::size_t row = kQuantities * result.bands;
-        put(result.values, row);
-        put(result.sunlit_fraction, result.sunlit_fraction.empty() ? 0 : 1);
-        put(result.ratio_values, result.ratios);
-        for (OrganGroup& group : result.groups.groups) {
-            for (std::uint32_t& organ : group.organs) {
-                organ = to_[organ];
-            }
-            std::ranges::sort(group.organs);
-        }
-        for (OriginLight& origin : result.origins) {
-            apply(origin.light);
-        }
-    }
-
-  private:
-    void put(std::vector<Estimate>& values, std::size_t row) const {
-        const std::vector<Estimate> old = values;
-        for (std::size_t i = 0; row > 0 && i < from_.size(); ++i) {
-            std::copy_n(old.begin() + from_[i] * row, row, values.begin() + i * row);
-        }
-    }
-
-    std::vector<std::size_t> from_;
-    std::vector<std::uint32_t> to_;
-};
-
-/// A result in a format of OutputWriter: "json", "csv".
-py::bytes written(const Document& document, const Result& result, const std::string& format) {
+/// A result in a format of make_writer().
+py::bytes written(
+    const Document& document, const std::shared_ptr<RunRecord>& record, const std::string& format) {
     std::string text;
     {
         const py::gil_scoped_release release;
-        const RunFile run = run_of(document);
-        Result ordered = result;
-        RowOrder(result, run.scene).apply(ordered);
-        const TextSink sink = [&](std::string_view part) { text += part; };
-        if (format == "csv") {
-            write_csv(run, ordered, sink);
-        } else {
-            write_json(run, ordered, sink);
-        }
+        RunFile run = run_of(document);
+        run.series = record->series;
+        const auto writer = make_writer(format, run, [&](std::string_view part) { text += part; });
+        writer->finish(replay(*record, run.scene, *writer));
     }
     return py::bytes(text);
+}
+
+/// The results of all points of a sweep in a format of make_writer().
+py::bytes written_sweep(
+    const Document& document,
+    const std::vector<std::shared_ptr<RunRecord>>& records,
+    const std::string& format) {
+    std::string text;
+    {
+        const py::gil_scoped_release release;
+        const InputFiles files(document.folder);
+        RunSweep runs = read_sweep_document(document.node, document.name, [&] { return files; });
+        std::unique_ptr<RunFile> run;
+        std::unique_ptr<OutputWriter> writer;
+        SeriesSummary last;
+        for (std::size_t i = 0; i < records.size(); ++i) {
+            auto next = std::make_unique<RunFile>(runs.take(i));
+            next->series = records[i]->series;
+            if (writer) {
+                writer->next_run(*next, last);
+            } else {
+                writer = make_writer(format, *next, [&](std::string_view part) { text += part; });
+            }
+            run = std::move(next);
+            last = replay(*records[i], run->scene, *writer);
+        }
+        writer->finish(last);
+    }
+    return py::bytes(text);
+}
+
+/// The record of a run without time steps.
+std::shared_ptr<RunRecord> record_of(
+    const SceneHandle& scene, const std::shared_ptr<Result>& result) {
+    auto record = std::make_shared<RunRecord>();
+    record->scene = scene.scene;
+    record->time_steps = record->computed = {0};
+    record->results = {result};
+    return record;
 }
 
 /// A scene without its light, as a JSON result of zeros.
@@ -115,33 +103,52 @@ py::bytes written_scene(const Document& document) {
     return py::bytes(text);
 }
 
-py::tuple handles_of(RunFile& run, Result result, const py::object& rest) {
+py::tuple handles_of(RunFile& run, const py::object& core) {
     SceneHandle scene{std::make_shared<const Scene>(std::move(run.scene)), std::move(run.warnings)};
-    return py::make_tuple(
-        std::move(scene), reported_result(std::move(result)), rest, run.source_notes,
-        run.spec.ratios);
+    return py::make_tuple(std::move(scene), core, run.source_notes, run.spec.ratios);
 }
 
-/// A JSON result: scene, light of organs, everything else as a dict, sources, names of ratios.
+/// The only result of a record, or the record of a series.
+py::object core_of(const std::shared_ptr<RunRecord>& record) {
+    return record->series ? py::cast(record) : py::cast(record->results.at(0));
+}
+
+/// The document of a point of a sweep, or of the only run.
+Document document_of(const RunFile& run) {
+    Reporter reporter{run.path, {}, {}};
+    const SweepPlan plan(*run.document, reporter);
+    return {plan.document_at(*run.document, run.point, reporter), run.path, run.folder};
+}
+
+/// A result of a file: the values of the points of its sweep (None without one), for each point or
+/// the only run its scene, its result or series, sources, names of ratios and document; and the
+/// document of all.
 py::tuple read_stored(const std::string& text, const std::string& name, const std::string& folder) {
-    Result light;
-    Node rest;
-    std::optional<RunFile> run;
+    std::optional<StoredSweep> stored;
+    std::optional<RunFile> first;
+    std::optional<Recorder> recorder;
     {
         const py::gil_scoped_release release;
-        run.emplace(read_result_text(text, name, folder).runs.take(0));
-        if (run->series) {
-            throw InputError(
-                {{name, "is a result of many times", "only results of one time can be opened",
-                  "run its run file by quasimc.load"}});
-        }
-        const auto take = [&](std::size_t, const Result& result) { light = result; };
-        read_light(text, name, *run, {.on_time_step = take, .on_day = {}});
-        rest = read_rows(text, name, {.rest = RowsQuery::Rest::all}, {});
-        light.groups.groups = make_groups(run->scene, group_spec(run->spec));
-        light.groups.bands = light.bands;
+        stored.emplace(read_result_text(text, name, folder));
+        first.emplace(stored->runs.take(0));
+        recorder.emplace(*first);
+        replay_result(text, name, stored->runs, *first, *recorder);
     }
-    return handles_of(*run, std::move(light), to_python(rest));
+    py::list runs, points;
+    const Document whole{*first->document, first->path, first->folder};
+    for (std::size_t i = 0; i < recorder->runs().size(); ++i) {
+        RunFile run = i == 0 ? std::move(*first) : stored->runs.take(i);
+        py::dict point;
+        for (const SweptValue& value :
+             run.sweep ? (*run.sweep)[i].values : std::vector<SweptValue>()) {
+            point[py::str(value.key)] = to_python(*value.value);
+        }
+        points.append(point);
+        const Document document = document_of(run);
+        runs.append(handles_of(run, core_of(recorder->runs()[i])) + py::make_tuple(document));
+    }
+    const bool is_sweep = py::len(points[0]) > 0;
+    return py::make_tuple(is_sweep ? py::object(points) : py::none(), runs, whole);
 }
 
 /// The result of kept sums, as the run had it, and the sums.
@@ -162,16 +169,20 @@ py::tuple restored(const Document& document, const std::vector<std::string>& par
         add_sunlit_of_hidden_suns(run->scene, run->sources, result);
     }
     EvaluationSpec evaluation = evaluation_of(run->scene, run->sources, run->spec);
-    const py::tuple handles = handles_of(*run, std::move(result), py::none());
+    const py::tuple handles = handles_of(*run, py::cast(reported_result(std::move(result))));
     auto kept = std::make_shared<ReplicateSums>(ReplicateSums{
         handles[0].cast<const SceneHandle&>().scene, std::move(*sums), std::move(evaluation)});
-    return py::make_tuple(handles[0], handles[1], handles[3], handles[4], std::move(kept));
+    return handles + py::make_tuple(std::move(kept));
 }
 
 }  // namespace
 
 void bind_store(py::module_& module) {
-    module.def("written", &written, py::arg("document"), py::arg("result"), py::arg("format"));
+    module.def("written", &written, py::arg("document"), py::arg("record"), py::arg("format"));
+    module.def(
+        "written_sweep", &written_sweep, py::arg("document"), py::arg("records"),
+        py::arg("format"));
+    module.def("record_of", &record_of, py::arg("scene"), py::arg("result"));
     module.def("written_scene", &written_scene, py::arg("document"));
     module.def("read_stored", &read_stored, py::arg("text"), py::arg("name"), py::arg("folder"));
     module.def("restored", &restored, py::arg("document"), py::arg("parts"));

@@ -49,7 +49,7 @@ class Light(Mapping):
 
     def _unit(self, quantity, band_unit):
         # Summed over time: the unit of the rate is that of light alone, then times the area.
-        unit = _core.summed_unit(band_unit)[0] if self._is_summed else band_unit
+        unit = _core.summed_unit(band_unit) if self._is_summed else band_unit
         return _core.unit_of(quantity, unit, self._organs.length_unit)
 
     @property

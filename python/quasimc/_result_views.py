@@ -12,12 +12,19 @@ class ResultViews:
         """Writes the result to a file, in the format of its ending.
 
         ".json": all, for `quasimc.open` and the program; ".csv": the table of organs; ".nc": NetCDF;
-        ".vtp", ".glb", ".ply": the scene with its light for ParaView, Blender and MeshLab. Results of
-        series and of growth steps can't be saved.
+        ".vtp", ".glb", ".ply": the scene with its light for ParaView, Blender and MeshLab. Time steps
+        are saved with their series (`Series.save`); the light of a specification (`grow`) can't be saved.
 
         Returns
         -------
         pathlib.Path
+
+        Raises
+        ------
+        InputError
+            If the ending is unknown, or it is the light of a time step or of a specification.
+        FileNotFoundError
+            If the folder does not exist.
         """
         from ._store import save
 

@@ -7,7 +7,7 @@ from ._meshes import plain
 from ._progress import Listener
 from ._tables import FRAME_KEYS, SCENE_KEYS, numbered
 from ._warn import warn_here, warn_of_stop
-from ._written import Written
+from ._written import Written, WrittenSweep
 from .merging import Part
 from .result import Result
 from .scene_sources import source_tables
@@ -153,7 +153,8 @@ class Runs:
             with Listener(progress) as listener:
                 core = _core.run_series(self._built, light, keep != "sums", size, listener.callback)
             notes = [*self._built.warnings, *light.warnings]
-        series = Series(core, organs, notes, light.source_notes, light.ratio_names)
+        written = self._written(sources, time, options)
+        series = Series(core, organs, notes, light.source_notes, light.ratio_names, written)
         warn_of_stop(series.stop)
         return series
 
@@ -196,7 +197,9 @@ class Runs:
         for scene, of_point, own in runs:
             light = sources if of_point is None else of_point
             results.append(scene.run(light, progress=progress, keep=keep, **own))
-        return Sweep(points, results)
+        base = self._written(sources, None, options)
+        written = WrittenSweep(base, values, combine, [result._written for result in results])
+        return Sweep(points, results, written)
 
     def part(self, index, count, sources=None, *, progress=None, **options):
         """Computes an exact share of a run, for other processes or machines; see `quasimc.merge`.

@@ -8,43 +8,83 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import SimpleNamespace
 
-import numpy as np
-
 from . import _core
+from ._meshes import input_error
 from ._program import call
 from .organs import Organs
 from .result import Result
+from .series import Series
+from .sweep import Sweep
 
-#: Formats of Result.save that the program makes from a JSON result.
-_CONVERTED = (".nc", ".vtp", ".ply", ".glb")
+#: Formats that the module writes, those that the program makes from JSON, and of these the ones
+#: of a scene, which has the light of one run.
+_OWN, _CONVERTED, _OF_SCENES = (".json", ".csv"), (".nc", ".vtp", ".ply", ".glb"), (".vtp", ".ply", ".glb")
 
 
-def text_of(result, format):
-    """A result as bytes of a file: "json", "csv"."""
-    if isinstance(result._core, StoredCore):
-        if format == "json":
-            return result._core.text.encode()
-        raise ValueError("a result that was opened has no CSV: use to_pandas().to_csv()")
-    if result._written is None:
-        raise ValueError(
-            "results of series and of growth steps can't be saved: use the scene's own run(), or "
-            "to_pandas()"
+class Opened:
+    """What a result of a file was computed from.
+
+    Attributes
+    ----------
+    text : str or None
+        The whole file, if it holds this result and no other.
+    """
+
+    def __init__(self, document, text=None):
+        self._document = document
+        self.text = text
+
+    def document(self, _organs):
+        """The run file, which holds the scene already."""
+        return self._document
+
+
+def text_of(light, format):
+    """A Result, Series or Sweep as bytes of a file: "json", "csv"."""
+    if light._written is None:
+        raise input_error(
+            "save",
+            f"this {type(light).__name__} has no run file",
+            "time steps are saved with their series, and results of growth and of swept objects "
+            "are of no run file",
+            "use to_pandas(), or save the whole Series",
         )
-    return _core.written(result._written.document(result.organs), result._core, format)
+    if format == "json" and light._written.text is not None:
+        return light._written.text.encode()
+    if isinstance(light, Sweep):
+        records = [_record_of(point) for point in light]
+        return _core.written_sweep(light._written.document(light.organs), records, format)
+    if format == "csv" and isinstance(light, Series):
+        light._results_of_times()  # refuses a table without rows
+    return _core.written(light._written.document(light.organs), _record_of(light), format)
 
 
-def save(result, path):
-    """Writes a result in the format of the path's ending. Nothing is left if it fails."""
+def _record_of(light):
+    """A result or a series as the record that the core writes."""
+    if isinstance(light, Series):
+        return light._core
+    return _core.record_of(light.organs._scene, light._core)
+
+
+def save(light, path):
+    """Writes a Result, Series or Sweep in the format of the path's ending. Nothing is left if it fails."""
     path = Path(path)
     ending = path.suffix.lower()
-    if ending in (".json", ".csv"):
-        _replace(path, text_of(result, ending[1:]))
-    elif ending in _CONVERTED:
-        with json_file(result) as stored:
-            call("convert", stored, path)
+    known = [*_OWN, *(end for end in _CONVERTED if not (isinstance(light, Sweep) and end in _OF_SCENES))]
+    if ending not in known:
+        raise input_error(
+            str(path),
+            f"ends in {ending!r}" if ending else "has no ending",
+            "the format follows from it",
+            f"use {', '.join(known)}",
+        )
+    if not path.parent.is_dir():
+        raise FileNotFoundError(f"{path}: the folder {str(path.parent)!r} does not exist; make it first")
+    if ending in _OWN:
+        _replace(path, text_of(light, ending[1:]))
     else:
-        known = ", ".join([".json", ".csv", *_CONVERTED])
-        raise ValueError(f"{path} ends in {ending or 'nothing'!r}; results are written as {known}")
+        with json_file(light) as stored:
+            call("convert", stored, path)
     return path
 
 
@@ -60,18 +100,19 @@ def _replace(path, content):
 
 
 @contextmanager
-def json_file(result):
-    """A temporary JSON file of a result."""
+def json_file(light):
+    """A temporary JSON file of a Result, Series or Sweep."""
     with TemporaryDirectory() as folder:
         path = Path(folder) / "result.json"
-        path.write_bytes(text_of(result, "json"))
+        path.write_bytes(text_of(light, "json"))
         yield path
 
 
 def open_result(path):
     """Reads a result that was saved as JSON, by Python or by the program.
 
-    It has the light of organs, sensors, detectors and groups, the budget and the data of the run, but
+    It has all that the file holds: the light of organs, sensors, detectors and groups, the budget,
+    the fractions of the canopy, sums over days, lamps under control and the data of the run. It has
     no replicates: sums over organs have unknown errors.
 
     Parameters
@@ -80,69 +121,91 @@ def open_result(path):
 
     Returns
     -------
-    Result
+    Result, Series or Sweep
+        A Series of a run with ``[time]``, a Sweep of one with ``[sweep]`` (of Series, if it has both).
 
     Raises
     ------
     InputError
-        If it is no result of one time, or an input file is missing or has changed.
+        If it is no result, or an input file is missing or has changed.
     """
     path = os.path.abspath(os.fspath(path))
-    with open(path, encoding="utf-8") as file:
-        return result_of_text(file.read(), path, os.path.dirname(path))
+    with open(path, "rb") as file:
+        content = file.read()
+    if content.startswith((b"CDF", b"\x89HDF")):
+        raise input_error(
+            path, "is NetCDF", "results are opened from JSON", "use xarray.open_dataset, or save .json too"
+        )
+    try:
+        text = content.decode()
+    except UnicodeDecodeError:
+        raise input_error(
+            path, "is not a result of QuasiMC", "results are JSON", "open a file of save() or `quasimc run --json`"
+        ) from None
+    return result_of_text(text, path, os.path.dirname(path))
 
 
 def result_of_text(text, name, folder):
-    scene, core, rest, sources, ratios = _core.read_stored(text, name, folder)
-    stored = StoredCore(core, rest, text, ratios)
-    return Result(stored, Organs(scene), rest.get("warnings", ()), sources, ratios)
+    """The Result, Series or Sweep in the text of a JSON result."""
+    points, runs, document = _core.read_stored(text, name, folder)
+    if points is None:
+        return _light_of(*runs[0], text)
+    return Sweep(points, [_light_of(*run) for run in runs], Opened(document, text))
 
 
-def state_of(result):
-    """What is pickled of a result: a function, and its arguments."""
-    if result._written is None and not isinstance(result._core, StoredCore):
-        return Result, arguments_of(result, result.run.sources)
-    if isinstance(result._core, StoredCore):
-        return result_of_text, (text_of(result, "json").decode(), "pickle", os.getcwd())
-    document = result._written.table(result.organs), result._written.name, result._written.folder
-    if not result.has_replicates:
-        text = text_of(result, "json").decode()
-        return _result_of_json, (text, result._written, result.run)
-    sums = _core.saved_sums(result._sums)
-    others = result.run, result._sensor_light, result.warnings, result._written
-    return _result_of_sums, (document, sums, *others)
+def _light_of(scene, core, sources, ratios, document, text=None):
+    arguments = core, Organs(scene), scene.warnings, sources, ratios
+    written = Opened(document, text)
+    if isinstance(core, _core.Series):
+        return Series(*arguments, written)
+    return Result(*arguments, written=written)
 
 
-def arguments_of(light, sources):
-    """The arguments that make a result without a scene's run again, or a series.
+def state_of(light):
+    """What is pickled of a Result, Series or Sweep: a function, and its arguments."""
+    written = light._written
+    if isinstance(light, Sweep) and not isinstance(written, Opened):
+        return Sweep, (light.points, light._results, written)
+    if written is None:  # a time step, or a growth step
+        _require_no_replicates(light)
+        others = light.warnings, light.run.sources, light._ratio_names
+        return Result, (_data_of(light._core), light.organs, *others)
+    if isinstance(light, Result) and light.has_replicates:
+        document = written.table(light.organs), written.name, written.folder
+        others = light.run, light._sensor_light, light.warnings, written
+        return _result_of_sums, (document, _core.saved_sums(light._sums), *others)
+    if isinstance(written, Opened):
+        return result_of_text, (text_of(light, "json").decode(), "pickle", os.getcwd())
+    _require_no_replicates(light)
+    text = text_of(light, "json").decode()
+    return _light_of_json, (text, written, light.__dict__.get("run"), light.warnings)
 
-    Raises ValueError if there are replicates, which only the core can hold.
-    """
+
+def _require_no_replicates(light):
+    """Raises ValueError for replicates that only the core can hold."""
     results = [light] if isinstance(light, Result) else light._results
     if any(result.has_replicates for result in results):
         raise ValueError(
             "replicates of series and of growth steps can't be pickled: use keep=\"estimates\", or "
             "pickle sums and tables of the light"
         )
-    return data_of(light._core), light.organs, light.warnings, sources, light._ratio_names
 
 
-def data_of(core):
-    """The data of a result or a series of the core, which can be pickled."""
+def _data_of(core):
+    """The data of a result of the core, which can be pickled."""
     if isinstance(core, SimpleNamespace):
         return core
     kind = type(core)
     fields = [name for name in dir(kind) if isinstance(getattr(kind, name), property)]
-    data = SimpleNamespace(**{name: getattr(core, name) for name in fields})
-    if hasattr(data, "results"):
-        data.results = [data_of(result) for result in data.results]
-    return data
+    return SimpleNamespace(**{name: getattr(core, name) for name in fields})
 
 
-def _result_of_json(text, written, run):
-    result = result_of_text(text, "pickle", written.folder)
-    result.run = run
-    return result
+def _light_of_json(text, written, run, warnings):
+    light = result_of_text(text, "pickle", written.folder)
+    light._written, light.warnings = written, warnings
+    if run is not None:
+        light.run = run
+    return light
 
 
 def _result_of_sums(document, sums, run, sensors, warnings, written):
@@ -150,92 +213,3 @@ def _result_of_sums(document, sums, run, sensors, warnings, written):
     result = Result(core, Organs(scene), warnings, sources, ratios, replicates, written)
     result.run, result._sensor_light = run, sensors
     return result
-
-
-class StoredCore:
-    """A result of a file, with the members of a result of the core."""
-
-    def __init__(self, core, rest, text, ratio_names):
-        self.text = text
-        self.values = core.values
-        self.sunlit_fraction = core.sunlit_fraction
-        self.ratios = core.ratios
-        self.detectors = core.detectors
-        self.sensors = core.sensors
-        self.sun_shade = core.sun_shade
-        self.origins = core.origins
-        self.audit = rest.get("audit") or None
-        bands = list(rest["energy"])
-        self.budget = [_parts(rest["energy"][band], ("emitted",)) for band in bands]
-        self.canopy = [_parts(fractions) for fractions in (rest.get("canopy") or {}).values()]
-        self.groups = _groups(rest.get("groups") or [], core.groups, bands, ratio_names)
-        self.facts = _facts(rest)
-
-
-def _tuple(estimate):
-    """mean, standard error and interval; null, which the core reads as "", is unknown."""
-    keys = ("mean", "standard_error", "ci95_low", "ci95_high")
-    numbers = [None] * 4 if not estimate else [estimate.get(key) for key in keys]
-    return tuple(np.nan if number in (None, "") else float(number) for number in numbers)
-
-
-def _parts(row, separate=()):
-    """The parts of a budget, or fractions: name -> tuple, or a number without an error."""
-    parts = {}
-    for name, value in row.items():
-        if isinstance(value, dict):
-            parts[name] = _tuple(value)
-        elif name in separate:
-            error = row.get(f"{name}_standard_error") or 0.0
-            parts[name] = (value, error, np.nan if error else value, np.nan if error else value)
-        elif name != "unit" and not name.endswith("_standard_error"):
-            parts[name] = np.nan if value in (None, "") else float(value)
-    return parts
-
-
-def _groups(rows, core, bands, ratio_names):
-    """The groups of a file as the dict that the core makes."""
-    names = list(_core.quantities())
-
-    def column(path):
-        values = []
-        for row in rows:
-            for key in path:
-                row = None if row is None else row.get(key)
-            values.append(_tuple(row))
-        return np.array(values).reshape(len(rows), 4)
-
-    def table(keys):
-        columns = [[column([key, band]) for band in bands] for key in keys]
-        return np.moveaxis(np.array(columns).reshape(len(keys), len(bands), len(rows), 4), 2, 0)
-
-    shares = ("fraction_incident", "fraction_absorbed")
-    has_sun = any("sunlit_fraction" in row for row in rows)
-    return {
-        "groups": core["groups"][: len(rows)],
-        "values": table(names),
-        "sunlit_fraction": column(["sunlit_fraction"]) if has_sun else np.zeros((0, 4)),
-        "sunlit_area": column(["sunlit_area"]) if has_sun else np.zeros((0, 4)),
-        "ratios": np.stack(
-            [column(["ratios", name]) for name in ratio_names] or [np.zeros((len(rows), 4))], axis=1
-        )[:, : len(ratio_names)],
-        "shares": table(shares),
-    }
-
-
-def _facts(rest):
-    completed, timing, method = rest["completed"], rest.get("timing") or {}, rest["method"]
-    return {
-        "method": method["used"],
-        "reason": method["reason"],
-        "paths": completed["paths"],
-        "replicates": completed["replicates"],
-        "rays": completed["rays"],
-        "stop": completed["stop"],
-        "fraction_at_target": completed["fraction_at_target"],
-        "preparation_seconds": timing.get("preparation_s", 0.0),
-        "solve_seconds": timing.get("solve_s", 0.0),
-        "solve_cpu_seconds": timing.get("solve_cpu_s", 0.0),
-        "escaped_by_difference": rest["escaped_by_difference"],
-        "rounds": rest.get("rounds") or [],
-    }

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 
 import numpy as np
 
 from . import _core
+from ._meshes import input_error, plain
 
 
 class Written:
@@ -14,6 +16,8 @@ class Written:
 
     It refers to tables and meshes of a scene, which are never changed in place.
     """
+
+    text = None  # a result of it is written anew
 
     def __init__(self, name, folder, scene_table, meshes, light_table):
         self.name = name
@@ -42,6 +46,63 @@ class Written:
 
     def document(self, built):
         return _core.Document(self.table(built), self.name, self.folder)
+
+
+class WrittenSweep:
+    """The scene of a sweep, and the keys of a run file that it sets."""
+
+    text = None
+
+    def __init__(self, base, values, combine, points):
+        self._base = base
+        self._values = {_run_file_key(name): [plain(value) for value in each] for name, each in values.items()}
+        self._combine = combine
+        self._points = points  # what each point was computed from
+
+    def document(self, organs):
+        """Raises InputError if a point is not what the run file makes of its values."""
+        table = self._base.table(organs)
+        for point, own in zip(combined(self._values, self._combine), self._points):
+            made = table
+            for key, value in point.items():
+                made = _with_value(made, key, value)
+            if own is None or made is None or plain(made) != plain(own.table(organs)):
+                raise input_error(
+                    "Sweep.save",
+                    f"its point {point} is not in the form of [sweep] of a run file",
+                    "that sets single keys, no whole values and no organs without ids",
+                    "save the result of each point, sweep[i].save(...)",
+                )
+        swept = {"combine": self._combine, **self._values}
+        return _core.Document({**table, "sweep": swept}, self._base.name, self._base.folder)
+
+
+def combined(lists, combine):
+    """The points of lists of values: list of dict. The first name varies slowest."""
+    rows = itertools.product(*lists.values()) if combine == "product" else zip(*lists.values())
+    return [dict(zip(lists, row)) for row in rows]
+
+
+def _run_file_key(name):
+    """The key of a run file for one of a sweep: "material.leaf.reflectance"."""
+    part, _, rest = name.partition(".")
+    part = {"materials": "material", "sources": "source"}.get(part, part)
+    return f"{part}.{rest}" if rest else part
+
+
+def _with_value(table, key, value):
+    """A run file with another value of a key; None if it has no such table."""
+    section, _, rest = key.partition(".")
+    if not rest:
+        return {**table, "run": {**table.get("run", {}), section: value}}
+    old = table.get(section)
+    if isinstance(old, list):
+        name, _, last = rest.rpartition(".")
+        return {
+            **table,
+            section: [{**item, last: value} if item.get("name") == name else item for item in old],
+        }
+    return None if old is None else {**table, section: {**old, rest: value}}
 
 
 def free_ids(meshes, organs):

@@ -35,15 +35,13 @@ class Groups(Light):
         ratio_names=(),
         *,
         first=0,
-        factors=None,
+        is_summed=False,
         replicates=None,
         parts=None,
         origins=None,
     ):
-        factors, is_summed = (1, False) if factors is None else (factors, True)
-
         def values_of(light):
-            return light["groups"]["values"][first:] * factors
+            return light["groups"]["values"][first:]
 
         self.groups = core["groups"][first:]
         rows = Rows.of_groups([group["organs"] for group in self.groups])
@@ -55,7 +53,7 @@ class Groups(Light):
         shares = core.get("shares")
         self._shares = None if shares is None else shares[first:]
         super().__init__(
-            core["values"][first:] * factors,
+            core["values"][first:],
             index,
             organs,
             sunlit=None if is_summed else core["sunlit_fraction"][first:],

@@ -45,9 +45,7 @@ class Sensors:
         self.positions = own["positions"].reshape(*self.shape, 3)
         self._of = organs
         self._quantities = _SPHERE if own["is_sphere"] else _FLAT
-        factor = _core.summed_unit if is_sum else lambda unit: (unit, 1)
-        self._units = tuple(factor(unit)[0] for unit in organs.units)
-        self._factors = np.array([factor(unit)[1] for unit in organs.units])[:, None]
+        self._units = tuple(_core.summed_unit(unit) if is_sum else unit for unit in organs.units)
         self._values = light["values"][rows]
         self._origins = {name: part["values"][rows] for name, part in light["origins"].items()}
         sunlit = light.get("sunlit_fraction", ())
@@ -97,7 +95,7 @@ class Sensors:
         )
 
     def _shaped(self, values):
-        return (values * self._factors).reshape(*self.shape, len(self._units), 4)
+        return values.reshape(*self.shape, len(self._units), 4)
 
     def __repr__(self):
         shape = "x".join(map(str, self.shape)) or "one"

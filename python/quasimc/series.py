@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from functools import cached_property
 
-import numpy as np
-
-from . import _core
 from ._index import OrganIndex, RunIndex, time_index
 from ._light import Light, label_columns
 from ._stacked_light import StackedLight
@@ -46,8 +43,9 @@ class Series:
         Smallest p-value of the audits, corrected for their number.
     """
 
-    def __init__(self, core, organs, warnings=(), sources=(), ratio_names=()):
+    def __init__(self, core, organs, warnings=(), sources=(), ratio_names=(), written=None):
         self._core = core
+        self._written = written  # what it was computed from; None: unknown
         self.organs = organs
         self.warnings = list(warnings)
         self.sources = list(sources)
@@ -142,10 +140,34 @@ class Series:
 
         return SeriesPlots(self)
 
-    def __reduce__(self):
-        from ._store import arguments_of
+    def save(self, path):
+        """Writes the series to a file, in the format of its ending.
 
-        return Series, arguments_of(self, self.sources)
+        ".json": all but replicates, for `quasimc.open` and the program; ".csv": the table of organs and
+        times; ".nc": NetCDF; ".vtp", ".glb", ".ply": the scene with the sum over all times. Time steps
+        at night, whose light is 0, are not written.
+
+        Returns
+        -------
+        pathlib.Path
+
+        Raises
+        ------
+        InputError
+            If the ending is unknown.
+        FileNotFoundError
+            If the folder does not exist.
+        KeyError
+            If the time steps of a table were not kept (keep="sums").
+        """
+        from ._store import save
+
+        return save(self, path)
+
+    def __reduce__(self):
+        from ._store import state_of
+
+        return state_of(self)
 
     def __repr__(self):
         return f"<Series: {len(self)} times, {len(self.organs)} organs, {self.stop}>"
@@ -167,13 +189,11 @@ class Sums(Light):
     """
 
     def __init__(self, values, seconds, organs, groups=None, origins=None, sensors=None, sun_shade=None):
-        factors = np.array([_core.summed_unit(unit)[1] for unit in organs.units])[:, None]
         parts = {
-            name: (light["values"][: len(organs)] * factors, None)
-            for name, light in (origins or {}).items()
+            name: (light["values"][: len(organs)], None) for name, light in (origins or {}).items()
         }
         super().__init__(
-            values[: len(organs)] * factors,
+            values[: len(organs)],
             OrganIndex(organs),
             organs,
             origins=parts,
@@ -184,7 +204,7 @@ class Sums(Light):
         self.groups = (
             None
             if groups is None
-            else Groups(groups, organs, factors=factors, origins=origins)
+            else Groups(groups, organs, origins=origins, is_summed=True)
         )
         self._parts = sun_shade
 

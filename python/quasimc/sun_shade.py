@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from . import _core
 from .estimates import Estimates
 
@@ -51,10 +49,8 @@ class SunShade:
             return self._estimates(values[:, 0], quantity, "" if self._hours is None else "h")
         if self._hours is None or not row["is_summed"]:
             return self._estimates(values, quantity, tuple(self._of.units), self._of.bands)
-        summed = [_core.summed_unit(unit) for unit in self._of.units]
-        factors = np.array([factor for _, factor in summed])[:, None]
-        units = tuple(name for name, _ in summed)
-        return self._estimates(values * factors, quantity, units, self._of.bands)
+        units = tuple(_core.summed_unit(unit) for unit in self._of.units)
+        return self._estimates(values, quantity, units, self._of.bands)
 
     def _estimates(self, values, quantity, units, bands=()):
         return Estimates(values, quantity, units, bands, index=self._index, extensive=False)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import copy
-import itertools
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -11,6 +10,8 @@ import numpy as np
 from ._index import RunIndex
 from ._meshes import input_error
 from ._stacked_light import StackedLight
+from ._written import combined
+from .result import Result
 from .values import Value
 
 #: Keys whose values are assigned to a scene: the first part of a name.
@@ -24,6 +25,8 @@ _NAMES = (
 class Sweep(Sequence):
     """The results of a sweep: ``len(sweep)`` points, ``sweep[i]`` is the `Result` of one.
 
+    Files of the program may hold a sweep over days: ``sweep[i]`` is then a `Series`.
+
     ``sweep["absorbed_flux"]`` are the `Estimates` of all points, of shape (points, organs, bands).
     All points have the same random numbers (unless `seed` is swept), so differences and sums of their
     light have the errors of pairs of replicates: ``light[1] - light[0]``.
@@ -34,9 +37,10 @@ class Sweep(Sequence):
         For each point: the swept names and their values.
     """
 
-    def __init__(self, points, results):
+    def __init__(self, points, results, written=None):
         self.points = points
         self._results = results
+        self._written = written  # what it was computed from; None: unknown
 
     @property
     def _runs(self):
@@ -49,8 +53,14 @@ class Sweep(Sequence):
 
     def __getitem__(self, index):
         if isinstance(index, str):
-            return StackedLight(self._results, self._runs)[index]
+            return StackedLight(self._instants(), self._runs)[index]
         return self._results[index]
+
+    def _instants(self):
+        """The results. Raises ValueError if they are those of a sweep over series."""
+        if any(not isinstance(point, Result) for point in self._results):
+            raise ValueError("the points are series: take one alone, sweep[0], or its sums")
+        return self._results
 
     @property
     def organs(self):
@@ -60,17 +70,17 @@ class Sweep(Sequence):
     @property
     def budget(self):
         """Energy budget: mapping, part -> Estimates of shape (points, bands); see `Result.budget`."""
-        return StackedLight([result.budget for result in self], self._runs)
+        return StackedLight([result.budget for result in self._instants()], self._runs)
 
     @property
     def canopy(self):
         """Fractions of the light on the canopy, of shape (points, bands); see `Result.canopy`."""
-        return StackedLight([result.canopy for result in self], self._runs)
+        return StackedLight([result.canopy for result in self._instants()], self._runs)
 
     @property
     def ground(self):
         """The light on the ground, of shape (points, bands); None if a point has no ground."""
-        lights = [result.ground for result in self]
+        lights = [result.ground for result in self._instants()]
         return None if None in lights else StackedLight(lights, self._runs)
 
     def sum(self, quantity, weights=None):
@@ -97,6 +107,33 @@ class Sweep(Sequence):
             raise ValueError(f"{weights.size} weights for {len(self)} points; give one for each")
         return self[quantity].sum(axis="point", weights=weights)
 
+    def save(self, path):
+        """Writes the sweep to a file, in the format of its ending.
+
+        ".json": all but replicates, for `quasimc.open` and the program; ".csv": the table of points and
+        organs; ".nc": NetCDF.
+
+        Returns
+        -------
+        pathlib.Path
+
+        Raises
+        ------
+        InputError
+            If the ending is unknown, or a point is not in the form of ``[sweep]`` of a run file, which
+            sets single keys: a whole `Ground` or list of sources is not.
+        FileNotFoundError
+            If the folder does not exist.
+        """
+        from ._store import save
+
+        return save(self, path)
+
+    def __reduce__(self):
+        from ._store import state_of
+
+        return state_of(self)
+
     def to_pandas(self):
         """Returns a pandas.DataFrame: a row for each point and organ, indexed by swept values and id."""
         import pandas
@@ -117,16 +154,12 @@ def points_of(values, combine):
     if not isinstance(values, Mapping) or not values:
         raise input_error("sweep", "there is nothing to sweep", "", 'give {"materials.leaf.reflectance": [...]}')
     lists = {name: list(each) for name, each in values.items()}
-    if combine == "product":
-        rows = itertools.product(*lists.values())
-    elif combine == "zip":
-        lengths = {name: len(each) for name, each in lists.items()}
-        if len(set(lengths.values())) > 1:
-            raise input_error("sweep", f"the lists have different lengths: {lengths}", "", 'or combine="product"')
-        rows = zip(*lists.values())
-    else:
+    if combine not in ("product", "zip"):
         raise ValueError(f'combine is {combine!r}; give "product" or "zip"')
-    points = [dict(zip(lists, row)) for row in rows]
+    lengths = {name: len(each) for name, each in lists.items()}
+    if combine == "zip" and len(set(lengths.values())) > 1:
+        raise input_error("sweep", f"the lists have different lengths: {lengths}", "", 'or combine="product"')
+    points = combined(lists, combine)
     if not points:
         raise input_error("sweep", "a list is empty", "there is no point", "give at least one value")
     return points

@@ -21,7 +21,7 @@ namespace quasimc {
 
 namespace {
 
-class NetcdfLight final : public NetcdfWriter {
+class NetcdfLight final : public OutputWriter {
   public:
     NetcdfLight(const RunFile& run, TextSink sink, std::string_view program_version)
         : run_(&run),
@@ -58,24 +58,18 @@ class NetcdfLight final : public NetcdfWriter {
         sensors_.put(*run_, start, result);
     }
 
-    void on_day(std::size_t day, const SeriesSum& sum) override {
-        add_day(day, in_summed_units(*run_, sum));
-    }
-
-    [[nodiscard]] bool wants(SeriesPart part) const override {
-        return part == SeriesPart::time_steps ||
-               (part == SeriesPart::days && run_->series.has_value());
-    }
-
-    void add_day(std::size_t day, const SeriesSum& sum) override {
+    void on_day(std::size_t day, const SeriesSum& raw) override {
+        begin_run();
+        const SeriesSum sum = in_summed_units(*run_, raw);
         std::vector<std::size_t> start = axes_.indices_of(*run_);
         start.push_back(day);
         organ_light_.put_day(start, sum);
         sensors_.put_day(*run_, start, sum);
     }
 
-    void add_controls(const std::vector<ControlOutcome>& outcomes) override {
-        controls_.put(*run_, outcomes);
+    [[nodiscard]] bool wants(SeriesPart part) const override {
+        return part == SeriesPart::time_steps ||
+               (part == SeriesPart::days && run_->series.has_value());
     }
 
     void next_run(const RunFile& run, const SeriesSummary& /*series_summary*/) override {
@@ -111,7 +105,7 @@ class NetcdfLight final : public NetcdfWriter {
         }
         gaps_.put(*run_);
         if (run_->series) {
-            add_controls(in_summed_units(*run_, run_->series->outcomes));
+            controls_.put(*run_, in_summed_units(*run_, run_->series->outcomes));
         }
     }
 
@@ -151,7 +145,7 @@ bool has_netcdf() {
     return true;
 }
 
-std::unique_ptr<NetcdfWriter> make_netcdf_writer(
+std::unique_ptr<OutputWriter> make_netcdf_writer(
     const RunFile& run, TextSink sink, std::string_view program_version) {
     return std::make_unique<NetcdfLight>(run, std::move(sink), program_version);
 }

@@ -59,15 +59,22 @@ std::string describe_quantity(std::string_view name) {
 }
 
 SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
+    return in_summed_units(run.scene.bands(), std::move(sum));
+}
+
+SeriesSum in_summed_units(const std::vector<Band>& bands, SeriesSum sum) {
+    if (std::exchange(sum.has_file_units, true)) {
+        return sum;
+    }
     std::vector<double> factors;
-    for (const Band& band : run.scene.bands()) {
+    for (const Band& band : bands) {
         factors.push_back(summed_unit(band.unit).factor);
     }
     for (OriginSum& origin : sum.origins) {
-        origin.light = in_summed_units(run, std::move(origin.light));
+        origin.light = in_summed_units(bands, std::move(origin.light));
     }
     if (sum.sensors) {
-        sum.sensors = std::make_shared<const SeriesSum>(in_summed_units(run, *sum.sensors));
+        sum.sensors = std::make_shared<const SeriesSum>(in_summed_units(bands, *sum.sensors));
     }
     for (std::vector<Estimate>* values : {&sum.values, &sum.groups.values}) {
         for (std::size_t i = 0; i < values->size(); ++i) {
@@ -90,8 +97,18 @@ SeriesSum in_summed_units(const RunFile& run, SeriesSum sum) {
 
 std::vector<ControlOutcome> in_summed_units(
     const RunFile& run, std::vector<ControlOutcome> outcomes) {
+    return in_summed_units(run.scene.bands(), run.series->controls, std::move(outcomes));
+}
+
+std::vector<ControlOutcome> in_summed_units(
+    const std::vector<Band>& bands,
+    const std::vector<LampControl>& controls,
+    std::vector<ControlOutcome> outcomes) {
     for (std::size_t k = 0; k < outcomes.size(); ++k) {
-        const Band& band = run.scene.bands()[run.series->controls[k].band];
+        if (std::exchange(outcomes[k].has_file_units, true)) {
+            continue;
+        }
+        const Band& band = bands[controls[k].band];
         const double factor = summed_unit(band.unit).factor;
         for (ControlDay& day : outcomes[k].days) {
             day.lamps = scaled(day.lamps, factor);

@@ -19,9 +19,15 @@ namespace quasimc {
 /// "absorbed flux" for "absorbed_flux".
 [[nodiscard]] std::string describe_quantity(std::string_view name);
 
-/// A sum in the units of summed_unit.
+/// A sum in the units of summed_unit; unchanged if it has them (SeriesSum::has_file_units).
+[[nodiscard]] SeriesSum in_summed_units(const std::vector<Band>& bands, SeriesSum sum);
 [[nodiscard]] SeriesSum in_summed_units(const RunFile& run, SeriesSum sum);
 /// Lamps under control, with the sums of days in these units.
+/// @param outcomes  in the order of `controls`
+[[nodiscard]] std::vector<ControlOutcome> in_summed_units(
+    const std::vector<Band>& bands,
+    const std::vector<LampControl>& controls,
+    std::vector<ControlOutcome> outcomes);
 /// @param outcomes  in the order of TimeSeries::controls
 [[nodiscard]] std::vector<ControlOutcome> in_summed_units(
     const RunFile& run, std::vector<ControlOutcome> outcomes);

@@ -14,12 +14,6 @@ std::size_t length_of(const Node* list) {
     return items != nullptr ? items->size() : 0;
 }
 
-bool flag_in(const Node& table, std::string_view key) {
-    const Node* found = table.find(key);
-    const auto* flag = found != nullptr ? found->as<bool>() : nullptr;
-    return flag != nullptr && *flag;
-}
-
 /// Reads one control.
 class OutcomeReader {
   public:
@@ -30,7 +24,7 @@ class OutcomeReader {
         const Node* found = control_.find("lamps");
         const auto* lamps = found != nullptr ? found->as<std::int64_t>() : nullptr;
         check(lamps != nullptr && *lamps >= 0, "lamps");
-        ControlOutcome outcome{.lamps = static_cast<std::size_t>(*lamps)};
+        ControlOutcome outcome{.lamps = static_cast<std::size_t>(*lamps), .has_file_units = true};
         const Node* steps = control_.find("time_steps");
         check(length_of(steps) == series_.notes.size(), "time steps");
         for (std::size_t i = 0; i < series_.notes.size(); ++i) {

@@ -14,6 +14,18 @@ double number_in(const Node& table, std::string_view key) {
                               : std::numeric_limits<double>::quiet_NaN();
 }
 
+std::uint64_t count_in(const Node& table, std::string_view key) {
+    const Node* node = table.find(key);
+    const auto* whole = node != nullptr ? node->as<std::int64_t>() : nullptr;
+    return whole != nullptr && *whole > 0 ? static_cast<std::uint64_t>(*whole) : 0;
+}
+
+bool flag_in(const Node& table, std::string_view key) {
+    const Node* found = table.find(key);
+    const auto* flag = found != nullptr ? found->as<bool>() : nullptr;
+    return flag != nullptr && *flag;
+}
+
 Estimate estimate_in(const Node* table, std::string_view key) {
     const Node* found = table != nullptr ? table->find(key) : nullptr;
     return found == nullptr ? kUnknownEstimate

@@ -230,26 +230,23 @@ std::vector<PlacedRows> read_rows(
 Node read_light_rows(
     std::string_view text,
     const std::string& path,
-    RowsQuery query,
+    const RowsQuery& query,
     const std::function<void(LightRows)>& take) {
-    std::optional<LightRows> last;  // sensors may follow
-    const auto end_last = [&] {
-        if (last) {
+    std::optional<LightRows> last;  // other lists may follow
+    Node rest = read_rows(text, path, query, [&](PlacedRows rows) {
+        if (last && last->position != rows.position) {
             take(*std::exchange(last, std::nullopt));
         }
-    };
-    query.lists = {"organs", "sensors"};
-    Node rest = read_rows(text, path, query, [&](PlacedRows rows) {
-        const bool is_of_sensors = rows.list == "sensors";
-        if (!is_of_sensors || (last && last->position != rows.position)) {
-            end_last();
-        }
         if (!last) {
-            last.emplace(LightRows{rows.position, {}, {}});
+            last.emplace(LightRows{rows.position, {}, {}, {}});
         }
-        (is_of_sensors ? last->sensors : last->organs) = std::move(rows.columns);
+        (rows.list == "sensors"  ? last->sensors
+         : rows.list == "groups" ? last->groups
+                                 : last->organs) = std::move(rows.columns);
     });
-    end_last();
+    if (last) {
+        take(*std::move(last));
+    }
     return rest;
 }
 

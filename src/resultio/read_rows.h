@@ -63,16 +63,16 @@ Node read_rows(
 [[nodiscard]] std::vector<PlacedRows> read_rows(
     std::string_view text, const std::string& path, const RowsQuery& query);
 
-/// The numbers of organs and sensors at a position; empty where it has none.
+/// The numbers of the lists at a position; empty where it has none.
 struct LightRows {
     RowsPosition position;
-    RowColumns organs, sensors;
+    RowColumns organs, groups, sensors;
 };
-/// Like read_rows(), of organs and sensors together. @param query  with any lists
+/// Like read_rows(), of the lists of a position together.
 Node read_light_rows(
     std::string_view text,
     const std::string& path,
-    RowsQuery query,
+    const RowsQuery& query,
     const std::function<void(LightRows)>& take);
 
 /// A result without its rows; for a point of a sweep, as if it were the only one.

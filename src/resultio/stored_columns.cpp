@@ -5,6 +5,7 @@
 
 #include "resultio/part_columns.h"
 #include "results/evaluate.h"
+#include "results/fraction_table.h"
 #include "runfile/table_rows.h"
 #include "scene/sensors.h"
 
@@ -52,6 +53,7 @@ StoredColumns::StoredColumns(const RunFile& run)
       organs_(run.scene.organs().size()),
       bands_(run.scene.bands().size()),
       ratios_(run.spec.ratios.size()),
+      groups_(make_groups(run.scene, group_spec(run.spec))),
       is_sphere_(spheres_of(run.scene)) {
     add_light({});
     sunlit_ = names_.size();
@@ -65,6 +67,15 @@ StoredColumns::StoredColumns(const RunFile& run)
     add_parts(CsvTimes::days);
     hours_ = names_.size();
     names_.push_back({std::string(kSunlitHours)});
+    areas_ = names_.size();
+    names_.push_back({"sunlit_area"});
+    names_.push_back({std::string(kSunlitAreaHours)});
+    shares_ = names_.size();
+    for (const ShareEntry& entry : share_table()) {
+        for (const std::size_t b : written_.bands) {
+            names_.push_back({std::string(entry.name), run.scene.bands()[b].name});
+        }
+    }
     for (const std::string& origin : written_.origins) {
         first_of_origins_.push_back(names_.size());
         add_light({"origins", origin});
@@ -106,17 +117,76 @@ void StoredColumns::add_parts(CsvTimes times) {
 Result StoredColumns::result(const RowColumns& columns) const {
     Result result = result_of_rows(columns, organs_);
     result.names = run_.scene.names();
-    result.sun_shade = parts(columns, parts_);
+    result.sun_shade = parts(columns, organs_, CsvTimes::time_steps);
     return result;
 }
 
 SeriesSum StoredColumns::sum(const RowColumns& columns) const {
     SeriesSum sum = sum_of_rows(columns, organs_);
-    sum.sun_shade = parts(columns, day_parts_);
+    sum.sun_shade = parts(columns, organs_, CsvTimes::days);
     if (written_.has_sunlit_hours) {
         sum.sunlit_hours = whole_column(columns[hours_], organs_);
     }
     return sum;
+}
+
+void StoredColumns::add_groups(const RowColumns& columns, Result& result) const {
+    add_groups_of(columns, CsvTimes::time_steps, result);
+}
+
+void StoredColumns::add_groups(const RowColumns& columns, SeriesSum& sum) const {
+    add_groups_of(columns, CsvTimes::days, sum);
+}
+
+/// @param light  a Result or a SeriesSum
+template <typename Light>
+void StoredColumns::add_groups_of(const RowColumns& columns, CsvTimes times, Light& light) const {
+    if (columns.empty()) {
+        return;
+    }
+    light.groups = groups(columns, times);
+    for (std::size_t i = 0; i < light.origins.size(); ++i) {
+        GroupResults& own = light.origins[i].light.groups;
+        own.groups = groups_;
+        own.bands = bands_;
+        own.values = this->light(columns, groups_.size(), first_of_origins_[i]);
+    }
+}
+
+GroupResults StoredColumns::groups(const RowColumns& columns, CsvTimes times) const {
+    const bool is_sum = times == CsvTimes::days;
+    const std::size_t rows = groups_.size();
+    GroupResults all;
+    all.groups = groups_;
+    all.bands = bands_;
+    all.values = light(columns, rows);
+    if (const auto& sunlit = columns[is_sum ? hours_ : sunlit_]; !sunlit.empty()) {
+        all.sunlit_fraction = whole_column(sunlit, rows);
+        all.sunlit_area = whole_column(columns[is_sum ? areas_ + 1 : areas_], rows);
+    }
+    if (!is_sum) {
+        all.ratios = ratios_;
+        put_ratios(columns, rows, all.ratio_values);
+    }
+    put_shares(columns, all);
+    all.sun_shade = parts(columns, rows, times);
+    return all;
+}
+
+void StoredColumns::put_shares(const RowColumns& columns, GroupResults& all) const {
+    const auto end = columns.begin() +
+                     static_cast<std::ptrdiff_t>(shares_ + kGroupShares * written_.bands.size());
+    const auto begin = columns.begin() + static_cast<std::ptrdiff_t>(shares_);
+    if (std::all_of(begin, end, [](const auto& column) { return column.empty(); })) {
+        return;
+    }
+    all.shares.assign(groups_.size() * kGroupShares * bands_, kUnknownEstimate);
+    std::size_t number = shares_;
+    for (std::size_t share = 0; share < kGroupShares; ++share) {
+        for (const std::size_t b : written_.bands) {
+            put_column(columns[number++], all.shares, share * bands_ + b, kGroupShares * bands_);
+        }
+    }
 }
 
 Result StoredColumns::result_of_sensors(RowColumns columns) const {
@@ -139,11 +209,16 @@ Result StoredColumns::result_of_rows(const RowColumns& columns, std::size_t rows
     if (!columns[sunlit_].empty()) {
         result.sunlit_fraction = whole_column(columns[sunlit_], rows);
     }
-    result.ratio_values.assign(rows * ratios_, kUnknownEstimate);
-    for (std::size_t i = 0; i < ratios_; ++i) {
-        put_column(columns[sunlit_ + 1 + i], result.ratio_values, i, ratios_);
-    }
+    put_ratios(columns, rows, result.ratio_values);
     return result;
+}
+
+void StoredColumns::put_ratios(
+    const RowColumns& columns, std::size_t rows, std::vector<Estimate>& values) const {
+    values.assign(rows * ratios_, kUnknownEstimate);
+    for (std::size_t i = 0; i < ratios_; ++i) {
+        put_column(columns[sunlit_ + 1 + i], values, i, ratios_);
+    }
 }
 
 SeriesSum StoredColumns::sum_of_rows(const RowColumns& columns, std::size_t rows) const {
@@ -179,11 +254,13 @@ void StoredColumns::add_origins(
     }
 }
 
-/// The light of sunlit and shaded parts. @param number  of the first column
-SunShadeLight StoredColumns::parts(const RowColumns& columns, std::size_t number) const {
+/// The light of sunlit and shaded parts.
+SunShadeLight StoredColumns::parts(
+    const RowColumns& columns, std::size_t rows, CsvTimes times) const {
     SunShadeLight light{bands_};
     const std::size_t per_row = light.values_per_row();
-    light.values.assign(written_.parts.empty() ? 0 : organs_ * per_row, kUnknownEstimate);
+    std::size_t number = times == CsvTimes::days ? day_parts_ : parts_;
+    light.values.assign(written_.parts.empty() ? 0 : rows * per_row, kUnknownEstimate);
     for (const PartColumn& part : part_columns(written_)) {
         const std::size_t first = static_cast<std::size_t>(part.entry.quantity) * bands_;
         const std::size_t end = part.entry.has_bands() ? part.band + 1 : bands_;

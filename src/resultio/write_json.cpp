@@ -143,7 +143,6 @@ class JsonWriter::State {
     std::unique_ptr<Spool> days_text_;
     std::unique_ptr<JsonLines> days_;
     Sha256 digest_;
-    std::size_t time_steps_ = 0;  // of the current point
     std::size_t points_ = 0;      // completed points of a sweep
     bool is_point_open_ = false;
     StopReason stop_ = StopReason::finished;
@@ -170,7 +169,6 @@ void JsonWriter::State::begin_series() {
     days_text_ = std::make_unique<Spool>();
     days_ = std::make_unique<JsonLines>([this](std::string_view text) { days_text_->add(text); });
     days_->begin('[');
-    time_steps_ = 0;
 }
 
 /// A point of a sweep: what it sets, and its lights.
@@ -235,7 +233,6 @@ void JsonWriter::State::write_organs(const Result& result, bool is_shown) {
 
 void JsonWriter::State::add_time_step(const TimeStepResult& step) {
     const auto& [time_step, result, computed] = step;
-    ++time_steps_;
     if (writes_ && run_->sweep && !is_point_open_) {
         begin_point();
     }
@@ -283,7 +280,7 @@ void JsonWriter::State::write_series_end(const SeriesSummary& summary) {
     }
     json_.members(
         {{"completed",
-          {{"time_steps", time_steps_},
+          {{"time_steps", summary.completed},
            {"time_steps_requested", run_->series->time_steps.size()},
            {"stop", stop_name(summary.stop)},
            {"with_fewer_paths", summary.with_fewer_paths},

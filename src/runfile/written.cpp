@@ -133,16 +133,15 @@ std::vector<std::string> light_columns_of(const RunFile& run, const WrittenColum
     return names;
 }
 
-bool is_written(const RunFile& run, std::size_t time_step, const Result& result) {
-    if (!run.series) {
-        return true;
-    }
-    const bool is_dark = result.paths == 0;
-    const TimeStepNotes& notes = run.series->notes[time_step];
-    const double clock = clock_hours(notes.time);
+bool is_selected(const RunFile& run, std::size_t time_step) {
+    const double clock = clock_hours(run.series->notes[time_step].time);
     const auto& hours = run.output.time_of_day;
-    const bool is_asked_for = !hours || ((*hours)[0] <= clock && clock < (*hours)[1]);
-    return (run.output.include_night || !is_dark) && is_asked_for;
+    return !hours || ((*hours)[0] <= clock && clock < (*hours)[1]);
+}
+
+bool is_written(const RunFile& run, std::size_t time_step, const Result& result) {
+    const bool is_dark = result.paths == 0;
+    return !run.series || ((run.output.include_night || !is_dark) && is_selected(run, time_step));
 }
 
 std::string describe_point(const SweepPoint& point) {

@@ -41,6 +41,9 @@ inline constexpr std::string_view kSunlitHours = "sunlit_hours",
 /// Whether some output names such a quantity.
 [[nodiscard]] bool needs_parts(const OutputSpec& output);
 
+/// Whether a time step begins within the selected hours.
+[[nodiscard]] bool is_selected(const RunFile& run, std::size_t time_step);
+
 /// Whether a time step is written: by default not at night, and only within the selected hours.
 [[nodiscard]] bool is_written(const RunFile& run, std::size_t time_step, const Result& result);
 

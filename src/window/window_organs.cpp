@@ -53,6 +53,7 @@ Node read_window_rows(
     const OrgansOfPoints& organs_of,
     const std::function<void(PlacedRows)>& take) {
     RowsQuery own = query;  // spheres have a fluence rate instead of an upper side
+    own.lists = {"organs", "sensors"};
     std::vector<std::size_t> upper;
     const std::size_t count = query.columns.size();
     for (std::size_t i = 0; i < count; ++i) {
@@ -62,7 +63,7 @@ Node read_window_rows(
             own.columns.back().front() = kFluenceRate;
         }
     }
-    return read_light_rows(text, path, std::move(own), [&](LightRows rows) {
+    return read_light_rows(text, path, own, [&](LightRows rows) {
         const WindowOrgans& organs = organs_of(rows.position.point);
         for (std::size_t i = 0; i < upper.size() && !rows.sensors.empty(); ++i) {
             put_fluence(organs.spheres(), rows.sensors[upper[i]], rows.sensors[count + i]);

@@ -101,7 +101,7 @@ def test_scenes_with_light_are_saved(result, tmp_path, ending, begins):
 
 
 def test_files_that_fail_are_not_left(result, tmp_path):
-    with pytest.raises(ValueError, match="results are written as .json, .csv"):
+    with pytest.raises(ValueError, match="light.doc: ends in '.doc' .*; use .json, .csv"):
         result.save(tmp_path / "light.doc")
     with pytest.raises(OSError):
         result.save(tmp_path / "missing" / "light.json")

@@ -197,7 +197,7 @@ def test_replicates_of_series_are_not_lost_silently(scene):
     assert any(result.has_replicates for result in series)
     with pytest.raises(ValueError, match='keep="estimates"'):
         pickle.dumps(series)
-    with pytest.raises(ValueError, match="series and of growth steps can't be saved"):
+    with pytest.raises(ValueError, match="this Result has no run file"):
         series[0].save("light.json")
 
 

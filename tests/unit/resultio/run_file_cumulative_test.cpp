@@ -156,6 +156,7 @@ TEST(JsonOfTimes, HasTimeStepsThenDaysThenTheTotal) {
             json.on_day(day, flat_sum(run, 86400, 1 + static_cast<double>(day)));
         }
         SeriesSummary summary;
+        summary.completed = 72;
         summary.total = flat_sum(run, 3 * 86400, 6);
         json.finish(summary);
         digest = json.digest();

@@ -8,9 +8,9 @@
 #include "quasimc/series.h"
 #include "resultio/describe_series.h"
 #include "resultio/output_input.h"
-#include "resultio/read_light.h"
 #include "support/listening.h"
 #include "text/line_scanner.h"
+#include "unit/resultio/replay_testing.h"
 #include "unit/runfile/io_testing.h"
 
 namespace quasimc::test {
@@ -161,18 +161,24 @@ TEST(SunShadeOutput, IsReadFromJson) {
     writer.finish(
         run_series(run.scene, run.series->time_steps, run.spec, {.listeners = {&writer, &events}}));
     LightEvents reader;
-    reader.on_point = [](std::size_t) {};
-    reader.on_time_step = [&](std::size_t step, const Result& read) {
+    reader.on_result = [&](std::size_t step, const Result& read) {
         expect_read(read.sun_shade.values, results.at(step).sun_shade.values);
     };
     std::size_t days_read = 0;
-    reader.on_day = [&](std::size_t day, const SeriesSum& read) {
+    reader.on_sum = [&](std::size_t day, const SeriesSum& read) {
         ++days_read;
         expect_read(read.sun_shade.values, days.at(day).sun_shade.values);
         expect_read(read.sunlit_hours, days.at(day).sunlit_hours);
     };
-    read_light(json, "out.json", run, reader);
+    replay(json, text.text(), reader);
     EXPECT_EQ(days_read, 1U);
+    std::string again;
+    std::optional<JsonWriter> second;
+    replay_with(json, text.text(), [&](const RunFile& read) -> OutputWriter& {
+        return second.emplace(read, [&](std::string_view piece) { again += piece; });
+    });
+    const auto light_of = [](const std::string& of) { return of.substr(of.find("\"warnings\"")); };
+    EXPECT_EQ(light_of(again), light_of(json));
 }
 
 TEST(SunShadeOutput, IsRefusedWithoutInstants) {

@@ -1,4 +1,4 @@
-#include "resultio/read_light.h"
+#include "resultio/replay_result.h"
 
 #include <cmath>
 
@@ -7,6 +7,7 @@
 #include "quasimc/error.h"
 #include "quasimc/result_file.h"
 #include "run/zero_result.h"
+#include "unit/resultio/replay_testing.h"
 #include "unit/runfile/io_testing.h"
 
 namespace quasimc::test {
@@ -36,13 +37,12 @@ std::string light_organs(int first) {
            R"(},"sunlit_fraction":null}])";
 }
 
-TEST(ReadLight, FillsInWhatTheResultHas) {
+TEST(ReplayResult, FillsInWhatTheResultHas) {
     RunText text;
     text.organs = kTwoOrgans;
-    const RunFile run = read_text(text.text());
     std::size_t reported = 0;
     LightEvents events;
-    events.on_time_step = [&](std::size_t time_step, const Result& result) {
+    events.on_result = [&](std::size_t time_step, const Result& result) {
         ++reported;
         EXPECT_EQ(time_step, 0U);
         ASSERT_EQ(result.organs(), 2U);
@@ -56,11 +56,11 @@ TEST(ReadLight, FillsInWhatTheResultHas) {
         EXPECT_EQ(result.sunlit_fraction[0].mean, 17);
         EXPECT_TRUE(std::isnan(result.sunlit_fraction[1].mean));
     };
-    read_light(R"({"organs":)" + light_organs(7) + "}", "a.json", run, events);
+    replay(R"({"organs":)" + light_organs(7) + "}", text.text(), events);
     EXPECT_EQ(reported, 1U);
 }
 
-TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
+TEST(ReplayResult, TellsTimesAndDaysThatTheResultHas) {
     RunText text;
     text.organs = kTwoOrgans;
     text.sources = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n";
@@ -68,71 +68,77 @@ TEST(ReadLight, TellsTimesAndDaysThatTheResultHas) {
     const RunFile run = read_text(text.text());
     ASSERT_TRUE(run.series);
     const std::string noon = run.series->notes[12].time, last = run.series->notes[30].time;
-    std::vector<std::size_t> times, days;
+    std::vector<std::size_t> times, days, nights;
     LightEvents events;
-    events.on_time_step = [&](std::size_t time_step, const Result& result) {
+    events.on_result = [&](std::size_t time_step, const Result& result) {
+        const double mean = result.at(0, Quantity::absorbed_flux, 0).mean;
+        if (is_dark(run.series->time_steps[time_step].sources)) {
+            nights.push_back(time_step);
+            EXPECT_EQ(mean, 0);
+            return;
+        }
         times.push_back(time_step);
-        EXPECT_EQ(result.at(0, Quantity::absorbed_flux, 0).mean, time_step == 12 ? 3 : 5);
+        EXPECT_EQ(mean, time_step == 12 ? 3 : 5);
     };
-    events.on_day = [&](std::size_t day, const SeriesSum& sum) {
+    events.on_sum = [&](std::size_t day, const SeriesSum& sum) {
         days.push_back(day);
         EXPECT_EQ(sum.at(1, Quantity::absorbed_flux, 0).mean, 10);
     };
-    read_light(
+    replay(
         R"({"time_steps":[{"time":")" + noon + R"(","organs":)" + light_organs(3) +
             R"(},{"time":")" + last + R"(","organs":)" + light_organs(5) +
             R"(}],"days":[{"date":"2024-06-22","organs":)" + light_organs(9) + "}]}",
-        "a.json", run, events);
+        text.text(), events);
     EXPECT_EQ(times, (std::vector<std::size_t>{12, 30}));
+    EXPECT_EQ(nights.size(), 12U) << "up to the last time step in the file";
     EXPECT_EQ(days, std::vector<std::size_t>{1});
 }
 
-TEST(ReadLight, TellsThePointsOfASweep) {
+TEST(ReplayResult, TellsThePointsOfASweep) {
     RunText text;
     text.organs = kTwoOrgans;
-    const RunFile run = read_text(text.text());
+    text.rest = "[sweep]\n'material.leaf.reflectance' = [0, 0.5]\n";
     std::vector<std::pair<std::size_t, double>> reported;
-    std::size_t point = 9;
+    std::size_t point = 0;
     LightEvents events;
     events.on_point = [&](std::size_t next) { point = next; };
-    events.on_time_step = [&](std::size_t /*time_step*/, const Result& result) {
+    events.on_result = [&](std::size_t /*time_step*/, const Result& result) {
         reported.emplace_back(point, result.at(0, Quantity::absorbed_flux, 0).mean);
     };
-    read_light(
+    replay(
         R"({"points":[{"organs":)" + light_organs(3) + R"(},{"organs":)" + light_organs(5) + "}]}",
-        "a.json", run, events);
+        text.text(), events);
     EXPECT_EQ(reported, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
 }
 
 /// They may be called the same, but none is passed over without a word.
-TEST(ReadLight, TakesTimesInTheirOrder) {
+TEST(ReplayResult, TakesTimesInTheirOrder) {
     RunText text;
     text.organs = kTwoOrgans;
     text.sources = "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n";
     const std::string noon = "2024-06-21T12:00+02:00";
     text.rest = "[time]\ntimes = ['" + noon + "', '" + noon + "']\n";
-    const RunFile run = read_text(text.text());
     const auto time_step = [&](const std::string& time, int mean) {
         return R"({"time":")" + time + R"(","organs":)" + light_organs(mean) + "}";
     };
     std::vector<std::pair<std::size_t, double>> reported;
     LightEvents events;
-    events.on_time_step = [&](std::size_t index, const Result& result) {
+    events.on_result = [&](std::size_t index, const Result& result) {
         reported.emplace_back(index, result.at(0, Quantity::absorbed_flux, 0).mean);
     };
-    read_light(
-        R"({"time_steps":[)" + time_step(noon, 3) + "," + time_step(noon, 5) + "]}", "a.json", run,
+    replay(
+        R"({"time_steps":[)" + time_step(noon, 3) + "," + time_step(noon, 5) + "]}", text.text(),
         events);
     EXPECT_EQ(reported, (std::vector<std::pair<std::size_t, double>>{{0, 3}, {1, 5}}));
     EXPECT_THROW(
-        read_light(
-            R"({"time_steps":[)" + time_step("2024-06-22T12:00+02:00", 3) + "]}", "a.json", run,
+        replay(
+            R"({"time_steps":[)" + time_step("2024-06-22T12:00+02:00", 3) + "]}", text.text(),
             events),
         InputError);
 }
 
 /// Two suns as origins, and sensors of all kinds.
-RunFile run_with_sensors(const std::string& time = "") {
+std::string run_with_sensors(const std::string& time = "") {
     RunText text;
     text.top = "bands = ['PAR', 'NIR']\nlength_unit = 'm'\n";
     text.run = "[run]\norigins = ['lamp', 'sun']\nratios = ['PAR:NIR']\n";
@@ -145,7 +151,7 @@ RunFile run_with_sensors(const std::string& time = "") {
         "[[sensors]]\nname = 'ball'\nat = [[0, 0, 1]]\nreceiver = 'sphere'\n"
         "[[sensors]]\nname = 'mean'\nat = [[0, 0, 1], [1, 0, 1]]\naverage = true\n" +
         time;
-    return read_text(text.text());
+    return text.text();
 }
 
 /// Different numbers for all estimates.
@@ -172,8 +178,8 @@ void expect_same_sensors(const Light& read, const Light& written) {
     }
 }
 
-TEST(ReadLight, ReadsSensorsBack) {
-    const RunFile run = run_with_sensors();
+TEST(ReplayResult, ReadsSensorsBack) {
+    const RunFile run = read_text(run_with_sensors());
     Result result = zero_result(run.scene, run.spec);
     Result sensors = *result.sensors;
     double next = 0;
@@ -189,7 +195,7 @@ TEST(ReadLight, ReadsSensorsBack) {
     static_cast<void>(write_json(run, result, [&](std::string_view part) { text += part; }));
     std::size_t reported = 0;
     LightEvents events;
-    events.on_time_step = [&](std::size_t /*time_step*/, const Result& read) {
+    events.on_result = [&](std::size_t /*time_step*/, const Result& read) {
         ++reported;
         ASSERT_NE(read.sensors, nullptr);
         expect_same_sensors(*read.sensors, sensors);
@@ -203,14 +209,15 @@ TEST(ReadLight, ReadsSensorsBack) {
             EXPECT_TRUE(is_same(read.sensors->ratio(i, 0), sensors.ratio(i, 0)));
         }
     };
-    read_light(text, "a.json", run, events);
+    replay(text, run_with_sensors(), events);
     EXPECT_EQ(reported, 1U);
 }
 
-TEST(ReadLight, ReadsSumsOfSensorsBack) {
-    const RunFile run = run_with_sensors(
+TEST(ReplayResult, ReadsSumsOfSensorsBack) {
+    const std::string run_file = run_with_sensors(
         "[site]\nlatitude_deg = 50\nlongitude_deg = 8\n[time]\nday = "
         "'2024-06-21'\nutc_offset_hours = 0\n");
+    const RunFile run = read_text(run_file);
     const std::size_t rows = 4 * kQuantities * 2;
     double next = 0;
     SeriesSum sensors, sum;
@@ -225,19 +232,19 @@ TEST(ReadLight, ReadsSumsOfSensorsBack) {
     writer.finish({});
     std::size_t reported = 0;
     LightEvents events;
-    events.on_day = [&](std::size_t /*day*/, const SeriesSum& read) {
+    events.on_sum = [&](std::size_t /*day*/, const SeriesSum& read) {
         ++reported;
         ASSERT_NE(read.sensors, nullptr);
         expect_same_sensors(*read.sensors, sensors);
     };
-    read_light(text, "a.json", run, events);
+    replay(text, run_file, events);
     EXPECT_EQ(reported, 1U);
 }
 
-TEST(ReadLight, RefusesAResultWithoutAny) {
-    const RunFile run = read_text(RunText().text());
+TEST(ReplayResult, RefusesAResultWithoutAny) {
+    LightEvents events;
     try {
-        read_light(R"({"organs":[]})", "a.json", run, {});
+        replay(R"({"organs":[]})", RunText().text(), events);
         FAIL();
     } catch (const InputError& error) {
         ASSERT_EQ(error.faults().size(), 1U);
