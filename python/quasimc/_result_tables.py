@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from . import _core
 from ._light import estimate_columns, label_columns
-from .detectors import detector_variables
-from .sensors import free_sensor_variables
 
 
 class ResultTables:
@@ -58,33 +54,13 @@ class ResultTables:
         """Returns an xarray.Dataset with the dimensions organ, band and statistic.
 
         Statistics are mean, standard_error, ci95_low, ci95_high. Units are attributes of the
-        variables. A detector is a variable with its name and the dimension <name>_bin instead of
+        variables. The light of groups is ``group_absorbed_flux``, ... along ``group``, that of origins
+        ``absorbed_flux_by_origin``, ... along ``origin``, ratios of bands are ``light_ratio`` along
+        ``ratio``. A detector is a variable with its name and the dimension <name>_bin instead of
         organ; if the name is used already, it is ``detector_<name>``. Sensors have the variables of
         `Sensors.to_xarray` with the name of their set in front: ``bench_incident_upper``, along
         ``bench_point``, or ``bench_j`` and ``bench_i``.
         """
-        import xarray
+        from ._datasets import result_dataset
 
-        variables, dimensions = {}, ("organ", "band", "statistic")
-        for i, quantity in enumerate(_core.quantities()):
-            attributes = {"units": ", ".join(dict.fromkeys(self[quantity]._units))}
-            variables[quantity] = (dimensions, self._values[:, i], attributes)
-        if self._has_sunlit:
-            variables["sunlit_fraction"] = (("organ", "statistic"), self._sunlit, {"units": "1"})
-        coordinates = {
-            "organ": self.organs.ids,
-            "band": list(self.bands),
-            "statistic": ["mean", "standard_error", "ci95_low", "ci95_high"],
-            "name": ("organ", np.asarray(self.organs.names)),
-            "area": ("organ", self.organs.areas, {"units": f"{self.organs.length_unit}2"}),
-        }
-        for key, values in label_columns(self.organs.labels, [*variables, *dimensions]).items():
-            coordinates[key] = ("organ", np.asarray(values))
-        taken = [*variables, *coordinates]
-        for name, detector in detector_variables(self.detectors, taken).items():
-            variables[name] = detector.to_xarray().rename(bin=f"{name}_bin")
-        for sensors in self.sensors.values():
-            more, points = free_sensor_variables(sensors, {*variables, *coordinates})
-            variables |= more
-            coordinates |= points
-        return xarray.Dataset(variables, coordinates, {"method": self.run.method})
+        return result_dataset(self)

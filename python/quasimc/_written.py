@@ -55,7 +55,7 @@ class WrittenSweep:
 
     def __init__(self, base, values, combine, points):
         self._base = base
-        self._values = {_run_file_key(name): [plain(value) for value in each] for name, each in values.items()}
+        self._values = {run_file_key(name): [plain(value) for value in each] for name, each in values.items()}
         self._combine = combine
         self._points = points  # what each point was computed from
 
@@ -83,7 +83,7 @@ def combined(lists, combine):
     return [dict(zip(lists, row)) for row in rows]
 
 
-def _run_file_key(name):
+def run_file_key(name):
     """The key of a run file for one of a sweep: "material.leaf.reflectance"."""
     part, _, rest = name.partition(".")
     part = {"materials": "material", "sources": "source"}.get(part, part)

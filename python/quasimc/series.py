@@ -133,6 +133,18 @@ class Series:
         frame.attrs = tables[0].attrs
         return frame
 
+    def to_xarray(self):
+        """Returns an xarray.Dataset with the variables of `Result.to_xarray` along ``time``, and of days.
+
+        Times are the beginnings of the time steps in UTC; ``time_text`` has them in local time. Sums
+        over days are ``absorbed_flux_day_sum``, ``bench_incident_upper_day_sum``, ... along ``day``, as
+        in NetCDF files. With keep="sums" there are only these; of instants there are none. What a time
+        step lacks, such as sunlit fractions at night, is NaN.
+        """
+        from ._datasets import series_dataset
+
+        return series_dataset(self)
+
     @property
     def plot(self):
         """Plots by matplotlib: SeriesPlots, with course."""

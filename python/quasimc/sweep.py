@@ -144,6 +144,19 @@ class Sweep(Sequence):
         frame.attrs = tables[0].attrs
         return frame
 
+    def to_xarray(self):
+        """Returns an xarray.Dataset with the variables of `Result.to_xarray` along the swept keys.
+
+        Each key is a dimension with its values, called as in NetCDF files: ``material_leaf_reflectance``.
+        Of points that are not all combinations of values (combine="zip") the dimension is ``point``, and
+        keys are coordinates along it. Values that are lists are text.
+
+        Raises ValueError if the points have different organs.
+        """
+        from ._datasets import sweep_dataset
+
+        return sweep_dataset(self)
+
     def __repr__(self):
         names = ", ".join(self.points[0]) if self.points else ""
         return f"<Sweep: {len(self)} points of {names}>"

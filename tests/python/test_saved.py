@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 
 import quasimc
-from canopies import FEW, canopy, leaves
+from canopies import DAY, FEW, canopy, stand
 
 PROGRAM = os.environ.get("QUASIMC_PROGRAM", "")
 needs_program = pytest.mark.skipif(not PROGRAM, reason="the program was not built")
-DAY = quasimc.day("2024-06-21", utc_offset_hours=1, hours=[2, 12], step_minutes=120)
 
 
 def same_light(a, b):
@@ -65,20 +64,6 @@ def same_series(a, b):
         same_result(ours, theirs)
     for ours, theirs in zip([*a.days.values(), a.total], [*b.days.values(), b.total]):
         same_sums(ours, theirs)
-
-
-def stand(par="umol m-2 s-1"):
-    """Leaves over soil in two bands, with sensors and a detector."""
-    bands = {"PAR": par, "NIR": "W m-2"}
-    scene = quasimc.Scene(bands, length_unit="m", site=quasimc.Site(52, 5.7))
-    scene.add_material("leaf", reflectance=[0.08, 0.45], transmittance=[0.06, 0.45])
-    scene.add_material("soil", reflectance=[0.1, 0.2])
-    vertices, faces, organ = leaves(12)
-    scene.add_mesh(vertices, faces, organ=organ, material="leaf", labels={"plant": 1})
-    scene.ground = quasimc.Ground("soil", x=[-1, 2], y=[-1, 2])
-    scene.add_sensors([[0.2, 0.2, 0.5], [0.4, 0.2, 0.5], [0.6, 0.2, 0.5]], name="bench")
-    scene.add_detector("escaped_by_zenith", name="up")
-    return scene
 
 
 @pytest.fixture(scope="module")
