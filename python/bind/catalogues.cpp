@@ -95,8 +95,8 @@ void bind_catalogues(py::module_& module) {
     module.def(
         "unit_of", &unit_of_quantity, py::arg("quantity"), py::arg("unit"), py::arg("length_unit"));
     module.def(
-        "summed_unit",
-        [](const std::string& unit) { return summed_unit(unit).name; }, py::arg("unit"));
+        "summed_unit", [](const std::string& unit) { return summed_unit(unit).name; },
+        py::arg("unit"));
 }
 
 }  // namespace quasimc::python

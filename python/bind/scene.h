@@ -22,9 +22,10 @@ struct SceneHandle {
 /// A document that keeps the lines of its file.
 struct Document {
     Node node;
-    std::string name;            ///< for messages
-    std::string folder;          ///< base of its relative paths
-    Vocabulary vocabulary = {};  ///< names tables in messages
+    std::string name;                    ///< for messages
+    std::string folder;                  ///< base of its relative paths
+    Vocabulary vocabulary = {};          ///< names tables in messages
+    std::vector<InputFile> inputs = {};  ///< the run file, if results of it are written again
 };
 
 /// A view of the arrays in a dict from quasimc._meshes, which must outlive it.

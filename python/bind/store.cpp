@@ -1,5 +1,7 @@
 // Results as files and as bytes.
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -22,13 +24,23 @@
 #include "run/zero_result.h"
 #include "runfile/run_file.h"
 #include "runfile/sweep.h"
+#include "runfile/written.h"
 #include "scene.h"
 
 namespace quasimc::python {
 namespace {
 
-RunFile run_of(const Document& document) {
+/// The input files of a document; its run file is the first.
+InputFiles files_of(const Document& document) {
     InputFiles files(document.folder);
+    for (const InputFile& input : document.inputs) {
+        files.note(input);
+    }
+    return files;
+}
+
+RunFile run_of(const Document& document) {
+    InputFiles files = files_of(document);
     return read_run_document(document.node, document.name, files, {}, {}, NoLightPolicy::allowed);
 }
 
@@ -113,16 +125,40 @@ py::object core_of(const std::shared_ptr<RunRecord>& record) {
     return record->series ? py::cast(record) : py::cast(record->results.at(0));
 }
 
+/// A document of a run. @param node  the run file, or that of a point of its sweep
+Document document_of(const RunFile& run, Node node) {
+    Document document{std::move(node), run.path, run.folder};
+    std::ranges::copy_if(run.inputs, std::back_inserter(document.inputs), &InputFile::is_run_file);
+    return document;
+}
+
 /// The document of a point of a sweep, or of the only run.
-Document document_of(const RunFile& run) {
+Document document_of_point(const RunFile& run) {
     Reporter reporter{run.path, {}, {}};
     const SweepPlan plan(*run.document, reporter);
-    return {plan.document_at(*run.document, run.point, reporter), run.path, run.folder};
+    return document_of(run, plan.document_at(*run.document, run.point, reporter));
+}
+
+/// What a result does not have by its [output]; "" if it has all.
+std::string selection_of(const RunFile& run) {
+    const WrittenColumns columns = written_columns(run);
+    if (columns.is_all) {
+        return "";
+    }
+    std::string names, bands;
+    for (const QuantityEntry& entry : columns.quantities) {
+        names += " " + std::string(entry.name);
+    }
+    for (const std::size_t b : columns.bands) {
+        bands += " " + run.scene.bands()[b].name;
+    }
+    return "it holds the selection of [output] alone: quantities" + names + ", bands" + bands +
+           "; all other light is nan";
 }
 
 /// A result of a file: the values of the points of its sweep (None without one), for each point or
-/// the only run its scene, its result or series, sources, names of ratios and document; and the
-/// document of all.
+/// the only run its scene, its result or series, sources, names of ratios and document; the
+/// document of all; and selection_of().
 py::tuple read_stored(const std::string& text, const std::string& name, const std::string& folder) {
     std::optional<StoredSweep> stored;
     std::optional<RunFile> first;
@@ -135,7 +171,8 @@ py::tuple read_stored(const std::string& text, const std::string& name, const st
         replay_result(text, name, stored->runs, *first, *recorder);
     }
     py::list runs, points;
-    const Document whole{*first->document, first->path, first->folder};
+    const Document whole = document_of(*first, *first->document);
+    const std::string selection = selection_of(*first);
     for (std::size_t i = 0; i < recorder->runs().size(); ++i) {
         RunFile run = i == 0 ? std::move(*first) : stored->runs.take(i);
         py::dict point;
@@ -144,11 +181,11 @@ py::tuple read_stored(const std::string& text, const std::string& name, const st
             point[py::str(value.key)] = to_python(*value.value);
         }
         points.append(point);
-        const Document document = document_of(run);
+        const Document document = document_of_point(run);
         runs.append(handles_of(run, core_of(recorder->runs()[i])) + py::make_tuple(document));
     }
     const bool is_sweep = py::len(points[0]) > 0;
-    return py::make_tuple(is_sweep ? py::object(points) : py::none(), runs, whole);
+    return py::make_tuple(is_sweep ? py::object(points) : py::none(), runs, whole, selection);
 }
 
 /// The result of kept sums, as the run had it, and the sums.

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 from . import _core
 from ._meshes import input_error
 from ._program import call
+from ._warn import warn_here
 from .organs import Organs
 from .result import Result
 from .series import Series
@@ -113,7 +114,8 @@ def open_result(path):
 
     It has all that the file holds: the light of organs, sensors, detectors and groups, the budget,
     the fractions of the canopy, sums over days, lamps under control and the data of the run. It has
-    no replicates: sums over organs have unknown errors.
+    no replicates: sums over organs have unknown errors. Quantities and bands that ``[output]`` of the
+    run left out are nan, with a warning.
 
     Parameters
     ----------
@@ -139,18 +141,27 @@ def open_result(path):
     try:
         text = content.decode()
     except UnicodeDecodeError:
+        text = ""
+    if not text.lstrip().startswith("{"):
         raise input_error(
             path, "is not a result of QuasiMC", "results are JSON", "open a file of save() or `quasimc run --json`"
-        ) from None
-    return result_of_text(text, path, os.path.dirname(path))
+        )
+    light, selection = _read(text, path, os.path.dirname(path))
+    warn_here([f"{path}: {selection}"] if selection else [])
+    return light
 
 
 def result_of_text(text, name, folder):
     """The Result, Series or Sweep in the text of a JSON result."""
-    points, runs, document = _core.read_stored(text, name, folder)
+    return _read(text, name, folder)[0]
+
+
+def _read(text, name, folder):
+    """The light in a text, and in words what its run did not write."""
+    points, runs, document, selection = _core.read_stored(text, name, folder)
     if points is None:
-        return _light_of(*runs[0], text)
-    return Sweep(points, [_light_of(*run) for run in runs], Opened(document, text))
+        return _light_of(*runs[0], text), selection
+    return Sweep(points, [_light_of(*run) for run in runs], Opened(document, text)), selection
 
 
 def _light_of(scene, core, sources, ratios, document, text=None):

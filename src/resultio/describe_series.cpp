@@ -67,6 +67,7 @@ SeriesSum in_summed_units(const std::vector<Band>& bands, SeriesSum sum) {
         return sum;
     }
     std::vector<double> factors;
+    factors.reserve(bands.size());
     for (const Band& band : bands) {
         factors.push_back(summed_unit(band.unit).factor);
     }

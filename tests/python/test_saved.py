@@ -217,13 +217,9 @@ def test_the_program_writes_the_same_sweep(sweep, tmp_path):
     assert sweep.save(tmp_path / "sweep.nc").read_bytes()[1:4] == b"HDF"
 
 
-@needs_program
-def test_a_sweep_of_days_is_opened(tmp_path):
-    (tmp_path / "run.toml").write_text(
-        """bands = ["PAR"]
+#: A leaf on a day, to which tables are added.
+RUN_FILE = """bands = ["PAR", "NIR"]
 length_unit = "m"
-[sweep]
-"material.leaf.reflectance" = [0.1, 0.5]
 [site]
 latitude_deg = 52
 longitude_deg = 5
@@ -243,9 +239,36 @@ center = [0, 0, 1]
 normal = [0, 0, 1]
 radius = 0.1
 """
-    )
-    run = [PROGRAM, "run", "run.toml", "--json", "out.json"]
-    subprocess.run(run, check=True, capture_output=True, cwd=tmp_path)
+
+
+def run_program(folder, tables, *outputs):
+    (folder / "run.toml").write_text(RUN_FILE + tables)
+    run = [PROGRAM, "run", "run.toml", *outputs]
+    subprocess.run(run, check=True, capture_output=True, cwd=folder)
+
+
+@needs_program
+def test_a_selection_of_output_is_opened_with_a_warning(tmp_path):
+    output = '[output]\nquantities = ["absorbed_flux"]\nbands = ["NIR"]\ntime_of_day = [6, 14]\n'
+    run_program(tmp_path, output, "--json", "out.json", "--csv", "out.csv", "--netcdf", "out.nc")
+    with pytest.warns(quasimc.QuasimcWarning, match="out.json: .*quantities absorbed_flux, bands NIR"):
+        back = quasimc.open(tmp_path / "out.json")
+    assert [step["time"][11:13] for step in back.times] == ["06", "12"] and back.completed == 4
+    assert back[1]["absorbed_flux"]["NIR"].values[0] > 0
+    assert np.isnan(back[1]["incident_upper"].values).all()
+    again = back.save(tmp_path / "again.csv").read_text()
+    assert again == (tmp_path / "out.csv").read_text()
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("netCDF4")
+    files = [back.save(tmp_path / "again.nc"), tmp_path / "out.nc"]
+    ours, theirs = (xarray.load_dataset(path) for path in files)
+    assert ours.identical(theirs)
+
+
+@needs_program
+def test_a_sweep_of_days_is_opened(tmp_path):
+    sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.5]\n'
+    run_program(tmp_path, sweep, "--json", "out.json")
     back = quasimc.open(tmp_path / "out.json")
     assert [type(point) for point in back] == [quasimc.Series] * 2
     absorbed = [point.total["absorbed_flux"]["PAR"].values[0] for point in back]
