@@ -35,6 +35,7 @@ struct StepLightHandle {
     std::vector<std::shared_ptr<Result>> results;  ///< one for all bands, or one per band
     std::vector<Band> bands;                       ///< with one result per band
     std::vector<std::string> source_notes, ratio_names;
+    std::size_t plant_organs = 0;  ///< on a stand: the number of organs before the ground
 };
 
 /// A plant after a derivation step.
@@ -244,6 +245,7 @@ class GrowingPlant {
                 warnings.insert(warnings.end(), of_scene.begin(), of_scene.end());
                 light.scene = {stand_->scene(), std::move(warnings)};
                 light.results.push_back(reported_result(*stand_->result()));
+                light.plant_organs = stand_->organs_of_plant();
             }
             return light;
         }
@@ -348,6 +350,8 @@ void bind_grow(py::module_& module) {
         .def_property_readonly("scene", [](const StepHandle& h) { return h.light.scene; })
         .def_property_readonly("bands", &bands_of_results)
         .def_property_readonly("results", [](const StepHandle& h) { return h.light.results; })
+        .def_property_readonly(
+            "plant_organs", [](const StepHandle& h) { return h.light.plant_organs; })
         .def_property_readonly(
             "source_notes", [](const StepHandle& h) { return h.light.source_notes; })
         .def_property_readonly(

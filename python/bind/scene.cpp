@@ -248,6 +248,18 @@ py::list bands_of(const Scene& scene) {
     return bands;
 }
 
+/// The material of each organ: that of its first triangles.
+std::vector<std::string> materials_of(const SceneHandle& handle) {
+    std::vector<std::string> materials(handle.scene->organs().size());
+    for (const Region& region : handle.scene->regions()) {
+        std::string& material = materials.at(region.organ.value);
+        if (material.empty()) {
+            material = handle.scene->material_name(region);
+        }
+    }
+    return materials;
+}
+
 }  // namespace
 
 FrameOfRun frame_of(const Document& document, const std::vector<py::dict>& meshes) {
@@ -272,7 +284,11 @@ void bind_scene(py::module_& module) {
         .def(
             py::init([](const py::dict& table, std::string name, std::string folder) {
                 return Document{
-                    to_node(table), std::move(name), std::move(folder), Vocabulary(kTableNames)};
+                    to_node(table),
+                    std::move(name),
+                    std::move(folder),
+                    Vocabulary(kTableNames),
+                    {}};
             }),
             py::arg("table"), py::arg("name"), py::arg("folder"))
         .def_static("read", &read_document, py::arg("path"))
@@ -322,6 +338,7 @@ void bind_scene(py::module_& module) {
                     return height_of(*h.scene, organ).centroid;
                 });
             })
+        .def_property_readonly("materials", &materials_of)
         .def_property_readonly("names", [](const SceneHandle& h) { return names_of(*h.scene); })
         .def_property_readonly("labels", [](const SceneHandle& h) { return labels_of(*h.scene); })
         .def_property_readonly("sensors", &sensors_of)

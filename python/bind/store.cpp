@@ -64,7 +64,31 @@ py::bytes written(
     return py::bytes(text);
 }
 
-/// The results of all points of a sweep in a format of make_writer().
+/// Writes the results of all points of a sweep. @param format  of make_writer()
+void write_sweep(
+    const Document& document,
+    const std::vector<std::shared_ptr<RunRecord>>& records,
+    const std::string& format,
+    const TextSink& sink) {
+    RunSweep runs =
+        read_sweep_document(document.node, document.name, [&] { return files_of(document); });
+    std::unique_ptr<RunFile> run;
+    std::unique_ptr<OutputWriter> writer;
+    SeriesSummary last;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        auto next = std::make_unique<RunFile>(runs.take(i));
+        next->series = records[i]->series;
+        if (writer) {
+            writer->next_run(*next, last);
+        } else {
+            writer = make_writer(format, *next, sink);
+        }
+        run = std::move(next);
+        last = replay(*records[i], run->scene, *writer);
+    }
+    writer->finish(last);
+}
+
 py::bytes written_sweep(
     const Document& document,
     const std::vector<std::shared_ptr<RunRecord>>& records,
@@ -72,23 +96,7 @@ py::bytes written_sweep(
     std::string text;
     {
         const py::gil_scoped_release release;
-        const InputFiles files(document.folder);
-        RunSweep runs = read_sweep_document(document.node, document.name, [&] { return files; });
-        std::unique_ptr<RunFile> run;
-        std::unique_ptr<OutputWriter> writer;
-        SeriesSummary last;
-        for (std::size_t i = 0; i < records.size(); ++i) {
-            auto next = std::make_unique<RunFile>(runs.take(i));
-            next->series = records[i]->series;
-            if (writer) {
-                writer->next_run(*next, last);
-            } else {
-                writer = make_writer(format, *next, [&](std::string_view part) { text += part; });
-            }
-            run = std::move(next);
-            last = replay(*records[i], run->scene, *writer);
-        }
-        writer->finish(last);
+        write_sweep(document, records, format, [&](std::string_view part) { text += part; });
     }
     return py::bytes(text);
 }
@@ -139,7 +147,7 @@ Document document_of_point(const RunFile& run) {
     return document_of(run, plan.document_at(*run.document, run.point, reporter));
 }
 
-/// What a result does not have by its [output]; "" if it has all.
+/// The selection of [output] as words; "" if all light is written.
 std::string selection_of(const RunFile& run) {
     const WrittenColumns columns = written_columns(run);
     if (columns.is_all) {

@@ -151,8 +151,8 @@ def _times(times):
     """Coordinates of time steps: their beginning in UTC, and what is known of each."""
     zone = datetime.timezone.utc
     texts = [step["time"] for step in times]
-    moments = [datetime.datetime.fromisoformat(text).astimezone(zone) for text in texts]
-    begin = np.array([moment.replace(tzinfo=None) for moment in moments], "datetime64[ns]")
+    in_utc = [datetime.datetime.fromisoformat(text).astimezone(zone) for text in texts]
+    begin = np.array([time.replace(tzinfo=None) for time in in_utc], "datetime64[ns]")
     of = {key: [step[key] for step in times] for key in ("seconds", "sun_azimuth_deg", "sun_elevation_deg")}
     return {
         "time": ("time", begin, {"long_name": "beginning of the averaging interval, UTC"}),

@@ -46,9 +46,8 @@ def text_of(light, format):
         raise input_error(
             "save",
             f"this {type(light).__name__} has no run file",
-            "time steps are saved with their series, and results of growth and of swept objects "
-            "are of no run file",
-            "use to_pandas(), or save the whole Series",
+            "time steps are saved with their series, and the light of a specification is of no scene",
+            "save the whole Series, or use to_pandas()",
         )
     if format == "json" and light._written.text is not None:
         return light._written.text.encode()

@@ -8,7 +8,7 @@ import os
 import numpy as np
 
 from . import _core
-from ._meshes import input_error, plain
+from ._meshes import input_error, mesh_arrays, plain
 
 
 class Written:
@@ -46,6 +46,48 @@ class Written:
 
     def document(self, built):
         return _core.Document(self.table(built), self.name, self.folder)
+
+    def with_plant(self, organs, count, step):
+        """A stand with a plant in it, after a growth step, which has a seed of its own.
+
+        Parameters
+        ----------
+        organs : Organs
+            Of the stand and the plant.
+        count : int
+            Of the plant: the last ones.
+        """
+        run = self.light_table.get("run", {})
+        usual = next(option["default"] for option in _core.options() if option["key"] == "seed")
+        light = {**self.light_table, "run": {**run, "seed": int(run.get("seed", usual)) + step}}
+        return WrittenPlant(self, organs, count, light)
+
+
+class WrittenPlant(Written):
+    """A stand with a plant in it. Its meshes are made when they are needed."""
+
+    def __init__(self, stand, organs, count, light_table):
+        self.name, self.folder = stand.name, stand.folder
+        self.scene_table, self.light_table = stand.scene_table, light_table
+        self._stand, self._organs, self._count = stand, organs, count
+
+    def __reduce__(self):
+        return Written, (self.name, self.folder, self.scene_table, self.meshes, self.light_table)
+
+    @property
+    def meshes(self):
+        organs, first = self._organs, len(self._organs) - self._count
+        rows = range(first, len(organs))
+        return [*self._stand.meshes, *(_mesh_of_organ(organs, row) for row in rows)]
+
+
+def _mesh_of_organ(organs, row):
+    """An organ of a scene as the mesh of a scene."""
+    corners = np.asarray(organs.triangles(row), float)
+    ids = np.full(len(corners), organs.ids[row])
+    labels = {key: values[row] for key, values in organs.labels.items() if values[row]}
+    where, material = f"organ {organs.ids[row]}", organs._scene.materials[row]
+    return mesh_arrays(where, corners, None, ids, material, organs.names[row], labels, True, 90)
 
 
 class WrittenSweep:

@@ -31,7 +31,8 @@ class GrowthStep:
         module of the string that has shapes: the label "module" is the symbol, and the id is the
         index of the module (from 1) plus the largest id of the stand. With a specification its
         organs are the modules that follow queries, and there is one result for each band if bands
-        have their own rays. None without shapes, or if the light is not computed here.
+        have their own rays. None without shapes, or if the light is not computed here. With a stand it
+        can be saved, drawn and opened again as that of `Scene.run`; its file holds stand and plant.
     """
 
     def __init__(self, core, light):
@@ -129,7 +130,9 @@ def grow(
         If Ctrl-C was pressed; the iteration ends.
     """
     chosen = _environment(light)
+    written = None
     if "stand" in chosen:
+        written = chosen["stand"]._written(sources, None, options)
         chosen["stand"] = _stand(chosen["stand"], sources, materials, material, quantity, options)
     elif any(v is not None for v in (sources, materials, material)) or options:
         raise input_error(
@@ -141,7 +144,7 @@ def grow(
     model = os.fspath(model)
     steps = -1 if steps is None else _count(steps)
     core = _core.GrowingPlant(model, _view(model, view), steps, bool(image), chosen)
-    return _steps(core, progress)
+    return _steps(core, progress, written)
 
 
 def _view(model, view):
@@ -193,7 +196,7 @@ def _stand(scene, sources, materials, material, quantity, options):
     )
 
 
-def _steps(core, progress):
+def _steps(core, progress, written):
     reported = set()
     _report(core, reported)
     try:
@@ -205,7 +208,7 @@ def _steps(core, progress):
                     _report(core, reported)
             if step is None:
                 return
-            yield _step_of(step, reported)
+            yield _step_of(step, reported, written)
     finally:
         core.close()
         _report(core, reported)
@@ -223,18 +226,20 @@ def _warn_new(texts, reported):
     warn_here(new)
 
 
-def _step_of(core, reported):
+def _step_of(core, reported, written):
     results = core.results
     if core.scene is None or not results:
         return GrowthStep(core, None)
     built = core.scene
     _warn_new(built.warnings, reported)
 
-    def result_of(result, organs):
-        return Result(result, organs, built.warnings, core.source_notes, core.ratio_names)
+    def result_of(result, organs, own=None):
+        others = built.warnings, core.source_notes, core.ratio_names
+        return Result(result, organs, *others, written=own)
 
     if len(results) == 1:
-        light = result_of(results[0], Organs(built)) if results[0] is not None else None
+        own = None if written is None else written.with_plant(Organs(built), core.plant_organs, core.step)
+        light = result_of(results[0], Organs(built), own) if results[0] is not None else None
         return GrowthStep(core, light)
     light = []
     for (name, unit), result in zip(core.bands, results):

@@ -1,6 +1,10 @@
 """Plants that grow by models in cpfg's language."""
 
+import json
+import os
+import pickle
 import stat
+import subprocess
 
 import numpy as np
 import pytest
@@ -74,6 +78,29 @@ def test_the_light_is_that_of_a_scene_of_the_same_organs(model):
         alone.add_mesh(corners, material="leaf", organ=int(organ))
     expected = alone.run(ZENITH, seed=5, **FEW)
     assert np.array_equal(first.light._core.values, expected._core.values, equal_nan=True)
+
+
+def test_the_light_of_a_step_is_saved(model, tmp_path):
+    field = stand().add_material("grey", reflectance=0.5)
+    field.add_organ("disk", material="soil", center=[0, 0, 0.1], normal=[0, 0, 1], radius=9)
+    field.ground = quasimc.Ground("soil", x=[-20, 20], y=[-20, 20])
+    options = {"materials": {"U": "grey"}, "groups": ["module"], "seed": 5, **FEW}
+    for step in quasimc.grow(model(), light=field, sources=ZENITH, **options):
+        path = step.light.save(tmp_path / f"{step.step}.json")
+        back = quasimc.open(path)
+        assert back == step.light and back.organs.labels == step.light.organs.labels
+        moved = pickle.loads(pickle.dumps(step.light))
+        assert moved == step.light
+        assert moved.save(tmp_path / "moved.json").read_bytes() == path.read_bytes()
+        document = json.loads(path.read_text())["run_file"]
+        assert document["run"]["seed"] == 5 + step.step
+        materials = {str(organ.get("labels", {}).get("module")): organ["material"] for organ in document["organ"]}
+        assert materials == {"None": "soil", "U": "grey", "L": "leaf"}
+        again = tmp_path / "again.json"
+        program = os.environ.get("QUASIMC_PROGRAM")
+        if program:
+            subprocess.run([program, "run", "--repeat", path, "--json", again], check=True, capture_output=True)
+            assert quasimc.open(again) == step.light
 
 
 def test_materials_by_module(model):

@@ -68,6 +68,8 @@ class LightOnStand final : public PlantEnvironment {
     [[nodiscard]] const std::shared_ptr<const Scene>& scene() const { return scene_; }
     /// The light of scene(); null without one.
     [[nodiscard]] const std::shared_ptr<const Result>& result() const { return result_; }
+    /// The number of organs of the plant in scene(), the last ones before the ground.
+    [[nodiscard]] std::size_t organs_of_plant() const { return organs_.size(); }
     /// Steps before the last pass; negative before the first one.
     [[nodiscard]] std::int64_t pass_step() const { return pass_step_; }
     /// The indices in scene() of the organs that the last pass queried, in the order of the
