@@ -88,8 +88,7 @@ std::vector<RequestedOutput> requested_outputs(
     });
     faults.throw_if_any();
     for (const quasimc::TableSpec& table : run.output.tables) {
-        requested.push_back(
-            {{table.file, fmt::format("{}: table", table.location)}, quasimc::make_table, &table});
+        requested.push_back({{table.file, table.location}, quasimc::make_table, &table});
     }
     return requested;
 }

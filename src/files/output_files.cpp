@@ -1,7 +1,10 @@
 #include "files/output_files.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include <unistd.h>
 
@@ -37,6 +40,20 @@ void check_apart(
     }
 }
 
+/// An error of a file, with the key or flag that names it.
+InputError named(const InputError& error, const OutputPath& output) {
+    std::vector<Fault> faults = error.faults();
+    for (Fault& fault : faults) {
+        const std::filesystem::path folder = std::filesystem::path(output.path).parent_path();
+        std::error_code unknown;
+        const bool has_folder = folder.empty() || std::filesystem::exists(folder, unknown);
+        fault.suggestion = fmt::format(
+            "{} names it; {}name another file", output.where,
+            has_folder ? "" : "make its folder, or ");
+    }
+    return InputError(std::move(faults));
+}
+
 }  // namespace
 
 OutputFiles::OutputFiles(std::vector<OutputPath> outputs, std::span<const InputFile> inputs)
@@ -53,7 +70,7 @@ OutputFiles::OutputFiles(std::vector<OutputPath> outputs, std::span<const InputF
         try {
             files_.push_back(std::make_unique<AtomicFile>(is_standard ? "-" : output.path));
         } catch (const InputError& error) {
-            faults.add(error);
+            faults.add(named(error, output));
         }
     }
     faults.throw_if_any();
@@ -70,7 +87,7 @@ void OutputFiles::attempt(std::size_t output, Action action) {
         files_[output].reset();
         throw_if_none_is_left();
     } catch (const InputError& error) {
-        give_up(output, error);
+        give_up(output, named(error, outputs_[output]));
     }
 }
 

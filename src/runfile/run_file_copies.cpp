@@ -101,6 +101,11 @@ class CopyReader {
         const auto is_row = [](const Node& item) {
             return item.as<Node::List>() != nullptr || item.as<Node::Table>() != nullptr;
         };
+        if (list.empty()) {
+            table_.fault_at(
+                node, "at is empty", "there would be no copy", "give at least one position");
+            return;
+        }
         if (std::none_of(list.begin(), list.end(), is_row)) {
             refuse_form(node);
             return;

@@ -67,8 +67,8 @@ std::optional<std::array<double, 2>> read_time_of_day(TableReader& table) {
 }
 
 void read_choice(TableReader& table, const std::vector<Band>& bands, OutputSpec& output) {
-    output.quantities = table.texts("quantities").value_or(std::vector<std::string>{});
-    output.bands = table.texts("bands").value_or(std::vector<std::string>{});
+    output.quantities = read_selection(table, "quantities");
+    output.bands = read_selection(table, "bands");
     output.include_night = table.boolean("include_night").value_or(false);
     output.time_of_day = read_time_of_day(table);
     Faults faults;
@@ -114,6 +114,16 @@ std::optional<std::string> read_output_path(
         table.fault_at(key, fmt::format("{} = '{}' can't be written", key, *path), why);
     }
     return resolved;
+}
+
+std::vector<std::string> read_selection(TableReader& table, std::string_view key) {
+    std::optional<std::vector<std::string>> names = table.texts(key);
+    if (names && names->empty()) {
+        table.fault_at(
+            key, fmt::format("{} is empty", key), "nothing would be written",
+            "name some, or leave it out for all");
+    }
+    return std::move(names).value_or(std::vector<std::string>{});
 }
 
 std::vector<OutputKey> output_keys() {

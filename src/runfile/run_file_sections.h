@@ -92,6 +92,9 @@ void add_run_faults(const Faults& found, const RunOptions& options, Reporter& re
 [[nodiscard]] OutputSpec read_output(
     TableReader& top, const InputFiles& files, const std::vector<Band>& bands);
 
+/// Reads the names of quantities or bands that are written; empty: all. An empty list is a fault.
+[[nodiscard]] std::vector<std::string> read_selection(TableReader& table, std::string_view key);
+
 /// Reads the path of an output file, which is no input; empty if it is absent, or after a fault.
 [[nodiscard]] std::optional<std::string> read_output_path(
     TableReader& table, std::string_view key, const InputFiles& files);

@@ -59,7 +59,9 @@ class SensorReader {
         }
         const auto* list = node->as<Node::List>();
         if (list == nullptr || list->empty()) {
-            table_.fault_at("heights", "heights is not a list", "", "give [0.2, 0.5, 1]");
+            table_.fault_at(
+                "heights", list == nullptr ? "heights is not a list" : "heights is empty", "",
+                "give [0.2, 0.5, 1], or leave it out for the points alone");
             return heights;
         }
         for (const Node& item : *list) {

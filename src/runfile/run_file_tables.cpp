@@ -130,15 +130,15 @@ TableSpec read_table(
     TableReader table(node, "table", top.reporter());
     const std::optional<std::string> file = read_output_path(table, "file", files);
     TableSpec spec{.file = table.required("file", file).value_or("")};
-    spec.location = table.where();
     if (!spec.file.empty()) {
         table.rename(fmt::format("table '{}'", *table.text("file")));
     }
+    spec.location = fmt::format("{}: {}", table.where(), table.what());
     spec.rows = read_choice_of(table, "rows", kRows);
     spec.times = read_choice_of(table, "per", kTimes);
     spec.form = read_choice_of(table, "form", kForms);
-    spec.quantities = table.texts("quantities").value_or(std::vector<std::string>{});
-    spec.bands = table.texts("bands").value_or(std::vector<std::string>{});
+    spec.quantities = read_selection(table, "quantities");
+    spec.bands = read_selection(table, "bands");
     spec.origins = table.texts("origins");
     spec.digits = static_cast<int>(table.integer("digits", kDigits).value_or(spec.digits));
     spec.where = table.text("where").value_or("");

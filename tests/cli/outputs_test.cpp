@@ -184,7 +184,10 @@ TEST_F(OutputsTest, AreNotMixedWithClosedStreams) {
     }
     const Outcome refused = shell("\"$quasimc\" run bare.toml --csv - >&-");
     EXPECT_EQ(refused.status, 1);
-    EXPECT_EQ(refused.err, "error: standard output: can't be written (it is closed)\n");
+    EXPECT_EQ(
+        refused.err,
+        "error: standard output: can't be written (it is closed); --csv names it; name another "
+        "file\n");
     EXPECT_EQ(shell("\"$quasimc\" run - <&-").status, 1);
 }
 
@@ -251,7 +254,11 @@ TEST_F(OutputsTest, ThatCanNotBeOpenedAreReportedAtOnce) {
     write_old();
     const Outcome outcome = run({"run", "run.toml", "--csv", "none/a.csv", "--json", "out.json"});
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_NE(outcome.err.find("none/a.csv: can't be written"), std::string::npos);
+    EXPECT_NE(
+        outcome.err.find("none/a.csv: can't be written (No such file or directory); --csv names "
+                         "it; make its folder, or name another file"),
+        std::string::npos)
+        << outcome.err;
     EXPECT_EQ(folder_.read("out.json"), "old");
 }
 

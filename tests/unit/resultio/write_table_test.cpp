@@ -359,9 +359,15 @@ TEST(Tables, FaultsSayWhatToDo) {
         {"bands = ['B']\n", "bands: there is no 'B'"},
         {"statistics = ['median']\n", "statistics: there is no 'median'"},
         {"statistics = []\n", "statistics is empty"},
+        {"quantities = []\n",
+         "quantities is empty (nothing would be written); name some, or leave it out for all"},
+        {"bands = []\n", "bands is empty"},
+        {"[output]\nbands = []\n", "[output]: bands is empty"},
+        {"origins = ['lamp']\n", "table 'table.csv': origins: the run has no origin 'lamp'"},
         {"digits = 0\n", "digits is 0 (it must be 1 to 17)"},
         {"where = \"kimd == 'leaf'\"\n",
-         "where: unknown label 'kimd' in \"kimd == 'leaf'\" (labels are plant, kind, value, id, "
+         "table 'table.csv': where: unknown label 'kimd' in \"kimd == 'leaf'\" (labels are plant, "
+         "kind, value, id, "
          "name, material, area, height); did you mean 'kind'?"},
         {"where = \"kind = 'leaf'\"\n",
          "where: \"kind = 'leaf'\": '=' sets nothing here; compare with '=='"},

@@ -323,7 +323,7 @@ TEST(LampCopies, FaultsAreReportedOnce) {
         {point + "power = 1\nat = [{ x = 0, y = 0, row = 1 }]\n", "a copy of a lamp has no 'row'"},
         {point + "power = 1\nat = [{ x = 0, y = 0, scale = 2 }]\n", "the scale of copy 1 is 2"},
         {point + "power = -1\nat = [[0, 0], [1, 0], [2, 0]]\n", "power is -1"},
-        {point + "power = 1\nat = []\n", "at is not a list of copies"},
+        {point + "power = 1\nat = []\n", "at is empty (there would be no copy)"},
         {"type = 'sun'\nazimuth_deg = 0\nelevation_deg = 9\nirradiance_facing = 1\nat = [[0, 0]]\n",
          "at is for lamps"}};
     for (const BadCopies& bad : table) {

@@ -124,7 +124,9 @@ TEST(RunFileSensors, AreRepeatedAtHeights) {
     RunText text = with_sensors("at = [[1, 0, 2]]\nheights = [3]\n");
     text.top += y_up;
     expect_vector(read_text(text.text()).scene.sensors().at(0).points[0].position, {2, 1, 3});
-    expect_faults(with_sensors(at + "heights = []\n").text(), {"heights is not a list"});
+    expect_faults(
+        with_sensors(at + "heights = []\n").text(),
+        {"heights is empty; give [0.2, 0.5, 1], or leave it out for the points alone"});
     expect_faults(with_sensors(at + "heights = [1, 1]\n").text(), {"heights has 1 twice"});
     expect_faults(
         with_sensors(at + "heights = [1, -1]\n", "[ground]\nmaterial = 'leaf'\n").text(),
