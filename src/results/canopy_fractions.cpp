@@ -48,6 +48,7 @@ std::vector<TotalContribution> total_contributions(
     std::vector<std::uint32_t> indices(scene.organs().size());
     std::iota(indices.begin(), indices.end(), 0U);
     std::vector<OrganWeights> organs;
+    organs.reserve(indices.size());
     for (const std::uint32_t& index : indices) {
         organs.push_back({std::span(&index, 1)});
     }
