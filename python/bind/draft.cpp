@@ -19,6 +19,16 @@ namespace {
 template <typename T>
 using Array = py::array_t<T, py::array::c_style>;
 
+/// Puts the corners of a part at `out`. @returns the end of what was put
+double* put_part(const SceneDraft& draft, const DraftPart& part, double* out) {
+    for (std::size_t i = 0; i < draft.size_of(part); ++i) {
+        for (const Vec3& p : draft.triangle(part, i)) {
+            out = std::copy_n(std::array{p.x, p.y, p.z}.data(), 3, out);
+        }
+    }
+    return out;
+}
+
 /// The triangles of all organs in the file's axes, (n, 3, 3), the material of each, and the first
 /// of each organ.
 void put_triangles(const SceneDraft& draft, py::dict& all) {
@@ -31,12 +41,8 @@ void put_triangles(const SceneDraft& draft, py::dict& all) {
     for (std::size_t organ = 0; organ < draft.organs.size(); ++organ) {
         std::size_t size = 0;
         for (const DraftPart& part : draft.parts_of(organ)) {
-            for (std::size_t i = 0; i < draft.size_of(part); ++i) {
-                for (const Vec3& p : draft.triangle(part, i)) {
-                    corner = std::copy_n(std::array{p.x, p.y, p.z}.data(), 3, corner);
-                }
-                *material++ = part.material;
-            }
+            corner = put_part(draft, part, corner);
+            material = std::fill_n(material, draft.size_of(part), part.material);
             size += draft.size_of(part);
         }
         starts.push_back(starts.back() + static_cast<std::int64_t>(size));
