@@ -46,9 +46,9 @@ std::vector<Vec3> outermost(std::span<const Vec3> points, const Vec3& size) {
     return corners;
 }
 
-/// Brings the point with the largest measure to the place `first`. @return its measure
+/// Swaps the point with the largest measure with that at index `first`. @return its measure
 template <typename Measure>
-double bring_first(std::vector<Vec3>& points, std::size_t first, const Measure& measure) {
+double swap_first(std::vector<Vec3>& points, std::size_t first, const Measure& measure) {
     const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
     const auto most = std::max_element(
         begin, points.end(), [&](const Vec3& a, const Vec3& b) { return measure(a) < measure(b); });
@@ -92,12 +92,12 @@ bool InnerPolyhedron::start(std::vector<Vec3>& points) {
         return false;
     }
     const auto from_first = [&](const Vec3& p) { return length(p - points[0]); };
-    bring_first(points, 1, from_first);
+    swap_first(points, 1, from_first);
     const Vec3 along = points[1] - points[0];
-    bring_first(points, 2, [&](const Vec3& p) { return length(cross(along, p - points[0])); });
+    swap_first(points, 2, [&](const Vec3& p) { return length(cross(along, p - points[0])); });
     const Vec3 across = cross(along, points[2] - points[0]);
     const double volume =
-        bring_first(points, 3, [&](const Vec3& p) { return std::abs(dot(across, p - points[0])); });
+        swap_first(points, 3, [&](const Vec3& p) { return std::abs(dot(across, p - points[0])); });
     if (volume <= tolerance_ * length(across)) {
         return false;
     }

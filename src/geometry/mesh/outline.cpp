@@ -39,7 +39,7 @@ void OctantGrid::spread() {
 
 bool OctantGrid::is_inside(const Vec3& p) const {
     if (octants_.size() == 1) {
-        return false;  // all points are in one place, and one of them has to remain
+        return false;  // all points are equal, and one of them has to remain
     }
     const Cell3 cell = cell_of(p);
     for (std::size_t octant = 0; octant < kOctants; ++octant) {

@@ -101,7 +101,7 @@ TEST(AllFaults, OfLayersAndBandsThatAreUnknownAreNotReported) {
     text.run = "[run]\nlayers = -1\ngroups = ['all where layer == 1']\n";
     text.rest = "[[table]]\nfile = 'a.csv'\nwhere = 'layer == 1'\n";
     expect_exactly(faults_of(text.text()), {"run.toml:3: [run]: layers: -1"});
-    text = {.top = "bands = 3\n", .run = "[run]\nratios = ['R:FR']\n"};
+    text = {.top = "bands = 3\n", .run = "[run]\nratios = ['R:FR']\n", .rest = ""};
     expect_exactly(faults_of(text.text()), {"run.toml:1: bands is an integer"});
 }
 
