@@ -143,7 +143,7 @@ class JsonWriter::State {
     std::unique_ptr<Spool> days_text_;
     std::unique_ptr<JsonLines> days_;
     Sha256 digest_;
-    std::size_t points_ = 0;      // completed points of a sweep
+    std::size_t points_ = 0;  // completed points of a sweep
     bool is_point_open_ = false;
     StopReason stop_ = StopReason::finished;
 };

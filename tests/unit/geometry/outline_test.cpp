@@ -102,7 +102,8 @@ TEST(OutlinePoints, OfPointsOnFacesEdgesLinesAndASpotReachAsFar) {
                     Vec3{extent.x * (i % 10), extent.y * (i / 10 % 10), extent.z * (i / 100)});
             }
             const std::vector<Vec3> outline = outline_points(points, points.size());
-            EXPECT_TRUE(is_outline(outline, points, random)) << extent.x << " " << extent.y << " " << extent.z << " " << far;
+            EXPECT_TRUE(is_outline(outline, points, random))
+                << extent.x << " " << extent.y << " " << extent.z << " " << far;
         }
     }
 }
