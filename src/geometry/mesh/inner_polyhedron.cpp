@@ -40,6 +40,7 @@ std::vector<Vec3> outermost(std::span<const Vec3> points, const Vec3& size) {
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     std::vector<Vec3> corners;
+    corners.reserve(found.size());
     for (const std::size_t i : found) {
         corners.push_back(points[i]);
     }
