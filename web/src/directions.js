@@ -32,11 +32,11 @@ export class Directions {
 
   /**
    * @param window  the SceneWindow
-   * @param path  unit vectors towards the sun through the day  @param hours  of each time step
+   * @param paths  unit vectors towards the sun through days  @param hours  of each time step
    * @param covered  {left, bottom}: the lower right corner of the legend
    * @param sun  of the shown time, null for none  @param lamps  positions
    */
-  draw(window, { path, hours, sun, lamps }, covered) {
+  draw(window, { paths, hours, sun, lamps }, covered) {
     this.clear();
     const { base, radius } = frameOf(window);
     const back = window.camera.position.clone().sub(base).setZ(0);
@@ -45,8 +45,8 @@ export class Directions {
     const line = (points, kind) => this.#line(points.map((point) => [layerOf(point), window.project(point)]), kind);
     line(Array.from({ length: kSteps + 1 }, (_, i) => at([Math.cos((2 * Math.PI * i) / kSteps), Math.sin((2 * Math.PI * i) / kSteps), 0])), "ring");
     this.#winds(window, at, layerOf, covered);
-    if (path.length > 1) {
-      line(path.map((v) => at(v)), "path");
+    paths.forEach((path) => line(path.map((v) => at(v)), "path"));
+    if (paths.length > 0) {
       hours.forEach((v) => this.#disc(layerOf(at(v)), window.project(at(v)), 2, "dot"));
     }
     if (sun) {

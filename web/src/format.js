@@ -140,6 +140,16 @@ export function dateText(date, hasYear = false) {
   return `${day} ${kMonths[month - 1]}${hasYear ? ` ${year}` : ""}`;
 }
 
+/** "1 April to 30 September 2023" of "2023-04-01/2023-09-30", "21 June" of a single day. */
+export function periodText(label) {
+  const [first, last] = label.split("/");
+  if (last === undefined || last === first) {
+    return dateText(first);
+  }
+  const isOneYear = first.split("-").at(-3) === last.split("-").at(-3);
+  return `${dateText(first, !isOneYear)} to ${dateText(last, true)}`;
+}
+
 /** "13:00" */
 export function clockText(hour) {
   const minutes = Math.round(hour * 60);

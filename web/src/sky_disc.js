@@ -42,19 +42,19 @@ export class SkyDisc {
   draw() {
     const { page, parent } = this;
     const lights = lightsOf(page);
-    const hasSun = lights.sun || lights.path.length > 1;
+    const hasSun = lights.sun || lights.paths.length > 0;
     parent.hidden = page.state.beside || (!lights.cells && !hasSun);
     if (parent.hidden) {
       return;
     }
     this.#drawSky(lights.cells);
-    const path = lights.path.length > 1 && svg("polyline", { class: "path", points: lights.path.filter(([, , z]) => z > 0).map((v) => this.#at(v).join()).join(" ") });
+    const paths = lights.paths.map((path) => svg("polyline", { class: "path", points: path.filter(([, , z]) => z > 0).map((v) => this.#at(v).join()).join(" ") }));
     const [cx, cy] = lights.sun ? this.#at(lights.sun) : [];
     const sun = lights.sun?.[2] > 0 && svg("circle", { class: "sun", cx, cy, r: 4.5 });
     const winds = [["N", 0, -1], ["E", 1, 0], ["S", 0, 1], ["W", -1, 0]].map(([letter, x, y]) => svg("text", { x: kMiddle + 59 * x, y: kMiddle + 59 * y }, letter));
     this.eye = svg("path", { class: "eye", d: "M0 -50l5 -8h-10z" });
     const words = this.#words(lights);
-    this.svg.replaceChildren(...[svg("title", {}, words), path, sun, ...winds, this.eye].filter(Boolean));
+    this.svg.replaceChildren(...[svg("title", {}, words), ...paths, sun, ...winds, this.eye].filter(Boolean));
     this.text.textContent = words;
     this.turned();
   }
@@ -63,9 +63,9 @@ export class SkyDisc {
     this.draw();
   }
 
-  #words({ sun, path, cells }) {
+  #words({ sun, paths, cells }) {
     if (!sun) {
-      return path.length > 1 ? "Mean sky, sun’s path" : cells ? "Sky" : "";
+      return paths.length > 0 ? `Mean sky, ${paths.length > 1 ? "lowest and highest paths of the sun" : "sun’s path"}` : cells ? "Sky" : "";
     }
     const [nx, ny] = this.page.run.json.north;
     const azimuth = Math.atan2(sun[0] * ny - sun[1] * nx, sun[0] * nx + sun[1] * ny);

@@ -9,22 +9,24 @@ import { kPins, pinLetter } from "./page.js";
 import { cutEnds } from "./panel.js";
 import { plantColors } from "./plant.js";
 import { SceneWindow } from "./scene.js";
+import { sunPaths } from "./sun_paths.js";
 import { kMaxMarks } from "./passes.js";
 
 const rgbOf = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 const isDark = () => document.documentElement.dataset.theme === "dark";
 
-/** The lights of what is shown: {path, hours, sun, lamps, cells}; the path of the sun has its directions of each hour. */
+/** The lights of what is shown: {paths, hours, sun, lamps, cells}; the path of the sun has its directions of each hour. */
 export function lightsOf({ run, timeline, entry, time }) {
   const times = run.json.times;
   const own = times[time];
   const isSum = entry === timeline.total || timeline.days.includes(entry);
-  const beside = times.length > 1 ? timeline.stepsBeside(isSum && entry !== timeline.total ? entry : entry.date ? entry : null) : [];
-  const hasPath = timeline.dates.length === 1 || (timeline.dates.length > 1 && entry !== timeline.total);
-  const path = hasPath ? beside.flatMap(({ index }) => times[index].suns) : [];
-  const hours = hasPath ? beside.map(({ index }) => meanDirection(times[index].suns)).filter(Boolean) : [];
+  const beside = times.length > 1 ? timeline.stepsOf(entry) : [];
+  const hasHours = timeline.dates.length === 1 || (timeline.dates.length > 1 && entry !== timeline.total);
+  const suns = beside.flatMap(({ index }) => times[index].suns);
+  const paths = timeline.hasPeriods ? sunPaths(suns) : hasHours && suns.length > 1 ? [suns] : [];
+  const hours = hasHours ? beside.map(({ index }) => meanDirection(times[index].suns)).filter(Boolean) : [];
   const skies = isSum ? beside.map(({ index }) => times[index].sky).filter(Boolean) : own.sky ? [own.sky] : [];
-  return { path, hours, sun: isSum ? null : meanDirection(own.suns), lamps: own.lamps, cells: skies.length === 0 ? null : skies.length === 1 ? skyCells(skies[0]) : meanSky(skies) };
+  return { paths, hours, sun: isSum || timeline.hasPeriods ? null : meanDirection(own.suns), lamps: own.lamps, cells: skies.length === 0 ? null : skies.length === 1 ? skyCells(skies[0]) : meanSky(skies) };
 }
 
 export class Stage {
@@ -34,7 +36,7 @@ export class Stage {
     this.window = new SceneWindow(renderer, page.run, () => this.#moved());
     this.directions = new Directions(byId("behind"), byId("before"));
     this.covered = { left: 0, bottom: 0 };
-    this.lights = { path: [], hours: [], sun: null, lamps: [] };
+    this.lights = { paths: [], hours: [], sun: null, lamps: [] };
     this.#listen();
     if (page.state.view) {
       this.window.orbit.view = page.state.view;

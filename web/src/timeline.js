@@ -1,6 +1,15 @@
 // The times of a result, or the frames of a run in progress, in the order of the strip.
 
-import { clockText, dateText, readTime } from "./format.js";
+import { clockText, dateText, periodText, readTime } from "./format.js";
+
+/** The date some days after another one. */
+const daysAfter = (date, days) => new Date(Date.parse(date) + 864e5 * days).toISOString().slice(0, 10);
+
+/** Names of a step of whole days: it has no hour. */
+function describePeriod(label, date, hours) {
+  const name = periodText(`${date}/${daysAfter(date, Math.round(hours / 24) - 1)}`);
+  return { label, name, short: dateText(date), date, start: null, hours };
+}
 
 /** Names of a time step: {name: "13:00 – 14:00", short: "13:00", ...} */
 function describe(label, seconds) {
@@ -9,8 +18,10 @@ function describe(label, seconds) {
     return { label, name: label, short: label, date: time?.date ?? null, start: null, hours: 0 };
   }
   const hours = seconds / 3600;
-  const isLong = hours > 0 && hours < 24;
-  const name = isLong ? `${clockText(time.hour)} – ${clockText(time.hour + hours)}` : clockText(time.hour);
+  if (hours >= 24) {
+    return describePeriod(label, time.date, hours);
+  }
+  const name = hours > 0 ? `${clockText(time.hour)} – ${clockText(time.hour + hours)}` : clockText(time.hour);
   return { label, name, short: clockText(time.hour), date: time.date, start: time.hour, hours };
 }
 
@@ -21,6 +32,7 @@ export class Timeline {
     const dates = [...new Set(steps.map(({ date }) => date))];
     this.hasClock = steps.length > 0 && steps.every(({ start }) => start !== null);
     this.dates = this.hasClock ? dates : [];
+    this.hasPeriods = steps.length > 0 && steps.every(({ hours }) => hours >= 24);
   }
 
   /** The times of a finished result. The `index` of each is its number in the result. */
@@ -28,9 +40,9 @@ export class Timeline {
     const all = run.json.times.map((time, index) => ({ ...time, index }));
     const of = (part) => all.filter((time) => time.part === part);
     const steps = of("time_steps").map(({ label, index }) => ({ ...describe(label, run.headOf(index)?.seconds ?? 0), index, key: label, isKnown: true }));
-    const days = of("days").map(({ label, index }) => ({ label, date: label, index, key: label, isKnown: true, name: dateText(label) }));
+    const days = of("days").map(({ label, index }) => ({ label, date: label, index, key: label, isKnown: true, name: periodText(label) }));
     const [total] = of("total");
-    const name = days.length > 1 ? "All days" : "Sum of the day";
+    const name = days.length > 1 ? "All days" : days[0]?.label.includes("/") ? `Sum of ${days[0].name}` : "Sum of the day";
     return new Timeline({ steps, days, total: total ? { index: total.index, key: "sum", isKnown: true, name } : null, single: of("")[0] ?? null });
   }
 
@@ -52,7 +64,7 @@ export class Timeline {
   }
 
   get isEmpty() {
-    return this.steps.length + this.days.length + (this.total ? 1 : 0) < 2;
+    return this.all.length < 2 || (this.hasPeriods && this.steps.length === 1);
   }
 
   /** All that can be chosen. */
@@ -76,10 +88,19 @@ export class Timeline {
     return this.hasClock && this.dates.length > 1 ? this.steps.filter((step) => step.date === date) : this.steps;
   }
 
+  /** The steps whose light an entry adds up, or its day's. */
+  stepsOf(entry) {
+    if (this.hasPeriods) {
+      return entry === this.total ? this.steps : this.steps.filter(({ date }) => date === entry.date.split("/")[0]);
+    }
+    const isSum = entry === this.total;
+    return this.stepsBeside(!isSum && entry.date ? entry : null);
+  }
+
   /** The title of an entry, and a note on it. @param lightOf  the light of a step */
   titleOf(entry, lightOf) {
     if (entry === this.total) {
-      const hours = this.steps.reduce((sum, step) => sum + (lightOf(step) > 0 ? step.hours : 0), 0);
+      const hours = this.steps.reduce((sum, step) => sum + (this.hasClock && lightOf(step) > 0 ? step.hours : 0), 0);
       const lit = hours > 0 ? `, ${Math.round(hours * 10) / 10} h of light` : "";
       return { title: entry.name, note: this.days.length > 1 ? `${this.days.length} days${lit}` : `${this.days[0]?.name ?? ""}${lit}`.replace(/^, /, "") };
     }
@@ -87,13 +108,13 @@ export class Timeline {
       return { title: entry.name, note: "sum of the day" };
     }
     if (entry.start === null || entry.start === undefined) {
-      return { title: entry.name, note: "" };
+      return { title: entry.name, note: entry.hours >= 24 ? "mean, nights included" : "" };
     }
     return { title: entry.short, note: `${entry.hours === 0 ? "at this instant" : entry.hours === 1 ? "mean of the hour" : "mean"}, ${dateText(entry.date)}` };
   }
 
   /** A text for the legend: "sum of the day", "13:00 – 14:00". */
   wordsOf(entry) {
-    return entry === this.total ? entry.name.toLowerCase() : this.days.includes(entry) ? `sum of ${entry.name}` : entry.name;
+    return entry === this.total ? entry.name[0].toLowerCase() + entry.name.slice(1) : this.days.includes(entry) ? `sum of ${entry.name}` : entry.name;
   }
 }

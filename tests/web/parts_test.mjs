@@ -1,0 +1,69 @@
+// Parts of the page without a browser: node parts_test.mjs
+//
+// Rationale: names, orders and choices that the page derives from a result are seen in few examples, and go wrong in
+// the others.
+// Expected behaviour: as the name of each check says.
+
+import assert from "node:assert/strict";
+import { Timeline } from "../../web/src/timeline.js";
+import { sunPaths } from "../../web/src/sun_paths.js";
+
+/** A result with a single step of a season, a step of each day, or of each hour. */
+function resultOf(steps, days) {
+  const times = [...steps.map(({ label }) => ({ part: "time_steps", label })), ...days.map((label) => ({ part: "days", label })), { part: "total", label: "" }];
+  return { json: { times }, headOf: (index) => steps[index] };
+}
+
+function checkSeason() {
+  const timeline = Timeline.ofRun(resultOf([{ label: "2023-04-01T00:00+00:00", seconds: 183 * 86400 }], ["2023-04-01/2023-09-30"]));
+  const { title, note } = timeline.titleOf(timeline.total, () => 1);
+  assert.equal(title, "Sum of 1 April to 30 September 2023");
+  assert.equal(note, "1 April to 30 September 2023");
+  assert.equal(timeline.wordsOf(timeline.total), "sum of 1 April to 30 September 2023");
+  assert.equal(timeline.steps[0].name, "1 April to 30 September 2023");
+  assert.ok(timeline.isEmpty, "a strip of one period");
+}
+
+function checkDays() {
+  const labels = ["2023-06-20", "2023-06-21", "2023-06-22"];
+  const timeline = Timeline.ofRun(resultOf(labels.map((date) => ({ label: `${date}T00:00+00:00`, seconds: 86400 })), labels));
+  assert.ok(!timeline.isEmpty);
+  assert.deepEqual(timeline.steps.map(({ short }) => short), ["20 June", "21 June", "22 June"]);
+  assert.equal(timeline.titleOf(timeline.total, () => 1).note, "3 days");
+  assert.deepEqual(timeline.stepsOf(timeline.days[1]), [timeline.steps[1]]);
+  assert.deepEqual(timeline.stepsOf(timeline.total), timeline.steps);
+}
+
+function checkHours() {
+  const hours = [11, 12].map((hour) => ({ label: `2023-06-21T${hour}:00+00:00`, seconds: 3600 }));
+  const timeline = Timeline.ofRun(resultOf(hours, ["2023-06-21"]));
+  assert.ok(!timeline.isEmpty && timeline.hasClock);
+  assert.deepEqual(timeline.titleOf(timeline.total, () => 1), { title: "Sum of the day", note: "21 June, 2 h of light" });
+}
+
+/** Suns of whole hours on days of these declinations, degrees, at 45 degrees north. */
+function sunsOf(declinations) {
+  const [sin, cos] = [Math.sin(Math.PI / 4), Math.cos(Math.PI / 4)];
+  return declinations.flatMap((degrees) => Array.from({ length: 24 }, (_, hour) => {
+    const [up, angle] = [(degrees * Math.PI) / 180, ((hour - 12) * Math.PI) / 12];
+    return [-Math.cos(up) * Math.sin(angle), Math.sin(up) * cos - Math.cos(up) * Math.cos(angle) * sin, Math.sin(up) * sin + Math.cos(up) * Math.cos(angle) * cos];
+  }).filter(([, , z]) => z > 0));
+}
+
+/** Of a season three paths are drawn: they enclose all others. */
+function checkPaths() {
+  const season = Array.from({ length: 183 }, (_, day) => 23.4 * Math.sin((day * Math.PI) / 183) + 0.001 * day);
+  const noons = sunPaths(sunsOf(season)).map((path) => Math.max(...path.map(([, , z]) => z)));
+  const all = season.map((degrees) => Math.sin(((45 + degrees) * Math.PI) / 180));
+  assert.equal(noons.length, 3);
+  assert.ok(Math.abs(noons[0] - Math.min(...all)) < 1e-9 && Math.abs(noons[2] - Math.max(...all)) < 1e-9, `${noons}`);
+  assert.ok(noons[0] < noons[1] && noons[1] < noons[2]);
+  assert.equal(sunPaths(sunsOf([10])).length, 1);
+  assert.equal(sunPaths([]).length, 0);
+  assert.equal(sunPaths([[0, 0, 1]]).length, 0);
+}
+
+checkSeason();
+checkDays();
+checkHours();
+checkPaths();
