@@ -55,6 +55,7 @@ async function checkDifference(page, one, other) {
   assert.equal(await page.getByRole("radio", { name: "Difference" }).count(), 0, "there is nothing to subtract");
   await choose(page, file("low"));
   await checkNumbers(page, one, other, ({ organs }) => organs[0].absorbed_flux_density.PAR);
+  await checkHeadline(page, one, other, ({ energy }) => energy.PAR.absorbed_by_organs);
   assert.match(await page.locator("#shown").textContent(), /1 of 3 organs shown, 4 in one result only/);
   if (pictures) {
     await page.screenshot({ path: path.join(pictures, "compare.png") });
@@ -64,12 +65,26 @@ async function checkDifference(page, one, other) {
   assert.equal(await page.getByRole("radio", { name: "Difference" }).count(), 0);
 }
 
+/** The light of all plants, its error, and how much more or less it is. */
+async function checkHeadline(page, one, other, plantsOf) {
+  const [a, b] = [one, other].map(plantsOf);
+  const text = (await page.locator("#headline").textContent()).replaceAll("−", "-");
+  const [mean, error] = text.match(/(-?[\d.]+)\u00a0± ?\u00a0?([\d.]+)/).slice(1).map(Number);
+  const expected = Math.hypot(a.standard_error, b.standard_error);
+  assert.ok(Math.abs(mean - (a.mean - b.mean)) <= expected, `${text}: ${a.mean} - ${b.mean} ± ${expected}`);
+  assert.ok(Math.abs(error - expected) <= 0.51 * 10 ** Math.floor(Math.log10(expected)), text);
+  const [, part, word] = text.match(/([\d.]+) % (more|less) than “Low sun”$/);
+  assert.ok(Math.abs(Number(part) / ((100 * Math.abs(a.mean - b.mean)) / b.mean) - 1) < 0.02, text);
+  assert.equal(word, a.mean > b.mean ? "more" : "less");
+}
+
 /** A day: the sum, in megajoules, and an hour. */
 async function checkDay(page, one, other) {
   await open(page, `${workshop.address("day")}#pins=%5B%221%22%5D`);
   await choose(page, file("lowday"));
   const inMegajoules = ({ mean, standard_error: error }) => ({ mean: mean / 1e6, standard_error: error / 1e6 });
   await checkNumbers(page, one, other, ({ total }) => inMegajoules(total.organs[0].absorbed_flux_density.PAR));
+  await checkHeadline(page, one, other, ({ total }) => inMegajoules(total.groups.find(({ by }) => by === "all").absorbed_flux.PAR));
   const noon = ({ time_steps: steps }) => steps.find(({ time }) => time.includes("T12:00")).organs[0].absorbed_flux_density.PAR;
   await page.evaluate(() => document.getElementById("strip").focus());
   await page.getByRole("radio", { name: "Hours" }).click();
@@ -78,6 +93,7 @@ async function checkDay(page, one, other) {
     await page.waitForTimeout(50);
   }
   await page.waitForFunction(() => document.querySelector("#legend-note").textContent.includes("12:00 – 13:00"));
+  assert.match(await page.locator("#time").textContent(), /bars: this result alone/);
   await checkNumbers(page, one, other, noon);
 }
 

@@ -27,12 +27,12 @@ export function differenceOfLayers(own, other) {
 export class Comparison {
   /**
    * @param run  RunData
-   * @param other  {title, ids, values, layers}: ids of its organs as texts; values(time, column, factor) returns a
+   * @param other  {title, ids, result, values, layers}: ids of its organs as texts; its JSON; values(time, column, factor) returns a
    *   promise of {mean, error} in units of the run, null where it has none; layers(time, column, factor) its layers or
    *   null. See runAsOther, and ResultFile.
    */
   constructor(run, other) {
-    Object.assign(this, { run, other, title: other.title, errors: kErrorsOfDifferences });
+    Object.assign(this, { run, other, title: other.title, result: other.result, errors: kErrorsOfDifferences });
     const known = new Map(other.ids.map((id, i) => [id, i]));
     this.index = Int32Array.from({ length: run.count }, (_, organ) => known.get(run.idOf(organ)) ?? -1);
     const common = this.index.reduce((sum, there) => sum + (there >= 0 ? 1 : 0), 0);
@@ -58,7 +58,7 @@ export class Comparison {
 export function runAsOther(run, title) {
   const timeOf = ({ part, label }) => run.json.times.findIndex((own) => own.part === part && own.label === label);
   return {
-    title, ids: Array.from({ length: run.count }, (_, organ) => run.idOf(organ)),
+    title, result: run.json.head, ids: Array.from({ length: run.count }, (_, organ) => run.idOf(organ)),
     layers(own, kind, factor) {
       const time = timeOf(own);
       return time < 0 ? null : layersOfResult(run.headOf(time), kind, factor);
@@ -81,5 +81,5 @@ export function givenDifference(run) {
     const { part, label } = run.json.times[time];
     return layersOfResult(headAt(minus.head, part, label), run.json.columns[column], run.factorOf(time, column));
   };
-  return { ...minus, onlyFirst: minus.only_first, onlyOther: minus.only_other, layers, values: (time, column) => run.difference(time, column) };
+  return { ...minus, result: minus.head, onlyFirst: minus.only_first, onlyOther: minus.only_other, layers, values: (time, column) => run.difference(time, column) };
 }

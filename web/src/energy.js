@@ -40,8 +40,8 @@ function summedBudget(page, entry, band) {
 }
 
 /** The area of the cell of a periodic scene, in square lengths of the scene; NaN for others. */
-function cellArea(run) {
-  const cell = run.json.head.run_file?.cell;
+function cellArea(result) {
+  const cell = result.run_file?.cell;
   if (!cell) {
     return NaN;
   }
@@ -51,7 +51,8 @@ function cellArea(run) {
 
 /**
  * The light of a band at an entry of the timeline.
- * @returns {plants, error, unit, isPerGround, parts: [{name, part}]}; null if the result does not have it
+ * @returns {plants, error, unit, isPerGround, given, byOf, parts: [{name, part}]}: `given` is the unit in the result, and
+ *   `byOf` returns what its numbers are multiplied by, for the area of a cell; null if the result does not have it
  */
 export function lightBudget(page, entry, band) {
   const { run, timeline } = page;
@@ -63,16 +64,41 @@ export function lightBudget(page, entry, band) {
   const incoming = found.plants + found.ground + found.sky;
   const { unit, factor } = plainUnit(found.unit);
   const isLarge = unit === "J" && found.plants * factor > 1e4;
-  const area = cellArea(run);
+  const area = cellArea(run.json.head);
   const isPerGround = area > 0 && /^(W|umol s-1|mol|MJ|J|kJ)$/.test(unit) && run.json.unit === "m";
-  const by = (isPerGround ? 1 / area : factor) * (isLarge ? 1e-6 : 1);
+  const byOf = (cell) => (isPerGround ? 1 / cell : factor) * (isLarge ? 1e-6 : 1);
+  const by = byOf(area);
   const own = isLarge ? "MJ" : unit;
   const perGround = { "umol s-1": "umol m-2 s-1" }[own] ?? `${own} m-2`;
   return {
-    plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround,
+    plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
     parts: incoming > 0 ? [["plants", "Plants"], ["ground", "Ground"], ["sky", "Back to the sky"]]
       .map(([key, name]) => ({ key, name, part: Math.max(0, found[key]) / incoming })).filter(({ key, part }) => key !== "ground" || part > 0) : [],
   };
+}
+
+/** The light of all plants at a time of a result, in its own unit: {mean, error, unit}; null if it does not have it. */
+function plantsOf(result, { part, label }, band) {
+  const head = headAt(result, part, label);
+  const isSum = part === "days" || part === "total";
+  const found = isSum ? head?.groups?.find(({ by }) => by === "all")?.absorbed_flux?.[band] : head?.energy?.[band]?.absorbed_by_organs;
+  const unit = isSum ? result.sum_units?.[band]?.flux : head?.energy?.[band]?.unit;
+  return Number.isFinite(found?.mean) ? { mean: found.mean, error: found.standard_error ?? NaN, unit } : null;
+}
+
+/**
+ * The light of all plants minus that of another result, with the error of independent results.
+ * @param budget  see lightBudget  @param other  the other result  @param time  {part, label}
+ * @returns {mean, error, part}: `part` of the other one; null if the two can't be compared
+ */
+export function lightDifference(budget, other, time, band) {
+  const found = other && plantsOf(other, time, band);
+  if (!found || found.unit !== budget.given) {
+    return null;
+  }
+  const by = budget.byOf(cellArea(other));
+  const mean = budget.plants - found.mean * by;
+  return Number.isFinite(mean) ? { mean, error: Math.hypot(budget.error, found.error * by), part: mean / (found.mean * by) } : null;
 }
 
 /** The light that all plants take of a band at a time, for the bars of the strip. */

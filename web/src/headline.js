@@ -1,8 +1,9 @@
 // The number one came for, and where the light goes.
 
 import { make } from "./dom.js";
-import { lightBudget } from "./energy.js";
+import { lightBudget, lightDifference } from "./energy.js";
 import { estimate, kUnknownText, percent } from "./format.js";
+import { kSure } from "./numbers.js";
 
 /** "32.75 ± 0.02 mol m⁻²" in sizes */
 export function numberNode(mean, error, unit, high) {
@@ -26,17 +27,34 @@ export class Headline {
       parent.replaceChildren();
       return;
     }
+    const isDifference = page.state.show === "difference";
+    const difference = isDifference ? lightDifference(budget, page.minus.result, page.run.json.times[page.time], band) : null;
+    if (difference) {
+      parent.replaceChildren(...this.#difference(budget, difference, time));
+      return;
+    }
+    const what = `The plants absorb${isDifference ? " in this result alone" : ""}${time}`;
     if (!(budget.plants > 0)) {
-      parent.replaceChildren(make("p", { class: "what" }, `The plants absorb${time}`), make("h3", {}, "No light at this time"));
+      parent.replaceChildren(make("p", { class: "what" }, what), make("h3", {}, "No light at this time"));
       return;
     }
     const plants = budget.parts.find(({ key }) => key === "plants")?.part;
     const incoming = `${percent(plants, 3)} of ${budget.isPerGround ? "incoming" : "the"} ${band || "light"}${budget.isPerGround ? "" : " that enters the scene"}`;
     parent.replaceChildren(
-      make("p", { class: "what" }, `The plants absorb${time}`),
+      make("p", { class: "what" }, what),
       numberNode(budget.plants, budget.error, budget.unit),
       make("p", { class: "of" }, `${budget.isPerGround ? "of ground · " : ""}${incoming}`),
       this.#bar(budget.parts), this.#list(budget.parts));
+  }
+
+  /** "−6.15 ± 0.08 mol m⁻² of ground · 12 % less than “Maize”" */
+  #difference({ unit, isPerGround }, { mean, error, part }, time) {
+    const title = `“${this.page.minus.title}”`;
+    const isClear = Math.abs(mean) >= kSure * (error || 0) && mean !== 0;
+    const size = Number.isFinite(part) ? `${percent(Math.abs(part), Math.abs(part) < 1 ? 2 : 3)} ` : "";
+    const words = isClear ? `${size}${mean > 0 ? "more" : "less"} than ${title}` : `no clear difference from ${title}`;
+    return [make("p", { class: "what" }, `The plants absorb, difference${time}`), numberNode(mean, error, unit),
+      make("p", { class: "of" }, `${isPerGround ? "of ground · " : ""}${words}`)];
   }
 
   #bar(parts) {

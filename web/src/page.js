@@ -47,7 +47,7 @@ export class Page {
     state.time = this.entry.key;
   }
 
-  /** What is taken away in the mode "difference": {title, errors, onlyFirst, onlyOther, values}; null if there is nothing. */
+  /** What is taken away in the mode "difference": {title, result, errors, onlyFirst, onlyOther, values}; null if there is nothing. */
   get minus() {
     if (this.comparison?.run !== this.run || this.comparison?.other !== this.other) {
       this.comparison = this.other ? new Comparison(this.run, this.other) : null;

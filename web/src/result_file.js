@@ -59,6 +59,7 @@ export class ResultFile {
     this.name = name;
     this.title = json.title || name;
     this.json = json.points?.[0] ?? json;
+    this.result = { ...json, ...this.json };
     this.rows = rowsByTime(this.json);
     const [first] = this.rows.values();
     if (!first) {

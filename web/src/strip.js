@@ -75,7 +75,7 @@ export class Strip {
     const kind = this.#periodOf(entry);
     this.choice?.set(kind);
     const { title, note } = timeline.titleOf(entry, (step) => page.lightOf(step));
-    this.now.replaceChildren(make("b", { id: "time-title" }, title), make("span", {}, note));
+    this.now.replaceChildren(make("b", { id: "time-title" }, title), make("span", {}, `${note}${page.state.show === "difference" ? " · bars: this result alone" : ""}`.replace(/^ · /, "")));
     this.button.hidden = this.isStill.matches || timeline.steps.length < 2;
     this.strip.dataset.sum = kind === "step" ? "no" : "yes";
     this.follow.hidden = page.live?.isFollowing ?? true;
@@ -106,7 +106,7 @@ export class Strip {
     const { timeline, entry } = page;
     const { quantity, band } = page.run.json.columns[page.column];
     const all = allPlants(page.head, quantity, band);
-    const mean = all ? `, mean ${withUnit(withError(all.mean, all.error), page.unit)}` : "";
+    const mean = all && page.state.show !== "difference" ? `, mean ${withUnit(withError(all.mean, all.error), page.unit)}` : "";
     const at = Math.max(0, timeline.all.indexOf(entry));
     strip.setAttribute("aria-valuemin", "0");
     strip.setAttribute("aria-valuemax", String(timeline.all.length - 1));
