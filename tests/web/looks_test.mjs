@@ -168,7 +168,7 @@ corners = ${JSON.stringify(corners)}
   return `bands = ["PAR"]
 irradiance_unit = "W m-2"
 [run]
-paths = 256
+paths = 65536
 [output]
 json = "run.json"
 [[source]]

@@ -5,6 +5,8 @@
 // Expected behaviour: as the name of each check says.
 
 import assert from "node:assert/strict";
+import { highestKnown } from "../../web/src/legend.js";
+import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
 import { Timeline } from "../../web/src/timeline.js";
 import { sunPaths } from "../../web/src/sun_paths.js";
 
@@ -63,7 +65,20 @@ function checkPaths() {
   assert.equal(sunPaths([[0, 0, 1]]).length, 0);
 }
 
+/** What is known to no better than 50 % comes last, however high its mean, and is not what the scale goes up to. */
+function checkUnknown() {
+  const values = { mean: Float32Array.of(5, 900, 7, NaN, 8), error: Float32Array.of(0.1, 800, NaN, NaN, 3), low: [], high: [] };
+  const json = { unit: "m", organs: { labels: {} } };
+  const shape = { areas: Float32Array.of(1, 1, 1, 1, 1), heights: Float32Array.of(1, 1, 1, 1, 1) };
+  const run = { json, shape, organCount: 5, count: 5, columnName: () => "light" };
+  const orderOf = (show) => organsInOrder(Uint8Array.of(1, 1, 1, 1, 1), columnsOf({ run, values, total: 1, column: 0, unit: "", state: { show } }).value);
+  assert.deepEqual(orderOf("value"), [4, 2, 0, 1, 3]);
+  assert.deepEqual(orderOf("difference"), [1, 4, 2, 0, 3]);
+  assert.equal(highestKnown(values), 8);
+}
+
 checkSeason();
+checkUnknown();
 checkDays();
 checkHours();
 checkPaths();

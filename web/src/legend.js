@@ -3,7 +3,7 @@
 import { kClasses, kGreys, kDark, kGrey } from "./classes.js";
 import { byId, make } from "./dom.js";
 import { percent, plain } from "./format.js";
-import { endsOf, partOf, ticks, weightedQuantile } from "./numbers.js";
+import { endsOf, isKnown, partOf, ticks, weightedQuantile } from "./numbers.js";
 import { kPins, qualityOf } from "./page.js";
 
 const kApart = 0.12; // least distance of two marks, of the length of the scale
@@ -45,6 +45,9 @@ function knownWords({ values, classes, isShown, run }) {
   const count = parts.reduce((sum, part) => sum + (Number.isFinite(part) ? 1 : 0), 0);
   return count === 1 ? `Known to ${percent(half, 1)}` : `Half of the organs are known to ${percent(half, 1)} or better, the worst to ${worst > 0.5 ? "no better than 50 %" : percent(worst, 1)}`;
 }
+
+/** The highest value of organs that are known to 50 % or better. */
+export const highestKnown = ({ mean, error }) => endsOf(mean.map((value, i) => (isKnown(value, error[i]) ? value : NaN))).high;
 
 export class Legend {
   constructor(page, parent) {
@@ -92,7 +95,7 @@ export class Legend {
       return node;
     };
     this.position = position;
-    const highest = endsOf(page.values.mean).high;
+    const highest = highestKnown(page.values);
     const marks = marksOf(scale, 4).map((value, i, all) =>
       position(make("span", { class: `tick${i === 0 ? " first" : i === all.length - 1 ? " last" : ""}` }, plain(value)), value));
     const over = highest > scale.high * (1 + 1e-6) && make("span", { class: "over" }, `▲ up to ${plain(highest, 2)}`);

@@ -2,6 +2,9 @@
 
 export const kSure = 1.96; // standard errors of a 95 % interval
 
+/** Whether a number is known to 50 % or better, or without an error. */
+export const isKnown = (mean, error) => Number.isFinite(mean) && !(error > 0.5 * Math.abs(mean));
+
 /** Round numbers from low to high, about `count` of them. */
 export function ticks(low, high, count) {
   if (!(high > low)) {

@@ -3,28 +3,39 @@
 import { classColor } from "./classes.js";
 import { byId, make } from "./dom.js";
 import { areaText, counted, interval, percent, plain, withError } from "./format.js";
-import { cssOf } from "./numbers.js";
+import { cssOf, isKnown } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 
 const kRows = 200; // in the document at a time
 
+/** Organs that are shown by a key, the greatest first; those without one, NaN, last. @param up  the least first */
+export function organsInOrder(isShown, { of, up }) {
+  const all = [...isShown.keys()].filter((i) => isShown[i]);
+  const keys = all.map(of);
+  const compare = typeof keys[0] === "string" ? (a, b) => a.localeCompare(b)
+    : (a, b) => (Number.isNaN(a) ? -Infinity : a) - (Number.isNaN(b) ? -Infinity : b) || 0;
+  const order = [...all.keys()].sort((a, b) => (up ? 1 : -1) * compare(keys[a], keys[b]) || a - b);
+  return order.map((i) => all[i]);
+}
+
 /** The columns: a title, how organs are sorted by it, and a cell. */
-function columnsOf(page) {
+export function columnsOf(page) {
   const { run, values, total } = page;
   const { mean, error, low, high } = values;
   const { areas, heights } = run.shape;
   const { unit } = run.json;
   const relative = (i) => error[i] / Math.abs(mean[i]);
   const isDifference = page.state.show === "difference";
+  const sure = (number) => (i) => (isDifference || isKnown(mean[i], error[i]) ? number(i) : NaN);
   return {
     organ: { title: "Organ", of: (i) => i, up: true, text: null },
     ...(run.json.organs.labels.kind || run.json.organs.labels.class || run.organCount < run.count ? { kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) } } : {}),
     area: { title: "Area", of: (i) => areas[i], text: (i) => (run.isSensor[i] ? "" : areaText(areas[i], unit)), isNumber: true },
     height: { title: unit ? `Height, ${unit}` : "Height", of: (i) => heights[i], text: (i) => plain(heights[i]), isNumber: true },
-    value: { title: `${run.columnName(page.column)}${page.unit && `, ${page.unit}`}`, of: (i) => mean[i], text: (i) => withError(mean[i], error[i], isDifference ? undefined : high[i]), isNumber: true },
+    value: { title: `${run.columnName(page.column)}${page.unit && `, ${page.unit}`}`, of: sure((i) => mean[i]), text: (i) => withError(mean[i], error[i], isDifference ? undefined : high[i]), isNumber: true },
     interval: { title: "95 % interval", text: (i) => interval(low[i], high[i], error[i]), isNumber: true },
     error: { title: "Error", of: relative, text: (i) => (relative(i) > 0.5 ? "over 50 %" : mean[i] === 0 ? "" : percent(relative(i))), isNumber: true },
-    share: { title: "Share of all", of: (i) => mean[i] * areas[i], text: (i) => (run.isSensor[i] ? "" : percent((mean[i] * areas[i]) / total)), isNumber: true },
+    share: { title: "Share of all", of: sure((i) => mean[i] * areas[i]), text: (i) => (run.isSensor[i] ? "" : percent((mean[i] * areas[i]) / total)), isNumber: true },
     ...(page.state.show !== "error" ? {} : { cost: { title: "Costs precision", of: (i) => error[i] * areas[i], text: (i) => percent((error[i] * areas[i]) / Math.abs(total)), isNumber: true } }),
   };
 }
@@ -65,7 +76,7 @@ export class OrganTable {
     page.total = page.values.mean.reduce((sum, mean, i) => sum + (Number.isFinite(mean) && page.run.isPlant[i] ? mean * areas[i] : 0), 0);
     const columns = columnsOf(page);
     const key = columns[page.state.sort] ? page.state.sort : page.state.show === "error" ? "cost" : "value";
-    this.order = this.#sorted(columns[key]);
+    this.order = organsInOrder(page.isShown, columns[key]);
     this.rows = make("tbody");
     const head = Object.entries(columns).map(([name, { title, of, isNumber, up }]) =>
       make("th", { scope: "col", class: isNumber && "number", "aria-sort": name === key && (up ? "ascending" : "descending") },
@@ -79,16 +90,6 @@ export class OrganTable {
   #sortBy(sort) {
     this.isOld = true;
     this.page.set({ sort, tab: "table" });
-  }
-
-  #sorted({ of, up }) {
-    const { isShown } = this.page;
-    const all = [...isShown.keys()].filter((i) => isShown[i]);
-    const keys = all.map(of);
-    const compare = typeof keys[0] === "string" ? (a, b) => a.localeCompare(b)
-      : (a, b) => (Number.isNaN(a) ? -Infinity : a) - (Number.isNaN(b) ? -Infinity : b) || 0;
-    const order = [...all.keys()].sort((a, b) => (up ? 1 : -1) * compare(keys[a], keys[b]) || a - b);
-    return order.map((i) => all[i]);
   }
 
   #fill() {
