@@ -5,7 +5,7 @@
 // Expected behaviour: as the name of each check says.
 
 import assert from "node:assert/strict";
-import { highestKnown } from "../../web/src/legend.js";
+import { classCounts, highestKnown } from "../../web/src/legend.js";
 import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
 import { Timeline } from "../../web/src/timeline.js";
 import { sunPaths } from "../../web/src/sun_paths.js";
@@ -77,7 +77,14 @@ function checkUnknown() {
   assert.equal(highestKnown(values), 8);
 }
 
+/** Classes count plants alone: not the ground, nor a sensor, nor what is hidden. */
+function checkCounts() {
+  const counts = classCounts({ classes: [0, 0, 1, 0, 1], isShown: [1, 1, 1, 1, 0], run: { isPlant: [0, 1, 1, 0, 1] } });
+  assert.deepEqual(counts.slice(0, 3), [1, 1, 0]);
+}
+
 checkSeason();
+checkCounts();
 checkUnknown();
 checkDays();
 checkHours();

@@ -63,14 +63,14 @@ export class Charts {
     const { page } = this;
     const isError = page.state.show === "error";
     const byArea = page.state.by === "area";
-    byId("histogram-title").textContent = byArea ? "Area by value" : "Organs by value";
+    byId("histogram-title").textContent = byArea ? "Plant area by value" : "Organs by value";
     byId("histogram-unit").textContent = isError ? "class of error" : page.unit;
     const { areas } = page.run.shape;
-    const isIn = (i) => page.run.isSensor[i] === 0;
+    const isIn = (i) => page.run.isPlant[i] === 1;
     const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, isIn, scale: page.usual };
     const found = isError ? classBins(data) : valueBins(data);
     if (!found) {
-      byId("histogram").textContent = page.absent || "No organ has a value.";
+      byId("histogram").textContent = page.absent || "No plant has a value.";
       return () => {};
     }
     const part = byArea ? "area" : "count";
@@ -80,7 +80,7 @@ export class Charts {
     return keepingFocus(byId("histogram"), () => {
       const x = isError ? { low: 0, high: kClasses.length, ticks: [] }
         : { low: found.low, high: found.high, ...(found.hasMore ? { ticks: undefined } : {}), format: (v) => (v > found.last * (1 + 1e-9) && found.hasMore ? "" : plain(v)) };
-      const plot = startPlot(byId("histogram"), "Area by value", { x, y: { low: 0, high, unit, grid: true, ticks: byArea ? undefined : Math.min(3, high) } });
+      const plot = startPlot(byId("histogram"), byId("histogram-title").textContent, { x, y: { low: 0, high, unit, grid: true, ticks: byArea ? undefined : Math.min(3, high) } });
       if (isError) {
         kClasses.forEach(({ short }, i) => plot.node.append(svg("text", { x: plot.x(i + 0.5), y: plot.box.bottom + 14, "text-anchor": "middle" }, short)));
       } else if (found.hasMore) {

@@ -49,6 +49,13 @@ function knownWords({ values, classes, isShown, run }) {
 /** The highest value of organs that are known to 50 % or better. */
 export const highestKnown = ({ mean, error }) => endsOf(mean.map((value, i) => (isKnown(value, error[i]) ? value : NaN))).high;
 
+/** How many of the shown parts of plants are in each class of error. */
+export function classCounts({ classes, isShown, run }) {
+  const counts = new Array(kClasses.length + kGreys.length).fill(0);
+  classes.forEach((number, i) => (counts[number] += isShown[i] && run.isPlant[i] ? 1 : 0));
+  return counts;
+}
+
 export class Legend {
   constructor(page, parent) {
     Object.assign(this, { page, parent, isFlat: matchMedia("(max-width: 640px) and (min-height: 480px)") });
@@ -73,8 +80,7 @@ export class Legend {
   }
 
   #classes() {
-    const counts = new Array(kClasses.length + kGreys.length).fill(0);
-    this.page.classes.forEach((number, i) => (counts[number] += this.page.isShown[i]));
+    const counts = classCounts(this.page);
     const row = (color, name, count, kind) => {
       const swatch = make("i", { class: kind === "dark" ? "swatch hatched" : "swatch" });
       swatch.style.backgroundColor = color;
