@@ -81,7 +81,16 @@ async function checkHeadline(page, one, other, plantsOf) {
 /** A day: the sum, in megajoules, and an hour. */
 async function checkDay(page, one, other) {
   await open(page, `${workshop.address("day")}#pins=%5B%221%22%5D`);
+  const widths = () => page.locator("#charts .plot:visible").evaluateAll((plots) => plots.map((plot) => [plot.clientWidth, Number(plot.querySelector("svg").getAttribute("width"))]));
+  const before = await widths();
   await choose(page, file("lowday"));
+  let after = await widths();
+  for (let i = 0; i < 30 && !after.every(([wide, drawn]) => wide === drawn); ++i) {
+    await page.waitForTimeout(100);
+    after = await widths();
+  }
+  assert.ok(before.length === 3 && after.length === 2 && after[0][0] > before[0][0], `${before}; ${after}`);
+  after.forEach(([wide, drawn]) => assert.equal(drawn, wide, "a chart keeps its old width"));
   const inMegajoules = ({ mean, standard_error: error }) => ({ mean: mean / 1e6, standard_error: error / 1e6 });
   await checkNumbers(page, one, other, ({ total }) => inMegajoules(total.organs[0].absorbed_flux_density.PAR));
   await checkHeadline(page, one, other, ({ total }) => inMegajoules(total.groups.find(({ by }) => by === "all").absorbed_flux.PAR));

@@ -16,7 +16,8 @@ export class Charts {
     this.page = page;
     this.by = new Choice("Count", [["area", "area"], ["count", "organs"]], (by) => page.set({ by }), "choice small");
     byId("by").append(this.by.node);
-    new ResizeObserver(() => this.draw()).observe(byId("charts"));
+    const resized = new ResizeObserver(() => this.draw());
+    ["histogram", "profile"].forEach((id) => resized.observe(byId(id))); // they widen when another one is hidden
     this.marks = [];
   }
 
