@@ -76,6 +76,15 @@ async function checkDifference(page, one, other) {
   });
 }
 
+/** The line of leaf area begins where bars of means do; those of differences and errors begin elsewhere. */
+async function checkArea(page) {
+  for (const [show, count] of [["value", 1], ["difference", 0], ["error", 0]]) {
+    await open(page, `${workshop.address("minus")}#show=${show}`);
+    assert.equal(await page.locator("#profile .area").count(), count, show);
+    assert.equal(await page.locator("#profile-area").isVisible(), count === 1, show);
+  }
+}
+
 async function checkDifferences(page, one, other) {
   await open(page, `${workshop.address("minus")}#show=difference`);
   await checkDifference(page, one, other);
@@ -99,6 +108,7 @@ await workshop.use(async (browser) => {
   await open(page, workshop.address("plain"));
   assert.ok((await labelsOf(page)).length > 0);
   assert.equal(await whiskers(page).count(), 0, "errors without layers");
+  await checkArea(page);
   await checkDifferences(page, layered, dim);
   assert.deepEqual(workshop.faults, []);
 });

@@ -139,6 +139,8 @@ export class Charts {
     const isError = page.state.show === "error";
     byId("profile-title").textContent = isError ? "Median error by height" : "Mean by height";
     byId("profile-unit").textContent = isError ? "%" : page.unit;
+    const hasArea = page.state.show === "value"; // bars of other modes need not begin where the area does
+    byId("profile-area").hidden = !hasArea;
     const found = this.#layers(isError);
     const known = found?.bins.map(({ mean }) => mean).filter(Number.isFinite) ?? [];
     this.#sayErrors(found);
@@ -153,7 +155,9 @@ export class Charts {
       const bars = found.bins.flatMap((bin, i) => (Number.isFinite(bin.mean) ? [this.#layerBar(plot, bin, i, isError)] : []));
       const mark = addBars(plot.node, bars, { onPoint: (bar) => this.#point(found.binOf, bar), onPress: (bar) => this.#press("layer", [bar.from, bar.to]) });
       found.bins.forEach(({ mean, error, from, to }) => error > 0 && addWhisker(plot, [mean - kSure * error, mean + kSure * error], (from + to) / 2));
-      this.#addArea(plot, found.bins);
+      if (hasArea) {
+        this.#addArea(plot, found.bins);
+      }
       return (organ) => mark(organ === null ? -1 : found.binOf[organ]);
     });
   }
