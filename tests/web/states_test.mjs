@@ -50,6 +50,20 @@ async function checkHint(browser, address) {
   }
 }
 
+/** Times below the course of a day stand at equal distances, each in the middle of its tick. */
+async function checkTimes(browser, address) {
+  const page = await workshop.page(browser, { viewport: { width: 2400, height: 900 } });
+  await open(page, address);
+  await page.locator("#course text", { hasText: "20:00" }).waitFor();
+  const labels = await page.locator("#course text").evaluateAll((all) => all.filter((text) => /^\d\d:\d\d$/.test(text.textContent)).map((text) => {
+    const { x, width } = text.getBBox();
+    return x + width / 2;
+  }));
+  const apart = labels.slice(1).map((x, i) => x - labels[i]);
+  assert.ok(apart.length > 3 && apart.every((d) => Math.abs(d - apart[0]) < 1.5), `${apart}`);
+  await page.context().close();
+}
+
 /** While shapes are read, the page has its title and its final form. */
 async function checkLoading(browser, address) {
   const page = await workshop.page(browser, { viewport: { width: 1024, height: 768 }, colorScheme: "dark" });
@@ -106,6 +120,7 @@ await workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   await checkTitle(page, address);
   await checkHint(browser, address);
+  await checkTimes(browser, address);
   await checkLoading(browser, await workshop.view("day"));
   await checkFollowed(browser);
   assert.deepEqual(workshop.faults, []);

@@ -7,6 +7,9 @@ import { roving } from "./choice.js";
 
 const kUsual = [440, 180]; // of charts that are not in the document yet
 
+const kMargin = 18; // right of the plane: half of a time, in pixels
+const kHalfLetter = 3.2;
+
 /**
  * An empty chart as large as its parent.
  * @param x, y  {low, high, ticks: count or list, format}; no ticks: no labels
@@ -15,7 +18,7 @@ const kUsual = [440, 180]; // of charts that are not in the document yet
 export function startPlot(parent, label, { x, y, left = 44 }) {
   const width = Math.max(120, parent.clientWidth || kUsual[0]);
   const height = Math.max(80, parent.clientHeight || kUsual[1]);
-  const box = { left, right: width - 6, top: 10, bottom: height - 20 };
+  const box = { left, right: width - kMargin, top: 10, bottom: height - 20 };
   const node = svg("svg", { width, height, role: "group", "aria-label": label });
   const toX = (v) => box.left + ((v - x.low) / (x.high - x.low || 1)) * (box.right - box.left);
   const toY = (v) => box.bottom - ((v - y.low) / (y.high - y.low || 1)) * (box.bottom - box.top);
@@ -25,8 +28,9 @@ export function startPlot(parent, label, { x, y, left = 44 }) {
     if (x.grid) {
       node.append(svg("line", { class: "axis", x1: toX(tick), x2: toX(tick), y1: box.top, y2: box.bottom }));
     }
-    const isEnd = toX(tick) > width - 16;
-    node.append(svg("text", { x: toX(tick), y: box.bottom + 14, "text-anchor": isEnd ? "end" : "middle" }, format(x)(tick)));
+    const text = format(x)(tick);
+    const isBeyond = toX(tick) + kHalfLetter * text.length > width;
+    node.append(svg("text", { x: toX(tick), y: box.bottom + 14, "text-anchor": isBeyond ? "end" : "middle" }, text));
   }
   for (const tick of listOf(y, Math.max(2, height / 60))) {
     if (y.grid) {
