@@ -50,6 +50,15 @@ async function checkHint(browser, address) {
   }
 }
 
+/** The letters of the winds are before the scene from everywhere: no plant cuts one into pieces. */
+async function checkWinds(page, address) {
+  for (const azimuth of [20, 110, 200, 290]) {
+    await open(page, `${address}#view=${encodeURIComponent(JSON.stringify({ azimuth, elevation: 14, distance: 6, target: [0, 0, 0] }))}`);
+    const letters = await page.locator("#before .wind").allTextContents();
+    assert.ok(letters.length >= 3 && await page.locator("#behind .wind").count() === 0, `${azimuth}: ${letters}`);
+  }
+}
+
 /** Times below the course of a day stand at equal distances, each in the middle of its tick. */
 async function checkTimes(browser, address) {
   const page = await workshop.page(browser, { viewport: { width: 2400, height: 900 } });
@@ -121,6 +130,7 @@ await workshop.use(async (browser) => {
   await checkTitle(page, address);
   await checkHint(browser, address);
   await checkTimes(browser, address);
+  await checkWinds(page, address);
   await checkLoading(browser, await workshop.view("day"));
   await checkFollowed(browser);
   assert.deepEqual(workshop.faults, []);

@@ -44,7 +44,7 @@ export class Directions {
     const layerOf = (point) => this.layers[point.clone().sub(base).dot(back) > 0 ? 1 : 0];
     const line = (points, kind) => this.#line(points.map((point) => [layerOf(point), window.project(point)]), kind);
     line(Array.from({ length: kSteps + 1 }, (_, i) => at([Math.cos((2 * Math.PI * i) / kSteps), Math.sin((2 * Math.PI * i) / kSteps), 0])), "ring");
-    this.#winds(window, at, layerOf, covered);
+    this.#winds(window, at, covered);
     paths.forEach((path) => line(path.map((v) => at(v)), "path"));
     if (paths.length > 0) {
       hours.forEach((v) => this.#disc(layerOf(at(v)), window.project(at(v)), 2, "dot"));
@@ -62,14 +62,14 @@ export class Directions {
     }
   }
 
-  /** Letters, but for those behind the legend. */
-  #winds(window, at, layerOf, covered) {
+  /** Letters before the scene, as pieces of hidden ones would be seen, but for those behind the legend. */
+  #winds(window, at, covered) {
     const [x, y] = window.run.json.north;
     for (const [letter, v] of [["N", [x, y, 0]], ["E", [y, -x, 0]], ["S", [-x, -y, 0]], ["W", [-y, x, 0]]]) {
       const point = at(v, 1.1);
       const [left, top] = window.project(point);
       if (left > covered.left || top > covered.bottom) {
-        layerOf(point).append(svg("text", { x: left, y: top, class: letter === "N" ? "wind north" : "wind" }, letter));
+        this.layers[1].append(svg("text", { x: left, y: top, class: letter === "N" ? "wind north" : "wind" }, letter));
       }
     }
   }
