@@ -8,6 +8,7 @@ import assert from "node:assert/strict";
 import { classCounts, highestKnown } from "../../web/src/legend.js";
 import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
 import { Timeline } from "../../web/src/timeline.js";
+import { firstColumn } from "../../web/src/page.js";
 import { sunPaths } from "../../web/src/sun_paths.js";
 
 /** A result with a single step of a season, a step of each day, or of each hour. */
@@ -83,7 +84,20 @@ function checkCounts() {
   assert.deepEqual(counts.slice(0, 3), [1, 1, 0]);
 }
 
+/** A result of sensors opens with what they measure, one of plants with what these absorb. */
+function checkFirst() {
+  const columns = ["absorbed_flux_density", "incident_upper"].map((quantity) => ({ quantity, band: "PAR" }));
+  const first = (isPlant, isSensor, known = columns) => firstColumn({ columns: known, isPlant, isSensor })?.quantity;
+  assert.equal(first([0, 0, 0], [0, 1, 1]), "incident_upper");
+  assert.equal(first([1, 0, 0], [0, 1, 1]), "incident_upper");
+  assert.equal(first([1, 1, 0], [0, 0, 1]), "absorbed_flux_density");
+  assert.equal(first([0], [0]), "absorbed_flux_density");
+  assert.equal(first([0, 0], [0, 1], columns.slice(0, 1)), "absorbed_flux_density");
+  assert.equal(first([1], [0], []), undefined);
+}
+
 checkSeason();
+checkFirst();
 checkCounts();
 checkUnknown();
 checkDays();

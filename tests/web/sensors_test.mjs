@@ -96,6 +96,8 @@ async function checkZoom(page) {
 
 /** The histogram counts two leaves, though three sensors have values as well. */
 async function checkCharts(page) {
+  await open(page, workshop.address("sensed"));
+  assert.equal(await page.locator("#legend-title").textContent(), "Light on the upper side, PAR", "three sensors, two leaves");
   await open(page, `${workshop.address("sensed")}#quantity=incident_upper&by=count`);
   const labels = await page.locator("#histogram .hit").evaluateAll((hits) => hits.map((hit) => hit.getAttribute("aria-label")));
   const counts = labels.map((label) => Number(label.match(/: (\d+) organ/)[1]));

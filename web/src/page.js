@@ -19,6 +19,13 @@ const nothing = (n) => () => new Float32Array(n).fill(NaN);
 /** The reds, greens and blues of a list of "#rrggbb". */
 const mapOf = (colors) => colors.map((color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)));
 
+/** What is shown first: what sensors measure, if there are more of them than parts of plants; undefined without columns. */
+export function firstColumn({ columns, isPlant, isSensor }) {
+  const count = (flags) => flags.reduce((sum, one) => sum + one, 0);
+  const measured = count(isSensor) > count(isPlant) ? columns.find(({ quantity }) => quantity === "incident_upper") : undefined;
+  return measured ?? columns[0];
+}
+
 export class Page {
   /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress or a sweep, see live_page.js and sweep.js */
   constructor(run, timeline, chosen, live = null) {
@@ -35,7 +42,7 @@ export class Page {
     const { run, state } = this;
     const known = run.columnOf(state.quantity, state.band);
     if (known < 0 || !run.columns.some(({ number }) => number === known)) {
-      const same = run.columns.find(({ quantity }) => quantity === state.quantity) ?? run.columns[0];
+      const same = run.columns.find(({ quantity }) => quantity === state.quantity) ?? firstColumn(run);
       Object.assign(state, { quantity: same?.quantity ?? "", band: same?.band ?? "" });
     }
     if (!["value", "error", ...(this.minus ? ["difference"] : [])].includes(state.show)) {
