@@ -27,7 +27,8 @@ class Summable:
         Raises
         ------
         ValueError
-            For a quantity per area, and over times, without weights.
+            For a quantity per area, and over times, without weights; for weights of another shape, or
+            that are NaN where the mask is true.
         """
         first, shape = self._summed_axes(axis, dtype, out)
         if weights is None:
@@ -94,12 +95,18 @@ class Summable:
     def _factors(self, weights, where, shape):
         """Weights in the shape of the summed axes, 0 where a mask is false."""
         weights = self._in_shape(np.asarray(weights, float), shape, "weights")
-        if where is None:
-            return weights
-        where = np.asarray(where)
-        if where.dtype != bool:
-            raise ValueError("where is no mask of bool")
-        return np.where(self._in_shape(where, shape, "a mask"), weights, 0.0)
+        if where is not None:
+            where = np.asarray(where)
+            if where.dtype != bool:
+                raise ValueError("where is no mask of bool")
+            weights = np.where(self._in_shape(where, shape, "a mask"), weights, 0.0)
+        missing = np.count_nonzero(np.isnan(weights))
+        if missing:
+            raise ValueError(
+                f"{missing} of {weights.size} weights of {self.name} are NaN; give 0, or a mask (where=) "
+                "without them"
+            )
+        return weights
 
     def _in_shape(self, array, shape, what):
         if array.shape not in (shape, shape[1:] if len(shape) > 1 else shape):

@@ -127,6 +127,21 @@ def test_weighted_sums_have_the_error_of_their_replicates(result, light):
     assert mixed.ci95_low < mixed.values < mixed.ci95_high
 
 
+def test_weights_that_are_missing_are_refused(light):
+    weights = np.ones(20)
+    weights[3] = np.nan
+    for weighted in (
+        lambda: light.sum(weights=weights),
+        lambda: light.average(weights=weights),
+        lambda: weights @ light,
+        lambda: light @ weights,
+    ):
+        with pytest.raises(ValueError, match="1 of 20 weights of absorbed_flux are NaN; give 0, or a mask"):
+            weighted()
+    others = np.arange(20) != 3
+    same(light.sum(weights=weights, where=others), light[others].sum())
+
+
 def test_means_and_averages(result, light):
     assert light.mean().values == pytest.approx(light.values.mean())
     same(light.mean() * 20, light.sum())
