@@ -10,7 +10,7 @@ from ._warn import warn_here, warn_of_stop
 from ._written import Written, WrittenSweep
 from .merging import Part
 from .result import Result
-from .scene_sources import source_tables
+from .scene_sources import notes_of_daylight, source_tables
 from .series import Series
 from .sweep import Sweep, points_of, scene_at
 from .values import check_options, checked_time
@@ -119,7 +119,8 @@ class Runs:
         time : Time
             `quasimc.day`, `days`, `times` or `weather`: sun and sky. Default: `Scene.time`.
         sources : Source or dict, or list of them
-            They shine at all time steps, beside sun and sky, and replace the sources of the scene.
+            They shine at all time steps, beside sun and sky, and replace the sources of the scene;
+            [] leaves sun and sky alone. Default: the sources of the scene shine as well.
         progress, **options
             As of `run`.
         keep : str
@@ -149,11 +150,12 @@ class Runs:
         with self._lock:
             organs = self._build()
             light = self._light(self._built, sources, time, options)
-            warn_here(light.warnings)
+            written = self._written(sources, time, options)
+            notes = [*light.warnings, *notes_of_daylight(written.light_table.get("source", []))]
+            warn_here(notes)
             with Listener(progress) as listener:
                 core = _core.run_series(self._built, light, keep != "sums", size, listener.callback)
-            notes = [*self._built.warnings, *light.warnings]
-        written = self._written(sources, time, options)
+            notes = [*self._built.warnings, *notes]
         series = Series(core, organs, notes, light.source_notes, light.ratio_names, written)
         warn_of_stop(series.stop)
         return series
