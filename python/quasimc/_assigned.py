@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import difflib
+import inspect
+
+from . import _core
 from ._meshes import input_error
 from ._tables import SCENE_KEYS
 from .scene_sources import Sources, source_tables
@@ -69,6 +73,26 @@ class Assigned:
         Sources(self)[:] = source_tables([] if sources is None else sources)
 
     def __getattr__(self, name):
-        if name in _RENAMED:
-            raise AttributeError(f"Scene has no {name!r}: {_RENAMED[name]}")
-        raise AttributeError(f"Scene has no {name!r}")
+        raise AttributeError(f"Scene has no {name!r}{_instead_of(name, dir(type(self)))}")
+
+
+def check_assigned(scene, name):
+    """Refuses the name of an attribute that a scene has not. Raises AttributeError."""
+    if name.startswith("_") or hasattr(type(scene), name):
+        return
+    if name in [option["key"] for option in _core.options()]:
+        hint = f": it is an option, scene.options = quasimc.RunOptions({name}=...)"
+    elif name in inspect.signature(type(scene)).parameters:
+        hint = f": it is given once, quasimc.Scene({name}=...)"
+    else:
+        known = [key for key, each in vars(Assigned).items() if isinstance(each, property)]
+        hint = _instead_of(name, known) or f"; to be assigned are {', '.join(known)}"
+    raise AttributeError(f"Scene has no {name!r}{hint}")
+
+
+def _instead_of(name, known):
+    """What to write instead of a name that does not exist, or ""."""
+    if name in _RENAMED:
+        return f": {_RENAMED[name]}"
+    near = difflib.get_close_matches(name, [key for key in known if not key.startswith("_")], 1)
+    return f"; did you mean {near[0]!r}?" if near else ""

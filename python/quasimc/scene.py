@@ -8,7 +8,7 @@ from collections import Counter
 from collections.abc import Mapping
 
 from . import _core
-from ._assigned import Assigned
+from ._assigned import Assigned, check_assigned
 from ._contents import Contents
 from ._lock import OneAtATime
 from ._meshes import plain
@@ -74,6 +74,11 @@ class Scene(Assigned, Contents, SceneMeshes, Runs, Views):
         given = {key: value for key, value in given.items() if value is not None}
         self._init(plain({**_band_keys(bands), **given}), "scene", None)
         self.site = site
+
+    def __setattr__(self, name, value):
+        if type(self) is Scene:  # derived classes have attributes of their own
+            check_assigned(self, name)
+        super().__setattr__(name, value)
 
     def _init(self, table, name, folder):
         self._table = table

@@ -150,3 +150,40 @@ def test_daylight_of_a_scene_beside_that_of_a_series_is_warned_of():
         scene.series(day, [SKY.replace(name="upper"), sun, SUN], **FEW)
     assert scene.series(day, sources=[], **FEW).warnings == []
     assert scene.series(day, [scene.sources[1]], **FEW).warnings == []
+
+
+@pytest.mark.parametrize(
+    "name, hint",
+    [
+        ("grond", r"; did you mean 'ground'\?"),
+        ("source", r"; did you mean 'sources'\?"),
+        ("paths", r": it is an option, scene\.options = quasimc\.RunOptions\(paths=\.\.\.\)"),
+        ("length_unit", r": it is given once, quasimc\.Scene\(length_unit=\.\.\.\)"),
+        ("set_ground", r": assign scene\.ground = "),
+        ("weather", "; to be assigned are ground, cell, site, time, options, sources"),
+    ],
+)
+def test_a_scene_refuses_attributes_that_it_does_not_have(name, hint):
+    scene = leaf_scene()
+    with pytest.raises(AttributeError, match=f"^Scene has no '{name}'{hint}"):
+        setattr(scene, name, 5)
+    assert not hasattr(scene, name)
+    with pytest.raises(AttributeError, match=r"did you mean 'add_mesh'\?"):
+        scene.add_meshes
+
+
+class Plot(quasimc.Scene):
+    def __init__(self, owner):
+        super().__init__("PAR")
+        self.owner = owner
+
+
+def test_attributes_of_a_scene_are_set_and_derived_classes_have_their_own():
+    plot = Plot("Ada")
+    plot.owner = "Emmy"
+    plot.site = quasimc.Site(52, 5.7)
+    assert plot.owner == "Emmy" and plot == copy.copy(plot) and plot == pickle.loads(pickle.dumps(plot))
+    scene = leaf_scene()
+    scene.ground, scene.cell, scene.options = quasimc.Ground("leaf"), quasimc.Cell(x=[0, 1]), None
+    scene._note = "kept"
+    assert scene._note == "kept" and pickle.loads(pickle.dumps(scene)) == scene
