@@ -126,6 +126,15 @@ class Light(Mapping):
                     columns.update(estimate_columns(f"{quantity}_{band}_from_{origin}", estimates))
         return columns
 
+    def _column_units(self):
+        """Units of the quantities of a table: dict, "<quantity>_<band>" -> str."""
+        bands = list(zip(self.bands, self._organs.units))
+        return {
+            f"{quantity}_{band}": self._unit(quantity, unit)
+            for quantity in _core.quantities()
+            for band, unit in bands
+        }
+
 
 def origins_of(core, replicates, select):
     """Values and replicates of each origin, by name. @param select: picks values of its dict"""

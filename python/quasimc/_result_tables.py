@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from . import _core
 from ._light import estimate_columns, label_columns
 
 
@@ -22,11 +21,7 @@ class ResultTables:
         labels = label_columns(self.organs.labels, columns)
         columns = {"name": self.organs.names, **labels, "area": self.organs.areas, **columns}
         frame = pandas.DataFrame(columns, index=pandas.Index(self.organs.ids, name="id"))
-        frame.attrs["units"] = {
-            f"{quantity}_{band}": self[quantity][band].unit
-            for quantity in _core.quantities()
-            for band in self.bands
-        }
+        frame.attrs["units"] = self._column_units()
         return frame
 
     def to_pyvista(self):

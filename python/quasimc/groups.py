@@ -121,7 +121,9 @@ class Groups(Light):
         for band in self.bands if self._shares is not None else ():
             for name in self._SHARES:
                 columns.update(estimate_columns(f"{name}_{band}", self[name][band]))
-        return pandas.DataFrame(columns)
+        frame = pandas.DataFrame(columns)
+        frame.attrs["units"] = self._column_units()
+        return frame
 
     def _repr_html_(self):
         return self.to_pandas()._repr_html_()

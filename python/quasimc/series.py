@@ -226,11 +226,16 @@ class Sums(Light):
         return parts_of(self._parts, self._index, self._organs)
 
     def to_pandas(self):
-        """Returns a pandas.DataFrame with a row for each organ, indexed by id; columns as for a result."""
+        """Returns a pandas.DataFrame with a row for each organ, indexed by id; columns as for a result.
+
+        Units, which are those of sums over time, are in ``frame.attrs["units"]``.
+        """
         import pandas
 
         columns = self._columns()
         organs = self._organs
         labels = label_columns(organs.labels, columns)
         columns = {"name": organs.names, **labels, "area": organs.areas, **columns}
-        return pandas.DataFrame(columns, index=pandas.Index(organs.ids, name="id"))
+        frame = pandas.DataFrame(columns, index=pandas.Index(organs.ids, name="id"))
+        frame.attrs["units"] = self._column_units()
+        return frame

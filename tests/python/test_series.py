@@ -118,6 +118,11 @@ def test_groups_are_summed_over_days():
         assert np.allclose(of_groups[1], of_organs[:2].sum(axis=0), rtol=1e-12)
         frame = sums.groups.to_pandas()
         assert np.array_equal(frame["absorbed_flux_NIR"], of_groups[:, 1])
+        for table in (frame, sums.to_pandas()):
+            units = table.attrs["units"]
+            assert set(units) <= set(table.columns) and len(units) == 2 * len(quasimc.quantities())
+            assert units["absorbed_flux_PAR"] == "mol" and units["absorbed_flux_density_NIR"] == "J m-2"
+        assert series[0].groups.to_pandas().attrs["units"]["absorbed_flux_PAR"] == "umol s-1"
         assert sums.to_pandas()["plant"].tolist() == ["1", "1", "2"]
 
 
