@@ -22,7 +22,8 @@ class Summable:
         where : array_like of bool
             Mask of what is summed: of the axis, or of all axes.
         weights : array_like
-            Factors of any sign, in the shape of a mask; a density may then be summed.
+            Factors of any sign, in the shape of a mask; a density may then be summed. A sum over times
+            then has no unit, as weights may be seconds or shares: name it by `with_unit`.
 
         Raises
         ------
@@ -34,7 +35,8 @@ class Summable:
         if weights is None:
             self._check_sum(first)
             weights = np.ones(shape)
-        return self._weighted(self._factors(weights, where, shape), first)
+        total = self._weighted(self._factors(weights, where, shape), first)
+        return total.with_unit("") if self._is_over_times(first) else total
 
     def mean(self, axis=None, dtype=None, out=None, *, where=None):
         """The plain mean over organs, groups, sensors or points, with its error; bands stay.
@@ -80,12 +82,15 @@ class Summable:
             raise ValueError(f"axis {axis!r} can't be summed; give one of {known}")
         return axis, shape[axis : axis + 1]
 
+    def _is_over_times(self, first):
+        return first == 0 and getattr(self.index, "axis", None) == "time"
+
     def _check_sum(self, first):
         """Refuses a sum that means nothing. @param first: the first axis of it"""
-        if first == 0 and getattr(self.index, "axis", None) == "time":
+        if self._is_over_times(first):
             raise ValueError(
                 f"{self.name} at several times is a rate: use series.total or series.days, give "
-                'weights (seconds), or sum over axis="organ"'
+                'weights (seconds) and the unit of the sum (with_unit), or sum over axis="organ"'
             )
         if not self.extensive:
             raise ValueError(

@@ -108,7 +108,7 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
 
     def with_unit(self, unit):
         """The same numbers with another name of the unit; nothing is converted."""
-        result = self._like(self._values, self._source)
+        result = self._mapped(self._values, self._source, self.index, lambda part: part.with_unit(unit))
         result._set_unit(unit)
         return result
 

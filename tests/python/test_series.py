@@ -56,12 +56,26 @@ def test_light_of_a_series_has_an_axis_of_times(scene, series):
         light["PAR"].sum()
     energy = light["NIR"].sum(axis="time", weights=[step["seconds"] for step in series.times])
     assert energy.values == pytest.approx(series.total["absorbed_flux"]["NIR"].values, rel=1e-9)
+    assert energy.unit == "" and energy.with_unit("J").unit == "J"
+    assert light.sum(axis=0, weights=[1, 2, 3]).units == {"PAR": "", "NIR": ""}
+    assert light["PAR"].mean(axis="time").unit == light["PAR"].sum(axis="organ").unit == "umol s-1"
     kept = scene.series(DAY, paths=512, keep="replicates")["absorbed_flux"]["PAR"]
     frame = kept.sum(axis="organ").to_pandas()
     assert frame.index[1].isoformat() == "2024-06-21T11:00:00+01:00"
     assert frame["value"].tolist() == light["PAR"].values[:, 0].tolist()
     with pytest.raises(KeyError, match="not kept"):
         scene.series(DAY, paths=64, keep="sums")["absorbed_flux"]
+
+
+def test_weighted_sums_over_times_keep_their_origins(scene):
+    series = scene.series(DAY, paths=512, keep="replicates", origins=["sun", "sky"])
+    seconds = [step["seconds"] for step in series.times]
+    energy = series["absorbed_flux"]["NIR"].sum(axis="time", weights=seconds).with_unit("J")
+    assert energy.origins == ("sun", "sky")
+    for origin in energy.origins:
+        day = series.total["absorbed_flux"]["NIR"].origin(origin)
+        assert energy.origin(origin).unit == day.unit == "J"
+        assert energy.origin(origin).values == pytest.approx(day.values, rel=1e-9)
 
 
 def test_errors_of_times_without_replicates_alone_are_unknown():
