@@ -139,7 +139,17 @@ class Organs:
         raise KeyError(f"there is no organ {organ!r}; there are: {known}")
 
     def triangles(self, index):
-        """The triangles of the organ at an index: (n, 3, 3), in the axes of the scene."""
+        """The triangles of the organ at an index: (n, 3, 3), in the axes of the scene.
+
+        The index after that of the last organ is that of the ground, if there is one. Raises IndexError
+        if there is no organ at the index.
+        """
+        count = self._scene.organ_count
+        if not 0 <= index < count:
+            raise IndexError(
+                f"organs.triangles: there is no index {index} (there are 0 to {count - 1}); "
+                "index_of(id) gives that of an organ"
+            )
         return self._scene.triangles_of(index)
 
     def without_triangles(self):

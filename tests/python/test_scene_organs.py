@@ -190,6 +190,16 @@ def test_results_and_copies_keep_the_organs_of_their_run():
     assert scene.organs.names == ["organ 900", "leaf 3", "leaf 4", "leaf 5"]
 
 
+@pytest.mark.parametrize("index", [3, 9, -1])
+def test_an_index_without_an_organ_is_told(index):
+    scene = scene_of(organs_of(1))  # with a stem and a ground
+    result = scene.run(SKY, **FEW)
+    for organs in (scene.organs, result.organs, pickle.loads(pickle.dumps(result.organs))):
+        with pytest.raises(IndexError, match=rf"there is no index {index} \(there are 0 to 2\); index_of\(id\)"):
+            organs.triangles(index)
+        assert organs.triangles(2).shape == (2, 3, 3)
+
+
 def test_organs_without_ids_keep_their_order():
     scene = empty()
     for i, own in enumerate(triangles_of(3)):
