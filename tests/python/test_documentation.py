@@ -13,7 +13,7 @@ import quasimc
 SOURCE = Path(os.environ["QUASIMC_SOURCE_DIR"])
 EXAMPLES = sorted((SOURCE / "examples" / "05-python").glob("*.py"))
 # Pages and how many blocks each has.
-PAGES = {"python.md": 15, "growing-plants.md": 3, "coming-from-other-programs.md": 1,
+PAGES = {"python.md": 16, "growing-plants.md": 3, "coming-from-other-programs.md": 1,
          "sun-and-shade.md": 3}
 
 
