@@ -121,7 +121,8 @@ class Series:
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each time step and organ, indexed by both.
 
-        Times are a pandas.DatetimeIndex with the offset from UTC of the first.
+        Times are a pandas.DatetimeIndex with the offset from UTC of the first; nights have rows as well.
+        ``reset_index()`` makes columns of "time" and "id", for pivot and to_csv(index=False).
 
         Raises KeyError if the time steps were not kept (keep="sums"); `days` and `total` have
         tables of their own.

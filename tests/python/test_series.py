@@ -92,6 +92,8 @@ def test_errors_of_times_without_replicates_alone_are_unknown():
 def test_tables_have_a_row_for_each_time_and_organ(series):
     frame = series.to_pandas()
     assert frame.index.names == ["time", "id"] and len(frame) == 3
+    course = frame.reset_index().pivot(index="time", columns="id", values="absorbed_flux_PAR")
+    assert course[1].tolist() == series["absorbed_flux"]["PAR"].values[:, 0].tolist()
 
 
 def test_times_need_not_be_kept(scene, series):
