@@ -279,16 +279,14 @@ py::list warning_texts(const std::vector<Warning>& warnings) {
     return texts;
 }
 
-void bind_scene(py::module_& module) {
+namespace {
+
+void bind_document(py::module_& module) {
     py::class_<Document>(module, "Document")
         .def(
             py::init([](const py::dict& table, std::string name, std::string folder) {
-                return Document{
-                    to_node(table),
-                    std::move(name),
-                    std::move(folder),
-                    Vocabulary(kTableNames),
-                    {}};
+                const Vocabulary python(kTableNames);
+                return Document{to_node(table), std::move(name), std::move(folder), python, {}};
             }),
             py::arg("table"), py::arg("name"), py::arg("folder"))
         .def_static("read", &read_document, py::arg("path"))
@@ -297,7 +295,12 @@ void bind_scene(py::module_& module) {
         .def("table", [](const Document& document) { return to_python(document.node); })
         .def("draft", &draft_of)
         .def("build", &build, py::arg("meshes"), py::arg("overlaps") = nullptr);
+}
 
+}  // namespace
+
+void bind_scene(py::module_& module) {
+    bind_document(module);
     py::class_<KnownOverlaps>(module, "KnownOverlaps").def(py::init<>());
 
     py::class_<FrameOfRun>(module, "Frame")

@@ -98,8 +98,9 @@ TEST(OutlinePoints, OfPointsOnFacesEdgesLinesAndASpotReachAsFar) {
             std::vector<Vec3> points;
             for (int i = 0; i < 1000; ++i) {  // a grid of 10 x 10 x 10 has many in one plane
                 points.push_back(
-                    Vec3{far, 0, 0} +
-                    Vec3{extent.x * (i % 10), extent.y * (i / 10 % 10), extent.z * (i / 100)});
+                    Vec3{far, 0, 0} + Vec3{
+                                          extent.x * (i % 10), extent.y * (i / 10 % 10),
+                                          extent.z * std::floor(i / 100.)});
             }
             const std::vector<Vec3> outline = outline_points(points, points.size());
             EXPECT_TRUE(is_outline(outline, points, random))

@@ -312,6 +312,21 @@ TEST(GroupFaults, IncludeLayersOfAFlatScene) {
 
 class GroupsOfRuns : public BothWays {};
 
+/// The light of a group, as the sum of that of its organs.
+double sum_over_organs(
+    const Scene& scene,
+    const Result& result,
+    const OrganGroup& group,
+    const QuantityEntry& entry,
+    std::size_t band) {
+    double sum = 0;
+    for (const std::uint32_t i : group.organs) {
+        sum += result.at(i, entry.quantity, band).mean *
+               (entry.is_flux ? 1 : scene.organs()[i].area / group.area);
+    }
+    return sum;
+}
+
 TEST_P(GroupsOfRuns, AreTheSumsOfTheirOrgans) {
     const Scene scene = make_two_plants();
     const Result result = run(scene, day_light(), grouped_spec(GetParam()));
@@ -321,11 +336,7 @@ TEST_P(GroupsOfRuns, AreTheSumsOfTheirOrgans) {
         const OrganGroup& group = groups.groups[g];
         for (std::size_t b = 0; b < 2; ++b) {
             for (const QuantityEntry& entry : quantity_table()) {
-                double sum = 0;
-                for (const std::uint32_t i : group.organs) {
-                    sum += result.at(i, entry.quantity, b).mean *
-                           (entry.is_flux ? 1 : scene.organs()[i].area / group.area);
-                }
+                const double sum = sum_over_organs(scene, result, group, entry, b);
                 EXPECT_NEAR(groups.at(g, entry.quantity, b).mean, sum, 1e-12 * (1 + sum))
                     << group.by << group.value << entry.name;
             }

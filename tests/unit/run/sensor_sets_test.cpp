@@ -68,7 +68,8 @@ SceneBuilder infinite_stand() {
 SensorSet averaged_grid(std::size_t side, double height) {
     SensorSet set{.name = "grid", .is_averaged = true};
     for (std::size_t i = 0; i < side * side; ++i) {
-        const auto x = static_cast<double>(i % side), y = static_cast<double>(i / side);
+        const std::size_t row = i / side;
+        const auto x = static_cast<double>(i % side), y = static_cast<double>(row);
         const auto n = static_cast<double>(side);
         set.points.push_back({.position = {(x + .5) / n, (y + .5) / n, height}});
     }
@@ -205,7 +206,8 @@ TEST(SensorSets, ReceiveScatteredLightOfANearLamp) {
     builder.add_organ(organ("plane", "sensor", floor_of(5.1, 5.5, -.2, .2, .2)));
     SensorSet grid{.name = "grid", .is_averaged = true};
     for (int i = 0; i < 64; ++i) {
-        grid.points.push_back({.position = {5.125 + .05 * (i % 8), -.175 + .05 * (i / 8), .2}});
+        const int row = i / 8;
+        grid.points.push_back({.position = {5.125 + .05 * (i % 8), -.175 + .05 * row, .2}});
     }
     builder.add_sensors(grid);
     RunSpec spec = spec_for_sensors(1U << 17U);
