@@ -142,7 +142,7 @@ export class Legend {
   #quality() {
     const { page } = this;
     if (page.state.show === "difference") {
-      return [make("p", { class: "known" }, page.absent || `Grey: smaller than its error. ${page.minus.errors}`)];
+      return [make("p", { class: "known" }, page.absent || `Grey: no clear difference (95 %). ${page.minus.errors}`)];
     }
     const bar = make("div", { class: "quality", "aria-hidden": "true" });
     qualityOf(page).forEach((part, i) => {
