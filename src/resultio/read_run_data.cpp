@@ -17,22 +17,23 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-StopReason stop_of(const std::string& name) {
-    for (int i = 0; i <= static_cast<int>(StopReason::no_light); ++i) {
-        if (stop_name(static_cast<StopReason>(i)) == name) {
-            return static_cast<StopReason>(i);
+/// The value from 0 to `last` with a name; `otherwise` if there is none.
+template <typename Value, typename NameOf>
+Value value_named(std::string_view name, Value last, Value otherwise, NameOf name_of) {
+    for (int i = 0; i <= static_cast<int>(last); ++i) {
+        if (name_of(static_cast<Value>(i)) == name) {
+            return static_cast<Value>(i);
         }
     }
-    return StopReason::finished;
+    return otherwise;
 }
 
-Method method_of(const std::string& name) {
-    for (int i = 0; i < static_cast<int>(Method::automatic); ++i) {
-        if (method_name(static_cast<Method>(i)) == name) {
-            return static_cast<Method>(i);
-        }
-    }
-    return Method::automatic;
+StopReason stop_of(std::string_view name) {
+    return value_named(name, StopReason::no_light, StopReason::finished, stop_name);
+}
+
+Method method_of(std::string_view name) {
+    return value_named(name, Method::automatic, Method::automatic, method_name);
 }
 
 void read_completed(const Node& light, Result& result) {

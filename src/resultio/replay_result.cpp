@@ -136,10 +136,11 @@ class RunReplay {
     /// The time step that a result was scaled from.
     [[nodiscard]] std::size_t computed_of(const Node& step, std::size_t time) const {
         const std::string name = text_in(step, "computed");
+        if (name == times_[time]) {
+            return time;
+        }
         const auto found = std::find(times_.begin(), times_.end(), name);
-        return name == times_[time] || found == times_.end()
-                   ? time
-                   : static_cast<std::size_t>(found - times_.begin());
+        return found == times_.end() ? time : static_cast<std::size_t>(found - times_.begin());
     }
 
     [[nodiscard]] Result result(LightRows rows, const Node& light) const {
