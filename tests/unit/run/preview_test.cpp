@@ -76,7 +76,7 @@ class PreviewOfMethods : public ::testing::TestWithParam<Method> {
 };
 
 TEST_P(PreviewOfMethods, OfReplicatesIsTheResultOfSoManyReplicates) {
-    RunSpec spec = make_spec(1U << 14U);
+    RunSpec spec = make_spec(1U << 12U);
     const Result result = run_seen(spec);
     EXPECT_TRUE(are_same(result, run(scene_, sources_, spec)));
     ASSERT_FALSE(seen_.empty());

@@ -348,7 +348,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(RunTeam, ReportsTheProcessorTimeOfAll) {
     const Day day;
-    RunSpec spec = spec_of(Method::light_tracing, 1U << 18U);
+    RunSpec spec = spec_of(Method::light_tracing, 1U << 16U);
     spec.threads = 1;
     const Stopwatch watch;
     double reported = 0;

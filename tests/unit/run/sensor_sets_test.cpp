@@ -210,7 +210,7 @@ TEST(SensorSets, ReceiveScatteredLightOfANearLamp) {
         grid.points.push_back({.position = {5.125 + .05 * (i % 8), -.175 + .05 * row, .2}});
     }
     builder.add_sensors(grid);
-    RunSpec spec = spec_for_sensors(1U << 17U);
+    RunSpec spec = spec_for_sensors(1U << 15U);
     const Result result = run(std::move(builder).build(), {lamp_at({5, 0, .1})}, spec);
     const std::size_t plane = result.names->organ_index("plane");
     const Estimate on_organ = result.at(plane, Quantity::incident_lower, 0);

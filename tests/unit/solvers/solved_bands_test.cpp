@@ -115,7 +115,7 @@ void expect_alike(
     const SolvedBands bands(some, lights);
     ASSERT_FALSE(bands.are_all());
     EXPECT_EQ(count_solved_bands(all, sources), kBands);
-    RunSpec spec = spec_of(Method::ray_bundles, 1 << 11);
+    RunSpec spec = spec_of(Method::ray_bundles, 1 << 9);
     spec.replicates = 8;
     const Result solved = run(all, sources, spec);
     expect_agreement(run(some, sources, spec), solved);
