@@ -10,7 +10,7 @@ from ._warn import warn_here, warn_of_stop
 from ._written import Written, WrittenSweep
 from .merging import Part
 from .result import Result
-from .scene_sources import notes_of_daylight, source_tables
+from .scene_sources import source_tables
 from .series import Series
 from .sweep import Sweep, points_of, scene_at
 from .values import check_options, checked_time
@@ -151,11 +151,10 @@ class Runs:
             organs = self._build()
             light = self._light(self._built, sources, time, options)
             written = self._written(sources, time, options)
-            notes = [*light.warnings, *notes_of_daylight(written.light_table.get("source", []))]
-            warn_here(notes)
+            warn_here(light.warnings)
             with Listener(progress) as listener:
                 core = _core.run_series(self._built, light, keep != "sums", size, listener.callback)
-            notes = [*self._built.warnings, *notes]
+            notes = [*self._built.warnings, *light.warnings]
         series = Series(core, organs, notes, light.source_notes, light.ratio_names, written)
         warn_of_stop(series.stop)
         return series

@@ -7,9 +7,6 @@ from collections.abc import Mapping, MutableSequence
 from ._meshes import input_error, plain
 from .sources import Source
 
-#: Types of sources that are daylight.
-_DAYLIGHT = ("sun", "sky", "uniform_sky")
-
 
 class Sources(MutableSequence):
     """The sources of a scene: a list of `Source`, also by name.
@@ -103,14 +100,3 @@ def source_tables(sources):
             )
         tables.append(source.table() if isinstance(source, Source) else dict(source))
     return tables
-
-
-def notes_of_daylight(tables):
-    """Warns of daylight among the sources of a series, which has that of its times: list of str."""
-    found = [repr(table.get("name", table["type"])) for table in tables if table.get("type") in _DAYLIGHT]
-    if not found:
-        return []
-    return [
-        f"series: sources are daylight as well: {', '.join(found)} (they shine at all time steps, "
-        "beside the sun and the sky of the times); to leave them out give sources=[], or lamps alone"
-    ]

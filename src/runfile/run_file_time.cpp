@@ -122,6 +122,23 @@ void check_light(const TimeSeries& series, TableReader& table) {
     }
 }
 
+/// Warns of daylight that is added to that of all time steps.
+void check_daylight(const SourceList& lamps, TableReader& table) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < lamps.sources.size(); ++i) {
+        if (!lamps.sources[i]->is_lamp() && !lamps.hours[i]) {
+            names.push_back(fmt::format("'{}'", lamps.sources[i]->name()));
+        }
+    }
+    if (!names.empty()) {
+        table.warn(fmt::format(
+            "sources are daylight as well: {} (beside the sun and the sky of the times they shine "
+            "at "
+            "every time step, by night too); keep lamps alone, or say on_hours",
+            fmt::join(names, ", ")));
+    }
+}
+
 }  // namespace
 
 std::optional<TimeSeries> read_time(
@@ -163,6 +180,7 @@ std::optional<TimeSeries> read_time(
     series.words = describe_rules(rules, is_measured);
     if (!table.failed()) {
         check_light(series, table);
+        check_daylight(lamps, table);
     }
     return series;
 }

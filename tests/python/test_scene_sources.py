@@ -141,11 +141,11 @@ def test_daylight_of_a_scene_beside_that_of_a_series_is_warned_of():
     scene = leaf_scene(site=quasimc.Site(52, 5.7), length_unit="m")
     day = quasimc.day("2024-06-21", utc_offset_hours=1, hours=[11, 12])
     scene.sources = [quasimc.sky(irradiance_horizontal=100), quasimc.lamp("point", power=1, position=[0, 0, 2])]
-    with pytest.warns(quasimc.QuasimcWarning, match=r"daylight as well: 'sky' .*give sources=\[\]") as caught:
+    with pytest.warns(quasimc.QuasimcWarning, match=r"daylight as well: 'sky' .*lamps alone") as caught:
         both = scene.series(day, **FEW)
     assert len(caught) == 1 and caught[0].filename == __file__
     assert both.warnings == [str(caught[0].message)]
-    with pytest.warns(quasimc.QuasimcWarning, match="daylight as well: 'upper', 'sun' "):
+    with pytest.warns(quasimc.QuasimcWarning, match="daylight as well: 'upper', 'sun', 'sun' "):
         sun = quasimc.sun(azimuth_deg=0, elevation_deg=60, irradiance_facing=300)
         scene.series(day, [SKY.replace(name="upper"), sun, SUN], **FEW)
     assert scene.series(day, sources=[], **FEW).warnings == []

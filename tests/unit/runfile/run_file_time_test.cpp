@@ -234,6 +234,24 @@ TEST(RunFileTime, ReportsNightAndPolarNight) {
     }
 }
 
+/// A sky that is taken for part of a day's light shines at night too; a lamp, and what has hours,
+/// may.
+TEST(RunFileTime, WarnsOfDaylightBesideThatOfTheTimes) {
+    const auto warnings = [](const std::string& source) {
+        std::string texts;
+        for (const Warning& warning :
+             read_text(with_time("times = ['2024-06-21T12:00+01:00']\n") + source).warnings) {
+            texts += warning.text.find("daylight as well") != std::string::npos ? warning.text : "";
+        }
+        return texts;
+    };
+    const std::string sky =
+        "[[source]]\nname = 'upper'\ntype = 'uniform_sky'\nirradiance_horizontal = 5\n";
+    EXPECT_NE(warnings(sky).find("daylight as well: 'upper'"), std::string::npos);
+    EXPECT_EQ(warnings(sky + "on_hours = [4, 20]\n"), "");
+    EXPECT_EQ(warnings("[[source]]\ntype = 'point'\nposition = [0, 0, 9]\npower = 5\n"), "");
+}
+
 TEST(RunFileTime, WarnsOfTimesThatOverlap) {
     const auto overlap_warnings = [](const std::string& keys) {
         std::string texts;
