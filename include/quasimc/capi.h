@@ -45,7 +45,7 @@ enum quasimc_part {
     QUASIMC_CELL = 4,
     QUASIMC_SITE = 5, /**< site of the scene on the Earth */
     QUASIMC_SOURCES = 6,
-    QUASIMC_TIME = 7,      /**< the times of a run file */
+    QUASIMC_TIME = 7,      /**< the times of a run file, and the control of lamps */
     QUASIMC_SWEEP = 8,     /**< the sweep of a run file */
     QUASIMC_DETECTORS = 9, /**< detectors of light other than organs */
     QUASIMC_OPTIONS = 10,  /**< options of the run, which return to their defaults */
@@ -153,6 +153,32 @@ int quasimc_scene_add_sky(
 /** An isotropic lamp. @param power  W, or umol s-1 for bands in umol m-2 s-1 */
 int quasimc_scene_add_point_lamp(
     quasimc_scene* scene, double x, double y, double z, const double* power);
+
+/* Sensors: points at which light is measured. They shade nothing and change no other number. Each
+ * set has a name, and its sensors are "name 1", "name 2", ... Flat ones face upwards. */
+
+/** Adds a set of sensors. @param positions  x, y, z of each: 3 * count numbers */
+int quasimc_scene_add_sensors(
+    quasimc_scene* scene, const char* name, const double* positions, int64_t count);
+/** Adds a regular array of sensors, in the centres of the equal parts of a parallelogram. The index
+ *  along the first edge changes fastest; labels "i" and "j" count from 1.
+ *  @param start  x, y, z of a corner
+ *  @param along, across  x, y, z of the edges; across may be NULL: sensors on a line
+ *  @param count_along, count_across  numbers of sensors along the edges */
+int quasimc_scene_add_sensor_grid(
+    quasimc_scene* scene,
+    const char* name,
+    const double* start,
+    const double* along,
+    const double* across,
+    int64_t count_along,
+    int64_t count_across);
+/** Sets a key of a set of sensors, "[[sensors]]" in docs/reference/run-file.md.
+ *  @param name  of the set
+ *  @param key, value  "facing" "down" or "[0, -1, 1]", "receiver" "sphere", "field_of_view_deg"
+ *         "30", "size" "0.05", "average" "true", "labels" "{ row = 1 }", ... */
+int quasimc_scene_set_sensors(
+    quasimc_scene* scene, const char* name, const char* key, const char* value);
 
 /** Sets an option of the run, docs/reference/options.md: "paths" "4096", "method" "auto". */
 int quasimc_scene_set_option(quasimc_scene* scene, const char* key, const char* value);
@@ -286,6 +312,13 @@ int quasimc_result_get_groups(
 int64_t quasimc_result_sensor_count(const quasimc_result* result);
 /** NULL and an error if there is no such sensor. */
 const char* quasimc_result_sensor_name(const quasimc_result* result, int64_t sensor);
+/** NULL if it has no such label; "sensors": the name of its set. */
+const char* quasimc_result_sensor_label(
+    const quasimc_result* result, int64_t sensor, const char* key);
+/** The position of every sensor; the mean of averaged ones.
+ *  @param positions  room for 3 * count numbers: x, y, z of each
+ *  @param count  quasimc_result_sensor_count() */
+int quasimc_result_sensor_positions(const quasimc_result* result, double* positions, int64_t count);
 /** A number of every sensor, as quasimc_result_get; the light on a sphere is its incident_upper.
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_sensor_count() */
@@ -296,6 +329,40 @@ int quasimc_result_get_sensors(
     const char* statistic,
     double* values,
     int64_t count);
+
+/** The number of sets of sensors. The results of a set follow one another, in the order of the
+ *  sets. */
+int64_t quasimc_result_sensor_set_count(const quasimc_result* result);
+/** NULL and an error if there is no such set. */
+const char* quasimc_result_sensor_set_name(const quasimc_result* result, int64_t set);
+/** The number of results of a set: of its sensors, or 1 for their average. -1 and an error if there
+ *  is no set of the name. */
+int64_t quasimc_result_sensor_set_size(const quasimc_result* result, const char* set);
+/** "cosine" or "sphere". NULL and an error if there is no set of the name. */
+const char* quasimc_result_sensor_set_receiver(const quasimc_result* result, const char* set);
+/** A number of every sensor of a set, as quasimc_result_get. Spheres have "fluence_rate" instead of
+ *  the two sides.
+ *  @param set  its name
+ *  @param values  room for `count` numbers
+ *  @param count  quasimc_result_sensor_set_size() */
+int quasimc_result_get_sensor_set(
+    const quasimc_result* result,
+    const char* set,
+    const char* quantity,
+    const char* band,
+    const char* statistic,
+    double* values,
+    int64_t count);
+/** A number of one sensor, as quasimc_result_get_sensor_set.
+ *  @param index  in its set, from 0
+ *  @param values  room for four: mean, standard error, ci95_low, ci95_high */
+int quasimc_result_get_sensor(
+    const quasimc_result* result,
+    const char* set,
+    int64_t index,
+    const char* quantity,
+    const char* band,
+    double* values);
 
 /** Detectors, in the order in which they were added. */
 int64_t quasimc_result_detector_count(const quasimc_result* result);

@@ -13,13 +13,42 @@ as.data.frame.quasimc_result <- function(x, row.names = NULL, optional = FALSE, 
     for (key in labels) {
         table[[key]] <- utils::type.convert(.Call(C_organ_labels, x$handle, key), as.is = TRUE)
     }
-    with_quantities(table, x, quantities, C_get_organs)
+    with_quantities(table, x, quantities, function(...) .Call(C_get_organs, ...))
 }
 
 # A row for each group: all organs, then the values of the option groups.
 groups <- function(result, quantities = NULL) {
     table <- data.frame(by = .Call(C_group_by, result$handle), value = .Call(C_group_values, result$handle))
-    with_quantities(table, result, quantities, C_get_groups)
+    with_quantities(table, result, quantities, function(...) .Call(C_get_groups, ...))
+}
+
+# A row for each sensor: set, name, x, y, z, and for each quantity and band a column of values and one
+# of standard errors: incident_upper_PAR, incident_upper_PAR_se. Flat sensors have no fluence_rate,
+# spheres no sides: NA. quantities: NULL: all; labels: keys of labels to add.
+sensors <- function(result, quantities = NULL, labels = character()) {
+    sets <- .Call(C_set_names, result$handle)
+    positions <- .Call(C_sensor_positions, result$handle)
+    table <- data.frame(
+        sensors = .Call(C_sensor_labels, result$handle, "sensors"),
+        name = .Call(C_sensor_names, result$handle),
+        x = positions[, 1], y = positions[, 2], z = positions[, 3])
+    for (key in labels) {
+        table[[key]] <- utils::type.convert(.Call(C_sensor_labels, result$handle, key), as.is = TRUE)
+    }
+    if (is.null(quantities)) {
+        quantities <- c("incident_upper", "incident_lower", "incident_direct", "incident_scattered",
+                        "fluence_rate")
+    }
+    with_quantities(table, result, quantities, function(handle, ...) {
+        as.numeric(unlist(lapply(sets, function(set) of_sensor_set(handle, set, ...))))
+    })
+}
+
+# NA for a quantity that sensors of this kind do not have.
+of_sensor_set <- function(handle, set, quantity, ...) {
+    is_sphere <- .Call(C_set_receiver, handle, set) == "sphere"
+    is_absent <- if (is_sphere) grepl("^incident_(upper|lower)", quantity) else grepl("^fluence_rate", quantity)
+    if (is_absent) rep(NA_real_, .Call(C_set_size, handle, set)) else .Call(C_get_sensor_set, handle, set, quantity, ...)
 }
 
 # A row for each band: the sum of a quantity over all organs but the ground, or its mean per area.
@@ -65,8 +94,8 @@ with_quantities <- function(table, result, quantities, routine) {
     for (quantity in quantities) {
         for (band in bands) {
             column <- paste0(quantity, "_", band)
-            table[[column]] <- .Call(routine, result$handle, quantity, band, "mean")
-            table[[paste0(column, "_se")]] <- .Call(routine, result$handle, quantity, band, "standard_error")
+            table[[column]] <- routine(result$handle, quantity, band, "mean")
+            table[[paste0(column, "_se")]] <- routine(result$handle, quantity, band, "standard_error")
         }
     }
     table

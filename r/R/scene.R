@@ -64,6 +64,19 @@ add_mesh <- function(scene, vertices, faces, material, organ = NULL, names = NUL
     invisible(scene)
 }
 
+# Adds points at which light is measured, which shade nothing: a set of sensors.
+# positions: matrix (n, 3), or three numbers; ...: other keys of [[sensors]] in run files, as
+# facing = "down", receiver = "sphere", field_of_view_deg = 30, average = TRUE. For a regular array:
+# add(scene, "sensors", name = "bench", at = list(start = c(0, 0, 1), along = c(7, 0, 0), ...)).
+add_sensors <- function(scene, positions, name = "sensors", ...) {
+    positions <- if (is.null(dim(positions))) matrix(positions, 1) else as.matrix(positions)
+    if (ncol(positions) != 3) {
+        stop("positions has three columns")
+    }
+    rows <- lapply(seq_len(nrow(positions)), function(i) as.numeric(positions[i, ]))
+    add(scene, "sensors", name = name, at = rows, ...)
+}
+
 # Computes the light on every organ. ...: options of the run, as paths = 4096, target_error = 0.01.
 # Interrupting it gives the result of the paths until then.
 light <- function(scene, ...) {

@@ -192,6 +192,53 @@ static SEXP warning_texts(SEXP result) {
     return texts_of(result, quasimc_result_warning_count(pointer_of(result)), quasimc_result_warning);
 }
 
+static SEXP sensor_names(SEXP result) {
+    return texts_of(result, quasimc_result_sensor_count(pointer_of(result)),
+                    quasimc_result_sensor_name);
+}
+
+static SEXP set_names(SEXP result) {
+    return texts_of(result, quasimc_result_sensor_set_count(pointer_of(result)),
+                    quasimc_result_sensor_set_name);
+}
+
+static SEXP set_receiver(SEXP result, SEXP set) {
+    return text_from(quasimc_result_sensor_set_receiver(pointer_of(result), text_of(set)));
+}
+
+/* Matrix of a row for each sensor: x, y, z. */
+static SEXP sensor_positions(SEXP result) {
+    const quasimc_result* all = pointer_of(result);
+    const int64_t count = quasimc_result_sensor_count(all);
+    double* positions = (double*)R_alloc((size_t)count, 3 * sizeof *positions);
+    check(quasimc_result_sensor_positions(all, positions, count));
+    SEXP rows = PROTECT(Rf_allocMatrix(REALSXP, (int)count, 3));
+    for (int64_t i = 0; i < 3 * count; ++i) {
+        REAL(rows)[i % 3 * count + i / 3] = positions[i];
+    }
+    UNPROTECT(1);
+    return rows;
+}
+
+static SEXP set_size(SEXP result, SEXP set) {
+    const int64_t size = quasimc_result_sensor_set_size(pointer_of(result), text_of(set));
+    return Rf_ScalarInteger((int)size);
+}
+
+/* A quantity of all sensors of a set. */
+static SEXP get_sensor_set(SEXP result, SEXP set, SEXP quantity, SEXP band, SEXP statistic) {
+    const quasimc_result* all = pointer_of(result);
+    const int64_t count = quasimc_result_sensor_set_size(all, text_of(set));
+    if (count < 0) {
+        Rf_error("%s", quasimc_last_error());
+    }
+    SEXP values = PROTECT(Rf_allocVector(REALSXP, count));
+    check(quasimc_result_get_sensor_set(all, text_of(set), text_of(quantity), text_of(band),
+                                        text_of(statistic), REAL(values), count));
+    UNPROTECT(1);
+    return values;
+}
+
 static SEXP organ_ids(SEXP result) {
     const quasimc_result* all = pointer_of(result);
     const int64_t count = quasimc_result_organ_count(all);
@@ -214,17 +261,28 @@ static SEXP organ_areas(SEXP result) {
     return areas;
 }
 
-/* NA where an organ has no such label. */
-static SEXP organ_labels(SEXP result, SEXP key) {
+typedef const char* (*Labelling)(const quasimc_result*, int64_t, const char*);
+
+/* NA where an organ or sensor has no such label. */
+static SEXP labels_of(SEXP result, int64_t count, Labelling label_of, SEXP key) {
     const quasimc_result* all = pointer_of(result);
-    const int64_t count = quasimc_result_organ_count(all);
     SEXP labels = PROTECT(Rf_allocVector(STRSXP, count));
     for (int64_t i = 0; i < count; ++i) {
-        const char* label = quasimc_result_organ_label(all, i, text_of(key));
+        const char* label = label_of(all, i, text_of(key));
         SET_STRING_ELT(labels, i, label == NULL ? NA_STRING : Rf_mkCharCE(label, CE_UTF8));
     }
     UNPROTECT(1);
     return labels;
+}
+
+static SEXP organ_labels(SEXP result, SEXP key) {
+    return labels_of(result, quasimc_result_organ_count(pointer_of(result)),
+                     quasimc_result_organ_label, key);
+}
+
+static SEXP sensor_labels(SEXP result, SEXP key) {
+    return labels_of(result, quasimc_result_sensor_count(pointer_of(result)),
+                     quasimc_result_sensor_label, key);
 }
 
 static SEXP quantity_names(void) {
@@ -255,7 +313,8 @@ static const R_CallMethodDef kEntries[] = {
     ENTRY(organ_names, 1),  ENTRY(band_names, 1),   ENTRY(band_units, 1),    ENTRY(group_by, 1),
     ENTRY(group_values, 1), ENTRY(warning_texts, 1), ENTRY(organ_ids, 1),    ENTRY(organ_areas, 1),
     ENTRY(organ_labels, 2), ENTRY(quantity_names, 0), ENTRY(run_number, 2),  ENTRY(run_text, 2),
-    {NULL, NULL, 0}};
+    ENTRY(sensor_names, 1), ENTRY(set_names, 1),    ENTRY(sensor_positions, 1), ENTRY(sensor_labels, 2),
+    ENTRY(get_sensor_set, 5), ENTRY(set_receiver, 2), ENTRY(set_size, 2), {NULL, NULL, 0}};
 
 void R_init_quasimc(DllInfo* library) {
     R_registerRoutines(library, NULL, kEntries, NULL, NULL);

@@ -43,11 +43,33 @@ stopifnot(all.equal(
 info <- run_info(result)
 stopifnot(info$paths == 256, info$stop == "finished", nchar(info$reason) > 0)
 
+# A sensor above all else receives the sky; below the leaf less; a sphere has no sides.
+add_sensors(scene, rbind(c(0, 0, 2), c(0.03, 0.03, 0.99)), name = "points")
+add_sensors(scene, c(0, 0, 2), name = "ball", receiver = "sphere")
+add(scene, "sensors", name = "bench", labels = list(kind = "grid"),
+    at = list(start = c(0, 0, 1.5), along = c(1, 0, 0), across = c(0, 1, 0), counts = c(2, 3)))
+measured <- light(scene, paths = 4096, origins = "sky")
+at <- sensors(measured, labels = "kind")
+stopifnot(
+    identical(at$sensors, rep(c("points", "ball", "bench"), c(2, 1, 6))),
+    identical(at$name[1:3], c("points 1", "points 2", "ball 1")),
+    identical(at$kind, rep(c(NA, "grid"), c(3, 6))),
+    all.equal(unlist(at[5, c("x", "y", "z")], use.names = FALSE), c(0.75, 1 / 6, 1.5)),
+    abs(at$incident_upper_PAR[1] - 400) < 5 * at$incident_upper_PAR_se[1],
+    at$incident_upper_PAR_se[1] < 8,
+    at$incident_upper_PAR[2] < 100,
+    identical(is.na(at$fluence_rate_NIR), at$sensors != "ball"),
+    identical(is.na(at$incident_upper_NIR), at$sensors == "ball"),
+    abs(at$fluence_rate_PAR[3] - 800) < 5 * at$fluence_rate_PAR_se[3],
+    all.equal(sensors(measured, "incident_direct_from_sky")$incident_direct_from_sky_PAR, at$incident_direct_PAR),
+    identical(dim(sensors(result)), c(0L, 5L + 2L * 2L * 5L)))
+
 message_of <- function(expression) tryCatch({ expression; "" }, error = conditionMessage)
 stopifnot(
     grepl("pathes", message_of(light(scene, pathes = 1))),
     grepl("three columns", message_of(add_mesh(scene, leaf[, 1:2], face, material = "black"))),
     grepl("give organ", message_of(add_mesh(scene, leaf, face, material = "black", names = c("1" = "top")))),
     grepl("there are 1 faces", message_of(add_mesh(scene, leaf, face, material = "black", organ = c(1, 2)))),
+    grepl("three columns", message_of(add_sensors(scene, c(0, 1)))),
     grepl("key", message_of(add(scene, "material", "black"))),
     grepl("missing", message_of(set(scene, "ground", height = NA))))

@@ -42,6 +42,10 @@ struct quasimc_result {
 
 namespace quasimc::capi {
 
+/// Changes the geometry, the materials or the sensors of a scene, which is then built again.
+/// @returns a quasimc_status
+int change_scene(quasimc_scene* scene, const std::function<void(SceneDescription&)>& change);
+
 /// A function that computes light.
 using Run = std::function<Result(const LightOfRun& light, const RunControl& control)>;
 

@@ -7,20 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "capi/columns.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
 
 namespace quasimc::capi {
 namespace {
-
-/// An item of a list, counted from 0. @throws Misuse  if there is none
-template <typename List>
-const auto& item_at(const List& list, std::int64_t index, const char* what) {
-    if (index < 0 || index >= static_cast<std::int64_t>(list.size())) {
-        throw Misuse(fmt::format("there is no {} {}: there are {}", what, index, list.size()));
-    }
-    return list[static_cast<std::size_t>(index)];
-}
 
 const Organ& organ_at(const quasimc_result* result, std::int64_t organ) {
     return item_at(deref(result, "result").scene->organs(), organ, "organ");
@@ -28,133 +20,6 @@ const Organ& organ_at(const quasimc_result* result, std::int64_t organ) {
 
 const OrganGroup& group_at(const quasimc_result* result, std::int64_t group) {
     return item_at(deref(result, "result").result.groups.groups, group, "group");
-}
-
-/// The statistic with a name.
-double Estimate::*statistic_of(std::string_view name) {
-    constexpr std::array<std::pair<std::string_view, double Estimate::*>, 4> kStatistics{
-        {{"mean", &Estimate::mean},
-         {"standard_error", &Estimate::standard_error},
-         {"ci95_low", &Estimate::ci95_low},
-         {"ci95_high", &Estimate::ci95_high}}};
-    for (const auto& [of_statistic, member] : kStatistics) {
-        if (of_statistic == name) {
-            return member;
-        }
-    }
-    throw Misuse(fmt::format(
-        "unknown statistic '{}': use mean, standard_error, ci95_low or ci95_high", name));
-}
-
-std::size_t band_of(const quasimc_result& result, const char* name) try {
-    return result.scene->names()->band_index(text_of(name, "band"));
-} catch (const InputError& error) {
-    throw Misuse(error.what());
-}
-
-/// Estimates of organs or of groups, one row each.
-struct Rows {
-    const std::vector<Estimate>& values;
-    const std::vector<Estimate>& sunlit;
-    const std::vector<Estimate>& ratios;
-    const SunShadeLight& parts;
-    std::size_t count;
-};
-
-Rows rows_of_organs(const Result& result) {
-    return {
-        result.values, result.sunlit_fraction, result.ratio_values, result.sun_shade,
-        result.organs()};
-}
-
-Rows rows_of_groups(const Result& result) {
-    const GroupResults& groups = result.groups;
-    return {
-        groups.values, groups.sunlit_fraction, groups.ratio_values, groups.sun_shade,
-        groups.groups.size()};
-}
-
-/// One number of every row: offset of the first, and stride.
-struct Column {
-    const Estimate* first;
-    std::size_t stride;
-};
-
-/// The part of a quantity's name that names an origin: "absorbed_flux_from_sun".
-constexpr std::string_view kFrom = "_from_";
-
-/// The light of the origin that a quantity names, or null.
-const Result* origin_of(const Result& result, std::string_view quantity) {
-    const auto names_it = [&](const OriginLight& origin) {
-        return quantity.ends_with(std::string(kFrom) + origin.name);
-    };
-    const auto found = std::ranges::find_if(result.origins, names_it);
-    return found == result.origins.end() ? nullptr : &found->light;
-}
-
-/// @param light  the light of a result: that on organs, or on sensors
-/// @param rows_of  the rows of a Result
-Column column_of(
-    const quasimc_result& result,
-    const Result& light,
-    Rows (*rows_of)(const Result&),
-    const char* quantity,
-    const char* band) {
-    std::string name = text_of(quantity, "quantity");
-    const Result* origin = origin_of(light, name);
-    if (origin != nullptr) {
-        name.resize(name.find(kFrom));
-    }
-    const Rows rows = rows_of(origin != nullptr ? *origin : light);
-    for (const QuantityEntry& entry : quantity_table()) {
-        if (entry.name == name) {
-            const std::size_t bands = result.result.bands;
-            const auto number = static_cast<std::size_t>(entry.quantity);
-            return {
-                rows.values.data() + number * bands + band_of(result, band), kQuantities * bands};
-        }
-    }
-    for (const SunShadeEntry& entry : sun_shade_table()) {
-        if (entry.name == name && !rows.parts.empty()) {
-            const std::size_t of_band = entry.has_bands() ? band_of(result, band) : 0;
-            const auto number = static_cast<std::size_t>(entry.quantity);
-            return {
-                rows.parts.values.data() + number * rows.parts.bands + of_band,
-                rows.parts.values_per_row()};
-        }
-    }
-    if (origin == nullptr && name == "sunlit_fraction" && rows.sunlit.size() == rows.count) {
-        return {rows.sunlit.data(), 1};
-    }
-    const auto ratio = std::find(result.ratios.begin(), result.ratios.end(), name);
-    if (origin != nullptr || ratio == result.ratios.end()) {
-        throw Misuse(fmt::format("the result has no quantity '{}'", name));
-    }
-    return {rows.ratios.data() + (ratio - result.ratios.begin()), result.ratios.size()};
-}
-
-/// Copies a number of every row. @param count  capacity
-void copy_rows(
-    const Column& column,
-    std::size_t rows,
-    const char* statistic,
-    double* values,
-    std::int64_t count) {
-    if (count != static_cast<std::int64_t>(rows)) {
-        throw Misuse(fmt::format("there is room for {} values: there are {}", count, rows));
-    }
-    double Estimate::*member = statistic_of(text_of(statistic, "statistic"));
-    double* out = &deref(values, "values");
-    for (std::size_t i = 0; i < rows; ++i) {
-        out[i] = reported(column.first[i * column.stride]).*member;
-    }
-}
-
-void copy_estimate(const Estimate& estimate, double* values) {
-    double* out = &deref(values, "values");
-    const Estimate e = reported(estimate);
-    const std::array<double, 4> numbers{e.mean, e.standard_error, e.ci95_low, e.ci95_high};
-    std::copy(numbers.begin(), numbers.end(), out);
 }
 
 const Estimate& budget_item(const BandBudget& budget, std::string_view item) {
@@ -222,11 +87,6 @@ const char* text_by_key(const quasimc_result& result, std::string_view key) {
     throw Misuse(fmt::format("a result has no text '{}'", key));
 }
 
-const char* label_by_key(const Organ& organ, const std::string& key) {
-    const std::string* label = find_label(organ.labels, key);
-    return label == nullptr ? nullptr : label->c_str();
-}
-
 const DetectorResult& detector_of(const quasimc_result* result, const char* name) {
     const std::string wanted = text_of(name, "detector");
     for (const DetectorResult& detector : deref(result, "result").result.detectors) {
@@ -236,18 +96,6 @@ const DetectorResult& detector_of(const quasimc_result* result, const char* name
     }
     throw Misuse(fmt::format("there is no detector '{}'", wanted));
 }
-
-const Result& sensors_of(const quasimc_result* result) {
-    const auto& sensors = deref(result, "result").result.sensors;
-    if (!sensors) {
-        throw Misuse(
-            "the result has no sensors: the scene has none, or the run was stopped before their "
-            "light was computed");
-    }
-    return *sensors;
-}
-
-constexpr const char* kNoText = nullptr;
 
 }  // namespace
 }  // namespace quasimc::capi
@@ -428,34 +276,6 @@ int64_t quasimc_result_warning_count(const quasimc_result* result) {
 const char* quasimc_result_warning(const quasimc_result* result, int64_t warning) {
     return guarded_or(kNoText, [&] {
         return item_at(deref(result, "result").warnings, warning, "warning").c_str();
-    });
-}
-
-int64_t quasimc_result_sensor_count(const quasimc_result* result) {
-    return guarded_or<int64_t>(-1, [&] {
-        const auto& sensors = deref(result, "result").result.sensors;
-        return sensors ? static_cast<int64_t>(sensors->organs()) : 0;
-    });
-}
-
-const char* quasimc_result_sensor_name(const quasimc_result* result, int64_t sensor) {
-    return guarded_or(kNoText, [&] {
-        return item_at(sensors_of(result).names->organs(), sensor, "sensor").name.c_str();
-    });
-}
-
-int quasimc_result_get_sensors(
-    const quasimc_result* result,
-    const char* quantity,
-    const char* band,
-    const char* statistic,
-    double* values,
-    int64_t count) {
-    return guarded([&] {
-        const quasimc::Result& sensors = sensors_of(result);
-        copy_rows(
-            column_of(*result, sensors, rows_of_organs, quantity, band), sensors.organs(),
-            statistic, values, count);
     });
 }
 

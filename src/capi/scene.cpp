@@ -10,9 +10,7 @@
 #include "capi/meshes.h"
 
 namespace quasimc::capi {
-namespace {
 
-/// Changes the geometry or the materials of a scene, which is then built again.
 int change_scene(quasimc_scene* scene, const std::function<void(SceneDescription&)>& change) {
     return guarded([&] {
         quasimc_scene& all = deref(scene, "scene");
@@ -21,6 +19,8 @@ int change_scene(quasimc_scene* scene, const std::function<void(SceneDescription
         all.built.reset();
     });
 }
+
+namespace {
 
 template <typename... Arguments>
 int make_scene(quasimc_scene** scene, const Arguments&... arguments) {
@@ -76,7 +76,7 @@ int quasimc_scene_clear(quasimc_scene* scene, int part) {
     return guarded([&] {
         quasimc_scene& all = deref(scene, "scene");
         const InUse use(all.in_use);
-        if (part < QUASIMC_BANDS || part > QUASIMC_UNKNOWN_KEYS) {
+        if (part < QUASIMC_BANDS || part > QUASIMC_SENSORS) {
             throw Misuse(fmt::format("there is no part {} of a scene", part));
         }
         const auto cleared = static_cast<quasimc_part>(part);

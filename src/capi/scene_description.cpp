@@ -78,7 +78,7 @@ void join(Node::Table& into, Node::Table from) {
 
 /// The part of a scene that a key at the top of a run file belongs to.
 quasimc_part part_of(std::string_view key) {
-    constexpr std::array<std::pair<std::string_view, quasimc_part>, 24> kParts{
+    constexpr std::array<std::pair<std::string_view, quasimc_part>, 26> kParts{
         {{"bands", QUASIMC_BANDS},        {"band", QUASIMC_BANDS},
          {"material", QUASIMC_MATERIALS}, {"material_file", QUASIMC_MATERIALS},
          {"organ", QUASIMC_ORGANS},       {"geometry", QUASIMC_ORGANS},
@@ -90,7 +90,8 @@ quasimc_part part_of(std::string_view key) {
          {"format", QUASIMC_OTHER},       {"title", QUASIMC_OTHER},
          {"up", QUASIMC_OTHER},           {"north", QUASIMC_OTHER},
          {"length_unit", QUASIMC_OTHER},  {"irradiance_unit", QUASIMC_OTHER},
-         {"output", QUASIMC_OTHER},       {"table", QUASIMC_OTHER}}};
+         {"output", QUASIMC_OTHER},       {"table", QUASIMC_OTHER},
+         {"control", QUASIMC_TIME},       {"gap_fraction", QUASIMC_DETECTORS}}};
     const auto found = std::find_if(
         kParts.begin(), kParts.end(), [&](const auto& row) { return row.first == key; });
     return found == kParts.end() ? QUASIMC_UNKNOWN_KEYS : found->second;
@@ -118,24 +119,43 @@ void SceneDescription::add_table(const std::string& key, Node::Table table) {
     join(top(), {{key, 0, {Node::List{{std::move(table)}}}}});
 }
 
+Node* SceneDescription::find_named(const std::string& list, const std::string& name) {
+    Node* known = find_in(top(), list);
+    if (known == nullptr || !is_list_of_tables(*known)) {
+        return nullptr;
+    }
+    auto& tables = std::get<Node::List>(known->value);
+    const auto found = std::find_if(tables.begin(), tables.end(), [&](const Node& table) {
+        const Node* of_table = table.find("name");
+        const auto* text = of_table == nullptr ? nullptr : of_table->as<std::string>();
+        return text != nullptr && *text == name;
+    });
+    return found == tables.end() ? nullptr : &*found;
+}
+
 void SceneDescription::put_table(
     const std::string& key, const std::string& name, Node::Table table) {
-    const auto has_name = [&](const Node& item) {
-        const Node* of_item = item.find("name");
-        const auto* text = of_item == nullptr ? nullptr : of_item->as<std::string>();
-        return text != nullptr && *text == name;
-    };
-    Node* known = find_in(top(), key);
-    if (known == nullptr || !is_list_of_tables(*known)) {
-        add_table(key, std::move(table));
-        return;
-    }
-    auto& list = std::get<Node::List>(known->value);
-    const auto same = std::find_if(list.begin(), list.end(), has_name);
-    if (same == list.end()) {
-        list.push_back({std::move(table)});
-    } else {
+    if (Node* same = find_named(key, name)) {
         *same = {std::move(table)};
+    } else {
+        add_table(key, std::move(table));
+    }
+}
+
+void SceneDescription::set_key(
+    const std::string& list, const std::string& name, const std::string& key, Node value) {
+    Node* table = find_named(list, name);
+    if (table == nullptr) {
+        throw InputError(
+            {{fmt::format("{} '{}'", list, name), "there are none of this name", "",
+              "add them first"}});
+    }
+    forget_lines(value);
+    auto& keys = std::get<Node::Table>(table->value);
+    if (Node* known = find_in(keys, key)) {
+        *known = std::move(value);
+    } else {
+        keys.push_back({key, 0, std::move(value)});
     }
 }
 

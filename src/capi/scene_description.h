@@ -31,6 +31,10 @@ class SceneDescription {
     /// Adds a table to a list of tables; replaces a table with its name, if there is one
     /// ([[material]]).
     void put_table(const std::string& key, const std::string& name, Node::Table table);
+    /// Sets a key of the table with a name, in a list of tables. @throws InputError  if there is
+    /// none
+    void set_key(
+        const std::string& list, const std::string& name, const std::string& key, Node value);
     /// Replaces a table ([ground]).
     void set_table(const std::string& key, Node::Table table);
     void remove(const std::string& key);
@@ -53,6 +57,9 @@ class SceneDescription {
 
   private:
     [[nodiscard]] Node::Table& top() { return std::get<Node::Table>(document_.value); }
+
+    /// The table with a name in a list of tables, or null.
+    [[nodiscard]] Node* find_named(const std::string& list, const std::string& name);
 
     Node document_;
     std::string name_;

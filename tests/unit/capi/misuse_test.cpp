@@ -109,7 +109,7 @@ TEST(CMisuse, NumbersOfBandsAreRefusedWhereThereAreNone) {
     EXPECT_EQ(quasimc_scene_add_sky(s, "uniform", numbers), QUASIMC_DONE);
     EXPECT_EQ(quasimc_scene_clear(s, QUASIMC_BANDS), QUASIMC_DONE);
     EXPECT_TRUE(refuse_all());
-    EXPECT_EQ(quasimc_scene_clear(s, QUASIMC_UNKNOWN_KEYS + 1), QUASIMC_MISUSE);
+    EXPECT_EQ(quasimc_scene_clear(s, QUASIMC_SENSORS + 1), QUASIMC_MISUSE);
     EXPECT_EQ(quasimc_scene_clear(s, -1), QUASIMC_MISUSE);
 }
 
