@@ -267,9 +267,7 @@ void bind_result(py::module_& module) {
             })
         .def_property_readonly(
             "sensors",
-            [](const py::object& self) {
-                return sensors_dict(self.cast<const Result&>().sensors.get(), self);
-            })
+            [](const py::object& self) { return sensors_dict(self.cast<const Result&>(), self); })
         .def_property_readonly(
             "sun_shade",
             [](const py::object& self) {

@@ -53,11 +53,12 @@ template <typename Origins>
     return all;
 }
 
-/// The light on sensors, owned by `owner`: values, sunlit_fraction, ratios and origins; None
-/// without sensors.
-/// @param sensors  a Result or a SeriesSum; or null
+/// The light on sensors, owned by `owner`: values, sunlit_fraction, ratios and origins, and the
+/// flux on the horizontal by band, if it is known; None without sensors.
+/// @param all  a Result or a SeriesSum
 template <typename Light>
-[[nodiscard]] py::object sensors_dict(const Light* sensors, py::handle owner) {
+[[nodiscard]] py::object sensors_dict(const Light& all, py::handle owner) {
+    const auto& sensors = all.sensors;
     if (sensors == nullptr || sensors->bands == 0) {
         return py::none();
     }
@@ -69,6 +70,11 @@ template <typename Light>
         {count, static_cast<py::ssize_t>(kQuantities), static_cast<py::ssize_t>(sensors->bands)},
         owner);
     light["origins"] = origins_dict(sensors->origins, owner);
+    py::list incident;
+    for (const CanopyFractions& of_band : all.canopy) {
+        incident.append(of_band.incident);
+    }
+    light["incident"] = incident;
     if constexpr (requires { sensors->sunlit_fraction; }) {
         light["sunlit_fraction"] = estimates_view(
             sensors->sunlit_fraction, {static_cast<py::ssize_t>(sensors->sunlit_fraction.size())},

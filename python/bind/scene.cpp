@@ -16,8 +16,10 @@
 #include "document.h"
 #include "draft.h"
 #include "files/input_files.h"
+#include "results/groups.h"
 #include "results/organ_height.h"
 #include "results/organ_values.h"
+#include "results/sensor_transmittance.h"
 #include "results/where_expression.h"
 #include "runfile/run_file.h"
 #include "runfile/table_rows.h"
@@ -194,10 +196,11 @@ py::dict labels_of(const Scene& scene) {
 }
 
 /// The sets of sensors: name, shape, names and positions of its results, in the file's axes, and
-/// whether they are spheres.
+/// whether they are spheres; and the horizontal area, if they receive the light on it.
 py::list sensors_of(const SceneHandle& handle) {
     const Scene& scene = *handle.scene;
     const std::vector<Vec3> positions = sensor_positions(scene);
+    const SensorTransmittance fraction(scene);
     py::list sets;
     std::size_t first = 0;
     for (const SensorSet& set : scene.sensors()) {
@@ -205,6 +208,8 @@ py::list sensors_of(const SceneHandle& handle) {
         own["name"] = set.name;
         own["shape"] = py::tuple(py::cast(sensor_shape(set)));
         own["is_sphere"] = set.receiver == Receiver::sphere;
+        own["horizontal_area"] =
+            fraction.has(first) ? py::object(py::float_(horizontal_area(scene))) : py::none();
         py::list names;
         Doubles array({static_cast<py::ssize_t>(set.rows()), py::ssize_t{3}});
         double* out = array.mutable_data();

@@ -122,7 +122,7 @@ py::list days_of(const py::object& self) {
         day["groups"] = groups_dict(all.sums[i].groups, self, CsvTimes::days);
         day["sun_shade"] = parts_dict(all.sums[i].sun_shade, &all.sums[i].sunlit_hours, self);
         day["origins"] = origins_dict(all.sums[i].origins, self);
-        day["sensors"] = sensors_dict(all.sums[i].sensors.get(), self);
+        day["sensors"] = sensors_dict(all.sums[i], self);
         days.append(day);
     }
     return days;
@@ -169,8 +169,7 @@ void bind_series(py::module_& module) {
         .def_property_readonly(
             "total_sensors",
             [](const py::object& self) {
-                const auto& total = self.cast<const RunRecord&>().summary.total;
-                return sensors_dict(total.sensors.get(), self);
+                return sensors_dict(self.cast<const RunRecord&>().summary.total, self);
             })
         .def_property_readonly(
             "total_groups",

@@ -26,7 +26,8 @@ class Sensors:
 
     ``result.sensors["bench"]["incident_upper"]["PAR"]`` has the shape of the set: (points,),
     (j, i) for a regular array, the shape of the points of `Scene.add_sensors`, or () for an average.
-    Spheres have "fluence_rate" instead of the two sides.
+    Spheres have "fluence_rate" instead of the two sides. Sensors that face up have "transmittance",
+    the light from above over that on the horizontal, above a ground or in a periodic cell.
 
     Attributes
     ----------
@@ -47,13 +48,18 @@ class Sensors:
         self._quantities = _SPHERE if own["is_sphere"] else _FLAT
         self._units = tuple(_core.summed_unit(unit) if is_sum else unit for unit in organs.units)
         self._values = light["values"][rows]
+        self._horizontal = _horizontal_light(own, light)
         self._origins = {name: part["values"][rows] for name, part in light["origins"].items()}
         sunlit = light.get("sunlit_fraction", ())
         self._sunlit = sunlit[rows].reshape(*self.shape, 4) if len(sunlit) else None
 
     def keys(self):
         """Names of the quantities; with directional sources also sunlit_fraction (not for sums)."""
-        return [*self._quantities, *(() if self._sunlit is None else ("sunlit_fraction",))]
+        return [
+            *self._quantities,
+            *(() if self._horizontal is None else ("transmittance",)),
+            *(() if self._sunlit is None else ("sunlit_fraction",)),
+        ]
 
     def __iter__(self):
         return iter(self.keys())
@@ -67,6 +73,8 @@ class Sensors:
             raise KeyError(f"there is no quantity {quantity!r}; there are: {known}")
         if quantity == "sunlit_fraction":
             return Estimates(self._sunlit, quantity, "", extensive=False)
+        if quantity == "transmittance":
+            return self._transmittance()
         number = list(_core.quantities()).index(self._quantities[quantity])
         origins = {
             name: (
@@ -89,6 +97,14 @@ class Sensors:
         variables, coordinates = sensor_variables(self)
         return xarray.Dataset(variables, coordinates)
 
+    def _transmittance(self):
+        number = list(_core.quantities()).index("incident_upper")
+        values = self._values[:, number] / self._horizontal[:, np.newaxis]
+        units = ("",) * len(self._units)
+        return Estimates(
+            self._shaped(values), "transmittance", units, self._of.bands, extensive=False
+        )
+
     def _estimates(self, name, values, origins=None):
         return Estimates(
             self._shaped(values), name, self._units, self._of.bands, origins=origins, extensive=False
@@ -100,6 +116,14 @@ class Sensors:
     def __repr__(self):
         shape = "x".join(map(str, self.shape)) or "one"
         return f"<Sensors {self.name!r}: {shape}>"
+
+
+def _horizontal_light(own, light):
+    """The irradiance on the horizontal by band, of sensors that would receive it; or None."""
+    incident = np.asarray(light["incident"])
+    if own["horizontal_area"] is None or not len(incident):
+        return None
+    return np.where(incident > 0, incident, np.nan) / own["horizontal_area"]
 
 
 def sensor_variables(sensors, prefix=""):
@@ -129,7 +153,7 @@ def sensor_variables(sensors, prefix=""):
         if quantity == "sunlit_fraction":
             variables[prefix + quantity] = ((*axes, "statistic"), light._values, {"units": "1"})
             continue
-        attributes = {"units": ", ".join(dict.fromkeys(light._units))}
+        attributes = {"units": ", ".join(dict.fromkeys(light._units)) or "1"}
         dimensions = (*axes, "band", "statistic")
         variables[prefix + quantity] = (dimensions, light._values, attributes)
         if light.origins:

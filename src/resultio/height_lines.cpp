@@ -11,6 +11,7 @@
 
 #include "resultio/canopy_lines.h"
 #include "results/groups.h"
+#include "results/sensor_transmittance.h"
 #include "text/line_scanner.h"
 
 namespace quasimc {
@@ -21,11 +22,10 @@ std::optional<double> level_of(const SensorSet& set) {
     constexpr double kRounding = 1e-9;
     const double height = set.points.front().position.z;
     const bool is_level = std::ranges::all_of(set.points, [&](const SensorPoint& point) {
-        return std::abs(point.position.z - height) <= kRounding * (1 + std::abs(height)) &&
-               point.facing.z > 1 - kRounding;
+        return std::abs(point.position.z - height) <= kRounding * (1 + std::abs(height));
     });
-    const bool sees_all = set.receiver == Receiver::cosine && set.field_of_view_deg == 90;
-    return set.is_averaged && is_level && sees_all ? std::optional(height) : std::nullopt;
+    return set.is_averaged && is_level && receives_horizontal(set) ? std::optional(height)
+                                                                   : std::nullopt;
 }
 
 }  // namespace

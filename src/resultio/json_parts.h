@@ -58,12 +58,14 @@ struct JsonNames {
 /// An organ with its sums, in the units of the sum.
 [[nodiscard]] std::string json_organ(
     const Organ& organ, const SeriesSum& sum, std::size_t index, const JsonNames& names);
-/// A sensor with its estimates: on a sphere the fluence rate, on others the light by sides.
+/// A sensor.
 struct SensorRow {
     const Organ& sensor;
     Vec3 position;  ///< the file's axes
     Receiver receiver;
+    std::vector<Estimate> transmittance = {};  ///< by band; empty: it has none
 };
+/// A sensor with its estimates: on a sphere the fluence rate, on others the light by sides.
 [[nodiscard]] std::string json_sensor(
     const SensorRow& row, const Result& sensors, std::size_t index, const JsonNames& names);
 [[nodiscard]] std::string json_sensor(

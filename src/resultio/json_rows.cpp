@@ -215,6 +215,18 @@ JsonNames names_of_sensor(const JsonNames& names, Receiver receiver) {
     return own;
 }
 
+void append_transmittance(std::string& text, const SensorRow& row, const JsonNames& names) {
+    if (row.transmittance.empty()) {
+        return;
+    }
+    append_key(text, R"("transmittance")");
+    text += '{';
+    for (const std::size_t b : names.columns.bands) {
+        append_estimate(text, names.bands[b], row.transmittance[b]);
+    }
+    text += '}';
+}
+
 std::string begin_sensor(const SensorRow& row) {
     Json object = named_object(row.sensor);
     object["position"] = json_vector(row.position);
@@ -228,6 +240,7 @@ std::string json_sensor(
     const JsonNames own = names_of_sensor(names, row.receiver);
     std::string text = begin_sensor(row);
     append_quantities(text, sensors, index, own);
+    append_transmittance(text, row, own);
     if (own.columns.has_sunlit && !sensors.sunlit_fraction.empty()) {
         append_estimate(text, R"("sunlit_fraction")", sensors.sunlit_fraction[index]);
     }
@@ -243,6 +256,7 @@ std::string json_sensor(
     const JsonNames own = names_of_sensor(names, row.receiver);
     std::string text = begin_sensor(row);
     append_quantities(text, sensors, index, own);
+    append_transmittance(text, row, own);
     append_origins(
         text, sensors.origins, [](const OriginSum& o) -> const SeriesSum& { return o.light; },
         index, own);

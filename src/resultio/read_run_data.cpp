@@ -90,20 +90,6 @@ void read_energy(const Node* bands, const RunFile& run, Result& result) {
     }
 }
 
-void read_canopy(const Node* bands, const RunFile& run, Result& result) {
-    for (const Band& band : run.scene.bands()) {
-        const Node* canopy = of_band(bands, band);
-        if (canopy == nullptr) {
-            return;
-        }
-        CanopyFractions& fractions = result.canopy.emplace_back();
-        fractions.incident = number_in(*canopy, "incident");
-        for (const FractionEntry& entry : fraction_table()) {
-            fractions.*entry.part = estimate_in(canopy, entry.name);
-        }
-    }
-}
-
 void read_audit(const Node* audit, const RunFile& run, Result& result) {
     if (audit == nullptr || audit->as<Node::Table>() == nullptr) {
         return;
@@ -155,9 +141,24 @@ void read_run_data(const Node& light, const RunFile& run, Result& result) {
     read_completed(light, result);
     read_rounds(light.find("rounds"), result);
     read_energy(light.find("energy"), run, result);
-    read_canopy(light.find("canopy"), run, result);
+    result.canopy = read_canopy(light, run);
     read_audit(light.find("audit"), run, result);
     read_detectors(light.find("detectors"), run, result);
+}
+
+std::vector<CanopyFractions> read_canopy(const Node& light, const RunFile& run) {
+    const Node* bands = light.find("canopy");
+    std::vector<CanopyFractions> canopy;
+    for (const Band& band : run.scene.bands()) {
+        if (const Node* own = of_band(bands, band)) {
+            CanopyFractions& fractions = canopy.emplace_back();
+            fractions.incident = number_in(*own, "incident");
+            for (const FractionEntry& entry : fraction_table()) {
+                fractions.*entry.part = estimate_in(own, entry.name);
+            }
+        }
+    }
+    return canopy.size() == run.scene.bands().size() ? canopy : std::vector<CanopyFractions>();
 }
 
 SeriesSummary read_series_summary(const Node& series) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "quasimc/result.h"
 #include "quasimc/series.h"
 #include "runfile/run_file.h"
@@ -12,6 +14,10 @@ namespace quasimc {
 /// numbers are NaN.
 /// @param light  the object of a run without [time], or of a time step
 void read_run_data(const Node& light, const RunFile& run, Result& result);
+
+/// Reads the fractions of the canopy by band; empty if there are none.
+/// @param light  the object of a time step, or of a sum
+[[nodiscard]] std::vector<CanopyFractions> read_canopy(const Node& light, const RunFile& run);
 
 /// Reads the summary of a series, without its total. Numbers of time steps that are not in the file
 /// are 0.

@@ -159,6 +159,7 @@ class RunReplay {
         columns_.add_groups(rows.groups, sum);
         sum.seconds = number_in(node, "seconds");
         sum.has_file_units = true;
+        sum.canopy = read_canopy(node, run_);
         if (!rows.sensors.empty()) {
             SeriesSum sensors = columns_.sum_of_sensors(std::move(rows.sensors));
             sensors.seconds = sum.seconds;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "resultio/table_columns.h"
+#include "results/sensor_transmittance.h"
 #include "results/units.h"
 #include "runfile/table_rows.h"
 #include "runfile/written.h"
@@ -18,8 +19,10 @@ struct SensorValue {
     std::size_t band, origin;
 
     [[nodiscard]] Estimate at(const RowLight& light, std::size_t row) const {
-        return light.sum != nullptr ? of_origin(*light.sum, origin).at(row, quantity, band)
-                                    : of_origin(*light.result, origin).at(row, quantity, band);
+        const auto of = [&](const auto& all) {
+            return of_origin(*all.sensors, origin).at(row, quantity, band);
+        };
+        return light.sum != nullptr ? of(*light.sum) : of(*light.result);
     }
 };
 
@@ -37,6 +40,7 @@ class SensorColumns {
 
     std::vector<TableColumn> make() {
         add_light(kAllLight);
+        add_transmittance();
         for (std::size_t i = 0; i < origins_.size(); ++i) {
             if (is_of_table(table_, origins_[i])) {
                 add_light(i);
@@ -90,12 +94,33 @@ class SensorColumns {
              std::string(summary), at, value.origin == kAllLight ? "" : origins_[value.origin]});
     }
 
+    void add_transmittance() {
+        const auto fraction = std::make_shared<const SensorTransmittance>(run_.scene);
+        const std::vector<Band>& bands = run_.scene.bands();
+        for (std::size_t b = 0; fraction->exists() && b < bands.size(); ++b) {
+            if (!is_selected(table_.bands, bands[b].name) ||
+                !is_selected(table_.quantities, kTransmittance)) {
+                continue;
+            }
+            const SensorValue upper{Quantity::incident_upper, b, kAllLight};
+            const auto at = [fraction, upper, b](const RowLight& light, std::size_t row) {
+                const auto& canopy =
+                    light.sum != nullptr ? light.sum->canopy : light.result->canopy;
+                return fraction->has(row) ? fraction->of(upper.at(light, row), canopy, b)
+                                          : kUnknownEstimate;
+            };
+            columns_.push_back(
+                {std::string(kTransmittance), bands[b].name, "1",
+                 "light from above / light on the horizontal", at});
+        }
+    }
+
     void add_traits() {
         if (is_selected(table_.quantities, "sunlit_fraction")) {
             columns_.push_back(
                 {"sunlit_fraction", "", "1", "fraction lit directly by directional sources",
                  [](const RowLight& light, std::size_t row) {
-                     const auto& values = light.result->sunlit_fraction;
+                     const auto& values = light.result->sensors->sunlit_fraction;
                      return values.empty() ? kUnknownEstimate : values[row];
                  }});
         }
@@ -104,7 +129,7 @@ class SensorColumns {
             columns_.push_back(
                 {"ratio_" + run_.spec.ratios[i], "", "1", "ratio of incident light, both sides",
                  [i](const RowLight& light, std::size_t row) {
-                     return light.result->ratio(row, i);
+                     return light.result->sensors->ratio(row, i);
                  }});
         }
     }

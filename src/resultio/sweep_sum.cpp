@@ -15,6 +15,7 @@
 #include "results/flows.h"
 #include "results/fraction_table.h"
 #include "results/groups.h"
+#include "results/sensor_transmittance.h"
 #include "runfile/table_rows.h"
 #include "runfile/written.h"
 #include "scene/sensors.h"
@@ -52,6 +53,7 @@ SweepSum::SweepSum(const RunFile& first, const TableSpec& table)
     areas_.assign(rows_, 1);
 }
 
+/// Chooses the quantities of which the values of the table are made.
 void SweepSum::choose_quantities() {
     const auto is_asked = [&](std::string_view name) {
         return is_selected(table_.quantities, name);
@@ -64,12 +66,15 @@ void SweepSum::choose_quantities() {
                      std::ranges::any_of(fraction_table(), [&](const FractionEntry& entry) {
                          return is_asked(entry.name);
                      });
+    has_transmittance_ = is_of(CsvRows::sensors) && is_asked(kTransmittance) &&
+                         SensorTransmittance(run_->scene).exists();
     for (const QuantityEntry& entry : quantity_table()) {
         const bool is_whole_of_share = has_shares && entry.quantity == Quantity::absorbed_flux;
-        const bool is_on_spheres = is_of(CsvRows::sensors) && is_asked(kFluenceRate) &&
+        const bool is_on_sensors = is_of(CsvRows::sensors) &&
+                                   (is_asked(kFluenceRate) || has_transmittance_) &&
                                    entry.quantity == Quantity::incident_upper;
         const bool has_rows = !is_of(CsvRows::sensors) || is_of_sensors(entry.quantity);
-        if (has_rows && (is_asked(entry.name) || is_whole_of_share || is_on_spheres)) {
+        if (has_rows && (is_asked(entry.name) || is_whole_of_share || is_on_sensors)) {
             quantities_.push_back(entry.quantity);
         }
     }
@@ -98,13 +103,16 @@ SweepSum::Rows SweepSum::rows_of(const Scene& scene) const {
 
 void SweepSum::add(const SeriesSums& sums) {
     const bool is_of_origin = sums.origin != kAllLight;
+    const double factor = weight() * (run_->series ? sums.seconds : 1);
+    if (has_transmittance_ && !sums.of_sensors && !is_of_origin) {
+        add_horizontal(sums, factor);
+    }
     if (sums.of_sensors != is_of(CsvRows::sensors) ||
         (is_of_origin && sums.origin >= origins_.size())) {
         return;
     }
     const Rows rows = rows_of(sums.scene);
     areas_ = rows.areas;
-    const double factor = weight() * (run_->series ? sums.seconds : 1);
     ReplicateSum& light = is_of_origin ? origins_[sums.origin] : light_;
     light.add(
         combine_replicates(sums.sums, sums.scene, sums.spec, rows.organs, quantities_), factor);
@@ -129,6 +137,15 @@ void SweepSum::add_canopy(const SeriesSums& sums, double weight) {
     incident_.add(all, weight);
     if (has_fractions_) {
         canopy_.add(canopy_replicates(flows, sums.sums, sums.scene, sums.spec), weight);
+    }
+}
+
+void SweepSum::add_horizontal(const SeriesSums& sums, double weight) {
+    const std::vector<double> light = mean_horizontal_flux(sums.sums, sums.scene, sums.spec);
+    is_incident_known_ = is_incident_known_ && !light.empty();
+    horizontal_.resize(bands_);
+    for (std::size_t b = 0; is_incident_known_ && b < bands_; ++b) {
+        horizontal_[b] += light[b] * weight;
     }
 }
 
@@ -238,6 +255,18 @@ SeriesSum SweepSum::sum_of(const ReplicateSum& light) const {
     return sum;
 }
 
+/// The sum that has the light on sensors as a part.
+SeriesSum SweepSum::sum_of_sensors(SeriesSum light) const {
+    SeriesSum sum;
+    sum.bands = bands_;
+    sum.seconds = seconds_;
+    sum.sensors = std::make_shared<const SeriesSum>(std::move(light));
+    for (std::size_t b = 0; is_incident_known_ && b < horizontal_.size(); ++b) {
+        sum.canopy.emplace_back().incident = horizontal_[b] * per_weight();
+    }
+    return sum;
+}
+
 SeriesSum SweepSum::sum() const {
     SeriesSum sum = sum_of(light_);
     const std::vector<std::string> names = written_columns(*run_).origins;
@@ -249,11 +278,7 @@ SeriesSum SweepSum::sum() const {
         sum.canopy = canopy();
     }
     if (is_of(CsvRows::sensors)) {
-        SeriesSum with_sensors;
-        with_sensors.bands = bands_;
-        with_sensors.seconds = seconds_;
-        with_sensors.sensors = std::make_shared<const SeriesSum>(std::move(sum));
-        sum = std::move(with_sensors);
+        sum = sum_of_sensors(std::move(sum));
     }
     return run_->series ? in_summed_units(*run_, std::move(sum)) : sum;
 }

@@ -60,6 +60,8 @@ class SweepSum {
     [[nodiscard]] double per_weight() const;
     void choose_quantities();
     void add_canopy(const SeriesSums& sums, double weight);
+    void add_horizontal(const SeriesSums& sums, double weight);
+    [[nodiscard]] SeriesSum sum_of_sensors(SeriesSum light) const;
     [[nodiscard]] std::vector<Estimate> values_of(const ReplicateSum& light) const;
     [[nodiscard]] std::vector<Estimate> shares() const;
     [[nodiscard]] std::vector<CanopyFractions> canopy() const;
@@ -78,7 +80,9 @@ class SweepSum {
     ReplicateSum incident_;  // on the horizontal, by band
     ReplicateSum canopy_;    // the flux of each fraction, by band
     bool is_incident_known_ = true;
-    double seconds_ = 0;  // sum over points of weight x time
+    bool has_transmittance_ = false;  // whether the table needs that of sensors
+    std::vector<double> horizontal_;  // for it: light on the horizontal, by band
+    double seconds_ = 0;              // sum over points of weight x time
     std::size_t points_ = 0;
     bool is_complete_ = true;
 };

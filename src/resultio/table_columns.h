@@ -10,7 +10,7 @@
 
 namespace quasimc {
 
-/// The light of the rows of a table, that of sensors apart: of a time step, or summed over a day.
+/// The light of a table: of a time step, or summed over a day; that on sensors is a part of it.
 struct RowLight {
     const Result* result = nullptr;
     const SeriesSum* sum = nullptr;

@@ -9,6 +9,7 @@
 #include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
 #include "resultio/output_input.h"
+#include "results/sensor_transmittance.h"
 #include "results/units.h"
 #include "runfile/run_file.h"
 #include "scene/sensors.h"
@@ -72,12 +73,14 @@ void write_groups(JsonLines& json, const RunFile& run, const Light& light) {
 }
 
 /// The sensors of a result or a sum, if there are any.
-/// @param sensors  a Result or a SeriesSum; or null
+/// @param light  a Result or a SeriesSum
 template <typename Light>
-void write_sensors(JsonLines& json, const RunFile& run, const Light* sensors) {
-    if (sensors == nullptr) {
+void write_sensors(JsonLines& json, const RunFile& run, const Light& light) {
+    if (light.sensors == nullptr) {
         return;
     }
+    const auto& sensors = *light.sensors;
+    const SensorTransmittance fraction(run.scene);
     const JsonNames names = json_names(run, written_columns(run));
     const Scene rows = scene_of_sensors(run.scene);
     const std::vector<Vec3> positions = sensor_positions(run.scene);
@@ -86,7 +89,12 @@ void write_sensors(JsonLines& json, const RunFile& run, const Light* sensors) {
     for (const SensorSet& set : run.scene.sensors()) {
         for (const std::size_t end = i + set.rows(); i < end; ++i) {
             const Vec3 position = run.scene.orientation().outward(positions[i]);
-            json.line(json_sensor({rows.organs()[i], position, set.receiver}, *sensors, i, names));
+            SensorRow row{rows.organs()[i], position, set.receiver};
+            for (std::size_t b = 0; fraction.has(i) && b < sensors.bands; ++b) {
+                row.transmittance.push_back(
+                    fraction.of(sensors.at(i, Quantity::incident_upper, b), light.canopy, b));
+            }
+            json.line(json_sensor(row, sensors, i, names));
         }
     }
     json.end(']');
@@ -111,7 +119,7 @@ void write_sum(JsonLines& json, const RunFile& run, const SeriesSum& raw) {
         json.line(json_organ(organs[i], sum, i, names));
     }
     json.end(']');
-    write_sensors(json, run, sum.sensors.get());
+    write_sensors(json, run, sum);
 }
 
 }  // namespace
@@ -212,7 +220,7 @@ void JsonWriter::State::write_light(const Result& result) {
     json_.begin('[', "organs");
     write_organs(result, true);
     json_.end(']');
-    write_sensors(json_, *run_, result.sensors.get());
+    write_sensors(json_, *run_, result);
 }
 
 /// The digest covers all organs, even those that are not written.

@@ -97,19 +97,19 @@ class TableWriter final : public OutputWriter {
     }
 
     void on_time_step(const TimeStepResult& step) override {
-        const Result* result = is_of_sensors() ? step.result.sensors.get() : &step.result;
-        lacks_sensors_ = lacks_sensors_ || result == nullptr;
+        const bool has_rows = !is_of_sensors() || step.result.sensors != nullptr;
+        lacks_sensors_ = lacks_sensors_ || !has_rows;
         if (is_summed(table_.times)) {
             return;
         }
         if (!std::exchange(has_head_, true)) {
             write_head(&step.result);
         }
-        if (result == nullptr || !is_written(*run_, step.time_step, step.result)) {
+        if (!has_rows || !is_written(*run_, step.time_step, step.result)) {
             return;
         }
         const std::string time = run_->series ? run_->series->notes[step.time_step].time + "," : "";
-        write_rows(csv_point_fields(*run_) + time, {result, nullptr}, result->groups);
+        write_rows(csv_point_fields(*run_) + time, {&step.result, nullptr}, step.result.groups);
     }
 
     void on_day(std::size_t day, const SeriesSum& sum) override {
@@ -142,9 +142,7 @@ class TableWriter final : public OutputWriter {
             return;
         }
         const SeriesSum sum = sweep_->sum();
-        write_rows(
-            run_->series ? shortest(sum.seconds) + "," : "",
-            {nullptr, is_of_sensors() ? sum.sensors.get() : &sum}, sum.groups);
+        write_rows(run_->series ? shortest(sum.seconds) + "," : "", {nullptr, &sum}, sum.groups);
     }
 
     void write_sum(const std::string& date, const SeriesSum& raw) {
@@ -154,7 +152,7 @@ class TableWriter final : public OutputWriter {
         const SeriesSum sum = in_summed_units(*run_, raw);
         const std::string first =
             fmt::format("{}{},{},", csv_point_fields(*run_), date, shortest(sum.seconds));
-        write_rows(first, {nullptr, is_of_sensors() ? sum.sensors.get() : &sum}, sum.groups);
+        write_rows(first, {nullptr, &sum}, sum.groups);
     }
 
     [[nodiscard]] bool is_of_groups() const { return table_.rows == CsvRows::groups; }

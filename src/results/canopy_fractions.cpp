@@ -110,6 +110,20 @@ std::vector<std::vector<double>> horizontal_flux(
     return incident;
 }
 
+std::vector<double> mean_horizontal_flux(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    if (is_infinite(scene)) {
+        return sums->emitted_flux;
+    }
+    std::vector<double> flux;
+    for (const double irradiance : spec.horizontal_irradiance) {
+        if (ground_of(scene) != nullptr) {
+            flux.push_back(irradiance * horizontal_area(scene));
+        }
+    }
+    return flux;
+}
+
 double Flows::*reflected_flux(const Scene& scene) {
     return is_infinite(scene) ? &Flows::escaped : &Flows::escaped_scattered;
 }

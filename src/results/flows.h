@@ -33,6 +33,11 @@ using BandFlows = std::vector<std::vector<Flows>>;
 /// axes, or scattered light that does.
 [[nodiscard]] double Flows::*reflected_flux(const Scene& scene);
 
+/// The mean of the light on the horizontal by band, without the error of its samples; empty if it
+/// is unknown.
+[[nodiscard]] std::vector<double> mean_horizontal_flux(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+
 /// The fractions of each band (Result::canopy).
 [[nodiscard]] std::vector<CanopyFractions> evaluate_canopy(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec);

@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "results/group_request.h"
 #include "results/groups.h"
+#include "results/sensor_transmittance.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/table_rows.h"
 #include "runfile/written.h"
@@ -188,6 +189,13 @@ void check_receivers(const TableSpec& table, const Scene& scene, Reporter& repor
     for (const std::string& name : table.quantities) {
         const bool is_of_sphere = name == kFluenceRate;
         const bool is_of_side = name.starts_with("incident_");
+        if (name == kTransmittance && !SensorTransmittance(scene).exists()) {
+            reporter.faults.add(
+                {table.location, "quantities: no sensor has a transmittance",
+                 "it is the light on sensors that face up with their whole view, over that on the "
+                 "horizontal above a ground or cell",
+                 "give \"incident_upper\""});
+        }
         if (is_of_sphere && !has(Receiver::sphere)) {
             reporter.faults.add(
                 {table.location, "quantities: no sensor has a fluence_rate",

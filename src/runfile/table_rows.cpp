@@ -6,6 +6,7 @@
 #include "results/fraction_table.h"
 #include "results/group_request.h"
 #include "results/groups.h"
+#include "results/sensor_transmittance.h"
 #include "runfile/written.h"
 #include "scene/sensors.h"
 #include "text/numbers.h"
@@ -138,7 +139,7 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
         }
     }
     if (rows == CsvRows::sensors) {
-        names.push_back(kFluenceRate);
+        names.insert(names.end(), {kFluenceRate, kTransmittance});
         if (!is_summed(times)) {
             names.insert(names.end(), {"sunlit_fraction", "ratios"});
         }

@@ -113,6 +113,22 @@ def test_bad_input_is_told():
         result.sensors["sensors"]["absorbed_flux"]
 
 
+def test_transmittance_is_the_light_from_above_over_that_on_the_horizontal():
+    scene = canopy()
+    scene.add_sensors([[0.5, 0.5, 0.1], [0.5, 0.5, 50]], name="mast")
+    scene.add_sensors([[0.5, 0.5, 50]], name="down", facing="down")
+    result = scene.run(**FEW)
+    mast = result.sensors["mast"]
+    light, fraction = mast["incident_upper"], mast["transmittance"]
+    horizontal = np.sin(np.radians(50)) * np.array([400, 380]) + [80, 20]
+    assert fraction.values == pytest.approx(light.values / horizontal, rel=1e-12)
+    assert fraction.standard_error == pytest.approx(light.standard_error / horizontal, rel=1e-12)
+    assert np.all(np.abs(fraction.values[1] - 1) < 5 * fraction.standard_error[1] + 1e-9)
+    assert fraction["PAR"].unit == "" and not fraction.origins
+    with pytest.raises(KeyError, match="transmittance"):
+        result.sensors["down"]["transmittance"]
+
+
 def test_results_and_their_sensors_are_arrays_of_xarray():
     pytest.importorskip("xarray")
     scene = canopy()
@@ -138,7 +154,7 @@ def test_results_and_their_sensors_are_arrays_of_xarray():
             assert np.array_equal(mean, sensors[quantity].values)
             error = own[quantity].sel(statistic="standard_error")
             assert np.array_equal(error, sensors[quantity].standard_error, equal_nan=True)
-            if has_bands:
+            if sensors[quantity].origins:
                 from_sky = own[f"{quantity}_by_origin"].sel(origin="sky", statistic="mean")
                 assert np.array_equal(from_sky, sensors[quantity].origin("sky").values)
         assert np.array_equal(data[f"{prefix}x"], sensors.positions[..., 0])
@@ -182,7 +198,8 @@ def same_light(one, other):
     assert one.keys() == other.keys() and one.shape == other.shape
     pairs = [(one[quantity], other[quantity]) for quantity in one]
     for quantity in one:
-        for origin in () if quantity == "sunlit_fraction" else ("sun", "sky"):
+        has_origins = quantity not in ("sunlit_fraction", "transmittance")
+        for origin in ("sun", "sky") if has_origins else ():
             pairs.append((one[quantity].origin(origin), other[quantity].origin(origin)))
     return all(
         np.array_equal(getattr(left, part), getattr(right, part), equal_nan=True)

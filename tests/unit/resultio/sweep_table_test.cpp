@@ -277,6 +277,30 @@ TEST(SweepTable, WeighsFractionsOfTheCanopyByTheLight) {
     }
 }
 
+/// The quotient of sums of light on a sensor, and on the horizontal.
+TEST(SweepTable, WeighsTheTransmittanceOfSensorsByTheLight) {
+    const std::string keys =
+        "rows = 'sensors'\nbands = ['R']\nquantities = ['transmittance']\n"
+        "statistics = ['mean', 'se']\n";
+    const auto texts = written(stand(
+        "[[sensors]]\nname = 's'\nat = [[0.5, 0.5, 0.2], [0.5, 0.5, 5]]\n"
+        "[sweep]\nsource.sun.direction = [[1, 0, -1], [0, 0, -1]]\nweights = [1, 2]\n" +
+        table("sum.csv", keys + "per = 'sweep'\n") + table("each.csv", keys)));
+    const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+    ASSERT_EQ(sum.size(), 3U);
+    ASSERT_EQ(each.size(), 5U);
+    const double weight = 2 * std::sqrt(2.0);
+    const std::size_t first = sum[0].size() - 2;
+    for (const std::size_t row : {1, 2}) {
+        const double found = numbers_from(sum[row], first)[0];
+        const double a = numbers_from(each[row], first + 1)[0];
+        const double b = numbers_from(each[row + 2], first + 1)[0];
+        expect_near(found, (a + weight * b) / (1 + weight), "transmittance");
+        EXPECT_EQ(row == 2, std::abs(found - 1) < 1e-6);
+        EXPECT_EQ(row == 1, std::abs(a - b) > 1e-3);
+    }
+}
+
 TEST(SweepTable, HasRowsByConditionInLongForm) {
     const Rows rows = fields_of(written(stand(
         "[sweep]\npaths = [64, 128]\n" +

@@ -290,6 +290,58 @@ TEST(Tables, OfSensorsHaveTheirPositionsAndLight) {
     EXPECT_EQ(rows[3], "3,ball 1,0.2,0.2,8,ball,,,,,1");
 }
 
+/// Nothing is above these, and the light on the horizontal is 1.
+TEST(Tables, OfSensorsThatFaceUpHaveTheirTransmittance) {
+    const RunText text = with_sensors(
+        "quantities = ['incident_upper', 'transmittance']\nbands = ['R']\n"
+        "statistics = ['mean', 'se']\n");
+    const auto rows = rows_of(written_table(text));
+    ASSERT_EQ(rows.size(), 4U);
+    EXPECT_TRUE(rows[0].ends_with(
+        ",incident_upper_R,incident_upper_R_se,transmittance_R,transmittance_R_se"))
+        << rows[0];
+    for (const std::size_t row : {1, 2}) {
+        EXPECT_NEAR(number_at(rows[row], 11), 1, 1e-6);
+        EXPECT_DOUBLE_EQ(number_at(rows[row], 11), number_at(rows[row], 9));
+        EXPECT_DOUBLE_EQ(number_at(rows[row], 12), number_at(rows[row], 10));
+    }
+    EXPECT_TRUE(rows[3].ends_with(",,,,")) << "a sphere: " << rows[3];
+    EXPECT_TRUE(mentions(
+        faults_of(tabulated(
+                      "rows = 'sensors'\nquantities = ['transmittance']\n",
+                      "[[sensors]]\nfacing = 'down'\nat = [[0, 0, 5]]\n")
+                      .text()),
+        "quantities: no sensor has a transmittance"));
+}
+
+/// A quotient of sums: at a sensor below leaves it is not the mean of quotients.
+TEST(Tables, OfSumsHaveTheTransmittanceOfSensors) {
+    const std::string keys =
+        "rows = 'sensors'\nquantities = ['incident_upper', 'transmittance']\nbands = ['R']\n"
+        "statistics = ['mean', 'se']\ndigits = 17\n";
+    const auto texts = written_sums(tabulated(
+        keys + "per = 'day'\n[[table]]\nfile = 'period.csv'\n" + keys + "per = 'period'\n",
+        kTwoDays + "[[sensors]]\nat = [[0.5, 0.7, 9], [0.5, 0.7, 0.9]]\n"));
+    const auto days = rows_of(texts.at(0)), period = rows_of(texts.at(1));
+    ASSERT_EQ(days.size(), 5U);
+    ASSERT_EQ(period.size(), 3U);
+    constexpr std::size_t kUpper = 8;
+    const auto horizontal = [&](const std::string& row) {
+        return number_at(row, kUpper) / number_at(row, kUpper + 2);
+    };
+    for (const auto& rows : {days, period}) {
+        EXPECT_NEAR(number_at(rows[1], kUpper + 2), 1, 5 * number_at(rows[1], kUpper + 3) + 1e-9);
+        EXPECT_LT(number_at(rows[1], kUpper + 3), 0.05);
+        EXPECT_LT(number_at(rows[2], kUpper + 2), 0.7);
+        EXPECT_NEAR(horizontal(rows[1]), horizontal(rows[2]), 1e-9 * horizontal(rows[1]));
+        EXPECT_NEAR(
+            number_at(rows[2], kUpper + 1) / number_at(rows[2], kUpper + 3), horizontal(rows[1]),
+            1e-9 * horizontal(rows[1]));
+    }
+    const double both = horizontal(days[1]) + horizontal(days[3]);
+    EXPECT_NEAR(horizontal(period[1]), both, 1e-9 * both);
+}
+
 TEST(Tables, OfSensorsAreSelectedByLabelsAndPositions) {
     const auto rows = rows_of(written_table(with_sensors(
         "form = 'long'\nquantities = ['incident_upper']\nbands = ['R']\n"
@@ -342,6 +394,9 @@ TEST(Sensors, AreBesideTheOrgansInJson) {
     EXPECT_NE(sensors.find("\"position\":[0.7,0.2,8.0]"), std::string::npos);
     EXPECT_NE(sensors.find("\"fluence_rate\":{\"R\":{\"mean\":"), std::string::npos);
     EXPECT_EQ(sensors.find("absorbed_flux"), std::string::npos);
+    const std::size_t ball = sensors.find("\"name\":\"ball 1\"");
+    EXPECT_NE(sensors.find("\"transmittance\":{\"R\":{\"mean\":"), std::string::npos);
+    EXPECT_LT(sensors.rfind("\"transmittance\""), ball) << "a sphere has none";
     const std::string organs = out.substr(out.rfind("\"organs\": ["), begin);
     EXPECT_EQ(organs.substr(0, organs.find("\"sensors\": [")).find("bench"), std::string::npos);
 }
