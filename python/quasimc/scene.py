@@ -51,9 +51,11 @@ class Scene(Assigned, Contents, SceneMeshes, Runs, Views):
     bands : str, list, or dict
         Names of the bands; or a dict, name -> unit; or dicts with name, unit, from_nm, to_nm.
     irradiance_unit : str
-        Unit of bands without their own unit. It is only a name: nothing is converted.
+        Unit of bands without their own unit: "W m-2" (default), "umol m-2 s-1" or "lx"; others are
+        names only. Nothing is converted but daylight.
     length_unit : str
-        Unit of all coordinates: "m", "cm", "mm" and others.
+        Unit of all coordinates: "m" (default), "cm", "mm" and others; names of no known unit are
+        accepted with a warning.
     up : str
         "z" or "y": the axis that points up.
     north : sequence of 3 floats
@@ -87,6 +89,7 @@ class Scene(Assigned, Contents, SceneMeshes, Runs, Views):
         self._meshes = {}  # by ascending numbers, tuples: parts of a mesh share the beginning
         self._numbers = {}  # of the meshes of each name, if they have one
         self._ids = {}  # number of the mesh of each organ that was given an id
+        self._free = None  # ids of organs without one; None: unknown
         self._numbered = 0  # meshes that were added so far
         self._document = None  # as it was read, with its lines, as long as nothing is changed
         self._built = None

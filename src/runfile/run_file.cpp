@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "base/length_units.h"
+#include "base/text.h"
 #include "light/source_origins.h"
 #include "planner/lint_bundles.h"
 #include "planner/lint_lamps.h"
@@ -59,15 +61,36 @@ std::optional<Scene> build(SceneBuilder builder, const KnownScene& known, Report
     } catch (const InputError& error) {
         for (Fault fault : error.faults()) {
             // Faults without a line belong to the run file.
-            const bool has_line = fault.where.find(':') != std::string::npos;
-            fault.where = has_line ? fault.where : reporter.file + ": " + fault.where;
+            const bool is_whole =
+                fault.where.find(':') != std::string::npos || fault.where == reporter.file;
+            fault.where = is_whole ? fault.where : reporter.file + ": " + fault.where;
             reporter.faults.add(std::move(fault));
         }
         return std::nullopt;
     }
 }
 
+/// The unit of length of a document, "m" if none is given. Refuses another case of a known unit.
+std::string read_length_unit(TableReader& top) {
+    std::string unit = top.text("length_unit").value_or("m");
+    const std::string lower = lower_case(unit);
+    if (!metres_per(unit) && metres_per(lower)) {
+        top.fault_at(
+            "length_unit", fmt::format("there is no unit '{}'", one_line(unit)), "",
+            fmt::format("did you mean '{}'?", lower));
+    }
+    return unit;
+}
+
+/// Begins the scene, with a warning of a unit of unknown length.
 SceneBuilder begin_scene(const RunFileContext& context) {
+    const std::string& unit = context.length_unit;
+    if (!unit.empty() && !metres_per(unit)) {
+        context.reporter->warn(fmt::format(
+            "the length_unit '{0}' is only a name: areas are in {0}2, and sizes are not "
+            "checked; known units are {1}",
+            unit, kLengthUnitText));
+    }
     SceneBuilder builder(context.bands, context.orientation);
     builder.set_length_unit(context.length_unit);
     return builder;
@@ -206,7 +229,7 @@ RunFileContext read_context(TableReader& top, InputFiles& files) {
         .materials = {},
         .site = read_site(top),
         .sun = {},
-        .length_unit = top.text("length_unit").value_or("m"),
+        .length_unit = read_length_unit(top),
         .has_time = top.any("time") != nullptr,
         .meshes = nullptr,
         .ground = nullptr};

@@ -4,6 +4,7 @@
 
 #include "base/text.h"
 #include "runfile/run_file_sections.h"
+#include "runfile/unit_spelling.h"
 #include "text/line_scanner.h"
 
 namespace quasimc {
@@ -45,11 +46,24 @@ std::vector<const Node*> nodes_of_value(
     return names.failed() ? std::vector<const Node*>() : nodes;
 }
 
+/// The unit of irradiance in a key, in its standard spelling. Refuses misspelled units.
+std::string read_unit(TableReader& table, std::string_view key, const std::string& usual) {
+    std::string unit = standard_unit(table.text(key).value_or(usual));
+    const std::string_view meant = unit_of_same_letters(unit);
+    if (!meant.empty() && meant != unit) {
+        table.fault_at(
+            key, fmt::format("the unit is '{}'", one_line(unit)),
+            fmt::format("a unit is written as in '{}'", meant),
+            fmt::format("did you mean '{}'?", meant));
+    }
+    return unit;
+}
+
 Band read_band(const Node& node, const std::string& unit, Reporter& reporter) {
     TableReader table(node, "band", reporter);
     Band band;
     band.name = table.required("name", table.text("name")).value_or("");
-    band.unit = table.text("unit").value_or(unit);
+    band.unit = read_unit(table, "unit", unit);
     constexpr Range kWavelengths{100, 100000};
     const auto from = table.real("from_nm", kWavelengths);
     const auto to = table.real("to_nm", kWavelengths);
@@ -88,7 +102,7 @@ double brightest_of(const std::string& unit) {
 }  // namespace
 
 std::vector<Band> read_bands(TableReader& top) {
-    const std::string unit = top.text("irradiance_unit").value_or(Band{}.unit);
+    const std::string unit = read_unit(top, "irradiance_unit", Band{}.unit);
     std::vector<Band> bands;
     const Node* named = top.any("bands");
     const std::vector<const Node*> tables = top.tables("band");

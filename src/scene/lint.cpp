@@ -78,18 +78,28 @@ std::vector<Warning> lint_unit(const Survey& survey) {
     const std::string& unit = survey.scene.length_unit();
     const std::optional<double> metres = metres_per(unit);
     const double size = median_size(survey);
-    constexpr double kSmallestOrgan = 10e-6;
-    constexpr double kLargestOrgan = 100;
-    if (!metres || size == 0 ||
-        (size * *metres >= kSmallestOrgan && size * *metres <= kLargestOrgan)) {
+    if (!metres || size == 0) {
         return {};
     }
-    const double median = size * *metres;
-    return {
-        {"length_unit",
-         fmt::format(
-             "the median organ is {:.3g} {}{} large: is length_unit = \"{}\" right?", size, unit,
-             unit == "m" ? "" : fmt::format(", {:.3g} m", median), unit)}};
+    const auto doubt = [&](std::string_view what, double value, std::string_view how) {
+        const std::string in_metres = fmt::format(", {:.4g} m", value * *metres);
+        return std::vector<Warning>{
+            {"length_unit", fmt::format(
+                                "{} {:.4g} {}{} {}: is length_unit = \"{}\" right?", what, value,
+                                unit, unit == "m" ? "" : in_metres, how, unit)}};
+    };
+    constexpr double kSmallestOrgan = 10e-6, kLargestOrgan = 50;
+    if (size * *metres < kSmallestOrgan || size * *metres > kLargestOrgan) {
+        return doubt("the median organ is", size, "large");
+    }
+    constexpr double kTallestPlant = 130;  // a sequoia is 116 m tall
+    const double height = survey.canopy.size().z;
+    const Organ* ground = ground_of(survey.scene);
+    const bool is_level = ground == nullptr || survey.organ_bounds.back().size().z == 0;
+    if (is_level && height * *metres > kTallestPlant) {
+        return doubt("the organs are within", height, "of height");
+    }
+    return {};
 }
 
 const Organ* ground_of(const Scene& scene) {

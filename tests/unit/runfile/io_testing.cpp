@@ -72,6 +72,14 @@ std::vector<Triangle> triangles_of(const MeshFile& mesh) {
     return triangles;
 }
 
+std::vector<std::string> warning_texts(const std::vector<Warning>& warnings) {
+    std::vector<std::string> texts;
+    for (const Warning& warning : warnings) {
+        texts.push_back(warning.text);
+    }
+    return texts;
+}
+
 bool mentions(const std::vector<std::string>& texts, std::string_view part) {
     return std::any_of(texts.begin(), texts.end(), [part](const std::string& text) {
         return text.find(part) != std::string::npos;

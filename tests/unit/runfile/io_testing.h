@@ -53,6 +53,9 @@ struct ReadMesh {
 /// All triangles of a file, in order.
 [[nodiscard]] std::vector<Triangle> triangles_of(const MeshFile& mesh);
 
+/// The texts of warnings, without their locations.
+[[nodiscard]] std::vector<std::string> warning_texts(const std::vector<Warning>& warnings);
+
 /// Whether one of the texts holds `part`.
 [[nodiscard]] bool mentions(const std::vector<std::string>& texts, std::string_view part);
 

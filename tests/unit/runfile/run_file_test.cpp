@@ -47,6 +47,53 @@ TEST(RunFile, TakesBandsWithUnitsOfTheirOwn) {
     EXPECT_EQ(run.scene.bands(), (std::vector<Band>{{"R", "B"}, {"FR", "A"}}));
 }
 
+TEST(RunFile, WritesUnitsInOneSpelling) {
+    for (const auto& [given, unit] : std::vector<std::pair<std::string, std::string>>{
+             {"umol/m2/s", "umol m-2 s-1"},
+             {"µmol m⁻² s⁻¹", "umol m-2 s-1"},
+             {"umol.m^-2.s^-1", "umol m-2 s-1"},
+             {"s-1 m-2 umol", "umol m-2 s-1"},
+             {"W/m2", "W m-2"},
+             {"W·m**-2", "W m-2"},
+             {"lux", "lx"},
+             {"mol/m2/d", "mol m-2 d-1"},
+             {"mW m-2", "mW m-2"},
+             {"kg/(m2 d)", "kg/(m2 d)"},
+             {"%", "%"},
+             {"A", "A"}}) {
+        RunText text;
+        text.top = "irradiance_unit = '" + given + "'\nbands = ['PAR']\n";
+        EXPECT_EQ(read_text(text.text()).scene.bands()[0].unit, unit) << given;
+        text.top = "[[band]]\nname = 'PAR'\nunit = '" + given + "'\n";
+        EXPECT_EQ(read_text(text.text()).scene.bands()[0].unit, unit) << given;
+    }
+}
+
+TEST(RunFile, RefusesMisspelledUnits) {
+    for (const auto& [given, meant] : std::vector<std::pair<std::string, std::string>>{
+             {"umol/m2 s", "umol m-2 s-1"},
+             {"umol m-2 s", "umol m-2 s-1"},
+             {"UMOL M-2 S-1", "umol m-2 s-1"},
+             {"Wm-2", "W m-2"},
+             {"Lx", "lx"}}) {
+        RunText text;
+        text.top = "irradiance_unit = '" + given + "'\nbands = ['PAR']\n";
+        EXPECT_TRUE(mentions(faults_of(text.text()), "did you mean '" + meant + "'?")) << given;
+    }
+    RunText text;
+    text.top += "length_unit = 'CM'\n";
+    EXPECT_TRUE(mentions(faults_of(text.text()), "there is no unit 'CM'; did you mean 'cm'?"));
+}
+
+TEST(RunFile, WarnsOfAUnitOfUnknownLength) {
+    RunText text;
+    text.top += "length_unit = 'foo'\n";
+    const RunFile run = read_text(text.text());
+    EXPECT_TRUE(mentions(warning_texts(run.warnings), "the length_unit 'foo' is only a name"));
+    text.top = "bands = ['PAR']\nlength_unit = 'centimetres'\n";
+    EXPECT_EQ(warning_texts(read_text(text.text()).warnings), Texts{});
+}
+
 TEST(RunFile, TakesEveryOption) {
     RunText text;
     text.run = default_run_section();

@@ -160,6 +160,7 @@ TEST(SceneInstances, PositionsThatAreNoNumbersAreFaults) {
 
 TEST(SceneInstances, DegenerateTrianglesOfAMeshAreFoundInEachCopy) {
     SceneBuilder builder = one_band_builder();
+    builder.set_length_unit("");  // each copy is 100 long
     Mesh mesh = *strip();
     mesh.push_back({Vec3{0, 9, 0}, Vec3{1, 9, 0}, Vec3{2, 9, 0}});
     const auto shared = std::make_shared<const Mesh>(mesh);

@@ -56,12 +56,22 @@ TEST(Lint, IsSilentAboutACanopyOfAnySizeInAnUnknownUnit) {
 TEST(Lint, DoubtsTheUnitOfVeryLargeAndVerySmallOrgans) {
     SceneBuilder large = leaves_builder(1e3);
     EXPECT_EQ(
-        warnings_of(std::move(large)).at(0).substr(0, 35), "length_unit: the median organ is 1.");
+        warnings_of(std::move(large)).at(0).substr(0, 34), "length_unit: the median organ is 1");
     SceneBuilder small = leaves_builder(1e-6);
     EXPECT_EQ(warnings_of(std::move(small)).size(), 1U);
     SceneBuilder millimetres = leaves_builder(1e3);
     millimetres.set_length_unit("mm");
     EXPECT_EQ(warnings_of(std::move(millimetres)), Texts{});
+}
+
+TEST(Lint, DoubtsTheUnitOfOrgansThatAreTallerThanAnyTree) {
+    const auto with_leaf_at = [](double height) {
+        SceneBuilder builder = leaves_builder();
+        builder.add_organ(one_triangle("top", flat_triangle({5, 5, height}, 0.1)));
+        return warnings_of(std::move(builder));
+    };
+    EXPECT_EQ(with_leaf_at(100), Texts{});
+    EXPECT_EQ(with_leaf_at(1000).at(0).substr(0, 38), "length_unit: the organs are within 100");
 }
 
 TEST(Lint, NamesOrgansTooSmallForSinglePrecision) {
