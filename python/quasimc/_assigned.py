@@ -30,7 +30,7 @@ def _assigned(key, kind, doc, name=None):
     def assign(scene, value):
         if value is not None and not isinstance(value, kind):
             hint = f"assign quasimc.{kind.__name__}(...) or None"
-            raise input_error(f"scene.{name}", f"{value!r} is no {kind.__name__}", "", hint)
+            raise input_error(f"scene.{name}", f"{value!r} is not a {kind.__name__}", "", hint)
         with scene._lock.to_change():
             scene._table.pop(key, None)
             if value is not None:

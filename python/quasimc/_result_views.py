@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import os
 
+from ._targets import target
+
 
 class ResultViews:
     """Part of `Result`."""
@@ -51,6 +53,8 @@ class ResultViews:
         from ._store import json_file
         from .pictures import draw
 
+        if path is not None:
+            target(path)
         minus = options.pop("minus", None)
         with json_file(self) as stored:
             options = {"quantity": quantity, "band": band, **options}
@@ -65,14 +69,13 @@ class ResultViews:
 
     def report(self, path):
         """Writes one HTML page with the scene to turn and all numbers. Returns its path."""
-        from pathlib import Path
-
         from ._program import call
         from ._store import json_file
 
+        path = target(path)
         with json_file(self) as stored:
-            call("report", stored, "-o", os.fspath(path))
-        return Path(path)
+            call("report", stored, "-o", path)
+        return path
 
     def show(self):
         """Shows the result in 3D: in a notebook in a frame, elsewhere in a browser.

@@ -11,6 +11,20 @@ from ._tables import ids_of, marks_of
 LISTS = ("organ", "geometry", "sensors", "detector", "source", "control")
 
 
+class FreeIds:
+    """The ids that organs of meshes without ids get: each the largest so far plus 1."""
+
+    def __init__(self):
+        self.ids = set()
+        self._largest = 0
+
+    def add(self, mesh):
+        given = ids_of(mesh)
+        if not given:
+            self.ids.add(self._largest + 1)
+        self._largest = max([self._largest + (not given), *given])
+
+
 class SceneMeshes:
     """Part of `Scene`."""
 
@@ -45,6 +59,16 @@ class SceneMeshes:
             Whether their light is reported.
         field_of_view_deg : float
             Half angle about the normal for sensors, degrees.
+
+        Returns
+        -------
+        Scene
+            This one, so that calls can be chained.
+
+        Raises
+        ------
+        InputError
+            If the mesh is invalid, or an id is taken; the scene stays unchanged.
         """
         with self._lock.to_change():
             others = labels, measured, field_of_view_deg
@@ -58,7 +82,7 @@ class SceneMeshes:
         """Adds the triangles of a trimesh.Trimesh, in the length unit of the scene.
 
         The face attribute "organ", if there is one, has the ids of organs; `organ` overrides it.
-        Other keywords, the value that is returned and errors are those of `add_mesh`.
+        Other keywords and errors are those of `add_mesh`. Returns the scene.
         """
         from ._exchange import of_trimesh
 
@@ -71,8 +95,8 @@ class SceneMeshes:
         """Adds the surface of a data set of pyvista, in the length unit of the scene.
 
         Polygons are divided into triangles. The array of cells "organ", if there is one, has the ids
-        of organs; `organ` overrides it. Other keywords, the value that is returned and errors are
-        those of `add_mesh`.
+        of organs; `organ` overrides it. Other keywords and errors are those of `add_mesh`. Returns the
+        scene.
         """
         from ._exchange import of_pyvista
 
@@ -85,7 +109,7 @@ class SceneMeshes:
         self, name, vertices, faces=None, *, material, organ=None, labels=None, measured=True,
         field_of_view_deg=90.0,
     ):  # fmt: skip
-        """Replaces everything with a name by a mesh; the arguments are those of `add_mesh`.
+        """Replaces everything with a name by a mesh; the arguments are those of `add_mesh`. Returns the scene.
 
         Raises
         ------
@@ -104,7 +128,7 @@ class SceneMeshes:
         return self
 
     def remove(self, name):
-        """Removes everything with a name: meshes, organs, files, detectors and sources.
+        """Removes everything with a name: meshes, organs, files, detectors and sources. Returns the scene.
 
         Raises
         ------
@@ -140,7 +164,8 @@ class SceneMeshes:
             self._frame = self._frame_of([*materials, *assumed])
             self._known = {m.get("name") for m in [*materials, *assumed]}
         self._frame.check(mesh)
-        double = [id for id in ids_of(mesh) if self._ids.get(id) not in (None, *replaced)]
+        ids = ids_of(mesh)
+        double = [id for id in ids if self._ids.get(id) not in (None, *replaced)]
         if double:
             raise input_error(
                 mesh["where"],
@@ -148,8 +173,30 @@ class SceneMeshes:
                 "ids must be unique",
                 "use other ids, or replace that mesh by its name",
             )
+        free = self._free_ids() if ids and not replaced else set()
+        double = [id for id in ids if id in free]
+        if double:
+            raise input_error(
+                mesh["where"],
+                f"an earlier mesh has the id {min(double)}, the next free one where it was added",
+                "it was added without organ=, and ids must be unique",
+                "give ids to all meshes, or to none",
+            )
+
+    def _free_ids(self):
+        """The ids of organs of meshes without any: set. Empty if shapes or files come first."""
+        if "organ" in self._table or "geometry" in self._table:
+            return set()
+        if self._free is None:
+            self._free = FreeIds()
+            for mesh in self._mesh_list():
+                self._free.add(mesh)
+        return self._free.ids
 
     def _put(self, mesh, number):
+        self._free = None if number != (self._numbered,) else self._free
+        if self._free is not None:
+            self._free.add(mesh)
         self._meshes[number] = mesh
         if mesh["name"] is not None:
             self._numbers.setdefault(mesh["name"], set()).add(number)
@@ -161,6 +208,7 @@ class SceneMeshes:
     def _take(self, number):
         """Removes the mesh of a number."""
         mesh = self._meshes.pop(number)
+        self._free = None
         if mesh["name"] is not None:
             self._numbers[mesh["name"]].remove(number)
         for id in ids_of(mesh):

@@ -106,7 +106,7 @@ class Selectable:
             return np.arange(count)[key]
         except TypeError:
             raise TypeError(
-                f"{key!r} is no position, slice, mask or band; by id or name: light.at(...)"
+                f"{key!r} is not a position, slice, mask or band; by id or name: light.at(...)"
             ) from None
         except IndexError as error:
             if np.ndim(key) == 0:

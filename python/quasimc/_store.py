@@ -11,6 +11,7 @@ from types import SimpleNamespace
 from . import _core
 from ._meshes import input_error
 from ._program import call
+from ._targets import target
 from ._warn import warn_here
 from .organs import Organs
 from .result import Result
@@ -78,8 +79,7 @@ def save(light, path):
             "the format follows from it",
             f"use {', '.join(known)}",
         )
-    if not path.parent.is_dir():
-        raise FileNotFoundError(f"{path}: the folder {str(path.parent)!r} does not exist; make it first")
+    target(path)
     if ending in _OWN:
         _replace(path, text_of(light, ending[1:]))
     else:

@@ -103,7 +103,7 @@ class Summable:
         if where is not None:
             where = np.asarray(where)
             if where.dtype != bool:
-                raise ValueError("where is no mask of bool")
+                raise ValueError(f"where is {where.dtype}; give a mask: an array of bool")
             weights = np.where(self._in_shape(where, shape, "a mask"), weights, 0.0)
         missing = np.count_nonzero(np.isnan(weights))
         if missing:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 
 from . import _core
+from ._targets import target
 from .gap_fraction import LAI_2000_RINGS, measure
 
 
@@ -69,6 +70,8 @@ class Views:
 
         from .pictures import draw
 
+        if path is not None:
+            target(path)
         organs = self.build()
         with TemporaryDirectory() as folder:
             stored = os.path.join(folder, "scene.json")

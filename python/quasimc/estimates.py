@@ -157,7 +157,7 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
 
     def __float__(self):
         if self.ndim:
-            raise TypeError(f"{self.size} estimates are no number; {_NO_FLOAT}")
+            raise TypeError(f"{self.size} estimates are not a single number; {_NO_FLOAT}")
         return float(self.values)
 
     def __bool__(self):

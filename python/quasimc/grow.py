@@ -176,7 +176,7 @@ def _environment(light):
 
 def _stand(scene, sources, materials, material, quantity, options):
     if materials is not None and not isinstance(materials, Mapping):
-        raise input_error("grow", "materials is no dict", "", "use the symbols of modules as its keys")
+        raise input_error("grow", "materials is not a dict", "", "use the symbols of modules as its keys")
     materials = dict(materials or {})
     for symbol in materials:
         if not isinstance(symbol, str) or len(symbol.encode()) != 1:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Mapping, MutableMapping
 
+from ._keys import near
 from ._meshes import plain
 
 
@@ -23,10 +23,9 @@ class Materials(MutableMapping):
     def __getitem__(self, name):
         tables = self._tables()
         if name not in tables:
-            near = difflib.get_close_matches(str(name), tables, 1)
-            hint = f"; did you mean {near[0]!r}?" if near else ""
             known = ", ".join(tables) or "none"
-            raise KeyError(f"there is no material {name!r}{hint}; there are: {known}")
+            hint = near(name, tables, f"there are: {known}")
+            raise KeyError(f"there is no material {name!r}; {hint}")
         return Material(self._scene, name)
 
     def __setitem__(self, name, value):
@@ -64,6 +63,13 @@ class Material:
     def __init__(self, scene, name):
         self._scene = scene
         self._name = name
+
+    def __setattr__(self, name, value):
+        if not hasattr(type(self), name):
+            known = ("reflectance", "transmittance")
+            hint = near(name, known, f"others are changed by set({name}=...)")
+            raise AttributeError(f"a Material has no {name!r}; {hint}")
+        object.__setattr__(self, name, value)
 
     @property
     def name(self):

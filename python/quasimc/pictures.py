@@ -10,6 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from ._program import call, flags, program
+from ._targets import target
 
 _IN_A_NOTEBOOK = "ZMQInteractiveShell"
 
@@ -30,7 +31,7 @@ class Picture:
 
     def save(self, path):
         """Writes the picture to a file. Returns its path."""
-        path = Path(path)
+        path = target(path)
         path.write_bytes(self.png)
         return path
 

@@ -73,13 +73,16 @@ class Series:
     @cached_property
     def days(self):
         self._check_duration()
-        return {
-            day["date"]: Sums(
-                day["values"], day["seconds"], self.organs, day["groups"], day["origins"],
-                day["sensors"], day["sun_shade"],
+        return Days(
+            (
+                day["date"],
+                Sums(
+                    day["values"], day["seconds"], self.organs, day["groups"], day["origins"],
+                    day["sensors"], day["sun_shade"],
+                ),
             )
             for day in self._core.days
-        }
+        )
 
     @cached_property
     def total(self):
@@ -184,6 +187,14 @@ class Series:
 
     def __repr__(self):
         return f"<Series: {len(self)} times, {len(self.organs)} organs, {self.stop}>"
+
+
+class Days(dict):
+    """Sums by date."""
+
+    def __missing__(self, date):
+        known = f"{next(iter(self))} to {list(self)[-1]}" if self else "none"
+        raise KeyError(f"there is no day {date!r}; there are: {known}")
 
 
 class Sums(Light):

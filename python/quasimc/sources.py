@@ -8,6 +8,7 @@ each, or a dict by the names of bands.
 from __future__ import annotations
 
 from . import _core
+from ._keys import check_source
 from .values import Keyed
 
 LAMPS = ("point", "spot", "rectangle", "disk", "line", "sphere", "ies")
@@ -16,10 +17,16 @@ LAMPS = ("point", "spot", "rectangle", "disk", "line", "sphere", "ies")
 _FUNCTIONS = ("directional", "sun", "sky", "uniform_sky")
 
 
-class Source(Keyed):
-    """A source: its type and its keys, which never change. They are checked when a run begins.
+def _call_of(type):
+    """The function that makes sources of a type."""
+    return type if type in _FUNCTIONS else "lamp" if type in LAMPS else "Source"
 
-    ``source.irradiance_facing`` reads a key; `replace` makes another source.
+
+class Source(Keyed):
+    """A source: its type and its keys, which never change.
+
+    ``source.irradiance_facing`` reads a key; `replace` makes another source. Raises InputError for a
+    name that is not a key of the type; values are checked when a run begins.
 
     Attributes
     ----------
@@ -31,14 +38,14 @@ class Source(Keyed):
 
     def __init__(self, type, **keys):
         super().__init__(type=str(type), **keys)
+        check_source(self._keys, _call_of(str(type)))
 
     def __repr__(self):
         keys = {"from_" if key == "from" else key: value for key, value in self._keys.items()}
         type = keys.pop("type")
         given = [f"{key}={value!r}" for key, value in keys.items()]
-        if type in _FUNCTIONS:
-            return f"{type}({', '.join(given)})"
-        return f"{'lamp' if type in LAMPS else 'Source'}({', '.join([repr(type), *given])})"
+        given = given if type in _FUNCTIONS else [repr(type), *given]
+        return f"{_call_of(type)}({', '.join(given)})"
 
 
 def source_types():
@@ -106,7 +113,7 @@ def sun(
     return Source("sun", **locals())
 
 
-def sky(model="cie_overcast", *, irradiance_horizontal, name=None, **keys):
+def sky(model="cie_overcast", *, irradiance_horizontal=None, name=None, **keys):
     """A sky.
 
     Parameters
@@ -114,14 +121,16 @@ def sky(model="cie_overcast", *, irradiance_horizontal, name=None, **keys):
     model : str
         One of `quasimc.sky_models()`.
     irradiance_horizontal : float, list or dict
-        Irradiance on the horizontal, in the units of the bands.
+        Irradiance on the horizontal, in the units of the bands; required.
     **keys
         Parameters of the model: time, or azimuth_deg and elevation_deg of the sun (default: those of
         the first sun), cie_type, turbidity, direct_normal and diffuse_horizontal, file.
     """
-    return Source(
-        "sky", model=model, irradiance_horizontal=irradiance_horizontal, name=name, **keys
-    )
+    given = {"model": model, "irradiance_horizontal": irradiance_horizontal, "name": name, **keys}
+    source = Source("sky", **given)
+    if irradiance_horizontal is None:
+        raise TypeError("sky() needs irradiance_horizontal")
+    return source
 
 
 def uniform_sky(*, irradiance_horizontal, name=None):

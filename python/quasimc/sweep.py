@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from ._index import RunIndex
+from ._keys import near
 from ._meshes import input_error
 from ._stacked_light import StackedLight
 from ._written import combined
@@ -192,11 +193,12 @@ def scene_at(scene, point, options):
             sources = _with_source(scene, sources, rest, value) if rest else value
         elif part not in _PARTS:
             if rest:
-                raise input_error("sweep", f"there is no {name!r}", "", _NAMES)
+                hint = near(part, (*_PARTS, "sources"))
+                raise input_error("sweep", f"there is no {name!r}", _NAMES, hint)
             options[name] = value  # refused by run(), if it is none
         elif part == "materials":
             material, _, key = rest.rpartition(".")
-            setattr(scene.materials[material], key, value)
+            scene.materials[material].set(**{key: value})
         else:
             _assign(scene, part, rest, value)
     return scene, sources, options

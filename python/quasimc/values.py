@@ -7,13 +7,12 @@ They never change; ``replace`` makes others. Their keys are those of the section
 from __future__ import annotations
 
 import datetime
-import difflib
 import os
 from collections.abc import Mapping
 
 from . import _core
+from ._keys import check_site, check_time_keys, keyword_error, near
 from ._meshes import input_error, plain
-from .errors import KeywordError
 
 #: Keys of paths, which are kept with the folder that was the current one.
 _PATHS = ("file", "weather", "spectrum")
@@ -140,6 +139,11 @@ class Site(Value):
         Above sea level; default 0.
     pressure_hpa, temperature_c : float
         Annual means, for refraction; default: the standard atmosphere, 12.
+
+    Raises
+    ------
+    InputError
+        If a value is outside its domain.
     """
 
     __slots__ = ()
@@ -151,13 +155,15 @@ class Site(Value):
             latitude_deg=latitude_deg, longitude_deg=longitude_deg, elevation_m=elevation_m,
             pressure_hpa=pressure_hpa, temperature_c=temperature_c,
         )  # fmt: skip
+        check_site(self._keys)
 
 
 class Time(Keyed):
     """Time steps and their daylight: the keys of ``[time]`` (docs/reference/run-file.md#time).
 
     `day`, `days`, `times` and `weather` are short ways to the usual ones. A list of `datetime` or a
-    pandas index may be given as `times`.
+    pandas index may be given as `times`. Raises KeywordError for a name that is no key; values are checked
+    when a run begins.
 
     Examples
     --------
@@ -168,6 +174,7 @@ class Time(Keyed):
     __slots__ = ()
 
     def __init__(self, **keys):
+        check_time_keys(keys, "Time")
         super().__init__(**{key: _as_text(value) for key, value in keys.items()})
 
 
@@ -201,12 +208,8 @@ def check_options(keys, call):
     known = [option["key"] for option in _core.options()]
     for key in keys:
         if key not in known:
-            near = difflib.get_close_matches(key, [*known, "progress", "keep"], 1)
-            hint = f"; did you mean {near[0]!r}?" if near else "; quasimc.options() lists them"
-            hint = f"; {_ELSEWHERE[key]}" if key in _ELSEWHERE else hint
-            text = f"{call}() has no keyword {key!r}{hint}"
-            detail = {"where": f"{call}()", "problem": text, "why": "", "suggestion": ""}
-            raise KeywordError(text, [detail])
+            hint = near(key, [*known, "progress", "keep"], "quasimc.options() lists them")
+            raise keyword_error(call, key, _ELSEWHERE.get(key, hint))
 
 
 def checked_time(value):
@@ -214,7 +217,7 @@ def checked_time(value):
     if isinstance(value, Time):
         return value
     hint = "quasimc.Time(**keys)" if isinstance(value, Mapping) else "quasimc.day(date, ...)"
-    raise input_error("time", f"{value!r} is no Time", "", f"give {hint}")
+    raise input_error("time", f"{value!r} is not a Time", "", f"give {hint}")
 
 
 def _as_text(value):
@@ -228,7 +231,15 @@ def _as_text(value):
     return value
 
 
-def day(date, *, utc_offset_hours, **keys):
+def _dated(call, utc_offset_hours, keys, **dates):
+    """The time steps of dates, which need the offset of their clock."""
+    check_time_keys(keys, call)
+    if utc_offset_hours is None:
+        raise TypeError(f"{call}() needs utc_offset_hours, the offset of the clock from UTC")
+    return Time(**dates, utc_offset_hours=utc_offset_hours, **keys)
+
+
+def day(date, *, utc_offset_hours=None, **keys):
     """The time steps of one day.
 
     Parameters
@@ -236,7 +247,7 @@ def day(date, *, utc_offset_hours, **keys):
     date : str or date
         "2024-06-21".
     utc_offset_hours : float
-        Offset of the clock from UTC.
+        Offset of the clock from UTC; required.
     **keys
         hours, step_minutes and others of `Time`; without an amount of light the sky is clear.
 
@@ -244,12 +255,12 @@ def day(date, *, utc_offset_hours, **keys):
     -------
     Time
     """
-    return Time(day=date, utc_offset_hours=utc_offset_hours, **keys)
+    return _dated("day", utc_offset_hours, keys, day=date)
 
 
-def days(start, end, *, utc_offset_hours, **keys):
+def days(start, end, *, utc_offset_hours=None, **keys):
     """The time steps of all days from the first to the last, both included; see `day`."""
-    return Time(**{"from": start, "to": end}, utc_offset_hours=utc_offset_hours, **keys)
+    return _dated("days", utc_offset_hours, keys, **{"from": start, "to": end})
 
 
 def times(sequence, **keys):
@@ -266,6 +277,7 @@ def times(sequence, **keys):
     -------
     Time
     """
+    check_time_keys(keys, "times")
     return Time(times=sequence, **keys)
 
 
@@ -285,4 +297,5 @@ def weather(path, *, start=None, end=None, **keys):
     -------
     Time
     """
+    check_time_keys(keys, "weather")
     return Time(weather=path, **{"from": start, "to": end}, **keys)

@@ -218,7 +218,7 @@ def test_numpy_keeps_errors_or_refuses(light):
         np.max(light)
     with pytest.raises(TypeError, match="neither true nor false"):
         bool(light)
-    with pytest.raises(TypeError, match="20 estimates are no number"):
+    with pytest.raises(TypeError, match="20 estimates are not a single number"):
         float(light)
     assert float(light[0]) == light.values[0]
 

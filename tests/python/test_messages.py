@@ -78,7 +78,7 @@ HOURS = "day_of_year,hour,global\n"
 CASES = {
     "no source": (without_sources, "add a source or Scene.time"),
     "no site": (lambda _: scene().series(DAY), "Scene.site is missing"),
-    "value of a site": (lambda _: scene(site=quasimc.Site(99, 0)).run(**FEW), "Scene.site: latitude_deg"),
+    "value of a site": (lambda _: scene(site=quasimc.Site(99, 0)).run(**FEW), "Site: latitude_deg"),
     "value of a time": (
         lambda _: scene(site=SITE).series(quasimc.day("2024-06-21", utc_offset_hours=1, linke_turbidity=99)),
         "Scene.time: linke_turbidity",
