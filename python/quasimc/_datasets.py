@@ -9,6 +9,7 @@ import numpy as np
 from . import _core
 from ._index import as_hashable
 from ._light import label_columns
+from ._optional import needed
 from ._written import combined, run_file_key
 from .detectors import detector_variables
 from .sensors import free_sensor_variables
@@ -18,7 +19,7 @@ _STATISTICS = ["mean", "standard_error", "ci95_low", "ci95_high"]
 
 def result_dataset(result):
     """The Dataset of `Result.to_xarray`."""
-    import xarray
+    xarray = needed("xarray")
 
     variables = _light_variables(result, "organ")
     if result._core.sun_shade is not None:
@@ -40,7 +41,7 @@ def result_dataset(result):
 
 def series_dataset(series):
     """The Dataset of `Series.to_xarray`."""
-    import xarray
+    xarray = needed("xarray")
 
     data = xarray.Dataset()
     if series._results:
@@ -121,7 +122,7 @@ def _add_sensors(light, variables, coordinates):
 
 def _day_dataset(sums):
     """Sums over a day, by the names of variables in NetCDF files."""
-    import xarray
+    xarray = needed("xarray")
 
     variables = _light_variables(sums, "organ")
     variables |= _light_variables(sums.groups, "group", "group_")
@@ -181,7 +182,7 @@ def _stacked(datasets, what, axes):
     ValueError
         If they have different organs, or other values along an axis.
     """
-    import xarray
+    xarray = needed("xarray")
 
     shape = tuple(axes.values())
 

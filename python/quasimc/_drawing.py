@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ._optional import needed
 from ._units import shown
 
 #: Points with error bars that do not hide one another.
@@ -51,7 +52,7 @@ def set_limits(ax, points):
 
 
 def new_axes():
-    import matplotlib.pyplot as pyplot
+    pyplot = needed("matplotlib.pyplot")
 
     ax = pyplot.figure(layout="constrained").add_subplot()
     ax.grid(alpha=0.3, linewidth=0.6)

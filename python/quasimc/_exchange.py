@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-from importlib import import_module
-
 import numpy as np
 
+from ._optional import needed
 from ._units import factors_of
 
 #: The array of cells, or attribute of faces, that has the ids of organs.
 ORGAN = "organ"
-
-
-def needed(package):
-    """A package that is imported where it is used. Raises ImportError with what to install."""
-    try:
-        return import_module(package)
-    except ImportError as error:
-        raise ImportError(f"{package} is missing; install it: pip install {package}") from error
 
 
 def triangles_of(organs):

@@ -6,6 +6,8 @@ import difflib
 
 import numpy as np
 
+from ._optional import needed
+
 
 class OrganIndex:
     """Organs of a result, by id or name.
@@ -44,7 +46,7 @@ class OrganIndex:
         return OrganIndex(self.organs, self.positions[rows])
 
     def to_pandas(self):
-        import pandas
+        pandas = needed("pandas")
 
         return pandas.Index(self.ids, name="organ")
 
@@ -83,7 +85,7 @@ class GroupIndex:
         return GroupIndex([self.keys[row] for row in rows], self.areas[rows])
 
     def to_pandas(self):
-        import pandas
+        pandas = needed("pandas")
 
         return pandas.Index(self.keys, name="group")
 
@@ -147,7 +149,7 @@ class RunIndex:
 
     def to_pandas(self):
         """A pandas index: times with their offset, or the values of each name; then those of `inner`."""
-        import pandas
+        pandas = needed("pandas")
 
         if self.axis == "time":
             levels = [time_index(self.keys)]
@@ -179,7 +181,7 @@ def time_index(times):
     """A pandas.DatetimeIndex of times, with the offset from UTC of the first."""
     import datetime
 
-    import pandas
+    pandas = needed("pandas")
 
     offset = datetime.datetime.fromisoformat(times[0]).tzinfo if times else None
     return pandas.DatetimeIndex(pandas.to_datetime(times, utc=True), name="time").tz_convert(offset)

@@ -74,6 +74,5 @@ def check_site(table):
     try:
         _core.Frame(_core.Document({"bands": ["PAR"], "site": table}, "Site", ""))
     except InputError as error:
-        fault = error.faults[0]
-        problem = fault["problem"].replace("Scene.site: ", "")
-        raise input_error("Site", problem, fault["why"], fault["suggestion"]) from None
+        problems = [line.rpartition("Scene.site: ")[2] for line in str(error).splitlines()]
+        raise input_error("Site", "; ".join(problems)) from None

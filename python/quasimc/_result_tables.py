@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ._light import estimate_columns, label_columns
+from ._optional import needed
 
 
 class ResultTables:
@@ -15,7 +16,7 @@ class ResultTables:
         ``<quantity>_<band>`` with ``_se`` and ``_ci95_high``. A label with the name of
         another column becomes ``label_<key>``. Units are in ``frame.attrs["units"]``.
         """
-        import pandas
+        pandas = needed("pandas")
 
         columns = self._all_columns()
         labels = label_columns(self.organs.labels, columns)

@@ -11,10 +11,15 @@ from .errors import QuasimcWarning
 def warn_here(texts):
     """Warns at the line of the caller outside this package."""
     depth, frame = 1, sys._getframe()
-    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+    while frame.f_back is not None and _is_own(frame):
         depth, frame = depth + 1, frame.f_back
     for text in texts:
         warnings.warn(text, QuasimcWarning, stacklevel=depth)
+
+
+def _is_own(frame):
+    """Whether code of this package runs in a frame."""
+    return (frame.f_globals.get("__package__") or "").partition(".")[0] == __package__
 
 
 def warn_of_stop(stop):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ._optional import needed
 from .estimates import Estimates
 
 
@@ -47,7 +48,7 @@ class Control:
 
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each time."""
-        import pandas
+        pandas = needed("pandas")
 
         columns = {"factor": self.factor, "on": self.on, "kwh": self.kwh}
         for name in ("daylight", "lamps", "light"):

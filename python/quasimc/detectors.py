@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ._optional import needed
 from .estimates import Estimates
 
 
@@ -25,7 +26,7 @@ class DetectorResult(Estimates):
 
     def to_xarray(self):
         """An xarray.DataArray with the dimensions bin, band and statistic."""
-        import xarray
+        xarray = needed("xarray")
 
         coordinates = {
             "bin": ("bin", self.bins, {"long_name": self.quantity}),

@@ -6,6 +6,7 @@ import numpy as np
 
 from . import _arithmetic as arithmetic
 from ._format import pair
+from ._optional import needed
 from ._selection import Selectable
 from ._sums import Summable
 from ._units import shown
@@ -246,7 +247,7 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
 
         Its index are ids of organs, values of groups, values of the points of a sweep, or times.
         """
-        import pandas
+        pandas = needed("pandas")
 
         if self.ndim == 0 or (len(self._row_shape) > 1 and self._inner is None):
             raise ValueError(f"{self.name} of the shape {self.shape} makes no table")

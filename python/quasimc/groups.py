@@ -7,6 +7,7 @@ import numpy as np
 from ._combination import Rows
 from ._index import GroupIndex
 from ._light import Light, estimate_columns, origins_of, ratio_estimates
+from ._optional import needed
 from .estimates import Estimates
 from .sun_shade import parts_of
 
@@ -103,7 +104,7 @@ class Groups(Light):
         ``fraction_incident_<band>`` and ``fraction_absorbed_<band>``. The fractions of the canopy are
         in `Result.canopy`.
         """
-        import pandas
+        pandas = needed("pandas")
 
         columns = {name: [group[name] for group in self.groups] for name in ("by", "value")}
         columns["organs"] = [len(group["organs"]) for group in self.groups]

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from ._optional import needed
 from ._program import call, flags, program
 from ._targets import target
 
@@ -41,9 +42,7 @@ class Picture:
         from io import BytesIO
 
         import numpy as np
-        from matplotlib.image import imread
-
-        pixels = imread(BytesIO(self.png), format="png")
+        pixels = needed("matplotlib.image").imread(BytesIO(self.png), format="png")
         opaque = np.ones((*pixels.shape[:2], 1), pixels.dtype)
         pixels = pixels if pixels.shape[2] == 4 else np.concatenate([pixels, opaque], axis=2)
         return np.round(255 * pixels).astype(np.uint8)

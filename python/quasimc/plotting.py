@@ -10,6 +10,7 @@ from ._drawing import (
     POINTS, band_of, draw_fit, drawn_organs, errors_of, estimates_of, fit_exponential, label_of,
     new_axes, organs_from_the_top, set_limits, triangles_of,
 )  # fmt: skip
+from ._optional import needed
 from ._units import shown
 from .errors import InputError
 
@@ -53,7 +54,7 @@ class Plots:
         -------
         matplotlib.axes.Axes
         """
-        import matplotlib.pyplot as pyplot
+        pyplot = needed("matplotlib.pyplot")
         from matplotlib.cm import ScalarMappable
         from matplotlib.colors import Normalize
         from mpl_toolkits.mplot3d.art3d import Poly3DCollection
@@ -266,8 +267,7 @@ class SeriesPlots:
         InputError
             If the run had no such groups.
         """
-        from matplotlib.dates import AutoDateLocator, ConciseDateFormatter
-
+        dates = needed("matplotlib.dates")
         series = self._series
         ax = ax or new_axes()
         first = series[0].groups
@@ -282,9 +282,9 @@ class SeriesPlots:
             value, _, low, high = numbers.T
             (line,) = ax.plot(times, value, label=first.groups[rows[i]]["value"] or "all organs")
             ax.fill_between(times, low, high, color=line.get_color(), alpha=0.25, linewidth=0)
-        zone, locator = times[0].tzinfo, AutoDateLocator(tz=times[0].tzinfo)
+        zone, locator = times[0].tzinfo, dates.AutoDateLocator(tz=times[0].tzinfo)
         ax.xaxis.set_major_locator(locator)
-        ax.xaxis.set_major_formatter(ConciseDateFormatter(locator, tz=zone))
+        ax.xaxis.set_major_formatter(dates.ConciseDateFormatter(locator, tz=zone))
         ax.set_ylabel(label_of(estimates_of(first, quantity, band), band_of(first, quantity, band)))
         ax.legend(frameon=False, title=by)
         return ax

@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 
 from . import _core
+from ._optional import needed
 from .estimates import Estimates
 
 #: Quantities of flat sensors and of spheres, with those of the core.
@@ -92,7 +93,7 @@ class Sensors:
         Its dimensions are those of the set (point, or j and i), band and statistic; ``_by_origin``
         begins with origin. Statistics are mean, standard_error, ci95_low, ci95_high.
         """
-        import xarray
+        xarray = needed("xarray")
 
         variables, coordinates = sensor_variables(self)
         return xarray.Dataset(variables, coordinates)

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from ._index import OrganIndex, RunIndex, time_index
 from ._light import Light, label_columns
+from ._optional import needed
 from ._stacked_light import StackedLight
 from .control import Control
 from .groups import Groups
@@ -130,7 +131,7 @@ class Series:
         Raises KeyError if the time steps were not kept (keep="sums"); `days` and `total` have
         tables of their own.
         """
-        import pandas
+        pandas = needed("pandas")
 
         tables = [result.to_pandas() for result in self._results_of_times()]
         frame = pandas.concat(tables, keys=time_index(self._time_names()), names=["time", "id"])
@@ -242,7 +243,7 @@ class Sums(Light):
 
         Units, which are those of sums over time, are in ``frame.attrs["units"]``.
         """
-        import pandas
+        pandas = needed("pandas")
 
         columns = self._columns()
         organs = self._organs

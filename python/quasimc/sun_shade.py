@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from . import _core
+from ._optional import needed
 from .estimates import Estimates
 
 
@@ -57,7 +58,7 @@ class SunShade:
 
     def to_pandas(self):
         """Returns a pandas.DataFrame with a row for each organ or group, with the columns of the CSV files."""
-        import pandas
+        pandas = needed("pandas")
 
         columns = {}
         for name in self.keys():

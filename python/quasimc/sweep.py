@@ -10,6 +10,7 @@ import numpy as np
 from ._index import RunIndex
 from ._keys import near
 from ._meshes import input_error
+from ._optional import needed
 from ._stacked_light import StackedLight
 from ._written import combined
 from .result import Result
@@ -137,7 +138,7 @@ class Sweep(Sequence):
 
     def to_pandas(self):
         """Returns a pandas.DataFrame: a row for each point and organ, indexed by swept values and id."""
-        import pandas
+        pandas = needed("pandas")
 
         runs = self._runs
         tables = [result.to_pandas() for result in self]

@@ -30,6 +30,9 @@ std::vector<Warning> lint_ground_size(const Survey& survey, const Bounds& ground
     const Scene& scene = survey.scene;
     const std::string where = describe_organ(scene.organs().back());
     std::vector<Warning> warnings;
+    if (length(ground.size()) == 0) {  // organs lie on all of it
+        return warnings;
+    }
     for (const Axis& axis : kAxes) {
         constexpr double kOverhang = 0.01;
         const double size = ground.size().*(axis.of);

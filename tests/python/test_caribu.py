@@ -66,6 +66,18 @@ def test_of_coincident_triangles_the_first_gets_the_light():
     assert lower == 0 and upper == pytest.approx(100, abs=0.01)
 
 
+def test_overlapping_triangles_are_a_warning_with_their_pids():
+    scene = CaribuScene({"7": [LEAF], "9": [LEAF, HIGHER]}, opt={"PAR": (0.06, 0.07)})
+    with pytest.warns(quasimc.QuasimcWarning, match="^pid 9: 1 triangle .*pid 7; there, only that") as caught:
+        scene.run()
+    assert {each.filename for each in caught} == {__file__}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        scene.run()  # was warned of before
+    with pytest.warns(quasimc.QuasimcWarning, match="^triangle 1: .* triangles of triangle 0"):
+        raycasting([LEAF, LEAF], [(0.06, 0.04)] * 2, ZENITH)
+
+
 def test_radiosity_follows_light_through_leaves():
     light = radiosity([LEAF, HIGHER], [(0.06, 0.04)] * 2, ZENITH)
     # 4 are transmitted; each leaf reflects 0.06 to the other.

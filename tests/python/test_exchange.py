@@ -1,12 +1,17 @@
 """Geometry and light as objects of trimesh, pyvista and pint, and geometry from them."""
 
+import os
+import re
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import quasimc
 from canopies import FEW, canopy, leaves
+
+SOURCE = Path(os.environ["QUASIMC_SOURCE_DIR"])
 
 
 def empty():
@@ -102,14 +107,30 @@ def test_estimates_are_quantities_of_pint():
         light.with_unit("5 mol").to_pint()
 
 
-@pytest.mark.parametrize("package", ["trimesh", "pyvista", "pint"])
+@pytest.mark.parametrize("package", ["trimesh", "pyvista", "pint", "pandas", "xarray", "matplotlib"])
 def test_a_missing_package_is_named(package, monkeypatch):
     monkeypatch.setitem(sys.modules, package, None)
+    for module in [name for name in sys.modules if name.startswith("matplotlib.")]:
+        monkeypatch.delitem(sys.modules, module)
     scene = canopy()
+    result = scene.run(**FEW)
     call = {
         "trimesh": scene.to_trimesh,
         "pyvista": scene.to_pyvista,
-        "pint": lambda: scene.run(**FEW)["incident_upper"]["PAR"].to_pint(),
+        "pint": lambda: result["incident_upper"]["PAR"].to_pint(),
+        "pandas": result.to_pandas,
+        "xarray": result.to_xarray,
+        "matplotlib": result.plot.profile,
     }[package]
-    with pytest.raises(ImportError, match=f"pip install {package}"):
+    with pytest.raises(ImportError, match=f"^{package} is missing; install it: pip install {package}$"):
         call()
+
+
+def test_the_extras_are_those_of_the_guide():
+    guide = (SOURCE / "docs" / "guide" / "install.md").read_text("utf-8")
+    project = (SOURCE / "pyproject.toml").read_text("utf-8")
+    rows = dict(re.findall(r"^\| `(\w+)` \| ([\w, ]+) \|", guide, flags=re.M))
+    section = project[project.index("[project.optional-dependencies]") : project.index("[tool.scikit-build]")]
+    extras = dict(re.findall(r"^(\w+) = \[(.*)\]$", section, flags=re.M))
+    assert extras.pop("all") == f'"quasimc[{",".join(extras)}]"'
+    assert {name: text.replace('"', "") for name, text in extras.items()} == rows

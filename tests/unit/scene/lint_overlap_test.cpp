@@ -52,6 +52,22 @@ Texts warnings_about(
     return warnings_of(std::move(builder));
 }
 
+TEST(LintOverlap, OfAllOfTheGroundIsNoSmallGround) {
+    SceneBuilder builder = one_band_builder();
+    builder.add_organ(one_triangle("half", {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}}));
+    builder.add_organ(one_triangle("other", {Vec3{0, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}}));
+    Cell cell;
+    cell.along_x = cell.along_y = true;
+    cell.size_x = cell.size_y = 1;
+    builder.set_cell(cell);
+    builder.set_ground({.material = "soil"});
+    const std::vector<std::string> warnings = warnings_of(std::move(builder));
+    ASSERT_EQ(warnings.size(), 2U);
+    for (const std::string& warning : warnings) {
+        EXPECT_NE(warning.find("the same corners"), std::string::npos) << warning;
+    }
+}
+
 TEST(LintOverlap, FindsATriangleGivenTwice) {
     EXPECT_EQ(warnings_about(kTilted, kTilted), second(kSame));
 }

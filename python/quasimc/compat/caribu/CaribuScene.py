@@ -8,6 +8,7 @@ import warnings
 
 import numpy as np
 
+from ..._optional import needed
 from ...errors import QuasimcWarning
 from . import plantgl_adaptor as adaptor
 from ._trace import TracedScene, as_array
@@ -450,6 +451,7 @@ class CaribuScene:
         if self._traced[0] != key:
             groups = [str(i) for i in _numbers_of(pids)] + ["soil"] * len(self.soil or [])
             self._traced = key, TracedScene(triangles, materials, groups, domain, ground, virtual)
+            self._traced[1].warn([*pids, *["soil"] * len(self.soil or [])])
         return self._traced[1]
 
     def _band(self, light, number, split_face):
@@ -502,7 +504,7 @@ class CaribuScene:
         axes, values
             values: a number from 0 to 1 for each triangle; None without a property.
         """
-        import matplotlib.pyplot as pyplot
+        pyplot = needed("matplotlib.pyplot")
         from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
         values, colours = None, (0, 180 / 255, 0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import warnings
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from ...scene import Scene
 from ...sources import directional
 from ...values import Cell, Ground
+from ..._warn import warn_here
 from ...errors import QuasimcWarning
 from ._errors import CaribuRunError
 
@@ -18,6 +20,8 @@ DECIMALS = 6
 #: Flag of a side without reported light.
 UNRESOLVED = -1.0
 SENSOR = "sensor"
+#: A triangle in a message: it is an organ, whose id is its number.
+_ORGAN = re.compile(r"organ '[^']*' \(id (\d+)\)")
 
 
 def as_array(triangles):
@@ -148,10 +152,28 @@ class TracedScene:
             x, y = sorted(domain[::2]), sorted(domain[1::2])
             scene.cell = Cell(x=x, y=y)
         with warnings.catch_warnings():
-            # Triangles of Caribu may coincide: the first of them gets the light.
-            warnings.simplefilter("ignore", QuasimcWarning)
+            warnings.simplefilter("ignore", QuasimcWarning)  # `warn` has them in Caribu's words
             scene.build()
         return scene
+
+    def warn(self, pids=None):
+        """Warns of problems of the scene, such as triangles that overlap.
+
+        @param pids: the pid of each triangle; None: messages have numbers of triangles
+        """
+        texts = [] if self._scene is None else self._scene.warnings
+        name = lambda match: self._described(int(match[1]), pids)
+        # Lengths have the unit of Caribu's scene, which is not that of its results.
+        warn_here(_ORGAN.sub(name, text) for text in texts if not text.startswith("length_unit"))
+
+    def _described(self, organ, pids):
+        """What an organ of the scene is for Caribu. @param organ: its id"""
+        count = len(self.areas)
+        if organ >= count + len(self.sensor_areas):
+            return "the ground"
+        if organ >= count:
+            return f"sensor {organ - count}"
+        return f"triangle {organ}" if pids is None else f"pid {pids[organ]}"
 
     def run(self, lights, direct, options):
         """The light of each triangle: Light."""

@@ -107,6 +107,7 @@ def _compute(triangles, materials, lights, domain, ground, sensors, direct, prec
     check_counts(triangles, materials, 1 if direct or ground else 2)
     sensors = None if sensors is None else as_array(sensors)
     traced = TracedScene(triangles, materials, None, domain, ground, sensors)
+    traced.warn()
     options = options_of(precision, options)
     light = traced.run(lights, direct, options)
     first = None if direct or sensors is None else traced.run(lights, True, options)
