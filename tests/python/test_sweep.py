@@ -118,6 +118,10 @@ def test_budgets_and_tables_of_a_sweep(swept):
     escaped = swept.budget["escaped"]["PAR"]
     assert escaped.values.tolist() == [float(result.budget["escaped"]["PAR"]) for result in swept]
     assert swept.canopy["reflectance"].shape == (3, 2)
+    absorptance = swept.canopy["absorptance"]
+    difference = swept[2].canopy["absorptance"] - swept[0].canopy["absorptance"]
+    assert np.all(difference.standard_error > 0)
+    assert (absorptance[2] - absorptance[0]).standard_error == pytest.approx(difference.standard_error)
     assert swept.ground["absorbed_flux"]["NIR"].values[1] == float(swept[1].ground["absorbed_flux"]["NIR"])
     frame = swept["absorbed_flux"].sum(axis="organ").to_pandas()
     assert frame.index.name == "materials.leaf.reflectance" and list(frame.index) == [0.1, 0.2, 0.4]
