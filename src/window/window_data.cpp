@@ -57,6 +57,15 @@ Json json_points(const std::vector<SweepPoint>& points) {
     return all;
 }
 
+/// The weights of the points in sums.
+Json json_weights(const std::vector<SweepPoint>& points) {
+    Json all = Json::array();
+    for (const SweepPoint& point : points) {
+        all.push_back(point.weight);
+    }
+    return all;
+}
+
 /// Whether any time has a column in both results.
 bool has_difference(const Json& times) {
     return std::any_of(times.begin(), times.end(), [](const Json& time) {
@@ -113,7 +122,10 @@ class WindowDataBuilder {
             all["minus"] = difference_->json();
         }
         if (run_.sweep && has_all_points) {
-            all["sweep"] = {{"point", run_.point}, {"points", json_points(*run_.sweep)}};
+            all["sweep"] = {
+                {"point", run_.point},
+                {"points", json_points(*run_.sweep)},
+                {"weights", json_weights(*run_.sweep)}};
         }
         data_.json = json_text(all);
         return std::move(data_);

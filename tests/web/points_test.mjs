@@ -7,7 +7,7 @@
 
 import assert from "node:assert/strict";
 import path from "node:path";
-import { Workshop, open, twoLeaves } from "./workshop.mjs";
+import { Workshop, kDay, open, twoLeaves } from "./workshop.mjs";
 
 const workshop = new Workshop("points");
 const { pictures } = workshop;
@@ -27,6 +27,22 @@ name = "sun"
 azimuth_deg = 180
 elevation_deg = 40
 irradiance_facing = 400${twoLeaves()}`;
+
+/** Three days that stand for a year. */
+const kWeights = [120, 130, 115];
+const kYear = `
+title = "A year from three days"
+bands = ["PAR"]${kDay}
+[run]
+paths = 256
+[sweep]
+weights = [${kWeights}]
+time.day = ["2023-01-15", "2023-06-15", "2023-11-15"]
+[cell]
+x = [-1, 1]
+y = [-1, 1]
+[ground]
+material = "leaf"${twoLeaves()}`;
 
 /** The estimate of the upper leaf at a point of the result. */
 const upperAt = (result, point) => result.points[point].organs[0].absorbed_flux_density.PAR;
@@ -77,7 +93,42 @@ async function checkDifference(page, result) {
   await page.waitForFunction(() => !document.querySelector("#legend-title").textContent.includes("elevation"));
 }
 
+/** Texts of the strip that touch each other. */
+const crowded = (page) => page.locator("#strip text").evaluateAll((texts) => texts.map((text) => text.getBoundingClientRect())
+  .filter((box, i, all) => i > 0 && box.left < all[i - 1].right).length);
+
+/** The sum with the given weights is the first entry; each day has its own name, bar and hours. */
+async function checkYear(page, address, result) {
+  await open(page, address);
+  await page.waitForFunction(() => document.querySelectorAll("#strip .step").length === 3 && !document.querySelector("#strip .unknown"));
+  const days = result.points.map(({ total }) => total.groups.find(({ by }) => by === "all").absorbed_flux.PAR);
+  const sum = days.reduce((all, { mean }, i) => all + kWeights[i] * mean, 0) / 4e6; // MJ, of 4 square metres
+  const headline = async () => Number.parseFloat((await page.locator("#headline .number").textContent()).replace(/,/g, ""));
+  assert.equal(await shown(page), "All days");
+  assert.ok(Math.abs((await headline()) - sum) < 0.005 * sum, `${await headline()} for ${sum}`);
+  const error = kWeights.reduce((all, weight, i) => all + weight * days[i].standard_error, 0) / 4e6;
+  const own = Number.parseFloat((await page.locator("#headline .number .error").textContent()).replace(/[^\d.]/g, ""));
+  assert.ok(Math.abs(own - error) < 0.1 * error, `the bound ${own} for ${error}`);
+  await page.getByRole("radio", { name: "Days" }).click();
+  await page.locator("#strip").press("ArrowRight");
+  await page.waitForFunction(() => document.getElementById("time-title").textContent === "15 June 2023");
+  assert.ok(Math.abs((await headline()) - days[1].mean / 4e6) < 0.005 * days[1].mean / 4e6);
+  await page.setViewportSize({ width: 390, height: 844 });
+  assert.equal(await crowded(page), 0);
+  await page.setViewportSize({ width: 1280, height: 800 });
+  assert.equal(await crowded(page), 0);
+  await page.getByRole("radio", { name: "Hours" }).click();
+  await page.waitForFunction(() => /^\d\d:00$/.test(document.getElementById("time-title").textContent));
+  const hours = result.points[1].time_steps.filter(({ energy }) => energy.PAR.absorbed_by_organs.mean > 0).length;
+  assert.ok(Math.abs((await page.locator("#strip .step:not(.day)").count()) - hours) <= 1, "bars of hours");
+  await page.waitForFunction(() => location.hash.includes("point-2%20"));
+  await page.reload();
+  await page.waitForSelector("html[data-state=ready]");
+  assert.match(await shown(page), /^\d\d:00$/, "the address keeps the hour of a day");
+}
+
 const result = workshop.compute("points", kRunFile);
+const year = workshop.compute("year", kYear);
 await workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   await checkPoints(page, await workshop.view("points"), result);
@@ -89,5 +140,7 @@ await workshop.use(async (browser) => {
   await checkDifference(page, result);
   await checkSingle(page, await workshop.view("points", "--sweep-point", "2"));
   await checkSingle(page, workshop.report("points", "--sweep-point", "2"));
+  await checkYear(page, await workshop.view("year"), year);
+  await checkYear(page, workshop.report("year"), year);
   assert.deepEqual(workshop.faults, []);
 });

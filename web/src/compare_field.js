@@ -25,7 +25,7 @@ export class CompareField {
   #pointList() {
     const { page } = this;
     return make("select", { id: "compared", "aria-label": "Compared with", onchange: () => this.#choosePoint() },
-      make("option", { value: "" }, "nothing"), page.timeline.steps.map(({ name, index }) => make("option", { value: index }, name)));
+      make("option", { value: "" }, "nothing"), page.timeline.points.map(({ name, point }) => make("option", { value: point }, name)));
   }
 
   async #choosePoint() {
@@ -65,6 +65,7 @@ export class CompareField {
     this.button.hidden = Boolean(name);
     if (this.points) {
       this.points.value = other?.point ?? "";
+      [...this.points.options].forEach((option) => (option.disabled = option.value === String(this.page.entry.point)));
     }
     this.alert.textContent = this.problem;
     this.alert.hidden = !this.problem;

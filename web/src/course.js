@@ -18,8 +18,7 @@ export class Course {
   async #read(steps) {
     const { page } = this;
     const { run, column } = page;
-    const times = steps.map(({ index }) => index);
-    const pins = await Promise.all(page.pins.map((organ) => page.courseOf(times, column, organ)));
+    const pins = await Promise.all(page.pins.map((organ) => page.courseOf(steps, column, organ)));
     const { quantity, band } = run.json.columns[column];
     const all = steps.map((step) => allPlants(page.headOf(step), quantity, band));
     return { pins, all };
@@ -27,7 +26,7 @@ export class Course {
 
   async draw() {
     const { page } = this;
-    const steps = page.timeline.stepsBeside(page.timeline.steps.includes(page.entry) || page.timeline.days.includes(page.entry) ? page.entry : null);
+    const steps = page.timeline.bars(page.entry);
     const isThere = steps.length > 1 && page.state.show !== "difference";
     byId("course-chart").hidden = !isThere;
     byId("charts").classList.toggle("two", !isThere);
@@ -55,10 +54,10 @@ export class Course {
 
   #show(steps, { pins, all }) {
     const { page } = this;
-    const { hasClock } = page.timeline;
+    const hasClock = steps.every(({ start }) => start !== null);
     const at = steps.map(({ start, hours }, i) => (hasClock ? start + hours / 2 : i));
-    byId("course-title").textContent = hasClock ? "Through the day" : "Along the steps";
-    byId("course-unit").textContent = page.run.unit(page.run.json.times.length > 1 ? steps[0].index : 0, page.column);
+    byId("course-title").textContent = hasClock ? "Through the day" : `Along the ${page.timeline.kindOf(steps)}`;
+    byId("course-unit").textContent = page.unitAt(steps);
     const isSure = ({ mean, error }) => error > 0 && error < 0.5 * Math.abs(mean); // others would press all together
     const values = [...all, ...pins.flat()].filter(Boolean).flatMap((one) => [one.mean, one.mean + (isSure(one) ? kSure * one.error : 0)]).filter(Number.isFinite);
     if (values.length === 0) {
@@ -86,10 +85,10 @@ export class Course {
 
   /** A band behind the time that is shown. */
   #addNow({ node, x, box }, steps) {
-    const i = steps.indexOf(this.page.entry);
+    const i = steps.findIndex(({ key }) => key === this.page.entry.key);
     if (i >= 0) {
       const { start, hours } = steps[i];
-      const [from, to] = this.page.timeline.hasClock ? [start, start + Math.max(hours, 0.2)] : [i - 0.3, i + 0.3];
+      const [from, to] = start !== null ? [start, start + Math.max(hours, 0.2)] : [i - 0.3, i + 0.3];
       const left = Math.max(box.left, x(from));
       node.prepend(svg("rect", { class: "now", x: left, width: Math.max(2, Math.min(box.right, x(to)) - left), y: box.top, height: box.bottom - box.top }));
     }

@@ -119,11 +119,6 @@ export class RunData {
     return this.json.sweep?.points.length > 1;
   }
 
-  /** The result of the last time alone: the sum over all times. */
-  ofSum() {
-    return new RunData({ ...this.json, times: this.json.times.slice(-1) }, this.colorMaps, this.shape, this.readBlob);
-  }
-
   has(time, column) {
     return this.json.times[time].values[column] >= 0;
   }

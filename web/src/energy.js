@@ -3,7 +3,7 @@
 import { plainUnit, unitText } from "./format.js";
 
 /** The parts of light at one time, in its own unit; null without an energy budget. */
-function budgetOf(head, band) {
+export function budgetOf(head, band) {
   const energy = head?.energy?.[band];
   if (!energy) {
     return null;
@@ -15,28 +15,49 @@ function budgetOf(head, band) {
   };
 }
 
-/** The budget of a sum over times: of its plants the error is known, as the sum has them as a group. */
-function summedBudget(page, entry, band) {
-  const { run, timeline } = page;
-  const steps = entry === timeline.total ? timeline.steps : timeline.steps.filter(({ date }) => date === entry.date);
-  const all = page.headOf(entry).groups?.find(({ by }) => by === "all")?.absorbed_flux?.[band];
+/**
+ * The budget of a sum over times: of its plants the error is known, as the sum has them as a group.
+ * @param head  of the sum  @param steps  heads of its times  @param units  `sum_units` of the result
+ */
+export function summedBudget(head, steps, units, band) {
+  const all = head?.groups?.find(({ by }) => by === "all")?.absorbed_flux?.[band];
   const sum = { plants: 0, ground: 0, sky: 0 };
-  for (const step of steps) {
-    const head = page.headOf(step);
-    const own = budgetOf(head, band);
-    if (!own || !(head.seconds > 0)) {
+  for (const step of steps ?? []) {
+    const own = budgetOf(step, band);
+    if (!own || !(step.seconds > 0)) {
       return null;
     }
-    Object.keys(sum).forEach((key) => (sum[key] += own[key] * head.seconds));
+    Object.keys(sum).forEach((key) => (sum[key] += own[key] * step.seconds));
   }
   if (!all || all.mean === null) {
     return null;
   }
   const factor = sum.plants > 0 ? all.mean / sum.plants : 0;
   return {
-    unit: run.json.head.sum_units?.[band]?.flux ?? "", plants: all.mean, plantsError: all.standard_error ?? NaN,
+    unit: units?.[band]?.flux ?? "", plants: all.mean, plantsError: all.standard_error ?? NaN,
     ground: sum.ground * factor, sky: sum.sky * factor,
   };
+}
+
+/** The weighted sum of budgets, their mean if they are not of times; null while one is not known. Its error is an upper bound. */
+export function weightedBudget(budgets, weights, isOfTimes) {
+  if (budgets.some((budget) => budget === null)) {
+    return null;
+  }
+  const whole = isOfTimes ? 1 : weights.reduce((sum, weight) => sum + weight, 0);
+  const sum = (key) => budgets.reduce((all, budget, i) => all + (weights[i] / whole) * budget[key], 0);
+  return { unit: budgets[0].unit, ...Object.fromEntries(["plants", "plantsError", "ground", "sky"].map((key) => [key, sum(key)])) };
+}
+
+/** The budget of an entry of a result or a run in progress. */
+function budgetAt(page, entry, band) {
+  const { run, timeline } = page;
+  const isTotal = entry === timeline.total;
+  if (!isTotal && !timeline.days.includes(entry)) {
+    return budgetOf(page.headOf(entry), band);
+  }
+  const steps = isTotal ? timeline.steps : timeline.steps.filter(({ date }) => date === entry.date);
+  return summedBudget(page.headOf(entry), steps.map((step) => page.headOf(step)), run.json.head.sum_units, band);
 }
 
 /** The area of the cell of a periodic scene, in square lengths of the scene; NaN for others. */
@@ -55,9 +76,8 @@ function cellArea(result) {
  *   `byOf` returns what its numbers are multiplied by, for the area of a cell; null if the result does not have it
  */
 export function lightBudget(page, entry, band) {
-  const { run, timeline } = page;
-  const isSum = entry === timeline.total || timeline.days.includes(entry);
-  const found = isSum ? summedBudget(page, entry, band) : budgetOf(page.headOf(entry), band);
+  const { run } = page;
+  const found = page.live?.budgetOf ? page.live.budgetOf(entry, band) : budgetAt(page, entry, band);
   if (!found) {
     return null;
   }

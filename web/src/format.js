@@ -140,6 +140,12 @@ export function dateText(date, hasYear = false) {
   return `${day} ${kMonths[month - 1]}${hasYear ? ` ${year}` : ""}`;
 }
 
+/** "15 Jan" or "15 Jan 2024" */
+export function shortDate(date, hasYear = false) {
+  const [day, month, ...year] = dateText(date, hasYear).split(" ");
+  return [day, month.slice(0, 3), ...year].join(" ");
+}
+
 /** "1 April to 30 September 2023" of "2023-04-01/2023-09-30", "21 June" of a single day. */
 export function periodText(label) {
   const [first, last] = label.split("/");

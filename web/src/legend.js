@@ -151,7 +151,8 @@ export class Legend {
       piece.style.backgroundColor = kClasses[i].color;
       bar.append(piece);
     });
-    return [bar, make("p", { class: "known" }, page.absent || knownWords(page))];
+    const bounds = page.entry.point === -1 ? ". Errors are upper bounds, the sums of those of the points" : "";
+    return [bar, make("p", { class: "known" }, page.absent || `${knownWords(page)}${bounds}`)];
   }
 
   /** Arrows at the values of organs that are pinned or pointed at. */

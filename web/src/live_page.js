@@ -31,7 +31,7 @@ class LiveView {
     return this.follower.isFollowing;
   }
 
-  select(index) {
+  select({ index }) {
     return this.follower.select(index);
   }
 
@@ -49,9 +49,9 @@ class LiveView {
   }
 
   /** Of frames that are loaded, and of one scene with that organ. */
-  async course(indices, column, id) {
+  async course(entries, column, id) {
     const { frames } = this.live.state;
-    return Promise.all(indices.map(async (index) => {
+    return Promise.all(entries.map(async ({ index }) => {
       const run = frames[index] && (await this.live.loaded(frames[index]));
       const organ = run ? run.organOfId(id) : -1;
       const values = organ >= 0 ? await run.values(0, column) : null;

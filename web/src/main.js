@@ -19,7 +19,7 @@ import { SkyDisc } from "./sky_disc.js";
 import { Stage } from "./stage.js";
 import { readAddress } from "./state.js";
 import { Strip } from "./strip.js";
-import { SweepView, pointNames } from "./sweep.js";
+import { SweepView } from "./sweep.js";
 import { Theme } from "./theme.js";
 import { Timeline } from "./timeline.js";
 
@@ -134,13 +134,11 @@ export async function buildPage(run, timeline, graphics, live = null, time = nul
   return page;
 }
 
-/** Shows the points of a sweep, first the one in the address. */
+/** Shows the points of a sweep, first the entry in the address. */
 async function showSweep(first, graphics) {
-  const timeline = Timeline.ofPoints(first.json.sweep.points.map(pointNames));
   const view = new SweepView(first);
-  const at = timeline.find(readAddress(location.hash).time) ?? timeline.steps[view.shown];
-  view.shown = at.index;
-  view.page = await buildPage(await view.run(at.index), timeline, graphics, view, at.key);
+  const { run, timeline, key } = await view.start(readAddress(location.hash).time ?? "");
+  view.page = await buildPage(run, timeline, graphics, view, key);
   view.readLight();
 }
 

@@ -30,7 +30,8 @@ export class Page {
   /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress or a sweep, see live_page.js and sweep.js */
   constructor(run, timeline, chosen, live = null) {
     Object.assign(this, { run, timeline, live, other: null, hovered: null, pointed: null, parts: [], absent: "" });
-    const start = { ...startOf(innerWidth, innerHeight), beside: run.json.grows === true };
+    const grows = run.json.grows === true;
+    const start = { ...startOf(innerWidth, innerHeight), beside: grows, sameScale: grows || timeline.points.length > 0 };
     this.state = { ...structuredClone(start), ...chosen };
     this.address = new AddressKeeper(() => addressOf(this.state, start));
     this.colorMaps = { ...run.colorMaps, difference: mapOf(kDifference) };
@@ -80,6 +81,12 @@ export class Page {
     return this.run.unit(this.time, this.column);
   }
 
+  /** The unit of the shown column at entries of the timeline, of which some may be of other results. */
+  unitAt(entries) {
+    const index = entries.find((entry) => entry.index >= 0)?.index ?? 0;
+    return this.run.unit(this.run.json.times.length > 1 ? index : 0, this.column);
+  }
+
   /** The band by which light is counted. */
   get band() {
     return this.state.band || (this.run.json.columns.find(({ band }) => band)?.band ?? "");
@@ -104,9 +111,9 @@ export class Page {
     return allPlants(this.headOf(day), "absorbed_flux", this.band)?.mean ?? 0;
   }
 
-  /** See RunData.course. */
-  courseOf(times, column, organ) {
-    return this.live ? this.live.course(times, column, this.run.idOf(organ)) : this.run.course(times, column, organ);
+  /** The values of an organ at entries of the timeline, see RunData.course. */
+  courseOf(entries, column, organ) {
+    return this.live ? this.live.course(entries, column, this.run.idOf(organ)) : this.run.course(entries.map(({ index }) => index), column, organ);
   }
 
   /** "70 of 77 organs shown" */
@@ -149,7 +156,7 @@ export class Page {
     if (!entry?.isKnown || entry.key === this.entry.key) {
       return Promise.resolve();
     }
-    return this.live ? this.live.select(entry.index) : this.set({ time: entry.key, values: null, ends: null });
+    return this.live ? this.live.select(entry) : this.set({ time: entry.key, values: null, ends: null });
   }
 
   /** Another result, or another state of it. */
@@ -159,6 +166,7 @@ export class Page {
     this.run = run;
     this.timeline = timeline;
     this.state.time = key;
+    this.address.later();
     this.#checkChoices();
     if (isNewScene) {
       this.hovered = null;
@@ -196,15 +204,36 @@ export class Page {
       this.usual = { low: -size, high: size };
     } else if (!state.sameScale) {
       this.usual = scaleOf(this.values.mean, areas);
-    } else if (this.usualIsOf !== `${what} all`) {
-      const steps = this.timeline.steps.includes(this.entry) && run.json.times.length > 1 ? this.timeline.steps : [this.entry];
-      const all = await Promise.all(steps.map((step) => run.values(run.json.times.length > 1 ? step.index : 0, column)));
-      const scales = all.filter(Boolean).map(({ mean }) => scaleOf(mean, areas));
+    } else if (this.usualIsOf !== `${what} all` || this.usualOf !== this.#scaleOwner) {
+      const scales = (await this.#allValues()).filter(({ values }) => values).map(({ values: { mean }, areas: own }) => scaleOf(mean, own));
       this.usual = scales.reduce((a, b) => ({ low: Math.min(a.low, b.low), high: Math.max(a.high, b.high) }), { low: 0, high: 0 });
       this.usual.high = this.usual.high > this.usual.low ? this.usual.high : this.usual.low + 1;
+      this.usualOf = this.#scaleOwner;
     }
     this.usualIsOf = `${what}${state.sameScale ? " all" : ""}`;
     this.spread = state.show === "value" ? [0.05, 0.95].map((part) => weightedQuantile(this.values.mean, areas, part)) : [NaN, NaN];
+  }
+
+  /** Of what a common scale is: points of a sweep or frames have one together, and times of one result. */
+  get #scaleOwner() {
+    return this.live?.allValues && !this.#isOfRun ? this.live : this.run;
+  }
+
+  /** Whether an entry and those beside it are times of one result. */
+  get #isOfRun() {
+    return this.timeline.points.length > 0 && !this.timeline.points.includes(this.entry);
+  }
+
+  /** The values of all times that have a common scale: [{values, areas}]; null values where there are none. */
+  async #allValues() {
+    const { run, column } = this;
+    if (this.#scaleOwner === this.live) {
+      return this.live.allValues(column);
+    }
+    const isOne = run.json.times.length === 1;
+    const steps = this.timeline.steps.includes(this.entry) && !isOne ? this.timeline.steps : [this.entry];
+    const all = await Promise.all(steps.map(({ index }) => run.values(isOne ? 0 : index, column)));
+    return all.map((values) => ({ values, areas: run.shape.areas }));
   }
 
   /** Whether a logarithmic scale shows more. */

@@ -64,10 +64,15 @@ export class Panel {
       button.style.backgroundImage = `linear-gradient(to right,${stops.join(",")})`;
     });
     this.mapField = field("Colours", this.maps.node);
-    this.same = new Check("same", "Same scale for all times", null, (sameScale) => page.set({ sameScale, time: page.state.time }));
+    this.same = new Check("same", `Same scale for all ${this.#timesWord}`, null, (sameScale) => page.set({ sameScale, time: page.state.time }));
     this.log = new Check("log", "Logarithmic scale", null, (isLog) => page.set({ isLog }));
     return section("Colour", true, field("Quantity", this.quantity), this.bandBox, field("Show", this.show.node), this.mapField,
       make("div", { class: "field" }, this.same.node, this.log.node), page.run.json.grows ? null : field("Compared with", this.compared.build()));
+  }
+
+  get #timesWord() {
+    const { timeline, run } = this.page;
+    return timeline.points.length > 0 ? timeline.kinds.days.toLowerCase() : run.json.grows ? "steps" : "times";
   }
 
   /** The band to show of a quantity: the same one, if it has it. */

@@ -9,8 +9,6 @@ const kRadius = 50;
 const kMiddle = kSize / 2;
 const kWinds = ["N", "NE", "E", "SE", "S", "SW", "W", "NW"];
 
-const kNoSky = [60, 70, 66];
-
 /** Between the middles of cells. */
 function brightnessAt(cells, ring, sector) {
   const low = Math.min(kRings - 1, Math.max(0, Math.floor(ring)));
@@ -43,18 +41,23 @@ export class SkyDisc {
     const { page, parent } = this;
     const lights = lightsOf(page);
     const hasSun = lights.sun || lights.paths.length > 0;
+    parent.dataset.sky = lights.cells ? "yes" : "no";
     parent.hidden = page.state.beside || (!lights.cells && !hasSun);
     if (parent.hidden) {
       return;
     }
-    this.#drawSky(lights.cells);
+    this.canvas.hidden = !lights.cells;
+    if (lights.cells) {
+      this.#drawSky(lights.cells);
+    }
     const paths = lights.paths.map((path) => svg("polyline", { class: "path", points: path.filter(([, , z]) => z > 0).map((v) => this.#at(v).join()).join(" ") }));
     const [cx, cy] = lights.sun ? this.#at(lights.sun) : [];
     const sun = lights.sun?.[2] > 0 && svg("circle", { class: "sun", cx, cy, r: 4.5 });
+    const rim = !lights.cells && svg("circle", { class: "rim", cx: kMiddle, cy: kMiddle, r: kRadius - 0.5 });
     const winds = [["N", 0, -1], ["E", 1, 0], ["S", 0, 1], ["W", -1, 0]].map(([letter, x, y]) => svg("text", { x: kMiddle + 59 * x, y: kMiddle + 59 * y }, letter));
     this.eye = svg("path", { class: "eye", d: "M0 -50l5 -8h-10z" });
     const words = this.#words(lights);
-    this.svg.replaceChildren(...[svg("title", {}, words), ...paths, sun, ...winds, this.eye].filter(Boolean));
+    this.svg.replaceChildren(...[svg("title", {}, words), rim, ...paths, sun, ...winds, this.eye].filter(Boolean));
     this.text.textContent = words;
     this.turned();
   }
@@ -65,7 +68,9 @@ export class SkyDisc {
 
   #words({ sun, paths, cells }) {
     if (!sun) {
-      return paths.length > 0 ? `Mean sky, ${paths.length > 1 ? "lowest and highest paths of the sun" : "sun’s path"}` : cells ? "Sky" : "";
+      const way = paths.length > 1 ? "lowest, middle and highest path of the sun" : "sun’s path";
+      const words = [...(cells ? [paths.length > 0 ? "mean sky" : "sky"] : []), ...(paths.length > 0 ? [way] : [])].join(", ");
+      return words && words[0].toUpperCase() + words.slice(1);
     }
     const [nx, ny] = this.page.run.json.north;
     const azimuth = Math.atan2(sun[0] * ny - sun[1] * nx, sun[0] * nx + sun[1] * ny);
@@ -86,7 +91,7 @@ export class SkyDisc {
         if (far <= 1) {
           // East is right of north; cells count from the x axis towards y.
           const around = Math.atan2(y * ny - x * nx, y * nx + x * ny);
-          const color = cells ? skyColor(brightnessAt(cells, (1 - far) * kRings - 0.5, (around / (2 * Math.PI) + 1) * kSectors - 0.5)) : kNoSky;
+          const color = skyColor(brightnessAt(cells, (1 - far) * kRings - 0.5, (around / (2 * Math.PI) + 1) * kSectors - 0.5));
           image.data.set([...color, 255], 4 * (j * width + i));
         }
       }

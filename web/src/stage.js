@@ -23,7 +23,7 @@ export function lightsOf({ run, timeline, entry, time }) {
   const beside = times.length > 1 ? timeline.stepsOf(entry) : [];
   const hasHours = timeline.dates.length === 1 || (timeline.dates.length > 1 && entry !== timeline.total);
   const suns = beside.flatMap(({ index }) => times[index].suns);
-  const paths = timeline.hasPeriods ? sunPaths(suns) : hasHours && suns.length > 1 ? [suns] : [];
+  const paths = own.paths ? sunPaths(own.paths.flat()) : timeline.hasPeriods ? sunPaths(suns) : hasHours && suns.length > 1 ? [suns] : [];
   const hours = hasHours ? beside.map(({ index }) => meanDirection(times[index].suns)).filter(Boolean) : [];
   const skies = isSum ? beside.map(({ index }) => times[index].sky).filter(Boolean) : own.sky ? [own.sky] : [];
   return { paths, hours, sun: isSum || timeline.hasPeriods ? null : meanDirection(own.suns), lamps: own.lamps, cells: skies.length === 0 ? null : skies.length === 1 ? skyCells(skies[0]) : meanSky(skies) };

@@ -34,11 +34,11 @@ export class Strip {
 
   #fillPeriods() {
     const { timeline } = this.page;
-    const hasSteps = timeline.steps.length > 0;
+    const { kinds } = timeline;
+    const hasDays = timeline.days.length > 1;
     const options = [
-      ...(timeline.total ? [["sum", timeline.days.length > 1 ? "All" : "Day"]] : []),
-      ...(timeline.days.length > 1 ? [["day", "Days"]] : []),
-      ...(hasSteps && timeline.total ? [["step", timeline.hasClock ? "Hours" : "Steps"]] : []),
+      ...(timeline.total ? [["sum", kinds.total]] : []), ...(hasDays ? [["day", kinds.days]] : []),
+      ...(timeline.steps.length > 0 && (timeline.total || hasDays) ? [["step", kinds.steps]] : []),
     ];
     const key = options.join();
     if (this.periodsShown !== key) {
@@ -56,7 +56,7 @@ export class Strip {
   #usePeriod(kind) {
     const { page } = this;
     const { timeline, entry } = page;
-    const beside = timeline.stepsBeside(entry);
+    const beside = timeline.points.length > 0 ? timeline.steps : timeline.stepsBeside(entry);
     const day = timeline.days.find(({ date }) => date === (entry.date ?? timeline.dates[0])) ?? timeline.days[0];
     const brightest = beside.reduce((best, step) => (page.lightOf(step) > page.lightOf(best) ? step : best), beside[0]);
     page.goTo({ sum: timeline.total, day, step: brightest }[kind]);
@@ -79,7 +79,8 @@ export class Strip {
     this.button.hidden = this.isStill.matches || timeline.steps.length < 2;
     this.strip.dataset.sum = kind === "step" ? "no" : "yes";
     this.follow.hidden = page.live?.isFollowing ?? true;
-    this.steps = timeline.stepsBeside(timeline.steps.includes(entry) || timeline.days.includes(entry) ? entry : null);
+    this.steps = timeline.bars(entry);
+    this.hasClock = this.steps.every(({ start }) => start !== null);
     this.#drawBars();
     this.#describe();
   }
@@ -116,22 +117,21 @@ export class Strip {
 
   /** {from, to}: the span of each step on the axis, from 0 to 1. */
   #spans() {
-    const { hasClock } = this.page.timeline;
     const n = this.steps.length;
-    return this.steps.map(({ start, hours }, i) => (hasClock ? { from: start / 24, to: Math.min(1, (start + Math.max(hours, 0.25)) / 24) } : { from: i / n, to: (i + 1) / n }));
+    return this.steps.map(({ start, hours }, i) => (this.hasClock ? { from: start / 24, to: Math.min(1, (start + Math.max(hours, 0.25)) / 24) } : { from: i / n, to: (i + 1) / n }));
   }
 
   #drawBars() {
     const { page, strip, steps } = this;
     const width = Math.max(100, strip.clientWidth);
-    const hasDays = page.timeline.days.length > 1;
+    const hasDays = page.timeline.days.length > 1 && steps !== page.timeline.points;
     const [top, high] = hasDays ? [20, 44] : [2, 44];
     const node = svg("svg", { width, height: top + high + 18, "aria-hidden": "true" });
     const spans = this.#spans();
     const lights = steps.map((step) => page.lightOf(step));
     const most = Math.max(...lights.filter(Number.isFinite), 1e-30);
     const y = (light) => top + high - Math.max(1, (high * light) / most);
-    if (page.timeline.hasClock) {
+    if (this.hasClock) {
       this.#addNight(node, spans, width, top, high);
     }
     steps.length > kMaxBars ? this.#addArea(node, spans, lights, width, y, top + high) : this.#addSteps(node, spans, lights, width, y, top + high);
@@ -154,7 +154,7 @@ export class Strip {
     let at = 0;
     for (const { from, to } of [...spans, { from: 1, to: 1 }]) {
       if (from - at > 0.02) {
-        const isToCome = this.page.live && from === 1;
+        const isToCome = this.page.live?.follow && from === 1;
         node.append(svg("rect", { class: isToCome ? "unknown" : "night", x: at * width, width: (from - at) * width - 1, y: isToCome ? top + high - 4 : top, height: isToCome ? 4 : high, rx: 2 }));
         if ((from - at) * width > 60 && !isToCome) {
           node.append(svg("text", { x: ((at + from) / 2) * width, y: top + high / 2 + 4, "text-anchor": "middle" }, "night"));
@@ -189,16 +189,22 @@ export class Strip {
 
   #addTicks(node, spans, width, y) {
     const text = (x, words, anchor = "middle") => node.append(svg("text", { x, y, "text-anchor": anchor }, words));
-    if (this.page.timeline.hasClock) {
+    if (this.hasClock) {
       const step = width > 700 ? 3 : 6;
       for (let hour = 0; hour <= 24; hour += step) {
         text((hour / 24) * width, clockText(hour), hour === 0 ? "start" : hour === 24 ? "end" : "middle");
       }
       return;
     }
-    const widest = Math.max(...this.steps.map(({ short }) => short.length)) * 7 + 16;
-    const every = Math.max(1, Math.ceil((this.steps.length * widest) / width));
-    this.steps.forEach(({ short }, i) => i % every === 0 && text(((spans[i].from + spans[i].to) / 2) * width, short.slice(0, Math.floor(width / 8))));
+    const half = (short) => 3.2 * short.length;
+    let end = -Infinity; // of the last text: those that would touch it are left out
+    this.steps.forEach(({ short }, i) => {
+      const x = Math.min(width - half(short), Math.max(half(short), ((spans[i].from + spans[i].to) / 2) * width));
+      if (x - half(short) >= end + 12 && 2 * half(short) <= width) {
+        text(x, short);
+        end = x + half(short);
+      }
+    });
   }
 
   /** A row of day sums above the hours. */
@@ -216,9 +222,8 @@ export class Strip {
 
   async #addPins(node, spans, width, top, high) {
     const { page } = this;
-    const times = this.steps.map(({ index }) => index);
     for (const [i, organ] of page.pins.entries()) {
-      const course = (await page.courseOf(times, page.column, organ)).map((one) => one?.mean ?? NaN);
+      const course = (await page.courseOf(this.steps, page.column, organ)).map((one) => one?.mean ?? NaN);
       const most = Math.max(...course.filter(Number.isFinite), 1e-30);
       const points = course.flatMap((mean, k) => (Number.isFinite(mean) ? [`${((spans[k].from + spans[k].to) / 2) * width},${top + high - (high * mean) / most}`] : []));
       node.append(svg("polyline", { class: "pin", stroke: kPins[i], points: points.join(" ") }));
@@ -230,8 +235,8 @@ export class Strip {
     const pick = (event) => {
       const { left, top, width } = strip.getBoundingClientRect();
       const part = (event.clientX - left) / width;
-      const { days } = this.page.timeline;
-      if (days.length > 1 && event.clientY - top < 18) {
+      const { days, points } = this.page.timeline;
+      if (days.length > 1 && this.steps !== points && event.clientY - top < 18) {
         this.page.goTo(days[Math.min(days.length - 1, Math.max(0, Math.floor(part * days.length)))]);
         return;
       }
@@ -258,8 +263,9 @@ export class Strip {
   /** Goes on by times; from a sum into its first time. */
   step(by) {
     const { timeline, entry } = this.page;
-    const at = timeline.steps.findIndex(({ key }) => key === entry.key);
-    const next = at < 0 ? (by > 0 ? this.steps[0] : this.steps.at(-1)) : timeline.steps[at + by];
+    const all = timeline.steps.includes(entry) ? timeline.steps : this.steps;
+    const at = all.findIndex(({ key }) => key === entry.key);
+    const next = at < 0 ? (by > 0 ? all[0] : all.at(-1)) : all[at + by];
     this.page.goTo(next);
   }
 

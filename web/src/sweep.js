@@ -1,85 +1,166 @@
-// The points of a finished sweep, shown like times: each is a result of its own, read when it is shown.
+// The points of a finished sweep, shown like times: each is a result of its own, read when it is shown. Points with
+// the hours of one day have these below them, and weights give a sum of all points.
 
 import { runAsOther } from "./comparison.js";
 import { RunData, readJson } from "./data.js";
-import { plantLight } from "./energy.js";
+import { budgetOf, summedBudget, weightedBudget } from "./energy.js";
+import { dateText, readTime, shortDate } from "./format.js";
+import { Timeline } from "./timeline.js";
+import { sumOfPoints } from "./sweep_sum.js";
 
-/** "elevation 15°" for a key and its value. */
+/** The date of a value; null for other values, and for instants. */
+const dateOf = (text) => {
+  const time = readTime(text);
+  return time && time.hour === null ? time.date : null;
+};
+
+/** "elevation 15°" for a key and its value, "15 January 2023" for a date. */
 function valueName(key, text) {
+  const date = dateOf(text);
+  if (date) {
+    return dateText(date, true);
+  }
   const name = key.slice(key.lastIndexOf(".") + 1);
   return name.endsWith("_deg") ? `${name.slice(0, -4).replaceAll("_", " ")} ${text}°` : `${name.replaceAll("_", " ")} ${text}`;
 }
 
-/** The names of a point of a sweep. @param values  texts by key */
-export function pointNames(values) {
-  const pairs = Object.entries(values);
-  return { name: pairs.map((pair) => valueName(...pair)).join(", "), short: pairs.map(([, text]) => text).join(", ") };
+function shortValue(key, text, isOneYear) {
+  const date = dateOf(text);
+  return date ? shortDate(date, !isOneYear) : key.endsWith("_deg") ? `${text}°` : text;
+}
+
+/** The names of points: {name, short, isDate}. @param points  texts of their values by key */
+export function pointNames(points) {
+  const years = new Set(points.flatMap((values) => Object.values(values).map(dateOf).filter(Boolean).map((date) => date.slice(0, -6))));
+  return points.map((values) => {
+    const pairs = Object.entries(values);
+    return {
+      name: pairs.map((pair) => valueName(...pair)).join(", "), short: pairs.map(([key, text]) => shortValue(key, text, years.size === 1)).join(", "),
+      isDate: pairs.length === 1 && dateOf(pairs[0][1]) !== null,
+    };
+  });
 }
 
 /** What a page asks of a sweep; see LiveView. */
 export class SweepView {
   /** @param first  RunData of the point that is shown first */
   constructor(first) {
-    this.points = first.json.sweep.points;
-    this.shown = first.json.sweep.point;
+    const { points, point, weights } = first.json.sweep;
+    this.names = pointNames(points);
+    this.weights = weights;
+    this.shown = point;
     this.isFollowing = true; // there is nothing newer
-    this.runs = new Map([[this.shown, Promise.resolve(first.ofSum())]]);
-    this.heads = new Map();
-    this.#keepHead(this.shown, first);
+    this.runs = new Map([[point, Promise.resolve(first)]]);
+    this.loaded = new Map([[point, first]]);
+    this.heads = new Map(); // {head, last} of points: the result without organs, and that of its last time
+    this.hasSum = first.json.head.run_file?.sweep?.weights !== undefined;
+    this.#keepHead(point, first.json);
   }
 
-  #keepHead(point, run) {
-    this.heads.set(point, run.headOf(run.json.times.length - 1));
+  #keepHead(point, { head, times }) {
+    const last = times.at(-1).part === "total" ? head.total : head;
+    this.heads.set(point, { head, last });
   }
 
-  /** A point with its sum over times. */
+  /** The result of a point. A promise. */
   run(point) {
     if (!this.runs.has(point)) {
       this.runs.set(point, RunData.load(`point-${point}-`).then((run) => {
-        this.#keepHead(point, run);
-        return run.ofSum();
+        this.loaded.set(point, run);
+        this.#keepHead(point, run.json);
+        return run;
       }));
     }
     return this.runs.get(point);
   }
 
-  async select(point) {
-    this.asked = point;
-    const run = await this.run(point);
-    if (this.asked === point) {
+  /** The weighted sum of all points, null if they do not have the same organs. A promise. */
+  sum() {
+    this.summed ??= Promise.all(this.names.map((_, point) => this.run(point))).then((runs) => (this.whole = sumOfPoints(runs, this.weights)));
+    return this.summed;
+  }
+
+  timeline() {
+    return Timeline.ofPoints(this.names, this.shown, this.loaded.get(this.shown), this.hasSum);
+  }
+
+  /** What is shown first: an entry of the address, or else the sum, or the first point. @returns {run, timeline, key} */
+  async start(key) {
+    this.hasSum = this.hasSum && (await this.sum()) !== null;
+    const point = Number(/^point-(\d+)/.exec(key)?.[1]) - 1;
+    if (this.names[point]) {
+      await this.run(point);
       this.shown = point;
-      await this.page.replace(run, this.page.timeline, this.page.timeline.steps[point].key);
+    }
+    const timeline = this.timeline();
+    const entry = timeline.find(key) ?? timeline.total ?? timeline.point(this.shown);
+    return { run: entry === timeline.total ? await this.sum() : this.loaded.get(this.shown), timeline, key: entry.key };
+  }
+
+  async select(entry) {
+    this.asked = entry.key;
+    const run = await (entry.point < 0 ? this.sum() : this.run(entry.point));
+    if (this.asked === entry.key) {
+      this.shown = entry.point < 0 ? this.shown : entry.point;
+      await this.page.replace(run, this.timeline(), entry.key);
     }
   }
 
   /** A point to be taken away from the one that is shown. A promise. */
   async otherPoint(point) {
-    return { ...runAsOther(await this.run(point), pointNames(this.points[point]).name), point };
+    return { ...runAsOther(await this.run(point), this.names[point].name), point };
   }
 
-  headOf({ index }) {
-    return this.heads.get(index);
+  /** Results without organs, as far as they are loaded. */
+  headOf({ point, index, start }) {
+    return point < 0 ? this.whole.headOf(0) : start === null ? this.heads.get(point)?.last : this.loaded.get(point)?.headOf(index);
   }
 
-  lightOf({ index }, band) {
-    return plantLight(this.heads.get(index), band);
+  /** The light of a point, null if it is not known. */
+  #pointBudget(point, band) {
+    const { head } = this.heads.get(point) ?? {};
+    return head?.total ? summedBudget(head.total, head.time_steps, head.sum_units, band) : budgetOf(head, band);
   }
 
-  async course(indices, column, id) {
-    return Promise.all(indices.map(async (point) => {
+  /** See lightBudget. */
+  budgetOf(entry, band) {
+    if (entry.point < 0) {
+      return weightedBudget(this.names.map((_, point) => this.#pointBudget(point, band)), this.weights, this.isOfTimes);
+    }
+    return entry.start === null ? this.#pointBudget(entry.point, band) : budgetOf(this.headOf(entry), band);
+  }
+
+  get isOfTimes() {
+    return this.heads.get(this.shown).head.total !== undefined;
+  }
+
+  lightOf(entry, band) {
+    return this.budgetOf(entry, band)?.plants ?? NaN;
+  }
+
+  /** Values of an organ at several entries. A promise. */
+  course(entries, column, id) {
+    return Promise.all(entries.map(async ({ point, index, start }) => {
       const run = await this.run(point);
       const organ = run.organOfId(id);
-      const values = organ >= 0 ? await run.values(0, column) : null;
-      return values && { mean: values.mean[organ], error: values.error[organ], low: values.low[organ], high: values.high[organ] };
+      const [found] = organ >= 0 ? await run.course([start === null ? run.json.times.length - 1 : index], column, organ) : [null];
+      return found;
+    }));
+  }
+
+  /** Values of all organs at all points, for a common scale. A promise. */
+  allValues(column) {
+    return Promise.all(this.names.map(async (_, point) => {
+      const run = await this.run(point);
+      return { values: await run.values(run.json.times.length - 1, column), areas: run.shape.areas };
     }));
   }
 
   /** Reads the light of all other points, for the heights of their bars. */
   async readLight() {
-    for (const point of this.points.keys()) {
+    for (const point of this.names.keys()) {
       if (!this.heads.has(point)) {
-        const { head, times } = await readJson(`point-${point}-data`);
-        this.heads.set(point, times.at(-1).part === "total" ? head.total : head);
+        this.#keepHead(point, await readJson(`point-${point}-data`));
         this.page.notify("time");
       }
     }

@@ -26,9 +26,12 @@ function describe(label, seconds) {
 }
 
 export class Timeline {
-  /** @param steps, days  entries in order  @param total  entry of the sum, null for none  @param single  the only time of a run without times */
-  constructor({ steps, days = [], total = null, single = null }) {
-    Object.assign(this, { steps, days, total, single });
+  /**
+   *  @param steps, days  entries in order  @param total  entry of the sum, null for none  @param single  the only time of a run without times
+   *  @param points  of a sweep: they are the steps, or the days if they have hours
+   */
+  constructor({ steps, days = [], total = null, single = null, points = [] }) {
+    Object.assign(this, { steps, days, total, single, points });
     const dates = [...new Set(steps.map(({ date }) => date))];
     this.hasClock = steps.length > 0 && steps.every(({ start }) => start !== null);
     this.dates = this.hasClock ? dates : [];
@@ -58,9 +61,40 @@ export class Timeline {
     return new Timeline({ steps: [...steps, ...coming.map((label) => ({ ...describe(label, 3600), index: -1, key: `coming-${label}`, isKnown: false }))] });
   }
 
-  /** The points of a sweep. @param names  see pointNames */
-  static ofPoints(names) {
-    return new Timeline({ steps: names.map((name, index) => ({ ...name, label: name.name, date: null, start: null, hours: 0, index, key: `point-${index + 1}`, isKnown: true })) });
+  /**
+   * The points of a sweep, with the hours of the one that is shown, if it has those of one day.
+   * @param names  see pointNames  @param shown  index of a point  @param run  its RunData  @param hasSum  whether there is a sum of all
+   */
+  static ofPoints(names, shown, run, hasSum) {
+    const own = Timeline.ofRun(run);
+    const hasHours = own.total !== null && own.hasClock && own.dates.length === 1;
+    const last = run.json.times.length - 1;
+    const points = names.map((name, point) => ({
+      ...name, label: name.name, date: hasHours && point === shown ? own.dates[0] : null, start: null, hours: 0,
+      point, index: point === shown ? last : -1, key: `point-${point + 1}`, isKnown: true,
+    }));
+    const total = hasSum ? { point: -1, index: 0, key: "sum", isKnown: true, name: `All ${names.every(({ isDate }) => isDate) ? "days" : "points"}`, note: `weighted ${own.total ? "sum" : "mean"} of ${points.length}` } : null;
+    const steps = hasHours ? own.steps.map((step) => ({ ...step, point: shown, key: `${points[shown].key} ${step.label}` })) : points;
+    return new Timeline({ steps, days: hasHours ? points : [], total, points });
+  }
+
+  /** The entry of a point of a sweep. */
+  point(number) {
+    return this.points[number];
+  }
+
+  /** The names of kinds of entries: {total, days, steps}. */
+  get kinds() {
+    const points = this.points.every(({ isDate }) => isDate) ? "Days" : "Points";
+    const isSweep = this.points.length > 0;
+    const steps = this.hasClock ? "Hours" : isSweep ? points : "Steps";
+    return { total: this.days.length > 1 || isSweep ? "All" : "Day", days: isSweep ? points : "Days", steps };
+  }
+
+  /** The name of a list of bars: "steps", "points". */
+  kindOf(bars) {
+    const { days, steps } = this.kinds;
+    return (bars === this.points ? days : steps).toLowerCase();
   }
 
   get isEmpty() {
@@ -88,6 +122,13 @@ export class Timeline {
     return this.hasClock && this.dates.length > 1 ? this.steps.filter((step) => step.date === date) : this.steps;
   }
 
+  /** The bars of the strip while an entry is shown: points of a sweep, unless one of the hours is chosen. */
+  bars(entry) {
+    const isSweep = this.points.length > 0;
+    return isSweep && !this.steps.includes(entry) ? this.points
+      : this.stepsBeside(this.steps.includes(entry) || this.days.includes(entry) ? entry : null);
+  }
+
   /** The steps whose light an entry adds up, or its day's. */
   stepsOf(entry) {
     if (this.hasPeriods) {
@@ -99,6 +140,9 @@ export class Timeline {
 
   /** The title of an entry, and a note on it. @param lightOf  the light of a step */
   titleOf(entry, lightOf) {
+    if (entry.note) {
+      return { title: entry.name, note: entry.note };
+    }
     if (entry === this.total) {
       const hours = this.steps.reduce((sum, step) => sum + (this.hasClock && lightOf(step) > 0 ? step.hours : 0), 0);
       const lit = hours > 0 ? `, ${Math.round(hours * 10) / 10} h of light` : "";
@@ -115,6 +159,6 @@ export class Timeline {
 
   /** A text for the legend: "sum of the day", "13:00 – 14:00". */
   wordsOf(entry) {
-    return entry === this.total ? entry.name[0].toLowerCase() + entry.name.slice(1) : this.days.includes(entry) ? `sum of ${entry.name}` : entry.name;
+    return entry === this.total ? entry.name[0].toLowerCase() + entry.name.slice(1) : this.days.includes(entry) ? entry.isDate === false ? entry.name : `sum of ${entry.name}` : entry.name;
   }
 }
