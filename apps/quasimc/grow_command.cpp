@@ -207,21 +207,26 @@ std::unique_ptr<GrowEnvironment> make_environment(
     return nullptr;
 }
 
+/// The title of pictures and of the page.
+std::string name_of(const GrowArguments& arguments) {
+    return std::filesystem::path(arguments.model).filename().string();
+}
+
 std::unique_ptr<GrowPictures> make_pictures(
     const GrowArguments& arguments, const std::vector<quasimc::InputFile>& inputs) {
     if (!is_picture_name(arguments.output)) {
         return nullptr;
     }
     return std::make_unique<GrowPictures>(
-        arguments.output, std::filesystem::path(arguments.model).filename().string(),
-        arguments.picture, inputs);
+        arguments.output, name_of(arguments), arguments.picture, inputs);
 }
 
 std::unique_ptr<quasimc::PlantWindow> open_window(const GrowArguments& arguments) {
     if (!arguments.view) {
         return nullptr;
     }
-    auto window = std::make_unique<quasimc::PlantWindow>(static_cast<int>(arguments.port));
+    auto window = std::make_unique<quasimc::PlantWindow>(
+        static_cast<int>(arguments.port), name_of(arguments));
     fmt::print(stderr, "view: {}\n", window->address());
     return window;
 }

@@ -148,6 +148,12 @@ Json absorbed_light(const LiveFrame& frame) {
     return light;
 }
 
+/// The corners of a scene in its own coordinates: pages fit all frames of a growing plant.
+Json extent(const Scene& scene) {
+    const auto [low, high] = std::pair(scene.bounds().low, scene.bounds().high);
+    return {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+}
+
 WindowFile made(std::string_view type, std::string text) {
     auto owner = std::make_shared<const std::string>(std::move(text));
     return {type, *owner, owner};
@@ -253,6 +259,7 @@ std::string LiveWindow::news() const {
              {"version", kept.version},
              {"scene", kept.scene},
              {"label", kept.frame->label},
+             {"extent", extent(*kept.frame->scene->scene)},
              {"light", absorbed_light(*kept.frame)}});
     }
     return json_text(

@@ -36,14 +36,15 @@ std::string head_of(
 }
 
 std::shared_ptr<const LiveScene> live_scene(
-    std::shared_ptr<const Scene> scene, const std::vector<Band>& bands) {
-    return std::make_shared<const LiveScene>(LiveScene{
-        .scene = std::move(scene), .bands = bands, .title = "A plant that grows", .grows = true});
+    std::shared_ptr<const Scene> scene, const std::vector<Band>& bands, const std::string& title) {
+    return std::make_shared<const LiveScene>(
+        LiveScene{.scene = std::move(scene), .bands = bands, .title = title, .grows = true});
 }
 
 }  // namespace
 
-PlantWindow::PlantWindow(int port) : server_(routes_of(window_), port) {
+PlantWindow::PlantWindow(int port, std::string title)
+    : title_(std::move(title)), server_(routes_of(window_), port) {
     window_->send("waiting for the first step");
 }
 
@@ -61,7 +62,7 @@ void PlantWindow::add(const StepSnapshot& step) {
     }
     const std::vector<Band>& bands = step.specification.bands;
     const auto& sources = step.lighting.sources;
-    add(step.step, {.scene = live_scene({light, &*light->scene}, bands),
+    add(step.step, {.scene = live_scene({light, &*light->scene}, bands, title_),
                     .results = {light, &light->results},
                     .sources = sources.empty() ? Sources() : sources.front(),
                     .head = head_of(*light->scene, light->results, bands)});
@@ -72,7 +73,7 @@ void PlantWindow::add(std::int64_t step, const std::shared_ptr<const Scene>& sce
         window_->send(fmt::format("step {}: no shape is drawn", step));
         return;
     }
-    add(step, {.scene = live_scene(scene, scene->bands()),
+    add(step, {.scene = live_scene(scene, scene->bands(), title_),
                .results = std::make_shared<const std::vector<Result>>()});
 }
 

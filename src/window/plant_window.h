@@ -16,9 +16,10 @@ namespace quasimc {
 class PlantWindow {
   public:
     /// Opens the page.
-    /// @param port  0: any free port. @throws InputError  if it is not available, or the program
+    /// @param port  0: any free port. @param title  of the page. @throws InputError  if it is not
+    /// available, or the program
     ///        was built without the page
-    explicit PlantWindow(int port);
+    explicit PlantWindow(int port, std::string title = "A plant that grows");
 
     [[nodiscard]] std::string address() const { return server_.address(); }
     /// Adds the light of a step. Without a scene only the progress is set.
@@ -33,6 +34,7 @@ class PlantWindow {
   private:
     void add(std::int64_t step, LiveFrame frame);
 
+    std::string title_;
     std::shared_ptr<LiveWindow> window_ = std::make_shared<LiveWindow>();
     HttpServer server_;
 };

@@ -11,6 +11,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
+import { pixelsOf } from "./pixels.mjs";
 
 const [quasimc, environment, executablePath, packages, pictures] = process.argv.slice(2);
 const { chromium } = createRequire(path.join(packages, "package.json"))("playwright-core");
@@ -30,7 +31,7 @@ following module: yes
 function leaves(step) {
   let text = "";
   for (let i = 0; i < step + 1; ++i) {
-    text += `${i} E(0)P(${0.1 + 0.02 * step},0.4)\n ${0.05 * i} ${0.1 * i} 0\n 0 0 1\n 1 0 0\n 0 1 0\n`;
+    text += `${i} E(0)P(${0.1 + 0.02 * step},0.4)\n ${0.05 * i} ${i} 0\n 0 0 1\n 1 0 0\n 0 1 0\n`;
   }
   return `${text}Control: 5 ${step}\n`;
 }
@@ -106,6 +107,16 @@ async function checkStep(page, step, light) {
   assert.ok(Math.abs(shown - light[step]) <= 5e-3 * light[step], `step ${step}: ${shown}, told: ${light[step]}`);
 }
 
+/** The rows from the highest leaf to the lowest one, once the picture is at rest. */
+async function seenRows(page) {
+  await page.waitForTimeout(600);
+  const { width, height, data } = await pixelsOf(page, await page.locator("#canvas").screenshot());
+  const isGreen = (at) => data[at + 1] - data[at + 2] > 30;
+  const isSeen = (row) => Array.from({ length: width / 4 }, (_, i) => 4 * (row * width + 0.75 * width + i)).filter(isGreen).length > 2; // the plant without light
+  const rows = Array.from({ length: height }, (_, row) => row).filter(isSeen);
+  return rows.at(-1) - rows[0];
+}
+
 /** Goes to the frame at an index of the strip, by keys. */
 async function goTo(page, index) {
   await page.locator("#strip").focus();
@@ -134,10 +145,17 @@ async function checkGrowth(context) {
     if (pictures) {
       await page.screenshot({ path: path.join(pictures, "growth.png") });
     }
+    // All steps are seen from one place and on one scale, and their course is known.
+    const scaleEnd = () => page.locator("#legend-scale .tick.last").textContent();
+    const [grown, end] = [await seenRows(page), await scaleEnd()];
+    assert.equal((await page.locator("#course .mean").getAttribute("points")).split(" ").length, kLastSteps);
     // Back to a step, and what comes does not take it away.
     await goTo(page, 1);
     await frameIs(page, 2);
     await checkStep(page, 2, lights[2]);
+    const young = await seenRows(page);
+    assert.ok(young > 10 && young < 0.8 * grown, `a young plant takes ${young} rows, a grown one ${grown}`);
+    assert.equal(await scaleEnd(), end, "steps have one scale");
     lights.push(await growth.grow(kLastSteps + 1));
     await page.waitForFunction((last) => document.querySelector("#strip").getAttribute("aria-valuemax") === String(last), kLastSteps);
     await checkStep(page, 2, lights[2]);

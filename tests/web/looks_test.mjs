@@ -43,7 +43,7 @@ power = [10, 10]${twoLeaves(1)}`;
 /** The canvas at rest. */
 async function canvasPixels(page) {
   await page.waitForTimeout(400); // thinned out and coarse while it moves, whole a quarter of a second after
-  await page.waitForFunction(() => document.getElementById("canvas").width >= document.getElementById("canvas").clientWidth);
+  await page.waitForFunction(() => document.getElementById("canvas").dataset.rest === "yes");
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   return pixelsOf(page, await page.locator("#canvas").screenshot());
 }

@@ -28,7 +28,7 @@ azimuth_deg = 180
 elevation_deg = 40
 irradiance_facing = 400${twoLeaves()}`;
 
-/** Three days that stand for a year. */
+/** Three days with weights: a year. */
 const kWeights = [120, 130, 115];
 const kYear = `
 title = "A year from three days"

@@ -39,6 +39,16 @@ export function pointsOf(shape, isGround) {
   return { plants, all: ground.length > 0 && size(ground) < 1.3 * size(plants) ? [...plants, ...ground] : plants };
 }
 
+/** Points around a box: those of an upright elliptic cylinder that touches its sides. */
+export function pointsAround(low, high) {
+  const kAround = 16;
+  const [middle, half] = [low.clone().add(high).multiplyScalar(0.5), high.clone().sub(low).multiplyScalar(0.5)];
+  return Array.from({ length: 2 * kAround }, (_, i) => {
+    const angle = (2 * Math.PI * i) / kAround;
+    return new Vector3(middle.x + half.x * Math.cos(angle), middle.y + half.y * Math.sin(angle), i < kAround ? low.z : high.z);
+  });
+}
+
 /** The low and high corner of points. */
 export function boundsOf(points) {
   const low = points[0].clone();

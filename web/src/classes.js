@@ -18,7 +18,7 @@ export const kGreys = [
 export const kGrey = "#7d8581";
 
 /** The mean over area of the organs with a value. */
-function areaMean(mean, areas, isIn = () => true) {
+export function areaMean(mean, areas, isIn = () => true) {
   let [sum, area] = [0, 0];
   mean.forEach((value, i) => {
     if (Number.isFinite(value) && isIn(i)) {

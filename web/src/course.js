@@ -1,7 +1,6 @@
 // Through the day, or along steps: pinned organs with their errors, and all plants.
 
 import { byId, make, svg } from "./dom.js";
-import { allPlants } from "./energy.js";
 import { clockText } from "./format.js";
 import { kPins, pinLetter } from "./page.js";
 import { startPlot } from "./plot.js";
@@ -17,11 +16,9 @@ export class Course {
   /** Courses of organs and of all plants along the steps, as the page can have them. */
   async #read(steps) {
     const { page } = this;
-    const { run, column } = page;
+    const { column } = page;
     const pins = await Promise.all(page.pins.map((organ) => page.courseOf(steps, column, organ)));
-    const { quantity, band } = run.json.columns[column];
-    const all = steps.map((step) => allPlants(page.headOf(step), quantity, band));
-    return { pins, all };
+    return { pins, all: await page.meansOf(steps) };
   }
 
   async draw() {
@@ -100,7 +97,7 @@ export class Course {
     if (points.length > 0) {
       const name = quantityName(this.page.run.json.columns[this.page.column]);
       const isRight = points[0][0] > (box.left + box.right) / 2;
-      node.append(svg("text", { x: points[0][0], y: 8, "text-anchor": isRight ? "end" : "start" }, "all plants, dashed", svg("title", {}, name)));
+      node.append(svg("text", { x: points[0][0], y: 8, "text-anchor": isRight ? "end" : "start" }, "all plants", svg("title", {}, name)));
     }
   }
 

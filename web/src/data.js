@@ -62,6 +62,9 @@ export function quantityName({ quantity, name }) {
   return kNames[quantity] ?? name[0].toUpperCase() + name.slice(1);
 }
 
+/** A band in words: names that are wavelengths have their unit. */
+export const bandName = (band) => (/^\d{3,4}(\.\d+)?$/.test(band) ? `${band}\u00a0nm` : band);
+
 /** Means, standard errors, low and high ends from the bytes of all organs. */
 function partsOf(bytes, n, factor) {
   const part = (k) => {
@@ -179,7 +182,7 @@ export class RunData {
 
   columnName(column) {
     const kind = this.json.columns[column];
-    return kind.band ? `${quantityName(kind)}, ${kind.band}` : quantityName(kind);
+    return kind.band ? `${quantityName(kind)}, ${bandName(kind.band)}` : quantityName(kind);
   }
 
   /** The user's number of an organ, as text: it may exceed the exact integers of numbers. */

@@ -1,5 +1,6 @@
 // The number one came for, and where the light goes.
 
+import { bandName } from "./data.js";
 import { make } from "./dom.js";
 import { lightBudget, lightDifference } from "./energy.js";
 import { estimate, kUnknownText, percent } from "./format.js";
@@ -39,7 +40,7 @@ export class Headline {
       return;
     }
     const plants = budget.parts.find(({ key }) => key === "plants")?.part;
-    const incoming = `${percent(plants, 3)} of ${budget.isPerGround ? "incoming" : "the"} ${band || "light"}${budget.isPerGround ? "" : " that enters the scene"}`;
+    const incoming = `${percent(plants, 3)} of ${budget.isPerGround ? "incoming" : "the"} ${bandName(band) || "light"}${budget.isPerGround ? "" : " that enters the scene"}`;
     parent.replaceChildren(
       make("p", { class: "what" }, what),
       numberNode(budget.plants, budget.error, budget.unit),

@@ -48,6 +48,21 @@ class LiveView {
     return frame?.light?.[band] ?? plantLight(this.live.heads.get(frame?.number), band);
   }
 
+  /** The low and high corner of all frames; null if none has one. */
+  get extent() {
+    const known = this.live.state.frames.map(({ extent }) => extent).filter((one) => one?.flat().every(Number.isFinite));
+    const ends = (end, k) => [0, 1, 2].map((axis) => end(...known.map((extent) => extent[k][axis])));
+    return known.length > 0 ? [ends(Math.min, 0), ends(Math.max, 1)] : null;
+  }
+
+  /** The values of all frames. A promise. */
+  allValues(column) {
+    return Promise.all(this.live.state.frames.map(async (frame) => {
+      const run = await this.live.frame(frame).catch(() => null);
+      return { values: run && (await run.values(0, column)), areas: run?.shape.areas };
+    }));
+  }
+
   /** Of frames that are loaded, and of one scene with that organ. */
   async course(entries, column, id) {
     const { frames } = this.live.state;

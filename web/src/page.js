@@ -1,6 +1,6 @@
 // What the page shows: the choices of the user, the numbers that follow from them, and the parts that draw them.
 
-import { kClasses, classColor, classesOf } from "./classes.js";
+import { areaMean, kClasses, classColor, classesOf } from "./classes.js";
 import { Comparison, givenDifference } from "./comparison.js";
 import { byId } from "./dom.js";
 import { noFilters, organsPassing } from "./filters.js";
@@ -69,6 +69,11 @@ export class Page {
     return this.set({ show: other ? "difference" : "value", values: null, errorClass: null, ends: null });
   }
 
+  /** The low and high corner of all states of a growing plant, in the coordinates of the scene; null for others. */
+  get extent() {
+    return this.run.json.grows ? this.live?.extent ?? null : null;
+  }
+
   get time() {
     return this.run.json.times.length === 1 ? 0 : this.entry.index;
   }
@@ -79,6 +84,16 @@ export class Page {
 
   get unit() {
     return this.run.unit(this.time, this.column);
+  }
+
+  /** Estimates of all plants of the shown column at entries of the timeline, null where there are none. A promise. */
+  async meansOf(entries) {
+    const { quantity, band } = this.run.json.columns[this.column];
+    const found = entries.map((entry) => allPlants(this.headOf(entry), quantity, band));
+    if (found.some(Boolean) || !this.run.json.grows || !this.live?.allValues) {
+      return found;
+    }
+    return (await this.live.allValues(this.column)).map(({ values, areas }) => values && { mean: areaMean(values.mean, areas), error: NaN });
   }
 
   /** The unit of the shown column at entries of the timeline, of which some may be of other results. */
@@ -234,6 +249,11 @@ export class Page {
     const steps = this.timeline.steps.includes(this.entry) && !isOne ? this.timeline.steps : [this.entry];
     const all = await Promise.all(steps.map(({ index }) => run.values(isOne ? 0 : index, column)));
     return all.map((values) => ({ values, areas: run.shape.areas }));
+  }
+
+  /** Whether any organ has an error. */
+  get hasErrors() {
+    return this.values?.error.some(Number.isFinite) ?? true;
   }
 
   /** Whether a logarithmic scale shows more. */

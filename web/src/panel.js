@@ -2,7 +2,7 @@
 
 import { Check, Choice } from "./choice.js";
 import { CompareField } from "./compare_field.js";
-import { quantityName } from "./data.js";
+import { bandName, quantityName } from "./data.js";
 import { make } from "./dom.js";
 import { FilterSection } from "./filter_panel.js";
 import { plain, withUnit } from "./format.js";
@@ -58,6 +58,7 @@ export class Panel {
     this.bandBox = make("div");
     this.show = new Choice("Show", [["value", "Value"], ["error", "Error"], ["difference", "Difference"]],
       (show) => page.set({ show, values: null, errorClass: null, ends: null }));
+    this.showField = field("Show", this.show.node);
     this.maps = new Choice("Colours", Object.keys(page.run.colorMaps).map((name) => [name, "", name]), (map) => page.set({ map }), "maps");
     this.maps.buttons.forEach((button, name) => {
       const stops = page.run.colorMaps[name].filter((_, i) => i % 7 === 0).map((rgb) => `rgb(${rgb.join(",")})`);
@@ -66,7 +67,7 @@ export class Panel {
     this.mapField = field("Colours", this.maps.node);
     this.same = new Check("same", `Same scale for all ${this.#timesWord}`, null, (sameScale) => page.set({ sameScale, time: page.state.time }));
     this.log = new Check("log", "Logarithmic scale", null, (isLog) => page.set({ isLog }));
-    return section("Colour", true, field("Quantity", this.quantity), this.bandBox, field("Show", this.show.node), this.mapField,
+    return section("Colour", true, field("Quantity", this.quantity), this.bandBox, this.showField, this.mapField,
       make("div", { class: "field" }, this.same.node, this.log.node), page.run.json.grows ? null : field("Compared with", this.compared.build()));
   }
 
@@ -89,9 +90,9 @@ export class Panel {
       this.bandsShown = bands.join();
       const choose = (band) => page.set({ band, values: null, ends: null });
       if (bands.length <= kMaxButtons) {
-        this.bands = new Choice("Band", bands.map((band) => [band, band]), choose);
+        this.bands = new Choice("Band", bands.map((band) => [band, bandName(band)]), choose);
       } else {
-        const list = make("select", { "aria-label": "Band", onchange: () => choose(list.value) }, bands.map((band) => make("option", { value: band }, band)));
+        const list = make("select", { "aria-label": "Band", onchange: () => choose(list.value) }, bands.map((band) => make("option", { value: band }, bandName(band))));
         this.bands = { node: list, set: (band) => (list.value = band) };
       }
       this.bandBox.replaceChildren(field("Band", this.bands.node));
@@ -129,6 +130,8 @@ export class Panel {
     this.quantity.value = state.quantity;
     this.#drawBands();
     this.show.buttons.get("difference").hidden = page.minus === null;
+    this.show.buttons.get("error").hidden = !page.hasErrors && state.show !== "error";
+    this.showField.hidden = [...this.show.buttons.values()].every((button) => button.hidden || button === this.show.buttons.get("value"));
     this.show.set(state.show);
     this.maps.set(state.map);
     this.mapField.hidden = state.show !== "value";

@@ -10,6 +10,12 @@ const kUsual = [440, 180]; // of charts that are not in the document yet
 const kMargin = 18; // right of the plane: half of a time, in pixels
 const kHalfLetter = 3.2;
 
+/** Round numbers on an axis, more than asked for where these would be one or two: they alone do not give a scale. */
+function enoughTicks({ low, high }, count) {
+  const found = ticks(low, high, count);
+  return found.length > 2 || !(high > low) ? found : ticks(low, high, 2 * count);
+}
+
 /**
  * An empty chart as large as its parent.
  * @param x, y  {low, high, ticks: count or list, format}; no ticks: no labels
@@ -22,7 +28,7 @@ export function startPlot(parent, label, { x, y, left = 44 }) {
   const node = svg("svg", { width, height, role: "group", "aria-label": label });
   const toX = (v) => box.left + ((v - x.low) / (x.high - x.low || 1)) * (box.right - box.left);
   const toY = (v) => box.bottom - ((v - y.low) / (y.high - y.low || 1)) * (box.bottom - box.top);
-  const listOf = (axis, count) => (Array.isArray(axis.ticks) ? axis.ticks : ticks(axis.low, axis.high, axis.ticks ?? count));
+  const listOf = (axis, count) => (Array.isArray(axis.ticks) ? axis.ticks : enoughTicks(axis, axis.ticks ?? count));
   const format = (axis) => axis.format ?? ((v) => plain(v));
   for (const tick of listOf(x, Math.max(2, Math.min(6, width / 90)))) {
     if (x.grid) {

@@ -2,7 +2,7 @@
 
 import { Mesh, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 import { FrameBudget } from "./budget.js";
-import { boundsOf, pointsOf } from "./camera.js";
+import { boundsOf, pointsAround, pointsOf } from "./camera.js";
 import { Neighbours } from "./neighbours.js";
 import { Orbit } from "./orbit.js";
 import { OrganColors, Passes } from "./passes.js";
@@ -32,6 +32,12 @@ export function makeRenderer(canvas) {
 /** The part of the width and height that a CPU renders while the scene moves; the browser enlarges it. */
 const kCoarse = 0.5;
 
+/** Pixels of the picture at rest to one of CSS, so that leaves thinner than a pixel do not break into dots. */
+const kFine = 2;
+const kSwift = 60; // milliseconds: a fine picture is drawn at once if it takes less
+const kPatience = 1000; // milliseconds: and at rest, if it takes less
+const kPause = 120; // milliseconds without a change before it
+
 /** Side by side: the light, and the plant in its own colours. */
 const kLight = { angle: 0.06 };
 const kPlant = { angle: 0.3 };
@@ -52,11 +58,14 @@ export class SceneWindow {
   /**
    * @param renderer  see makeRenderer
    * @param onView  called after each frame: the camera may have moved
+   * @param extent  see setScene
    */
-  constructor(renderer, run, onView) {
-    Object.assign(this, { renderer, run, onView, canvas: renderer.domElement, isAsked: false });
+  constructor(renderer, run, onView, extent = null) {
+    Object.assign(this, { renderer, run, onView, extent, canvas: renderer.domElement, isAsked: false });
     this.isQuickAllowed = isSoftware(renderer.getContext());
     this.ratio = renderer.getPixelRatio(); // of pixels at rest to those of CSS
+    this.fine = Math.max(1, kFine / this.ratio);
+    this.detail = 1; // of the last picture, to the ratio
     this.shading = 0;
     this.backdrop = null; // a scene behind all others
     this.neighbours = null; // of a periodic cell
@@ -90,7 +99,7 @@ export class SceneWindow {
     this.light = new OrganColors(run.count);
     this.plant = null;
     this.north = run.json.north;
-    this.points = pointsOf(run.shape, run.isGround);
+    this.points = this.extent ? this.#pointsOfExtent() : pointsOf(run.shape, run.isGround);
     this.bounds = boundsOf(this.points.plants);
     this.low = new Vector3(...run.json.low);
     this.high = new Vector3(...run.json.high);
@@ -101,8 +110,16 @@ export class SceneWindow {
     this.scene.add(this.mesh);
   }
 
-  /** Sets another scene of the same run. */
-  setScene(run) {
+  /** Points around all states of a growing plant, which keep the camera where it is. */
+  #pointsOfExtent() {
+    const middle = new Vector3(...this.run.json.middle);
+    const around = pointsAround(...this.extent.map((corner) => new Vector3(...corner).sub(middle)));
+    return { plants: around, all: around };
+  }
+
+  /** Sets another scene of the same run. @param extent  of all its scenes: low and high corner; null: the camera fits each */
+  setScene(run, extent) {
+    this.extent = extent;
     const moved = new Vector3(...this.run.json.middle).sub(new Vector3(...run.json.middle));
     this.run = run;
     this.light.dispose();
@@ -190,11 +207,13 @@ export class SceneWindow {
     }
   }
 
-  draw() {
+  /** @param isFine  whether there is time for the picture at rest */
+  draw(isFine = this.budget.affords(this.fine, kSwift)) {
     this.hasDrawn = true;
     const { renderer, passes, budget } = this;
     const isQuick = this.isQuickAllowed && budget.isMoving;
-    this.#setRatio(isQuick ? kCoarse * this.ratio : this.ratio);
+    const isWhole = budget.share === 1;
+    this.#setDetail(isQuick ? kCoarse : isFine && isWhole && !budget.isMoving ? this.fine : 1);
     renderer.setRenderTarget(null);
     renderer.clear();
     this.orbit.setRange();
@@ -207,15 +226,44 @@ export class SceneWindow {
       this.#drawNeighbours();
       this.#drawPicture();
     }
-    budget.drawn();
+    budget.drawn(isWhole && !isQuick ? this.detail : 0);
+    this.#awaitFine();
     this.onView();
   }
 
-  /** Sets the size of the drawing buffer, which clears it. */
-  #setRatio(ratio) {
-    if (this.renderer.getPixelRatio() !== ratio) {
-      this.renderer.setPixelRatio(ratio);
+  /** Sets the number of pixels to be drawn, which clears them. */
+  #setDetail(detail) {
+    const { renderer, passes, canvas } = this;
+    this.detail = detail;
+    if (renderer.getPixelRatio() !== this.pixels) {
+      renderer.setPixelRatio(this.pixels);
     }
+    passes.setSize(Math.floor(canvas.clientWidth * this.pixels), Math.floor(canvas.clientHeight * this.pixels));
+  }
+
+  /** Pixels of the last picture to one of CSS. */
+  get pixels() {
+    return this.ratio * this.detail;
+  }
+
+  /** Draws the fine picture once nothing changes any more, if it does not take too long. */
+  #awaitFine() {
+    clearTimeout(this.pause);
+    this.canvas.dataset.rest = this.detail >= this.fine ? "yes" : "no";
+    if (this.detail >= this.fine) {
+      return;
+    }
+    this.pause = setTimeout(() => {
+      if (this.budget.isMoving || this.budget.fences.length > 0) {
+        this.#awaitFine();
+      } else if (this.budget.affords(this.fine, kPatience)) {
+        this.draw(true);
+      } else if (!this.budget.isSettled) {
+        this.draw(false);
+      } else {
+        this.canvas.dataset.rest = "yes";
+      }
+    }, kPause);
   }
 
   #drawPicture() {
@@ -224,7 +272,7 @@ export class SceneWindow {
     this.isPictureOld = this.budget.share < 1;
     passes.edges.shading.value = this.shading;
     renderer.setViewport(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
-    passes.drawEdges(this.camera, this.ratio);
+    passes.drawEdges(this.camera, this.pixels);
   }
 
   #drawBackdrop() {
@@ -256,7 +304,7 @@ export class SceneWindow {
   /** Draws organs in all views. @param target  render target; null: the screen */
   #drawOrgans(material, target) {
     const { renderer, passes } = this;
-    const ratio = target ? this.ratio : 1;
+    const ratio = target ? this.pixels : 1;
     this.mesh.material = material;
     renderer.setRenderTarget(target);
     if (target) {
@@ -299,7 +347,6 @@ export class SceneWindow {
     const known = this.renderer.getSize(new Vector2());
     if (width > 0 && height > 0 && (width !== known.x || height !== known.y)) {
       this.renderer.setSize(width, height, false); // which clears the canvas
-      this.passes.setSize(Math.floor(width * this.ratio), Math.floor(height * this.ratio));
       this.orbit.setSize(this.#width, height);
       if (this.hasDrawn) {
         this.draw();
@@ -310,18 +357,14 @@ export class SceneWindow {
 
   /** The current picture, as a canvas. @param scale  pixels of it per pixel of the screen */
   picture(scale) {
-    const { passes, ratio: before } = this;
-    const resize = (ratio) => {
-      this.ratio = ratio;
-      passes.setSize(Math.floor(this.canvas.clientWidth * ratio), Math.floor(this.canvas.clientHeight * ratio));
-    };
+    const { ratio, fine } = this;
     const copy = document.createElement("canvas");
     this.budget.isMoving = false;
-    resize(before * scale);
+    Object.assign(this, { ratio: ratio * scale, fine: 1 });
     this.draw();
     [copy.width, copy.height] = [this.canvas.width, this.canvas.height];
     copy.getContext("2d").drawImage(this.canvas, 0, 0);
-    resize(before);
+    Object.assign(this, { ratio, fine });
     this.draw();
     return copy;
   }
@@ -340,8 +383,8 @@ export class SceneWindow {
       this.#drawOrgans(this.passes.full, this.passes.target);
       this.isPictureOld = false;
     }
-    const { ratio } = this;
+    const { pixels } = this;
     const { height } = this.passes.target;
-    return this.passes.organAt(Math.floor(x * ratio), height - 1 - Math.floor(y * ratio));
+    return this.passes.organAt(Math.floor(x * pixels), height - 1 - Math.floor(y * pixels));
   }
 }

@@ -33,7 +33,7 @@ export class Stage {
   /** @param renderer  see makeRenderer */
   constructor(page, renderer) {
     this.page = page;
-    this.window = new SceneWindow(renderer, page.run, () => this.#moved());
+    this.window = new SceneWindow(renderer, page.run, () => this.#moved(), page.extent);
     this.directions = new Directions(byId("behind"), byId("before"));
     this.covered = { left: 0, bottom: 0 };
     this.lights = { paths: [], hours: [], sun: null, lamps: [] };
@@ -45,7 +45,7 @@ export class Stage {
   }
 
   scene() {
-    this.window.setScene(this.page.run);
+    this.window.setScene(this.page.run, this.page.extent);
   }
 
   draw() {
