@@ -16,6 +16,7 @@
 #include "run/zero_result.h"
 #include "runfile/run_file.h"
 #include "runfile/written.h"
+#include "series/trace_spec.h"
 
 namespace quasimc {
 namespace {
@@ -128,9 +129,18 @@ class RunReplay {
         for (; has_steps_ && next_time_ < std::min(end, times_.size()); ++next_time_) {
             if (is_dark(run_.series->time_steps[next_time_].sources) &&
                 is_selected(run_, next_time_)) {
-                add_step({next_time_, zero_result(run_.scene, run_.spec), next_time_});
+                add_step({next_time_, night(), next_time_});
             }
         }
+    }
+
+    /// The result of a time without light, with the origins of all times.
+    const Result& night() {
+        if (!night_) {
+            const auto& steps = run_.series->time_steps;
+            night_ = zero_result(run_.scene, with_origins_of_all(run_.spec, steps));
+        }
+        return *night_;
     }
 
     /// The time step that a result was scaled from.
@@ -176,6 +186,7 @@ class RunReplay {
     const StoredColumns columns_;
     const std::vector<std::string> times_;
     SeriesSummary summary_;
+    std::optional<Result> night_;
     bool has_steps_ = false;                    // whether the file has time steps
     std::size_t next_time_ = 0, next_day_ = 0;  // labels of times may repeat
 };

@@ -294,3 +294,16 @@ def test_what_can_not_be_saved_says_why(series, tmp_path):
     (tmp_path / "a.json").write_bytes(b"\xff\xfe")
     with pytest.raises(quasimc.InputError, match="a.json: is not a result of QuasiMC"):
         quasimc.open(tmp_path / "a.json")
+
+
+def test_nights_of_an_opened_series_have_the_origins_of_all_times(tmp_path):
+    scene = canopy()
+    scene.site = quasimc.Site(51, 10)
+    lamp = quasimc.lamp("point", name="led", position=[0, 0, 3], power=10, on_hours=[11, 12])
+    day = quasimc.day("2024-06-21", utc_offset_hours=1)
+    series = scene.series(day, lamp, origins=["led"], paths=64)
+    series.save(tmp_path / "day.json")
+    opened = quasimc.open(tmp_path / "day.json")
+    assert {result.origins for result in opened} == {("led", "other")}
+    light = [each["incident_upper"].origin("other").values for each in (series, opened)]
+    assert np.array_equal(*light)
