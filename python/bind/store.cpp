@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,13 +12,17 @@
 #include <pybind11/stl.h>
 
 #include "bind.h"
+#include "control.h"
 #include "document.h"
 #include "files/input_files.h"
 #include "light/source_origins.h"
+#include "quasimc/lamp_control.h"
 #include "quasimc/result_file.h"
+#include "quasimc/run.h"
 #include "record.h"
 #include "replicates.h"
 #include "result.h"
+#include "resultio/describe_series.h"
 #include "resultio/output_input.h"
 #include "resultio/read_result.h"
 #include "resultio/replay_result.h"
@@ -26,6 +32,7 @@
 #include "runfile/sweep.h"
 #include "runfile/written.h"
 #include "scene.h"
+#include "series/trace_spec.h"
 
 namespace quasimc::python {
 namespace {
@@ -220,6 +227,40 @@ py::tuple restored(const Document& document, const std::vector<std::string>& par
     return handles + py::make_tuple(std::move(kept));
 }
 
+/// The origin that is the light of the lamps of a control and of nothing else; "" if there is none.
+std::string origin_of(const RunFile& run, const LampControl& control) {
+    const Sources sources = sources_of(run.series->time_steps);
+    const SourceOrigins origins = source_origins(sources, run.spec.origins);
+    std::set<std::size_t> own, others;
+    for (std::size_t s = 0; s < sources.size() && !origins.names.empty(); ++s) {
+        (controls(control, *sources[s]) ? own : others).insert(origins.of_source[s]);
+    }
+    const bool is_alone = own.size() == 1 && !others.contains(*own.begin());
+    return is_alone ? origins.names[*own.begin()] : "";
+}
+
+/// What a document's only control makes of its lamps, and their origin. Only the light at its
+/// sensors is computed.
+py::dict controlled(const Document& document) {
+    std::optional<RunFile> run;
+    std::string origin;
+    {
+        const py::gil_scoped_release release;
+        run.emplace(run_of(document));
+        TimeSeries& series = *run->series;
+        Simulator simulator;
+        series.outcomes = in_summed_units(
+            run->scene.bands(), series.controls,
+            control_lamps(
+                {run->scene, run->sources, run->spec, series.controls}, simulator,
+                series.time_steps));
+        origin = origin_of(*run, series.controls.at(0));
+    }
+    py::dict own = controls_of(*run->series, run->scene)[0];
+    own["origin"] = origin;
+    return own;
+}
+
 }  // namespace
 
 void bind_store(py::module_& module) {
@@ -227,6 +268,7 @@ void bind_store(py::module_& module) {
     module.def(
         "written_sweep", &written_sweep, py::arg("document"), py::arg("records"),
         py::arg("format"));
+    module.def("controlled", &controlled, py::arg("document"));
     module.def("record_of", &record_of, py::arg("scene"), py::arg("result"));
     module.def("written_scene", &written_scene, py::arg("document"));
     module.def("read_stored", &read_stored, py::arg("text"), py::arg("name"), py::arg("folder"));

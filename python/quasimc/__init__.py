@@ -15,7 +15,7 @@ from ._core import version as __version__
 from ._progress import Progress
 from ._store import open_result as open
 from .errors import Error, InputError, KeywordError, QuasimcWarning, Stopped
-from .control import Control, ControlDay
+from .control import Control, ControlDay, ControlledLight
 from .detectors import DetectorResult
 from .estimates import Estimates
 from .functions import align, propagate
@@ -67,6 +67,7 @@ def shapes():
 __all__ = [
     "Control",
     "ControlDay",
+    "ControlledLight",
     "Cell",
     "DetectorResult",
     "Error",

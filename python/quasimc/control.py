@@ -62,6 +62,41 @@ class Control:
         return f"<Control {self.sources!r}: {self.lamp_count} lamps, on {hours:.1f} h, {kwh:.3g} kWh>"
 
 
+class ControlledLight(Control):
+    """Lamps under control after a run without it (`Series.controlled`), and the light with them.
+
+    ``controlled["absorbed_flux"]`` are the `Estimates` of a quantity at all times, of shape (times,
+    organs, bands). An instant's light is linear in the flux of the lamps: all light times `factor`, and
+    that of all other origins times 1 - `factor`. It has errors at times whose replicates were kept:
+    ``keep="replicates"``, and not those whose light is that of another time, scaled.
+    """
+
+    def __init__(self, own, times, series):
+        super().__init__(own, times)
+        self._series = series
+        self._origin = own["origin"]
+
+    def __getitem__(self, quantity):
+        light = self._series[quantity]
+        if not light.origins:
+            return light  # the suns of the time alone decide it
+        rows = {time: row for row, time in enumerate(self._times)}
+        factor = self.factor[[rows[step["time"]] for step in self._series.times]][:, None, None]
+        mixed = _weighted(light, factor, light)
+        for name in light.origins:
+            if name != self._origin:
+                mixed = mixed + _weighted(light.origin(name), 1 - factor, light)
+        return mixed
+
+
+def _weighted(part, factors, light):
+    """Light times factors, with the name, the units and the kind of other light."""
+    result = part * factors
+    result.name, result.extensive = light.name, light.extensive
+    result._set_units(light._units)
+    return result
+
+
 class ControlDay:
     """A day of lamps under control.
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from functools import cached_property
 
+from . import _core
 from ._index import OrganIndex, RunIndex, time_index
 from ._light import Light, label_columns
+from ._meshes import plain
 from ._optional import needed
 from ._stacked_light import StackedLight
 from .control import Control
@@ -98,6 +101,52 @@ class Series:
         """Lamps under control (`Scene.add_control`): a dict, pattern of the lamps -> `Control`."""
         times = self._core.step_times
         return {own["sources"]: Control(own, times) for own in self._core.control}
+
+    def controlled(self, sources, sensors, **keys):
+        """Has lamps switched and dimmed after the run: only the light at the sensors is computed.
+
+        The decisions are those of a run with `Scene.add_control`, whose arguments these are. The series
+        must have been run without control, with the lamps as an origin of their own.
+
+        Parameters
+        ----------
+        sources : str
+            Pattern of the names of lamps.
+        sensors : str
+            Name of flat sensors of the scene.
+        **keys
+            on_below, daily_target, set_point, dim_min, electrical_power_w, band.
+
+        Returns
+        -------
+        ControlledLight
+
+        Raises
+        ------
+        InputError
+            If the rules, the lamps or the sensors are invalid.
+        ValueError
+            If the run had a control, or no origin is the light of these lamps alone.
+
+        Examples
+        --------
+        >>> series = scene.series(day, origins=["sun", "sky", "hps *"])  # doctest: +SKIP
+        >>> series.controlled("hps *", "bench", on_below=150).kwh.sum()  # doctest: +SKIP
+        """
+        from .control import ControlledLight
+
+        if self._core.control:
+            raise ValueError("the lamps of this run were under control already: run without add_control")
+        document = self._written.document(self.organs)
+        rule = plain({"sources": sources, "sensors": sensors, **keys})
+        table = {**document.table(), "control": [rule]}
+        own = _core.controlled(_core.Document(table, document.name, document.folder))
+        if not own["origin"]:
+            raise ValueError(
+                f"no origin is the light of {sources!r} alone: run with "
+                f'origins=["sun", "sky", {json.dumps(sources)}]'
+            )
+        return ControlledLight(own, self._core.step_times, self)
 
     def __len__(self):
         return len(self.times)

@@ -60,3 +60,60 @@ def test_mistakes_are_reported():
     with pytest.raises(quasimc.InputError, match="no sensors are called 'bech'; there is bench") as error:
         scene.series(DAY, paths=64)
     assert "belongs to control 'hps' too" in str(error.value)
+
+
+ORIGINS = ["sun", "sky", "hps"]
+RULES = dict(daily_target=1e6, electrical_power_w=500)
+
+
+def test_control_after_a_run_decides_as_a_run_with_control():
+    expected = room(**RULES).series(DAY, paths=256)
+    series = room().series(DAY, paths=256, origins=ORIGINS, keep="replicates")
+    after, within = series.controlled("hps", "bench", **RULES), expected.control["hps"]
+    assert after.factor.tolist() == within.factor.tolist()
+    assert after.kwh.tolist() == within.kwh.tolist() and after.on.tolist() == within.on.tolist()
+    for name in ("daylight", "lamps", "light"):
+        assert np.array_equal(getattr(after, name)._values, getattr(within, name)._values, equal_nan=True)
+    assert after.days["2024-12-15"].light.values == within.days["2024-12-15"].light.values
+    assert 0 < after.factor[4] < 1 and after.factor[5] == 0 and series.control == {}
+    light, whole = after["absorbed_flux"], series["absorbed_flux"]
+    assert light.units == {"PAR": "W"} and light.extensive and light.name == "absorbed_flux"
+    both = expected["absorbed_flux"]
+    assert light.shape == both.shape
+    known = [result.has_replicates for result in series]
+    assert np.all(light.standard_error[known][both.values[known] > 0] > 0) and sum(known) > 4
+    apart = np.abs(light.values - both.values)
+    assert np.all(apart[known] <= 5 * (light.standard_error + both.standard_error)[known] + 1e-9)
+    assert np.all(apart <= 0.02 * whole.values)
+    assert light.values[2:4] == pytest.approx(whole.values[2:4], rel=1e-12), "the lamps at full light"
+    assert np.all(light.values[5:7] == 0) and np.all(whole.values[5:7] > 0), "the lamps are off"
+
+
+def test_control_of_an_opened_series(tmp_path):
+    series = room().series(DAY, paths=256, origins=["hps"])
+    series.save(tmp_path / "day.json")
+    opened = quasimc.open(tmp_path / "day.json")
+    own, again = (each.controlled("hps", "bench", **RULES) for each in (series, opened))
+    assert again.factor.tolist() == own.factor.tolist()
+    with pytest.warns(quasimc.QuasimcWarning, match="replicates"):
+        light = again["absorbed_flux"]["PAR"]
+    whole, factor = opened["absorbed_flux"]["PAR"], own.factor[:, None]
+    others = whole.origin("other").values
+    assert light.values == pytest.approx(factor * whole.values + (1 - factor) * others)
+    assert light.values[12, 0] > 100 and light.values[3, 0] > 0
+
+
+def test_lamps_that_cannot_be_controlled_after_the_run_are_refused():
+    controlled = room(**RULES).series(DAY, paths=64, origins=ORIGINS)
+    with pytest.raises(ValueError, match="under control already"):
+        controlled.controlled("hps", "bench", **RULES)
+    for origins in ([], ["sun"], ["*"]):
+        series = room().series(DAY, paths=64, origins=origins)
+        with pytest.raises(ValueError, match="no origin is the light of 'hps' alone"):
+            series.controlled("hps", "bench", **RULES)
+    series = room().series(DAY, paths=64, origins=["lamps"])
+    assert series.controlled("hps", "bench", **RULES).lamp_count == 1
+    with pytest.raises(quasimc.InputError, match="no sensors are called 'bech'"):
+        series.controlled("hps", "bech", **RULES)
+    with pytest.raises(quasimc.InputError, match="did you mean 'set_point'"):
+        series.controlled("hps", "bench", setpoint=100)

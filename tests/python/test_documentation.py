@@ -14,7 +14,7 @@ SOURCE = Path(os.environ["QUASIMC_SOURCE_DIR"])
 EXAMPLES = sorted((SOURCE / "examples" / "05-python").glob("*.py"))
 # Pages and how many blocks each has.
 PAGES = {"python.md": 16, "growing-plants.md": 3, "coming-from-other-programs.md": 1,
-         "sun-and-shade.md": 3}
+         "sun-and-shade.md": 3, "lamps.md": 1}
 
 
 def blocks_of(page):
