@@ -239,8 +239,8 @@ std::string origin_of(const RunFile& run, const LampControl& control) {
     return is_alone ? origins.names[*own.begin()] : "";
 }
 
-/// What a document's only control makes of its lamps, and their origin. Only the light at its
-/// sensors is computed.
+/// Decides the factors of a document's only control, for which the light at its sensors is
+/// computed: its outcome, and the origin of its lamps.
 py::dict controlled(const Document& document) {
     std::optional<RunFile> run;
     std::string origin;
