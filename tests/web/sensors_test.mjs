@@ -54,7 +54,7 @@ async function marks(page) {
 async function checkTable(page, result) {
   await open(page, `${workshop.address("sensed")}#quantity=incident_upper&tab=table`);
   assert.match(await page.locator("#subtitle").textContent(), /^2 organs · 2 triangles · 3 sensors$/);
-  assert.match(await page.locator("#shown").textContent(), /^2 of 2 organs shown$/);
+  assert.match(await page.locator("#shown").textContent(), /^2 of 2 organs, 3 of 3 sensors shown$/);
   const rows = await page.locator("#table tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
   assert.equal(rows.length, 5);
   for (const { name, incident_upper: upper, fluence_rate: rate } of result.sensors) {
@@ -94,20 +94,23 @@ async function checkZoom(page) {
   assert.ok(distance > 1 && distance < 4, `seen from ${distance} m`);
 }
 
-/** The histogram counts two leaves, though three sensors have values as well. */
-async function checkCharts(page) {
+/** The histogram counts the three sensors alone, as they are more than the two leaves, and the headline is their mean. */
+async function checkCharts(page, result) {
   await open(page, workshop.address("sensed"));
   assert.equal(await page.locator("#legend-title").textContent(), "Light on the upper side, PAR", "three sensors, two leaves");
   await open(page, `${workshop.address("sensed")}#quantity=incident_upper&by=count`);
   const labels = await page.locator("#histogram .hit").evaluateAll((hits) => hits.map((hit) => hit.getAttribute("aria-label")));
-  const counts = labels.map((label) => Number(label.match(/: (\d+) organ/)[1]));
-  assert.equal(counts.reduce((a, b) => a + b, 0), 2, labels.join("\n"));
+  const counts = labels.map((label) => Number(label.match(/: (\d+) sensor/)[1]));
+  assert.equal(counts.reduce((a, b) => a + b, 0), 3, labels.join("\n"));
+  const mean = result.sensors.reduce((sum, { incident_upper: upper, fluence_rate: rate }) => sum + (rate ?? upper).PAR.mean / 3, 0);
+  const shown = Number.parseFloat(await page.locator("#headline .number").textContent());
+  assert.ok(Math.abs(shown - mean) < 0.01 * mean, `${shown}: ${mean}`);
 }
 
 async function checkDifference(page, one, other) {
   await open(page, `${workshop.address("sensed")}#quantity=incident_upper&pins=${encodeURIComponent('["sensor 2"]')}`);
   await page.locator("#compared-file").setInputFiles(workshop.inFolder("low.json"));
-  await page.waitForFunction(() => document.querySelector("#legend-title").textContent.startsWith("Minus"));
+  await page.waitForFunction(() => document.querySelector("#legend-title").textContent.includes(" − "));
   const number = async () => Number.parseFloat((await page.locator("#cards article .number").first().textContent()).replaceAll("−", "-"));
   const [a, b] = [one, other].map(({ sensors }) => sensors[1].incident_upper.PAR.mean);
   assert.ok(Math.abs((await number()) / (a - b) - 1) < 0.01, `${await number()}, ${a} - ${b}`);
@@ -123,7 +126,7 @@ await workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   await checkTable(page, sensed);
   await checkMarks(page);
-  await checkCharts(page);
+  await checkCharts(page, sensed);
   await checkZoom(page);
   await checkDifference(page, sensed, low);
   assert.deepEqual(workshop.faults, []);

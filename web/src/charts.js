@@ -63,20 +63,22 @@ export class Charts {
   #drawValues() {
     const { page } = this;
     const isError = page.state.show === "error";
-    const byArea = page.state.by === "area";
-    byId("histogram-title").textContent = byArea ? "Plant area by value" : "Organs by value";
+    const { isMeasured, countedNoun } = page.run;
+    const byArea = page.state.by === "area" && !isMeasured; // sensors have none
+    byId("by").hidden = isMeasured;
+    byId("histogram-title").textContent = byArea ? "Plant area by value" : `${countedNoun[0].toUpperCase()}${countedNoun.slice(1)}s by value`;
     byId("histogram-unit").textContent = isError ? "class of error" : page.unit;
     const { areas } = page.run.shape;
-    const isIn = (i) => page.run.isPlant[i] === 1;
+    const isIn = (i) => page.run.isCounted[i] === 1;
     const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, isIn, scale: page.usual };
     const found = isError ? classBins(data) : valueBins(data);
     if (!found) {
-      byId("histogram").textContent = page.absent || "No plant has a value.";
+      byId("histogram").textContent = page.absent || `No ${isMeasured ? "sensor" : "plant"} has a value.`;
       return () => {};
     }
     const part = byArea ? "area" : "count";
     const factor = byArea && page.run.json.unit === "m" && Math.max(...found.bins.map(({ all }) => all.area)) < 0.01 ? 1e4 : 1;
-    const unit = byArea ? factor === 1e4 ? "cm²" : page.run.json.unit && `${unitText(page.run.json.unit)}²` : "organs";
+    const unit = byArea ? factor === 1e4 ? "cm²" : page.run.json.unit && `${unitText(page.run.json.unit)}²` : `${countedNoun}s`;
     const high = Math.max(...found.bins.map(({ all }) => all[part])) * factor || 1;
     return keepingFocus(byId("histogram"), () => {
       const x = isError ? { low: 0, high: kClasses.length, ticks: [] }
@@ -101,14 +103,16 @@ export class Charts {
     if (bin.all[part] === 0) {
       return [];
     }
+    const noun = this.page.run.countedNoun;
     const [from, to] = isError ? [i + 0.04, i + 0.96] : [found.low + ((found.high - found.low) * i) / found.bins.length, found.low + ((found.high - found.low) * (i + 1)) / found.bins.length];
     const boxOf = (amount) => ({
       x: x(from), width: Math.max(2, x(to) - x(from) - 1), y: Math.min(y(amount * factor), y(0) - 1), height: Math.max(1, y(0) - y(amount * factor)),
     });
     node.append(svg("rect", { class: "all", ...boxOf(bin.all[part]) }));
     const span = isError ? `error ${kClasses[i].name}` : bin.isMore ? `more than ${plain(bin.from)}, up to ${plain(bin.to)}` : `${plain(bin.from)} to ${plain(bin.to)}`;
-    const count = bin.shown.count === bin.all.count ? many(bin.shown.count, "organ") : `${bin.shown.count} of ${many(bin.all.count, "organ")}`;
-    const label = `${isError ? span : `${span} ${this.page.unit}`}: ${count}, ${areaText(bin.shown.area, this.page.run.json.unit)}`;
+    const count = bin.shown.count === bin.all.count ? many(bin.shown.count, noun) : `${bin.shown.count} of ${many(bin.all.count, noun)}`;
+    const area = this.page.run.isMeasured ? "" : `, ${areaText(bin.shown.area, this.page.run.json.unit)}`;
+    const label = `${isError ? span : `${span} ${this.page.unit}`}: ${count}${area}`;
     const { top, bottom } = { top: y(y ? bin.all[part] * factor : 0), bottom: y(0) };
     return [{
       bin: i, box: boxOf(bin.shown[part]), color: isError ? kClasses[i].color : this.#colorOf(bin.isMore ? bin.from : (bin.from + bin.to) / 2), label, from: bin.from, to: bin.to,

@@ -111,10 +111,19 @@ export class RunData {
     this.organCount = this.count - (json.sensors?.length ?? 0); // the others are sensors
     this.isSensor = new Uint8Array(this.count).fill(1, this.organCount);
     this.isPlant = this.isGround.map((ground, i) => (ground || this.isSensor[i] ? 0 : 1));
+    const count = (flags) => flags.reduce((sum, one) => sum + one, 0);
+    this.isMeasured = count(this.isSensor) > count(this.isPlant); // sensors are what it is about
+    this.isCounted = this.isMeasured ? this.isSensor : this.isPlant; // in statistics
+    this.countedNoun = this.isMeasured ? "sensor" : "organ";
     this.known = new Map();
     this.columns = json.columns
       .map((column, number) => ({ ...column, number }))
       .filter((column) => json.times.some((time) => time.values[column.number] >= 0));
+  }
+
+  /** How much each organ counts in scales: its area, or 1 for sensors that it is about. */
+  get weights() {
+    return this.isMeasured ? Float32Array.from(this.isSensor) : this.shape.areas;
   }
 
   /** Whether the page has the other points of its sweep. */

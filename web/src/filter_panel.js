@@ -24,14 +24,18 @@ export class FilterSection {
     this.drawers = [];
     this.active = make("div", { class: "chips field", id: "active" });
     this.clear = make("button", { type: "button", class: "link", onclick: () => page.set(noFilters()) }, "Clear filters");
-    const fields = keys.map((key) => this.#field(key, labels[key]));
-    const more = fields.length > kFirstLabels ? make("details", {}, make("summary", {}, "More labels"), fields.slice(kFirstLabels)) : null;
-    const none = fields.length === 0 && make("p", { class: "soft field" }, "Organs have no labels. Click a bar of a chart to filter.");
-    return section("Filter", true, this.active, make("div", { class: "field" }, this.clear), none, fields.slice(0, kFirstLabels), more);
+    const isIndex = (key) => key.length === 1; // i and j of arrays and grids
+    const first = keys.filter((key) => !isIndex(key)).slice(0, kFirstLabels);
+    const others = keys.filter((key) => !first.includes(key));
+    const fieldsOf = (some) => some.map((key) => this.#field(key, labels[key], isIndex(key)));
+    const fields = fieldsOf(first);
+    const more = others.length > 0 ? make("details", {}, make("summary", {}, "More labels"), fieldsOf(others)) : null;
+    const none = keys.length === 0 && make("p", { class: "soft field" }, "Organs have no labels. Click a bar of a chart to filter.");
+    return section("Filter", true, this.active, make("div", { class: "field" }, this.clear), none, fields, more);
   }
 
-  #field(key, label) {
-    const name = key[0].toUpperCase() + key.slice(1);
+  #field(key, label, isIndex) {
+    const name = isIndex ? `Index ${key}` : key[0].toUpperCase() + key.slice(1);
     if (isRange(label)) {
       return field(name, this.#range(key, label));
     }

@@ -3,8 +3,8 @@
 import { bandName } from "./data.js";
 import { make } from "./dom.js";
 import { lightBudget, lightDifference } from "./energy.js";
-import { estimate, kUnknownText, percent } from "./format.js";
-import { kSure } from "./numbers.js";
+import { estimate, kUnknownText, many, percent, plain, withUnit } from "./format.js";
+import { endsOf, kSure } from "./numbers.js";
 
 /** "32.75 ± 0.02 mol m⁻²" in sizes */
 export function numberNode(mean, error, unit, high) {
@@ -22,10 +22,15 @@ export class Headline {
     const { page, parent } = this;
     const { timeline, entry, band } = page;
     const budget = lightBudget(page, entry, band);
+    const isAbout = page.run.isMeasured ? this.#measured() : null;
     const time = entry.name ? `, ${timeline.wordsOf(entry)}` : "";
     parent.hidden = budget === null;
     if (!budget) {
       parent.replaceChildren();
+      return;
+    }
+    if (isAbout) {
+      parent.replaceChildren(...isAbout, this.#bar(budget.parts), this.#list(budget.parts));
       return;
     }
     const isDifference = page.state.show === "difference";
@@ -46,6 +51,21 @@ export class Headline {
       numberNode(budget.plants, budget.error, budget.unit),
       make("p", { class: "of" }, `${budget.isPerGround ? "of ground · " : ""}${incoming}`),
       this.#bar(budget.parts), this.#list(budget.parts));
+  }
+
+  /** The mean, the least and the greatest of what sensors measure; null if they do not measure what is shown. */
+  #measured() {
+    const { page } = this;
+    const { values: { mean }, run: { isSensor }, timeline, entry, unit } = page;
+    const known = [...mean].filter((value, i) => isSensor[i] && page.isShown[i] && Number.isFinite(value));
+    if (known.length === 0) {
+      return null;
+    }
+    const middle = known.reduce((sum, value) => sum + value, 0) / known.length;
+    const { low, high } = endsOf(known);
+    return [make("p", { class: "what" }, `${many(known.length, "sensor")}, mean${entry.name ? `, ${timeline.wordsOf(entry)}` : ""}`),
+      make("p", { class: "number" }, plain(middle), unit && make("span", { class: "unit" }, ` ${unit}`)),
+      make("p", { class: "of" }, `from ${plain(low)} to ${withUnit(plain(high), unit)}`)];
   }
 
   /** "−6.15 ± 0.08 mol m⁻² of ground · 12 % less than “Maize”" */
@@ -70,6 +90,6 @@ export class Headline {
 
   #list(parts) {
     return make("div", { class: "light-parts" }, parts.map(({ key, name, part }) =>
-      [make("i", { class: `swatch part-${key}` }), make("span", {}, name), make("span", {}, `${(100 * part).toFixed(1)} %`)]));
+      [make("i", { class: `swatch part-${key}` }), make("span", {}, key === "plants" && this.page.run.isMeasured ? "All but the ground" : name), make("span", {}, `${(100 * part).toFixed(1)} %`)]));
   }
 }

@@ -33,17 +33,17 @@ function marksOf(scale, count) {
 /** "Half of the organs are known to 0.6 % or better, the worst to 1 %" */
 function knownWords({ values, classes, isShown, run }) {
   const parts = values.mean.map((mean, i) =>
-    (classes[i] < kClasses.length && isShown[i] && run.isPlant[i] ? values.error[i] / Math.abs(mean) : NaN));
+    (classes[i] < kClasses.length && isShown[i] && run.isCounted[i] ? values.error[i] / Math.abs(mean) : NaN));
   const half = weightedQuantile(parts, new Uint8Array(parts.length).fill(1), 0.5);
   const worst = endsOf(parts).high;
   if (!Number.isFinite(half)) {
-    return values.mean.some((mean) => mean > 0) ? "No errors are known" : "No light at this time";
+    return !isShown.includes(1) ? "" : values.mean.some((mean) => mean > 0) ? "No errors are known" : "No light at this time";
   }
   if (half > 0.5) {
-    return "Most organs are known to no better than 50 %: more paths are needed";
+    return `Most ${run.countedNoun}s are known to no better than 50 %: more paths are needed`;
   }
   const count = parts.reduce((sum, part) => sum + (Number.isFinite(part) ? 1 : 0), 0);
-  return count === 1 ? `Known to ${percent(half, 1)}` : `Half of the organs are known to ${percent(half, 1)} or better, the worst to ${worst > 0.5 ? "no better than 50 %" : percent(worst, 1)}`;
+  return count === 1 ? `Known to ${percent(half, 1)}` : `Half of the ${run.countedNoun}s are known to ${percent(half, 1)} or better, the worst to ${worst > 0.5 ? "no better than 50 %" : percent(worst, 1)}`;
 }
 
 /** The highest value of organs that are known to 50 % or better. */
@@ -52,7 +52,7 @@ export const highestKnown = ({ mean, error }) => endsOf(mean.map((value, i) => (
 /** How many of the shown parts of plants are in each class of error. */
 export function classCounts({ classes, isShown, run }) {
   const counts = new Array(kClasses.length + kGreys.length).fill(0);
-  classes.forEach((number, i) => (counts[number] += isShown[i] && run.isPlant[i] ? 1 : 0));
+  classes.forEach((number, i) => (counts[number] += isShown[i] && run.isCounted[i] ? 1 : 0));
   return counts;
 }
 
@@ -69,8 +69,10 @@ export class Legend {
     const { state, run, timeline, entry } = page;
     const time = entry.name ? ` · ${timeline.wordsOf(entry)}` : "";
     const isError = state.show === "error";
-    const title = isError ? "How well it is known" : `${state.show === "difference" ? `Minus “${page.minus.title}”: ` : ""}${run.columnName(page.column)}`;
-    const note = isError ? `standard error, % of the value${time}` : `${page.unit}${time}`.replace(/^ · /, "");
+    const column = run.columnName(page.column);
+    const isDifference = state.show === "difference";
+    const title = isError ? "How well it is known" : isDifference ? `${page.shownTitle === page.minus.title ? "This result" : page.shownTitle} − ${page.minus.title}` : column;
+    const note = isError ? `standard error, % of the value${time}` : [isDifference && column, page.unit, time.replace(" · ", "")].filter(Boolean).join(" · ");
     this.arrows = make("div");
     this.parent.replaceChildren(
       make("h2", { id: "legend-title", title: run.json.columns[page.column].quantity }, title), make("p", { class: "note", id: "legend-note" }, note),
@@ -102,8 +104,9 @@ export class Legend {
     };
     this.position = position;
     const highest = highestKnown(page.values);
+    const signed = (value) => (page.state.show === "difference" && value > 0 ? `+${plain(value)}` : plain(value));
     const marks = marksOf(scale, 4).map((value, i, all) =>
-      position(make("span", { class: `tick${i === 0 ? " first" : i === all.length - 1 ? " last" : ""}` }, plain(value)), value));
+      position(make("span", { class: `tick${i === 0 ? " first" : i === all.length - 1 ? " last" : ""}` }, signed(value)), value));
     const over = highest > scale.high * (1 + 1e-6) && make("span", { class: "over" }, `▲ up to ${plain(highest, 2)}`);
     return make("div", { id: "legend-scale" }, bar, marks, over, this.arrows, page.state.show === "value" && [this.#end(1), this.#end(0)]);
   }
@@ -142,7 +145,7 @@ export class Legend {
   #quality() {
     const { page } = this;
     if (page.state.show === "difference") {
-      return [make("p", { class: "known" }, page.absent || `Grey: no clear difference (95 %). ${page.minus.errors}`)];
+      return [make("p", { class: "known", title: page.minus.errors }, page.absent || "Grey: no clear difference (95 %)")];
     }
     const bar = make("div", { class: "quality", "aria-hidden": "true" });
     qualityOf(page).forEach((part, i) => {

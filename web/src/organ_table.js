@@ -3,7 +3,7 @@
 import { classColor } from "./classes.js";
 import { byId, make } from "./dom.js";
 import { areaText, counted, interval, percent, plain, withError } from "./format.js";
-import { cssOf, isKnown } from "./numbers.js";
+import { cssOf, isKnown, kSure } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 
 const kRows = 200; // in the document at a time
@@ -27,6 +27,10 @@ export function columnsOf(page) {
   const relative = (i) => error[i] / Math.abs(mean[i]);
   const isDifference = page.state.show === "difference";
   const sure = (number) => (i) => (isDifference || isKnown(mean[i], error[i]) ? number(i) : NaN);
+  const relativeError = { title: "Error", of: relative, text: (i) => (relative(i) > 0.5 ? "over 50 %" : mean[i] === 0 ? "" : percent(relative(i))), isNumber: true };
+  const share = { title: "Share of all", of: sure((i) => mean[i] * areas[i]), text: (i) => (run.isPlant[i] ? percent((mean[i] * areas[i]) / total) : ""), isNumber: true };
+  const isClear = (i) => (Number.isFinite(mean[i]) ? Math.abs(mean[i]) >= kSure * error[i] ? "clear" : "not clear" : "");
+  const clear = { title: "Difference is", of: (i) => Math.abs(mean[i]) / error[i], text: isClear };
   return {
     organ: { title: "Organ", of: (i) => i, up: true, text: null },
     ...(run.json.organs.labels.kind || run.json.organs.labels.class || run.organCount < run.count ? { kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) } } : {}),
@@ -34,9 +38,8 @@ export function columnsOf(page) {
     height: { title: unit ? `Height, ${unit}` : "Height", of: (i) => heights[i], text: (i) => plain(heights[i]), isNumber: true },
     value: { title: `${run.columnName(page.column)}${page.unit && `, ${page.unit}`}`, of: sure((i) => mean[i]), text: (i) => withError(mean[i], error[i], isDifference ? undefined : high[i]), isNumber: true },
     interval: { title: "95 % interval", text: (i) => interval(low[i], high[i], error[i]), isNumber: true },
-    error: { title: "Error", of: relative, text: (i) => (relative(i) > 0.5 ? "over 50 %" : mean[i] === 0 ? "" : percent(relative(i))), isNumber: true },
-    share: { title: "Share of all", of: sure((i) => mean[i] * areas[i]), text: (i) => (run.isSensor[i] ? "" : percent((mean[i] * areas[i]) / total)), isNumber: true },
-    ...(page.state.show !== "error" ? {} : { cost: { title: "Costs precision", of: (i) => error[i] * areas[i], text: (i) => percent((error[i] * areas[i]) / Math.abs(total)), isNumber: true } }),
+    ...(isDifference ? { clear } : { error: relativeError, share }),
+    ...(page.state.show !== "error" ? {} : { cost: { title: "Costs precision", of: (i) => (run.isPlant[i] ? error[i] * areas[i] : NaN), text: (i) => (run.isPlant[i] ? percent((error[i] * areas[i]) / Math.abs(total)) : ""), isNumber: true } }),
   };
 }
 

@@ -19,12 +19,9 @@ const nothing = (n) => () => new Float32Array(n).fill(NaN);
 /** The reds, greens and blues of a list of "#rrggbb". */
 const mapOf = (colors) => colors.map((color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)));
 
-/** What is shown first: what sensors measure, if there are more of them than parts of plants; undefined without columns. */
-export function firstColumn({ columns, isPlant, isSensor }) {
-  const count = (flags) => flags.reduce((sum, one) => sum + one, 0);
-  const measured = count(isSensor) > count(isPlant) ? columns.find(({ quantity }) => quantity === "incident_upper") : undefined;
-  return measured ?? columns[0];
-}
+/** What is shown first: what sensors measure, if the result is about them; undefined without columns. */
+export const firstColumn = ({ columns, isMeasured }) =>
+  (isMeasured ? columns.find(({ quantity }) => quantity === "incident_upper") : undefined) ?? columns[0];
 
 export class Page {
   /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress or a sweep, see live_page.js and sweep.js */
@@ -72,6 +69,12 @@ export class Page {
   /** The low and high corner of all states of a growing plant, in the coordinates of the scene; null for others. */
   get extent() {
     return this.run.json.grows ? this.live?.extent ?? null : null;
+  }
+
+  /** The name of what is shown: the title, or that of the point of a sweep. */
+  get shownTitle() {
+    const { points, days } = this.timeline;
+    return points.includes(this.entry) || (days.length > 0 && points.length > 0) ? this.entry.name : this.run.json.title;
   }
 
   get time() {
@@ -133,9 +136,12 @@ export class Page {
 
   /** "70 of 77 organs shown" */
   shownWords() {
-    const count = this.isShown.reduce((sum, one, i) => sum + (this.run.isSensor[i] ? 0 : one), 0);
+    const { run } = this;
+    const shown = (isSensor) => this.isShown.reduce((sum, one, i) => sum + (run.isSensor[i] === isSensor ? one : 0), 0);
+    const count = shown(0);
+    const sensors = run.organCount < run.count ? `, ${counted(shown(1))} of ${many(run.count - run.organCount, "sensor")}` : "";
     const alone = this.state.show === "difference" ? this.minus.onlyFirst + this.minus.onlyOther : 0;
-    return `${counted(count)} of ${many(this.run.organCount, "organ")} shown${alone > 0 ? `, ${counted(alone)} in one result only` : ""}`;
+    return `${counted(count)} of ${many(run.organCount, "organ")}${sensors} shown${alone > 0 ? `, ${counted(alone)} in one result only` : ""}`;
   }
 
   get pins() {
@@ -212,7 +218,7 @@ export class Page {
   /** What the scale spans: one time, or all of them. */
   async #findScale() {
     const { run, state, column } = this;
-    const { areas } = run.shape;
+    const areas = run.weights;
     const what = `${column} ${state.show} ${this.unit}`;
     if (state.show === "difference") {
       const size = scaleOf(this.values.mean.map(Math.abs), areas).high;
@@ -248,7 +254,7 @@ export class Page {
     const isOne = run.json.times.length === 1;
     const steps = this.timeline.steps.includes(this.entry) && !isOne ? this.timeline.steps : [this.entry];
     const all = await Promise.all(steps.map(({ index }) => run.values(isOne ? 0 : index, column)));
-    return all.map((values) => ({ values, areas: run.shape.areas }));
+    return all.map((values) => ({ values, areas: run.weights }));
   }
 
   /** Whether any organ has an error. */
@@ -345,8 +351,8 @@ export class Page {
 export function qualityOf({ classes, values, run, isShown }) {
   const sums = new Float64Array(kClasses.length);
   classes.forEach((number, i) => {
-    if (number < kClasses.length && isShown[i] && run.isPlant[i]) {
-      sums[number] += Math.abs(values.mean[i]) * run.shape.areas[i];
+    if (number < kClasses.length && isShown[i] && run.isCounted[i]) {
+      sums[number] += Math.abs(values.mean[i]) * (run.isMeasured ? 1 : run.shape.areas[i]);
     }
   });
   const total = sums.reduce((a, b) => a + b, 0);

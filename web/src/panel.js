@@ -126,6 +126,7 @@ export class Panel {
   draw() {
     const { page } = this;
     const { state } = page;
+    document.body.dataset.show = state.show;
     this.headline.draw();
     this.quantity.value = state.quantity;
     this.#drawBands();

@@ -9,7 +9,7 @@ function download(name, href) {
   make("a", { href, download: name }).click();
 }
 
-const token = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
+const token = (name) => getComputedStyle(byId("stage")).getPropertyValue(`--${name}`).trim();
 
 /** A layer of vectors as a picture, with the styles that it has in the page. */
 async function layerPicture(layer) {

@@ -5,6 +5,7 @@ import { byId, make } from "./dom.js";
 import { Directions, meanDirection } from "./directions.js";
 import { disposeDome, makeDome, meanSky, skyCells } from "./dome.js";
 import { percent } from "./format.js";
+import { packed } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 import { cutEnds } from "./panel.js";
 import { plantColors } from "./plant.js";
@@ -14,6 +15,9 @@ import { kMaxMarks } from "./passes.js";
 
 const rgbOf = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 const isDark = () => document.documentElement.dataset.theme === "dark";
+
+/** The ground behind the scene, into which what is not meant fades. */
+const groundColor = () => getComputedStyle(byId("stage")).getPropertyValue("--stage").trim();
 
 /** The lights of what is shown: {paths, hours, sun, lamps, cells}; the path of the sun has its directions of each hour. */
 export function lightsOf({ run, timeline, entry, time }) {
@@ -77,7 +81,7 @@ export class Stage {
 
   #showNeighbours() {
     const { state, run } = this.page;
-    const veil = state.neighbours && run.json.periods?.length > 0 ? rgbOf(isDark() ? "#1f2623" : "#e9ecea") : null;
+    const veil = state.neighbours && run.json.periods?.length > 0 ? rgbOf(groundColor()) : null;
     if (String(this.veilShown) !== String(veil) || this.window.run !== this.veiled) {
       Object.assign(this, { veilShown: veil, veiled: this.window.run });
       this.window.showNeighbours(veil);
@@ -96,7 +100,7 @@ export class Stage {
   /** Colours, of which hidden organs have none and dimmed ones little. */
   #hide(colors, dimmed = null) {
     const { isShown } = this.page;
-    const ground = isDark() ? 0x1f2623 : 0xe9ecea;
+    const ground = packed(groundColor());
     const mix = (color) => [0, 8, 16].reduce((sum, shift) =>
       sum | (Math.round(0.15 * ((color >> shift) & 255) + 0.85 * ((ground >> shift) & 255)) << shift), 0);
     return colors.map((color, i) => (!isShown[i] ? -1 : dimmed && !dimmed.has(i) ? mix(color) : color));

@@ -152,7 +152,7 @@ export class SweepView {
   allValues(column) {
     return Promise.all(this.names.map(async (_, point) => {
       const run = await this.run(point);
-      return { values: await run.values(run.json.times.length - 1, column), areas: run.shape.areas };
+      return { values: await run.values(run.json.times.length - 1, column), areas: run.weights };
     }));
   }
 
