@@ -145,7 +145,7 @@ async function checkGrowth(context) {
     if (pictures) {
       await page.screenshot({ path: path.join(pictures, "growth.png") });
     }
-    // All steps are seen from one place and on one scale, and their course is known.
+    // All steps are seen from one point of view and on one scale, and their course is known.
     const scaleEnd = () => page.locator("#legend-scale .tick.last").textContent();
     const [grown, end] = [await seenRows(page), await scaleEnd()];
     assert.equal((await page.locator("#course .mean").getAttribute("points")).split(" ").length, kLastSteps);

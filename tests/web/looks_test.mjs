@@ -148,6 +148,9 @@ async function checkPrint(page) {
   for (const selector of ["#printed", "#legend", "#histogram svg", "#profile svg", "#table table", "#report table"]) {
     assert.ok(await page.locator(selector).first().isVisible(), `${selector} is not printed`);
   }
+  const boxOf = (selector) => page.locator(selector).boundingBox();
+  const [legend, charts] = [await boxOf("#legend"), await boxOf("#charts")];
+  assert.ok(legend.y + legend.height <= charts.y, `the legend ends at ${legend.y + legend.height}, and charts begin at ${charts.y}`);
   const source = await page.locator("#printed").getAttribute("src");
   const leaves = leafPixels(await pixelsOf(page, Buffer.from(source.slice(source.indexOf(",") + 1), "base64")));
   assert.ok(leaves > 1000, `the picture has ${leaves} pixels of leaves`);

@@ -8,7 +8,7 @@ import { OrganTable } from "./organ_table.js";
 import { RunTab } from "./run_tab.js";
 
 const kTabs = [["charts", "Charts", "charts"], ["table", "Table", "table"], ["run", "Run and warnings", "report"]];
-const kPhoneTabs = [["colour", "Colour"], ["charts", "Charts"], ["organs", "Organs"], ["run", "Run"]];
+const kPhoneTabs = [["colour", "Result"], ["charts", "Charts"], ["organs", "Organs"], ["run", "Run"]];
 const kTabOf = { charts: "charts", organs: "table", run: "run" };
 
 export class Drawer {

@@ -6,6 +6,7 @@ import { areaText, counted, interval, percent, plain, withError } from "./format
 import { cssOf, isKnown, kSure } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 
+const kPrinted = 60; // rows on paper
 const kRows = 200; // in the document at a time
 
 /** Organs that are shown by a key, the greatest first; those without one, NaN, last. @param up  the least first */
@@ -17,6 +18,11 @@ export function organsInOrder(isShown, { of, up }) {
   const order = [...all.keys()].sort((a, b) => (up ? 1 : -1) * compare(keys[a], keys[b]) || a - b);
   return order.map((i) => all[i]);
 }
+
+const isPhone = () => matchMedia("(max-width: 640px) and (min-height: 480px)").matches;
+
+/** What fits beside the names on a phone first: the value and its error. */
+const valueFirst = ({ organ, value, error, ...others }) => ({ organ, value, ...(error && { error }), ...others });
 
 /** The columns: a title, how organs are sorted by it, and a cell. */
 export function columnsOf(page) {
@@ -31,7 +37,7 @@ export function columnsOf(page) {
   const share = { title: "Share of all", of: sure((i) => mean[i] * areas[i]), text: (i) => (run.isPlant[i] ? percent((mean[i] * areas[i]) / total) : ""), isNumber: true };
   const isClear = (i) => (Number.isFinite(mean[i]) ? Math.abs(mean[i]) >= kSure * error[i] ? "clear" : "not clear" : "");
   const clear = { title: "Difference is", of: (i) => Math.abs(mean[i]) / error[i], text: isClear };
-  return {
+  const columns = {
     organ: { title: "Organ", of: (i) => i, up: true, text: null },
     ...(run.json.organs.labels.kind || run.json.organs.labels.class || run.organCount < run.count ? { kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) } } : {}),
     area: { title: "Area", of: (i) => areas[i], text: (i) => (run.isSensor[i] ? "" : areaText(areas[i], unit)), isNumber: true },
@@ -41,6 +47,7 @@ export function columnsOf(page) {
     ...(isDifference ? { clear } : { error: relativeError, share }),
     ...(page.state.show !== "error" ? {} : { cost: { title: "Costs precision", of: (i) => (run.isPlant[i] ? error[i] * areas[i] : NaN), text: (i) => (run.isPlant[i] ? percent((error[i] * areas[i]) / Math.abs(total)) : ""), isNumber: true } }),
   };
+  return isPhone() ? valueFirst(columns) : columns;
 }
 
 export class OrganTable {
@@ -58,9 +65,11 @@ export class OrganTable {
     this.show();
   }
 
-  /** All rows, for paper. */
+  /** The first rows, for paper. */
   print() {
-    this.#build(Infinity);
+    this.#build(kPrinted);
+    const others = this.order.length - kPrinted;
+    this.more.replaceChildren(...(others > 0 ? [`${counted(others)} more: save the table as CSV.`] : []));
     this.isOld = true;
   }
 

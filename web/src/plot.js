@@ -25,7 +25,7 @@ export function startPlot(parent, label, { x, y, left = 44 }) {
   const width = Math.max(120, parent.clientWidth || kUsual[0]);
   const height = Math.max(80, parent.clientHeight || kUsual[1]);
   const box = { left, right: width - kMargin, top: 10, bottom: height - 20 };
-  const node = svg("svg", { width, height, role: "group", "aria-label": label });
+  const node = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, preserveAspectRatio: "xMinYMin meet", role: "group", "aria-label": label });
   const toX = (v) => box.left + ((v - x.low) / (x.high - x.low || 1)) * (box.right - box.left);
   const toY = (v) => box.bottom - ((v - y.low) / (y.high - y.low || 1)) * (box.bottom - box.top);
   const listOf = (axis, count) => (Array.isArray(axis.ticks) ? axis.ticks : enoughTicks(axis, axis.ticks ?? count));

@@ -16,6 +16,7 @@ const kPause = "M3 2h4v12H3zM9 2h4v12H9z";
 export class Strip {
   constructor(page, parent) {
     Object.assign(this, { page, parent });
+    this.isNarrow = matchMedia("(max-width: 640px) and (min-height: 480px)");
     this.isStill = matchMedia("(prefers-reduced-motion: reduce)");
     this.button = make("button", { type: "button", class: "play", "aria-label": "Play", title: "Play (Space)", onclick: () => this.play() }, icon(kPlay));
     this.now = make("p", { class: "now" });
@@ -125,7 +126,7 @@ export class Strip {
     const { page, strip, steps } = this;
     const width = Math.max(100, strip.clientWidth);
     const hasDays = page.timeline.days.length > 1 && steps !== page.timeline.points;
-    const [top, high] = hasDays ? [20, 44] : [2, 44];
+    const [top, high] = [hasDays ? 20 : 2, this.isNarrow.matches ? 32 : 44];
     const node = svg("svg", { width, height: top + high + 18, "aria-hidden": "true" });
     const spans = this.#spans();
     const lights = steps.map((step) => page.lightOf(step));
