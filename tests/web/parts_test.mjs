@@ -5,10 +5,14 @@
 // Expected behaviour: as the name of each check says.
 
 import assert from "node:assert/strict";
+import { isOfSensors } from "../../web/src/filters.js";
+import { evenly } from "../../web/src/format.js";
 import { classCounts, highestKnown } from "../../web/src/legend.js";
 import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
 import { Timeline } from "../../web/src/timeline.js";
 import { firstColumn } from "../../web/src/page.js";
+import { methodWords, sourceWords, timeWords } from "../../web/src/run_words.js";
+import { pointNames } from "../../web/src/point_names.js";
 import { sunPaths } from "../../web/src/sun_paths.js";
 
 /** A result with a single step of a season, a step of each day, or of each hour. */
@@ -80,14 +84,14 @@ function checkUnknown() {
 
 /** Classes count plants alone: not the ground, nor a sensor, nor what is hidden. */
 function checkCounts() {
-  const counts = classCounts({ classes: [0, 0, 1, 0, 1], isShown: [1, 1, 1, 1, 0], run: { isPlant: [0, 1, 1, 0, 1] } });
+  const counts = classCounts({ classes: [0, 0, 1, 0, 1], isShown: [1, 1, 1, 1, 0], run: { isCounted: [0, 1, 1, 0, 1] } });
   assert.deepEqual(counts.slice(0, 3), [1, 1, 0]);
 }
 
 /** A result of sensors opens with what they measure, one of plants with what these absorb. */
 function checkFirst() {
   const columns = ["absorbed_flux_density", "incident_upper"].map((quantity) => ({ quantity, band: "PAR" }));
-  const first = (isPlant, isSensor, known = columns) => firstColumn({ columns: known, isPlant, isSensor })?.quantity;
+  const first = (isPlant, isSensor, known = columns) => firstColumn({ columns: known, isMeasured: isOfSensors({ isPlant, isSensor }) })?.quantity;
   assert.equal(first([0, 0, 0], [0, 1, 1]), "incident_upper");
   assert.equal(first([1, 0, 0], [0, 1, 1]), "incident_upper");
   assert.equal(first([1, 1, 0], [0, 0, 1]), "absorbed_flux_density");
@@ -96,7 +100,39 @@ function checkFirst() {
   assert.equal(first([1], [0], []), undefined);
 }
 
+/** Dates have names of their own, with the year where there are several. */
+function checkPoints() {
+  assert.deepEqual(pointNames([{ "time.day": "2023-01-15" }, { "time.day": "2023-02-15" }]).map(({ name, short }) => [name, short]),
+    [["15 January 2023", "15 Jan"], ["15 February 2023", "15 Feb"]]);
+  assert.equal(pointNames([{ "time.day": "2023-01-15" }, { "time.day": "2024-01-15" }])[1].short, "15 Jan 2024");
+  const [sun] = pointNames([{ "source.sun.elevation_deg": "20" }]);
+  assert.deepEqual([sun.name, sun.short, sun.by, sun.isDate], ["elevation 20°", "20°", "elevation", false]);
+}
+
+/** What a result says of a run is in words, and twelve lamps are one row. */
+function checkWords() {
+  const lamp = (i) => `hps ${i}: spot lamp at (${i}, 1, 3.6), aimed along (0, 0, -1); emits PPFD 1700 umol s-1`;
+  assert.deepEqual(sourceWords([lamp(1), lamp(2), "sun: a disk, 500 W m-2"]),
+    ["hps 1 to 2: 2 alike, each a spot lamp aimed along (0, 0, -1); emits PPFD 1700 µmol\u00a0s⁻¹", "sun: a disk, 500 W\u00a0m⁻²"]);
+  assert.equal(sourceWords([lamp(1)])[0], "hps 1: spot lamp at (1, 1, 3.6), aimed along (0, 0, -1); emits PPFD 1700 µmol\u00a0s⁻¹");
+  assert.equal(timeWords("site: latitude 51.97 deg, longitude -5.67 deg (east positive), elevation 10 m"), "site: 51.97° N, 5.67° W, 10\u00a0m above the sea");
+  assert.equal(timeWords("sky: perez; without direct light cie_overcast; a sun position every 5 min"),
+    "sky: Perez sky, overcast (CIE) where there is no sun; a sun position every 5 min");
+  assert.equal(methodWords({ used: "from_organs", reason: "pilot runs: the error for equal work would be 1.9 times by first_hits" }),
+    "paths from organs; pilot runs: for equal work first hits would have 1.9 times the error");
+  assert.equal(methodWords({ used: "first_hits", reason: "" }), "first hits");
+}
+
+/** Numbers of a column have the same decimals. */
+function checkEven() {
+  assert.deepEqual([1.1, 1.05, 0.984].map((height) => evenly(height, 1.2)), ["1.10", "1.05", "0.98"]);
+  assert.equal(evenly(123.4, 150), "123");
+}
+
 checkSeason();
+checkPoints();
+checkWords();
+checkEven();
 checkFirst();
 checkCounts();
 checkUnknown();

@@ -267,6 +267,20 @@ async function checkTokens(page) {
   }
 }
 
+/** From above the highest leaf is seen, whichever way it points: finding it leaves the view as it is. */
+async function checkFind(page) {
+  await openAt(page, address);
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("6");
+  await page.keyboard.press("/");
+  await page.keyboard.type("leaf 12");
+  await page.keyboard.press("Enter");
+  await page.waitForSelector("#cards article");
+  await page.waitForFunction(() => location.hash.includes("pins"));
+  const view = await page.evaluate(() => JSON.parse(new URLSearchParams(location.hash.slice(1)).get("view")));
+  assert.deepEqual([view.azimuth, view.elevation], [180, 90]);
+}
+
 /** Numbers have the digits that their errors support. */
 function checkDigits() {
   assert.deepEqual(estimate(32.7512, 0.0213), { value: "32.75", error: "0.02" });
@@ -292,6 +306,7 @@ await workshop.use(async (browser) => {
   await checkAddress(page);
   await checkSaved(page, result);
   await checkReading(page);
+  await checkFind(page);
   await checkTokens(page);
   await checkDifference(page, result);
   assert.deepEqual(workshop.faults, []);

@@ -115,7 +115,7 @@ export class Charts {
     const label = `${isError ? span : `${span} ${this.page.unit}`}: ${count}${area}`;
     const { top, bottom } = { top: y(y ? bin.all[part] * factor : 0), bottom: y(0) };
     return [{
-      bin: i, box: boxOf(bin.shown[part]), color: isError ? kClasses[i].color : this.#colorOf(bin.isMore ? bin.from : (bin.from + bin.to) / 2), label, from: bin.from, to: bin.to,
+      bin: i, box: { ...boxOf(bin.shown[part]), ...(bin.shown[part] === 0 && { height: 0 }) }, color: isError ? kClasses[i].color : this.#colorOf(bin.isMore ? bin.from : (bin.from + bin.to) / 2), label, from: bin.from, to: bin.to,
       hit: { x: x(from), width: Math.max(3, x(to) - x(from)), y: Math.min(top, bottom - 24), height: Math.max(24, bottom - top) },
     }];
   }
@@ -220,6 +220,7 @@ export class Charts {
   /** Area in each layer, as a dotted outline over the width. */
   #addArea({ node, y, box }, bins) {
     const most = Math.max(...bins.map(({ area }) => area));
+    byId("profile-area").textContent = `leaf area, up to ${areaText(most, this.page.run.json.unit)}`;
     const x = (area) => box.left + 0.92 * (area / most) * (box.right - box.left);
     const points = bins.flatMap(({ from, to, area }) => [`${x(area)},${y(from)}`, `${x(area)},${y(to)}`]);
     node.append(svg("polyline", { class: "area", points: points.join(" "), "pointer-events": "none" }));

@@ -53,7 +53,7 @@ export class Course {
     const { page } = this;
     const hasClock = steps.every(({ start }) => start !== null);
     const at = steps.map(({ start, hours }, i) => (hasClock ? start + hours / 2 : i));
-    byId("course-title").textContent = hasClock ? "Through the day" : `Along the ${page.timeline.kindOf(steps)}`;
+    byId("course-title").textContent = hasClock ? "Through the day" : steps[0].by ? `By ${steps[0].by}` : `Along the ${page.timeline.kindOf(steps)}`;
     byId("course-unit").textContent = page.unitAt(steps);
     const isSure = ({ mean, error }) => error > 0 && error < 0.5 * Math.abs(mean); // others would press all together
     const values = [...all, ...pins.flat()].filter(Boolean).flatMap((one) => [one.mean, one.mean + (isSure(one) ? kSure * one.error : 0)]).filter(Number.isFinite);

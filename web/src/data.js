@@ -1,6 +1,7 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
 import { plainUnit, unitText } from "./format.js";
+import { isOfSensors } from "./filters.js";
 import { shapeOf } from "./sensors.js";
 
 /** The bytes of a base64 text. */
@@ -111,8 +112,7 @@ export class RunData {
     this.organCount = this.count - (json.sensors?.length ?? 0); // the others are sensors
     this.isSensor = new Uint8Array(this.count).fill(1, this.organCount);
     this.isPlant = this.isGround.map((ground, i) => (ground || this.isSensor[i] ? 0 : 1));
-    const count = (flags) => flags.reduce((sum, one) => sum + one, 0);
-    this.isMeasured = count(this.isSensor) > count(this.isPlant); // sensors are what it is about
+    this.isMeasured = isOfSensors(this);
     this.isCounted = this.isMeasured ? this.isSensor : this.isPlant; // in statistics
     this.countedNoun = this.isMeasured ? "sensor" : "organ";
     this.known = new Map();

@@ -68,6 +68,7 @@ export class Drawer {
     byId("drawer-button").setAttribute("aria-label", state.drawer ? "Fold charts" : "Unfold charts");
     const tab = this.tabs.has(state.tab) ? state.tab : "charts";
     markChosen(byId("drawer-tabs"), this.tabs.get(tab), "aria-selected");
+    document.body.dataset.tab = tab;
     kTabs.forEach(([key, , panel]) => (byId(panel).hidden = key !== tab));
     this.#notify("fold");
   }

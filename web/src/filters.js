@@ -48,3 +48,9 @@ export const isFiltered = (state) => state.values !== null || state.layer !== nu
 
 /** What shows all again. */
 export const noFilters = () => ({ labels: {}, ranges: {}, values: null, layer: null, errorClass: null, ground: true, sensors: true });
+
+/** Whether a result is about its sensors: it has more of them than parts of plants. @param isPlant, isSensor  flags of organs */
+export function isOfSensors({ isPlant, isSensor }) {
+  const count = (flags) => flags.reduce((sum, one) => sum + one, 0);
+  return count(isSensor) > count(isPlant);
+}

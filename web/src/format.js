@@ -33,6 +33,9 @@ export function plain(value, digits = 3) {
   return grouped(String(Number(value.toPrecision(digits))));
 }
 
+/** A number with the digits that a list of numbers up to a size has. */
+export const evenly = (value, size) => (size > 0 && !isFar(size) ? rounded(value, Math.max(-6, Math.floor(Math.log10(size)) - 2)) : plain(value));
+
 /** A whole number, with commas. */
 export const counted = (count) => String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, ",");
 

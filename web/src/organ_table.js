@@ -2,7 +2,7 @@
 
 import { classColor } from "./classes.js";
 import { byId, make } from "./dom.js";
-import { areaText, counted, interval, percent, plain, withError } from "./format.js";
+import { areaText, counted, evenly, interval, percent, plain, withError } from "./format.js";
 import { cssOf, isKnown, kSure } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 
@@ -37,17 +37,16 @@ export function columnsOf(page) {
   const share = { title: "Share of all", of: sure((i) => mean[i] * areas[i]), text: (i) => (run.isPlant[i] ? percent((mean[i] * areas[i]) / total) : ""), isNumber: true };
   const isClear = (i) => (Number.isFinite(mean[i]) ? Math.abs(mean[i]) >= kSure * error[i] ? "clear" : "not clear" : "");
   const clear = { title: "Difference is", of: (i) => Math.abs(mean[i]) / error[i], text: isClear };
-  const columns = {
+  return {
     organ: { title: "Organ", of: (i) => i, up: true, text: null },
     ...(run.json.organs.labels.kind || run.json.organs.labels.class || run.organCount < run.count ? { kind: { title: "Kind", of: (i) => run.kindOf(i), up: true, text: (i) => run.kindOf(i) } } : {}),
     area: { title: "Area", of: (i) => areas[i], text: (i) => (run.isSensor[i] ? "" : areaText(areas[i], unit)), isNumber: true },
-    height: { title: unit ? `Height, ${unit}` : "Height", of: (i) => heights[i], text: (i) => plain(heights[i]), isNumber: true },
+    height: { title: unit ? `Height, ${unit}` : "Height", of: (i) => heights[i], text: (i) => evenly(heights[i], run.json.high[2] - run.json.low[2]), isNumber: true },
     value: { title: `${run.columnName(page.column)}${page.unit && `, ${page.unit}`}`, of: sure((i) => mean[i]), text: (i) => withError(mean[i], error[i], isDifference ? undefined : high[i]), isNumber: true },
     interval: { title: "95 % interval", text: (i) => interval(low[i], high[i], error[i]), isNumber: true },
     ...(isDifference ? { clear } : { error: relativeError, share }),
     ...(page.state.show !== "error" ? {} : { cost: { title: "Costs precision", of: (i) => (run.isPlant[i] ? error[i] * areas[i] : NaN), text: (i) => (run.isPlant[i] ? percent((error[i] * areas[i]) / Math.abs(total)) : ""), isNumber: true } }),
   };
-  return isPhone() ? valueFirst(columns) : columns;
 }
 
 export class OrganTable {
@@ -86,7 +85,7 @@ export class OrganTable {
     this.most = most;
     const { areas } = page.run.shape;
     page.total = page.values.mean.reduce((sum, mean, i) => sum + (Number.isFinite(mean) && page.run.isPlant[i] ? mean * areas[i] : 0), 0);
-    const columns = columnsOf(page);
+    const columns = isPhone() ? valueFirst(columnsOf(page)) : columnsOf(page);
     const key = columns[page.state.sort] ? page.state.sort : page.state.show === "error" ? "cost" : "value";
     this.order = organsInOrder(page.isShown, columns[key]);
     this.rows = make("tbody");

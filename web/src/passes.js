@@ -91,6 +91,8 @@ uniform int markCount, markWidth;
 uniform vec3 marks[${kMaxMarks}], markColors[${kMaxMarks}];
 out vec4 result;
 
+const float kDim = 0.32; // of organs that are hardly seen on a dark ground, whose outline is brighter
+
 ivec2 inside(ivec2 at) { return clamp(at, ivec2(0), last); }
 float distanceAt(ivec2 at) {
   float depth = texelFetch(depths, inside(at), 0).r;
@@ -135,7 +137,8 @@ void main() {
   if (others > 0.0) {
     color = mix(color, around / others, 0.25);
     if (nearest < distance) {
-      color.rgb = mix(color.rgb, ink * color.a, isOrgan ? 0.20 : 0.22);
+      bool isDim = ink.r > 0.5 && dot(around.rgb / others, vec3(0.2126, 0.7152, 0.0722)) < kDim;
+      color = !isOrgan && isDim ? mix(color, vec4(ink, 1.0), 0.5) : vec4(mix(color.rgb, ink * color.a, isOrgan ? 0.20 : 0.22), color.a);
     }
   }
   for (int k = 0; k < markCount; ++k) {
@@ -256,11 +259,11 @@ export class Passes {
     renderer.render(this.screen, this.flat);
   }
 
-  /** The organ at a pixel of the targets, from the lower left; null for none. */
-  organAt(x, y) {
-    const pixel = new Uint8Array(4);
-    this.renderer.readRenderTargetPixels(this.target, x, y, 1, 1, pixel, 0, 1);
-    const number = pixel[0] + 256 * pixel[1] + 65536 * pixel[2];
-    return number > 0 ? number - 1 : null;
+  /** The organs at pixels of the targets in a square around one, from the lower left; null where there is none. */
+  organsAround(x, y, reach) {
+    const size = 2 * reach + 1;
+    const bytes = new Uint8Array(4 * size * size);
+    this.renderer.readRenderTargetPixels(this.target, x - reach, y - reach, size, size, bytes, 0, 1);
+    return Array.from({ length: size * size }, (_, i) => bytes[4 * i] + 256 * bytes[4 * i + 1] + 65536 * bytes[4 * i + 2] - 1).map((number) => (number < 0 ? null : number));
   }
 }

@@ -16,14 +16,22 @@ function enoughTicks({ low, high }, count) {
   return found.length > 2 || !(high > low) ? found : ticks(low, high, 2 * count);
 }
 
+/** An axis with a grid that ends at one of its lines, so that no bar ends beyond the last number. */
+function ended(axis, count) {
+  const [first, next] = Array.isArray(axis.ticks) || !axis.grid ? [] : enoughTicks(axis, axis.ticks ?? count);
+  const step = next - first;
+  return step > 0 ? { ...axis, high: step * Math.ceil(axis.high / step - 1e-9) } : axis;
+}
+
 /**
  * An empty chart as large as its parent.
  * @param x, y  {low, high, ticks: count or list, format}; no ticks: no labels
  * @returns {node, x, y, box}: functions from numbers to pixels, and the ends of the plane
  */
-export function startPlot(parent, label, { x, y, left = 44 }) {
+export function startPlot(parent, label, { x, y: given, left = 44 }) {
   const width = Math.max(120, parent.clientWidth || kUsual[0]);
   const height = Math.max(80, parent.clientHeight || kUsual[1]);
+  const y = ended(given, Math.max(2, height / 60));
   const box = { left, right: width - kMargin, top: 10, bottom: height - 20 };
   const node = svg("svg", { width, height, viewBox: `0 0 ${width} ${height}`, preserveAspectRatio: "xMinYMin meet", role: "group", "aria-label": label });
   const toX = (v) => box.left + ((v - x.low) / (x.high - x.low || 1)) * (box.right - box.left);

@@ -3,6 +3,7 @@
 import { drawConvergence } from "./convergence.js";
 import { make } from "./dom.js";
 import { lightBudget } from "./energy.js";
+import { methodWords, sourceWords, timeWords } from "./run_words.js";
 import { counted, kUnknownText, many, percent, plain, unitText, plainUnit, withError, withUnit } from "./format.js";
 
 /** @param rows  lists of texts, numbers as {number: text}, or nodes */
@@ -91,10 +92,10 @@ function aboutRun(run, now) {
   const method = now.method ?? head.method;
   const rows = [
     ["scene", `${many(organs ?? run.organCount, "organ")}, ${many(triangles ?? run.shape.triangles, "triangle")}${unit ? `, lengths in ${unit}` : ""}`],
-    ...(head.sources ?? []).map((source) => ["source", source]),
+    ...sourceWords(head.sources ?? []).map((source) => ["source", source]),
     ...(head.point ? [["point", words(head.point)]] : []),
-    ...[head.time ?? []].flat().map((text) => named(words(text), "time steps")),
-    ...(method ? [["method", `${method.used}${method.reason ? `: ${method.reason}` : ""}`]] : []),
+    ...[head.time ?? []].flat().map((text) => named(timeWords(words(text)), "time steps")),
+    ...(method ? [["method", methodWords(method)]] : []),
     ["completed", completedWords(now.completed ?? head.completed ?? {})],
     ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (p = ${plain(now.audit.p_value)})`]] : []),
     ["program", head.program_version ? `QuasiMC ${head.program_version}` : run.json.program],

@@ -377,6 +377,16 @@ export class SceneWindow {
 
   /** The organ at a point of the canvas, in any of its views, CSS pixels; null for none. */
   organAt(x, y) {
+    return this.#numbers(x, y, 0)[0];
+  }
+
+  /** Whether an organ is seen within some pixels of a point of the canvas. */
+  isSeen(organ, x, y, reach = 8) {
+    return this.#numbers(x, y, reach).includes(organ);
+  }
+
+  /** The organs in a square around a point, null where there is none. */
+  #numbers(x, y, reach) {
     if (this.isPictureOld) {
       this.organs.drawFraction(1);
       this.orbit.setRange();
@@ -385,6 +395,6 @@ export class SceneWindow {
     }
     const { pixels } = this;
     const { height } = this.passes.target;
-    return this.passes.organAt(Math.floor(x * pixels), height - 1 - Math.floor(y * pixels));
+    return this.passes.organsAround(Math.floor(x * pixels), height - 1 - Math.floor(y * pixels), Math.floor(reach * pixels));
   }
 }

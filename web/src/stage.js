@@ -13,6 +13,7 @@ import { SceneWindow } from "./scene.js";
 import { sunPaths } from "./sun_paths.js";
 import { kMaxMarks } from "./passes.js";
 
+const kBeside = 60; // degrees beside an organ, from which one turns to it
 const rgbOf = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 const isDark = () => document.documentElement.dataset.theme === "dark";
 
@@ -205,17 +206,21 @@ export class Stage {
     this.keepView();
   }
 
-  /** Turns so that an organ is seen, unless it is. */
+  /** Turns so that an organ is seen, unless it is: obliquely, to the side that is nearer, as plants seen along their rows hide each other. */
   lookAt(organ) {
     const middle = this.#middleOf(organ).sub(this.window.orbit.controls.target);
-    const { azimuth, elevation, distance, target } = this.window.orbit.view;
+    const { azimuth, elevation } = this.window.orbit.view;
     const [nx, ny] = this.page.run.json.north;
     const towards = (Math.atan2(middle.x * ny - middle.y * nx, middle.x * nx + middle.y * ny) * 180) / Math.PI;
-    const away = Math.abs(((towards - azimuth + 540) % 360) - 180);
-    if (away > 90 && middle.length() > 0.1 * this.window.radius) {
-      this.window.orbit.view = { azimuth: towards, elevation: Math.max(elevation, 14), distance, target };
-      this.keepView();
+    const away = ((azimuth - towards + 540) % 360) - 180;
+    if (Math.abs(away) > 90 && middle.length() > 0.1 * this.window.radius && !this.#isSeen(organ)) {
+      this.lookFrom((towards + Math.sign(away || 1) * kBeside + 360) % 360, Math.max(elevation, 14));
     }
+  }
+
+  /** Whether an organ is in front of others at its middle. */
+  #isSeen(organ) {
+    return this.window.isSeen(organ, ...this.window.project(this.#middleOf(organ)));
   }
 
   turn(around, up, nearer) {

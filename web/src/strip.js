@@ -7,6 +7,7 @@ import { clockText, withError, withUnit } from "./format.js";
 import { kPins } from "./page.js";
 
 const kMaxBars = 200; // then an area
+const kMaxWide = 64; // of bars without hours, pixels
 const kEvery = 700; // milliseconds a time, when played
 
 const icon = (path) => svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" }, svg("path", { d: path }));
@@ -168,8 +169,9 @@ export class Strip {
   #addSteps(node, spans, lights, width, y, bottom) {
     const { entry } = this.page;
     this.steps.forEach((step, i) => {
-      const x = spans[i].from * width + 0.5;
-      const wide = Math.max(1.5, (spans[i].to - spans[i].from) * width - 1);
+      const whole = Math.max(1.5, (spans[i].to - spans[i].from) * width - 1);
+      const wide = this.hasClock ? whole : Math.min(whole, kMaxWide);
+      const x = spans[i].from * width + 0.5 + (whole - wide) / 2;
       const isKnown = Number.isFinite(lights[i]);
       if (step === entry || step.key === entry.key) {
         node.append(svg("rect", { class: "frame", x: x - 1, width: wide + 2, y: 1, height: bottom, rx: 3 }));
