@@ -15,6 +15,7 @@ void bind_catalogues(py::module_& module);
 void bind_sun(py::module_& module);
 void bind_gap_fraction(py::module_& module);
 void bind_result(py::module_& module);
+void bind_summable_light(py::module_& module);
 void bind_replicates(py::module_& module);
 void bind_run(py::module_& module);
 void bind_store(py::module_& module);

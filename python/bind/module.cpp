@@ -30,6 +30,7 @@ PYBIND11_MODULE(_core, module) {
     bind_sun(module);
     bind_gap_fraction(module);
     bind_result(module);
+    bind_summable_light(module);
     bind_replicates(module);
     bind_run(module);
     bind_store(module);

@@ -1,12 +1,18 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "bind.h"
 #include "quasimc/run.h"
+#include "results/summable_light.h"
 
 namespace quasimc::python {
+
+/// A quantity (its index, or that behind all: sunlit area) and a band.
+using LightKey = std::pair<std::size_t, std::size_t>;
 
 /// The sums of a run, from which weighted sums of its light are estimated, with the scene and the
 /// options of their evaluation.
@@ -14,6 +20,9 @@ struct ReplicateSums {
     std::shared_ptr<const Scene> scene;
     Sums sums;
     EvaluationSpec spec;
+    /// Light that was summed, the latest last, by its quantity and band. They take at most as much
+    /// memory as the sums.
+    std::vector<std::pair<LightKey, std::shared_ptr<SummableLight>>> lights = {};
 };
 
 /// Keeps a copy of the sums of a run when its last round is complete.

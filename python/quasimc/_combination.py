@@ -4,85 +4,56 @@ from __future__ import annotations
 
 import numpy as np
 
-from ._spread import Spread, linear
-
-
-class Rows:
-    """Sums of organs, each times a positive weight: the rows of a sparse matrix.
-
-    ``starts`` (rows + 1,), ``organs`` and ``weights`` (entries,) as the core takes them.
-    """
-
-    __slots__ = ("starts", "organs", "weights")
-
-    def __init__(self, starts, organs, weights):
-        self.starts = np.ascontiguousarray(starts, np.int64)
-        self.organs = np.ascontiguousarray(organs, np.uint32)
-        self.weights = np.ascontiguousarray(weights, float)
-
-    @classmethod
-    def of_organs(cls, positions):
-        """A row for each organ."""
-        return cls(np.arange(len(positions) + 1), positions, np.ones(len(positions)))
-
-    @classmethod
-    def of_groups(cls, groups):
-        """A row for each array of positions."""
-        counts = [len(group) for group in groups]
-        organs = np.concatenate([*groups, np.zeros(0, np.uint32)])
-        return cls(np.concatenate([[0], np.cumsum(counts)]), organs, np.ones(len(organs)))
-
-    def __len__(self):
-        return len(self.starts) - 1
-
-    def arrays(self):
-        return self.starts, self.organs, self.weights
-
-    def take(self, rows):
-        """The rows at an array of positions."""
-        counts = np.diff(self.starts)[rows]
-        starts = np.concatenate([[0], np.cumsum(counts)])
-        entries = np.arange(starts[-1]) + np.repeat(self.starts[:-1][rows] - starts[:-1], counts)
-        return Rows(starts, self.organs[entries], self.weights[entries])
-
-    def scaled(self, factors):
-        """Rows times factors above 0."""
-        factors = np.broadcast_to(factors, len(self))
-        return Rows(self.starts, self.organs, self.weights * np.repeat(factors, np.diff(self.starts)))
-
-    def merged(self):
-        """The sum of all rows: one row."""
-        return Rows([0, len(self.organs)], self.organs, self.weights)
+from . import _core
+from ._first_order import FirstOrder
+from ._lights import Lights
+from ._rows import Rows
+from ._spread import Spread
 
 
 class Combination:
     """Weighted sums of one quantity: a source of estimates (see `_spread`)."""
 
-    __slots__ = ("_core", "_quantity", "_rows", "_band", "_is_single")
+    __slots__ = ("_lights", "_quantity", "_rows", "_band", "_is_single", "_sums")
 
     #: Stands for the sunlit area, which has no bands.
-    SUNLIT = -1
+    SUNLIT = len(_core.quantities())
 
-    def __init__(self, core, quantity, rows, band=None, is_single=False):
-        self._core = core
+    def __init__(self, lights, quantity, rows, band=None, is_single=False):
+        self._lights = lights
         self._quantity = quantity
         self._rows = rows
-        self._band = band
+        self._band = 0 if quantity == self.SUNLIT else band
         self._is_single = is_single  # of one row, whose axis is dropped
+        self._sums = None  # of the rows, by band
 
     def _with(self, rows, is_single=False):
-        return Combination(self._core, self._quantity, rows, self._band, is_single)
+        return Combination(self._lights, self._quantity, rows, self._band, is_single)
 
     @property
     def ndim(self):
-        return int(not self._is_single) + int(self._band is None and self._quantity != self.SUNLIT)
+        return int(not self._is_single) + int(self._has_bands)
+
+    @property
+    def _has_bands(self):
+        return self._band is None or np.ndim(self._band) > 0
 
     @property
     def replicates(self):
-        return self._core.count
+        return self._lights.count
+
+    @property
+    def key(self):
+        """What it is a sum of, and its shape: terms of the same may be joined."""
+        rows = None if self._is_single else len(self._rows)
+        return self._lights.run, self._quantity, tuple(self._bands()), self._has_bands, rows
+
+    def _bands(self):
+        return range(self._lights.bands) if self._band is None else np.atleast_1d(self._band).tolist()
 
     def with_band(self, band):
-        return Combination(self._core, self._quantity, self._rows, band, self._is_single)
+        bands = band if self._band is None else np.asarray(self._band)[band]
+        return Combination(self._lights, self._quantity, self._rows, bands, self._is_single)
 
     def take(self, key):
         if np.ndim(key) == 0:
@@ -106,30 +77,96 @@ class Combination:
         """The weighted sum of the rows; of weights of both signs, a difference of two sums."""
         if not np.all(np.isfinite(weights)):
             return self.spread().summed(weights)
-        if not np.any(weights < 0):
-            return self._sum_of_positive(weights)
-        parts = [(self._sum_of_positive(sign * weights).spread(), sign) for sign in (1.0, -1.0)]
-        return linear(sum(sign * spread.means for spread, sign in parts), parts)
+        terms = [
+            (self._with(self._rows.weighted(part).merged(), True), sign)
+            for sign, part in ((1.0, np.maximum(weights, 0)), (-1.0, np.maximum(-weights, 0)))
+            if part.any() or (sign > 0 and not weights.any())
+        ]
+        return terms[0][0] if terms[0][1] > 0 and len(terms) == 1 else FirstOrder.of_terms(terms)
 
-    def _sum_of_positive(self, weights):
-        rows = np.flatnonzero(weights > 0)
-        return self._with(self._rows.take(rows).scaled(weights[rows]).merged(), True)
+    def unit(self):
+        """The light of rows of one organ each, and the weights of these; of other rows itself, and 1."""
+        weights = self._rows.weights
+        if not self._rows.are_organs or np.all(weights == 1):
+            return self, 1.0
+        rows = self._rows.unit()
+        equal = len(weights) and np.all(weights == weights[0])
+        return self._of(self._lights, rows), float(weights[0]) if equal else self._shaped(weights)
+
+    def joined(self, slope, others):
+        """The sum of this times a slope and of others: a list of terms, as few as may be.
+
+        Parameters
+        ----------
+        slope : float or numpy.ndarray
+        others : list
+            Terms of the same key: pairs of a Combination and a slope.
+        """
+        terms = [(self, slope), *others]
+        slopes = [own for _, own in terms]
+        lights, rows = Lights.of_same(
+            [(light._lights, light._rows) for light, _ in terms], self._quantity, self._bands()
+        )
+        first = rows[0]
+        if first.are_organs and all(np.array_equal(first.organs, each.organs) for each in rows):
+            unit = self._of(lights, first.unit())
+            return [(unit, sum(own * self._shaped(each.weights) for own, each in zip(slopes, rows)))]
+        slopes = [self._by_row(own) for own in slopes]
+        if any(own is None for own in slopes):
+            return terms
+        return [(self._of(lights, part), sign) for sign, part in Rows.added(rows, slopes)]
+
+    def _shaped(self, weights):
+        """Weights of the rows in the shape of slopes."""
+        weights = weights[0] if self._is_single else weights
+        return weights[..., None] if self._has_bands else weights
+
+    def _of(self, lights, rows):
+        return Combination(lights, self._quantity, rows, self._band, self._is_single)
+
+    def _by_row(self, slope):
+        """One factor for each row; None if bands have factors of their own, or there are more."""
+        slope = np.asarray(slope, float)
+        if slope.ndim > self.ndim:
+            return None
+        if self._has_bands and slope.ndim:
+            if not np.all(slope == slope[..., :1]):
+                return None
+            slope = slope[..., 0]
+        return np.broadcast_to(slope, len(self._rows))
+
+    def _sums_by_band(self):
+        """The sums by band, each of the length of the rows."""
+        if self._sums is None:
+            self._sums = [
+                self._lights.light(self._quantity, band).combined(*self._rows.arrays())
+                for band in self._bands()
+            ]
+        return self._sums
 
     def estimates(self):
-        if self._quantity == self.SUNLIT:
-            values = self._core.combine_sunlit(*self._rows.arrays())
-        else:
-            values = self._core.combine(*self._rows.arrays())[:, self._quantity]
-            values = values if self._band is None else values[:, self._band]
+        bands = [sums.estimates() for sums in self._sums_by_band()]
+        values = np.stack(bands, axis=1) if self._has_bands else bands[0]
         return values[0] if self._is_single else values
 
     def spread(self):
-        if self._quantity == self.SUNLIT:
-            values, sizes = self._core.sunlit_replicates(*self._rows.arrays())
-            values, sizes = values[..., 0], sizes[:, 0]
+        if self._rows.are_organs and not self._is_single:
+            lights = (self._lights.light(self._quantity, band) for band in self._bands())
+            bands = [self._rows.read(light) for light in lights]
         else:
-            values, sizes = self._core.replicates(*self._rows.arrays(), self._quantity)
-            if self._band is not None:
-                values, sizes = values[..., self._band], sizes[:, self._band]
-        spread = Spread.of_replicates(values, sizes)
+            bands = [Spread(sums.means, sums.deviations, sums.sizes) for sums in self._sums_by_band()]
+        spread = Spread.of_bands(bands) if self._has_bands else bands[0]
         return spread.take(0) if self._is_single else spread
+
+    def __reduce__(self):
+        """Keeps what its rows need: light of organs, or of the sums that were made of them."""
+        rows = self._rows
+        if rows.are_organs:
+            organs, entries = np.unique(rows.organs, return_inverse=True)
+            parts, labels = Rows.of_organs(organs), self._lights.labels_of(organs)
+            rows = Rows(rows.starts, entries, rows.weights)
+        else:
+            parts, labels = rows, rows.labels(self._lights.labels_of(rows.organs))
+            rows = Rows.of_organs(np.arange(len(rows)))
+        lights = self._lights.kept(parts, labels, self._quantity, self._bands())
+        return Combination, (lights, self._quantity, rows, self._band, self._is_single)

@@ -35,17 +35,43 @@ class FirstOrder:
             Of the values of all: the values of the function, and its derivatives.
         sources : list
         """
-        spreads = [source.spread() for source in sources]
-        means = [spread.means for spread in spreads]
+        units = [_unit(source) for source in sources]
+        spreads = [unit.spread() for unit, _ in units]
+        means = [_times(factor, spread.means) for spread, (_, factor) in zip(spreads, units)]
         values = np.asarray(function(*means), float)
-        derivatives = slopes(*means)
+        derivatives = [_times(own, factor) for own, (_, factor) in zip(slopes(*means), units)]
         terms = []
-        for source, spread, slope in zip(sources, spreads, derivatives):
-            inner = source._terms if isinstance(source, cls) else [(source, 1.0)]
+        for (unit, _), spread, slope in zip(units, spreads, derivatives):
+            inner = unit._terms if isinstance(unit, cls) else [(unit, 1.0)]
             if spread.means.shape != values.shape[values.ndim - spread.ndim :]:
                 inner = [(_broadcast(spread, values.shape), 1.0)]  # of one number along an axis
-            terms += [(light, slope * own) for light, own in inner]
-        return cls(linear(values, list(zip(spreads, derivatives))), terms)
+            terms += [(light, _times(own, slope)) for light, own in inner]
+        joined = joined_terms(terms)
+        if joined is terms:
+            return cls(linear(values, list(zip(spreads, derivatives))), terms)
+        return cls.of_terms(joined, values)
+
+    @classmethod
+    def of_terms(cls, terms, means=None):
+        """The sum of lights times their slopes.
+
+        Parameters
+        ----------
+        terms : list
+            Pairs of a source and a slope.
+        means : numpy.ndarray
+            Values, if they are not the sum of the terms.
+        """
+        terms = joined_terms(
+            [
+                (inner, _times(own, slope))
+                for light, slope in terms
+                for inner, own in (light._terms if isinstance(light, cls) else [(light, 1.0)])
+            ]
+        )
+        spreads = [(light.spread(), slope) for light, slope in terms]
+        means = sum(spread.means * slope for spread, slope in spreads) if means is None else means
+        return cls(linear(means, spreads), terms)
 
     @property
     def ndim(self):
@@ -91,13 +117,38 @@ class FirstOrder:
             _summed(light, np.where(used, slope, 0.0) * factors, axes) for light, slope in self._terms
         ]
         means = (np.where(used, self._spread.means, 0.0) * factors).sum(axis=axes)
-        return FirstOrder(linear(means, [(light.spread(), slope) for light, slope in terms]), terms)
+        return FirstOrder.of_terms(terms, means)
 
     def spread(self):
         return self._spread
 
     def estimates(self):
         return self._spread.estimates()
+
+
+def _unit(source):
+    """A source without the factors of its rows, and these."""
+    return source.unit() if hasattr(source, "unit") else (source, 1.0)
+
+
+def _times(factor, numbers):
+    return numbers if np.ndim(factor) == 0 and factor == 1 else factor * numbers
+
+
+def joined_terms(terms):
+    """Terms of which those of the same light are one, or one of each sign; the same list if all differ."""
+    by_key = {}
+    for light, slope in terms:
+        by_key.setdefault(getattr(light, "key", light), []).append((light, slope))
+    if len(by_key) == len(terms):
+        return terms
+    joined = []
+    for (light, slope), *others in by_key.values():
+        if all(other is light for other, _ in others):
+            joined.append((light, sum([own for _, own in others], slope)))
+        else:
+            joined += light.joined(slope, others)
+    return joined
 
 
 def _summed(light, factors, axes):

@@ -117,13 +117,23 @@ def linear(means, terms):
         Pairs of an argument, a Spread, and the derivative by it.
     """
     means = np.asarray(means, float)
-    deviations, squares = 0.0, np.zeros((*means.shape, 2))
+    deviations, squares = None, np.zeros((*means.shape, 2))
     for spread, slope in terms:
         added = (1,) * (means.ndim - spread.means.ndim)
         own = spread.deviations.reshape(spread.replicates, *added, *spread.means.shape)
-        deviations = deviations + slope * own
-        slope = np.asarray(slope)[..., None]
-        sizes = np.where(slope < 0, spread.sizes[..., ::-1], spread.sizes) * np.abs(slope)
-        squares = squares + sizes**2
-    deviations = np.broadcast_to(deviations, (len(deviations), *means.shape))
+        own = slope * own
+        if deviations is not None and np.shape(deviations) == np.shape(own):
+            deviations += own
+        else:
+            deviations = own if deviations is None else deviations + own
+        squares += _sizes(spread.sizes, np.asarray(slope)[..., None]) ** 2
+    if deviations.shape[1:] != means.shape:
+        deviations = np.broadcast_to(deviations, (len(deviations), *means.shape))
     return Spread(means, deviations, np.sqrt(squares))
+
+
+def _sizes(sizes, slope):
+    """Sizes of a contribution times a slope: where it is below 0, one more makes the number less."""
+    if slope.size == 1:
+        return (sizes if slope.item() >= 0 else sizes[..., ::-1]) * abs(slope.item())
+    return np.where(slope < 0, sizes[..., ::-1], sizes) * np.abs(slope)

@@ -182,7 +182,7 @@ def state_of(light):
         return Result, (_data_of(light._core), light.organs, *others)
     if isinstance(light, Result) and light.has_replicates:
         document = written.table(light.organs), written.name, written.folder
-        others = light.run, light._sensor_light, light.warnings, written
+        others = light.run, light._sensor_light, light.warnings, written, light._identity
         return _result_of_sums, (document, _core.saved_sums(light._sums), *others)
     if isinstance(written, Opened):
         return result_of_text, (text_of(light, "json").decode(), "pickle", os.getcwd())
@@ -218,8 +218,8 @@ def _light_of_json(text, written, run, warnings):
     return light
 
 
-def _result_of_sums(document, sums, run, sensors, warnings, written):
+def _result_of_sums(document, sums, run, sensors, warnings, written, identity):
     scene, core, sources, ratios, replicates = _core.restored(_core.Document(*document), [sums])
-    result = Result(core, Organs(scene), warnings, sources, ratios, replicates, written)
+    result = Result(core, Organs(scene), warnings, sources, ratios, replicates, written, identity)
     result.run, result._sensor_light = run, sensors
     return result

@@ -23,8 +23,9 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
     and `at` selects by id or name. Sums and arithmetic keep the errors: they are computed replicate by
     replicate, never added in quadrature, and replicate r of one is paired with replicate r of the other.
     A sum of arithmetic has the error of the arithmetic of sums: ``(a - b).sum()`` that of
-    ``a.sum() - b.sum()``. ``np.asarray(light)`` are the values alone. Pickled estimates keep replicates,
-    but no single contributions: errors of their sums may be larger.
+    ``a.sum() - b.sum()``. Estimates know the run that they are from, also after pickling: what they share
+    counts once, so that ``light[mask].sum() + light[~mask].sum()`` has the error of ``light.sum()``, and
+    ``light - light`` is 0 without an error. ``np.asarray(light)`` are the values alone.
 
     Intervals contain the values and end at physical bounds (docs/theory/statistics.md); after
     differences, ratios and functions they have no bounds.
@@ -47,7 +48,7 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
         self, values, name, unit, bands=(), *, index=None, source=None, origins=None, extensive=True
     ):
         self._values = values  # (..., 4): mean, standard error, ends of the interval
-        self._source = source  # a Combination or a Spread; None: replicates are not known
+        self._source = source  # see `_spread`; None: replicates are not known
         self._origins = origins or {}  # name -> function that returns Estimates
         self._units = (unit,) if isinstance(unit, str) else tuple(unit)
         self.name = name
@@ -204,7 +205,7 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
             self._units,
             self.bands,
             self.index,
-            None if self._source is None else self._source.spread(),
+            self._source,
             {name: part() for name, part in self._origins.items()},
             self.extensive,
         )
@@ -288,8 +289,8 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
         return to_pint(np.array(self.values), np.array(self.standard_error), self.unit, registry)
 
 
-def _restored(values, name, units, bands, index, spread, origins, extensive):
+def _restored(values, name, units, bands, index, source, origins, extensive):
     parts = {origin: (lambda part=part: part) for origin, part in origins.items()}
     return Estimates(
-        values, name, units, bands, index=index, source=spread, origins=parts, extensive=extensive
+        values, name, units, bands, index=index, source=source, origins=parts, extensive=extensive
     )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from ._combination import Rows
 from ._index import GroupIndex
 from ._light import Light, estimate_columns, origins_of, ratio_estimates
 from ._optional import needed
+from ._rows import Rows
 from .estimates import Estimates
 from .sun_shade import parts_of
 

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import os
 from functools import cached_property
 
 import numpy as np
 
 from . import _core
-from ._combination import Combination, Rows
+from ._combination import Combination
 from ._first_order import FirstOrder
 from ._format import number
 from ._index import GroupIndex, OrganIndex
 from ._light import Light, origins_of, ratio_estimates
+from ._lights import Lights
 from ._result_tables import ResultTables
 from ._result_views import ResultViews
+from ._rows import Rows
 from ._spread import Spread
 from .detectors import DetectorResult
 from .estimates import Estimates
@@ -68,12 +71,14 @@ class Result(ResultTables, ResultViews, Light):
     warnings : list of str
     """
 
-    def __init__(self, core, organs, warnings=(), sources=(), ratio_names=(), replicates=None, written=None):
+    def __init__(
+        self, core, organs, warnings=(), sources=(), ratio_names=(), replicates=None, written=None,
+        identity=None,
+    ):  # fmt: skip
         count = len(organs)
-        if replicates is not None and core.origins:
-            parts, whole = replicates, replicates.whole()
-        else:
-            parts, whole = None, replicates
+        self._identity = identity or os.urandom(16).hex()  # of the replicates, also in other processes
+        kept = None if replicates is None else Lights(replicates, self._identity, len(organs.bands))
+        parts, whole = (kept, kept.whole()) if kept is not None and core.origins else (None, kept)
         super().__init__(
             core.values[:count],
             OrganIndex(organs),
@@ -150,7 +155,7 @@ class Result(ResultTables, ResultViews, Light):
         """The light of the whole scene replicate by replicate: dict, name -> Spread; empty: not kept."""
         if self._replicates is None:
             return {}
-        totals = self._replicates.totals()
+        totals = self._replicates.core.totals()
         return {name: Spread.of_replicates(*numbers) for name, numbers in totals.items()}
 
     @cached_property
@@ -247,7 +252,7 @@ class Result(ResultTables, ResultViews, Light):
             If the replicates of the run were not kept.
         """
         self._require_replicates("by()")
-        core = self._replicates.groups(list(labels), int(layers), [float(h) for h in layer_heights])
+        core = self._replicates.core.groups(list(labels), int(layers), [float(h) for h in layer_heights])
         return Groups(
             core, self.organs, self._ratio_names, first=1, replicates=self._replicates
         )

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "results/bounds/physical_bounds.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
@@ -66,55 +65,35 @@ QuantitySamples LightCombiner::samples(
 
 namespace {
 
-/// The light that a weighted sum is of.
-enum class SummedLight { bands, sunlit };
-
 /// The light that is combined.
 struct Combination {
     const Sums& sums;
     const Scene& scene;
     const EvaluationSpec& spec;
     const LightCombiner& combiner;
-    SummedLight light;
-    const PhysicalBounds* bounds = nullptr;  ///< null: limits are not needed
 };
 
 /// All that a weighted sum needs of its organs.
 struct OrganSum {
     CombinedLight light;
-    std::vector<OrganContributions> contributions;  ///< by band; one of the sunlit area
-    OrganLimits limits;
-    double largest_weight = 0;
-    double area = 0;
-    bool is_known = true;  ///< whether all organs are measured
-
-    explicit OrganSum(const Combination& in)
-        : light(in.combiner.empty()),
-          contributions(in.light == SummedLight::sunlit ? 1 : in.combiner.bands()),
-          limits(in.bounds ? in.bounds->none() : OrganLimits({})) {}
+    std::vector<OrganContributions> contributions;  ///< by band
+    bool is_known = true;                           ///< whether all organs are measured
 
     void add(const OrganSum& part) {
         light.add(part.light);
         for (std::size_t i = 0; i < contributions.size(); ++i) {
             contributions[i].include(part.contributions[i]);
         }
-        limits += part.limits;
-        largest_weight = std::max(largest_weight, part.largest_weight);
-        area += part.area;
         is_known = is_known && part.is_known;
-    }
-    /// Limits of the sum: all emitted light may fall on the organ of the largest weight.
-    [[nodiscard]] OrganLimits limits_of_sum() const {
-        OrganLimits all = limits;
-        for (double& emitted : all.emitted) {
-            emitted *= largest_weight;
-        }
-        return all;
     }
 };
 
+OrganSum empty_sum(const LightCombiner& combiner) {
+    return {combiner.empty(), std::vector<OrganContributions>(combiner.bands())};
+}
+
 OrganSum sum_of(const Combination& in, const OrganWeights& of) {
-    OrganSum sum(in);
+    OrganSum sum = empty_sum(in.combiner);
     sum.is_known = std::ranges::all_of(of.organs, [&](std::uint32_t organ) {
         return is_measured(in.sums, in.scene.organs()[organ]);
     });
@@ -124,19 +103,7 @@ OrganSum sum_of(const Combination& in, const OrganWeights& of) {
     for (std::uint32_t r = 0; r < in.combiner.replicates(); ++r) {
         in.combiner.add_up(of, r, sum.light);
     }
-    sum.contributions = in.light == SummedLight::sunlit
-                            ? std::vector{in.combiner.sunlit_contributions(of)}
-                            : in.combiner.contributions(of);
-    OrganLimits own = sum.limits;
-    for (std::size_t i = 0; i < of.organs.size(); ++i) {
-        const Organ& organ = in.scene.organs()[of.organs[i]];
-        sum.largest_weight = std::max(sum.largest_weight, of.weight(i));
-        sum.area += organ.area * of.weight(i);
-        if (in.bounds) {
-            in.bounds->find(organ, own);
-            sum.limits.add(own, of.weight(i));
-        }
-    }
+    sum.contributions = in.combiner.contributions(of);
     return sum;
 }
 
@@ -162,7 +129,8 @@ void for_each_sum(const Combination& in, std::span<const OrganWeights> of, const
             sums[i] = sum_of(in, parts[i]);
         });
         parallel_blocks(batch.size(), in.spec.threads, [&](std::uint64_t i, unsigned) {
-            OrganSum all = starts[i] == starts[i + 1] ? OrganSum(in) : std::move(*sums[starts[i]]);
+            OrganSum all =
+                starts[i] == starts[i + 1] ? empty_sum(in.combiner) : std::move(*sums[starts[i]]);
             for (std::size_t part = starts[i] + 1; part < starts[i + 1]; ++part) {
                 all.add(*sums[part]);
             }
@@ -186,54 +154,6 @@ void put_column(
 
 }  // namespace
 
-std::vector<Estimate> combine(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    std::span<const OrganWeights> of) {
-    const LightCombiner combiner(sums, scene, spec);
-    const PhysicalBounds bounds(scene, spec, sums->emitted_flux);
-    const Combination in{sums, scene, spec, combiner, SummedLight::bands, &bounds};
-    const std::size_t bands = combiner.bands(), row = kQuantities * bands;
-    std::vector<Estimate> values(of.size() * row, kUnknownEstimate);
-    for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
-        const OrganLimits limits = sum.limits_of_sum();
-        for (std::size_t b = 0; b < bands; ++b) {
-            const QuantitySamples samples = combiner.samples(sum.light, b, 1);
-            for (const QuantityEntry& entry : quantity_table()) {
-                const auto q = static_cast<std::size_t>(entry.quantity);
-                values[index * row + q * bands + b] = not_above(
-                    sum.contributions[b].estimate(entry, 1, samples[q]),
-                    limits.of(entry.quantity, b));
-            }
-        }
-    });
-    return values;
-}
-
-std::vector<Estimate> combine_sunlit(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    std::span<const OrganWeights> of) {
-    const LightCombiner combiner(sums, scene, spec);
-    const PhysicalBounds bounds(scene, spec, sums->emitted_flux);
-    const Combination in{sums, scene, spec, combiner, SummedLight::sunlit, &bounds};
-    if (!combiner.has_sun()) {
-        return {};
-    }
-    std::vector<Estimate> values(of.size(), kUnknownEstimate);
-    for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
-        std::vector<double> fractions = sum.light.sunlit;
-        for (double& each : fractions) {
-            each *= sum.area > 0 ? 1 / sum.area : 0;
-        }
-        const Estimate fraction = sum.contributions.front().estimate_sunlit(sum.area, fractions);
-        values[index] = not_above(scaled(fraction, sum.area), sum.limits.sunlit_area);
-    });
-    return values;
-}
-
 CombinedReplicates combine_replicates(
     const Sums& sums,
     const Scene& scene,
@@ -241,7 +161,7 @@ CombinedReplicates combine_replicates(
     std::span<const OrganWeights> of,
     std::span<const Quantity> quantities) {
     const LightCombiner combiner(sums, scene, spec);
-    const Combination in{sums, scene, spec, combiner, SummedLight::bands};
+    const Combination in{sums, scene, spec, combiner};
     const std::size_t bands = combiner.bands(), row = quantities.size() * bands;
     CombinedReplicates all;
     all.values.resize(combiner.replicates() * of.size() * row, kUnknownEstimate.mean);
@@ -256,28 +176,6 @@ CombinedReplicates combine_replicates(
                 put_column(own, at, of.size() * row, all.values);
             }
         }
-    });
-    return all;
-}
-
-CombinedReplicates combine_sunlit_replicates(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    std::span<const OrganWeights> of) {
-    const LightCombiner combiner(sums, scene, spec);
-    const Combination in{sums, scene, spec, combiner, SummedLight::sunlit};
-    CombinedReplicates all;
-    if (!combiner.has_sun()) {
-        return all;
-    }
-    all.values.resize(combiner.replicates() * of.size(), kUnknownEstimate.mean);
-    all.sizes.resize(of.size());
-    for_each_sum(in, of, [&](std::size_t index, const OrganSum& sum) {
-        for (std::size_t r = 0; r < sum.light.sunlit.size(); ++r) {
-            all.values[r * of.size() + index] = sum.light.sunlit[r];
-        }
-        all.sizes[index] = sum.contributions.front().size();
     });
     return all;
 }

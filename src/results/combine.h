@@ -74,25 +74,7 @@ class LightCombiner {
     const EvaluationSpec& spec_;
 };
 
-/// Estimates of weighted sums of light: sum of weight x flux, also for quantities per area, whose
-/// flux is that on the part of the organ. With weights of 1 they are those of a group of these
-/// organs, times its area for quantities per area. Unknown if an organ is not measured.
-/// @returns [(sum * kQuantities + quantity) * bands + band], with intervals within physical bounds
-[[nodiscard]] std::vector<Estimate> combine(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    std::span<const OrganWeights> of);
-
-/// Estimates of weighted sums of sunlit area. @returns one for each; empty without directional
-/// sources
-[[nodiscard]] std::vector<Estimate> combine_sunlit(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    std::span<const OrganWeights> of);
-
-/// The weighted sums of quantities, replicate by replicate, for arithmetic beyond sums.
+/// The weighted sums of quantities, replicate by replicate. Unknown if an organ is not measured.
 struct CombinedReplicates {
     /// [((replicate * sums + sum) * quantities + quantity) * bands + band], flux
     std::vector<double> values;
@@ -105,11 +87,5 @@ struct CombinedReplicates {
     const EvaluationSpec& spec,
     std::span<const OrganWeights> of,
     std::span<const Quantity> quantities);
-/// The same of sunlit area, as one quantity in one band; empty without directional sources.
-[[nodiscard]] CombinedReplicates combine_sunlit_replicates(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    std::span<const OrganWeights> of);
 
 }  // namespace quasimc

@@ -112,13 +112,16 @@ class OrganEvaluator {
         Result& result) {
         // An organ of no area receives nothing.
         const double per_area = organ.area > 0 ? 1 / organ.area : 0;
+        Incident all;
         for (std::uint32_t r = 0; r < values_.size(); ++r) {
-            put_sample(r, light_[band * values_.size() + r], per_area, samples_);
+            const Incident& light = light_[band * values_.size() + r];
+            all += light;
+            put_sample(r, light, per_area, samples_);
             incident_[band][r] = (sample_of(Quantity::incident_direct)[r] +
                                   sample_of(Quantity::incident_scattered)[r]) *
                                  organ.area;
         }
-        contributions_[band] = OrganContributions(reader, band);
+        contributions_[band] = OrganContributions(reader, band, all);
         for (const QuantityEntry& entry : quantity_table()) {
             const auto q = static_cast<std::size_t>(entry.quantity);
             result.values[(index * kQuantities + q) * result.bands + band] =

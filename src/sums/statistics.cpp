@@ -9,6 +9,7 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include "base/checks.h"
+#include "base/parallel.h"
 
 namespace quasimc {
 namespace {
@@ -26,6 +27,30 @@ Estimate reaching(const Estimate& e, const ContributionSize& size) {
     return {
         e.mean, std::hypot(e.standard_error, std::max(size.more, size.less)),
         e.mean - std::hypot(half, 3 * size.less), e.mean + std::hypot(half, 3 * size.more)};
+}
+
+/// Standard errors of `size` columns from `first` on. @param deviations  [replicate * count +
+/// column]
+std::vector<double> errors_of(
+    std::span<const double> deviations, std::size_t count, std::size_t first, std::size_t size) {
+    const std::size_t replicates = deviations.size() / count;
+    const auto n = static_cast<double>(replicates);
+    std::vector<double> means(size), squares(size, replicates < 2 ? kNan : 0);
+    for (std::size_t r = 0; r < replicates; ++r) {
+        for (std::size_t i = 0; i < size; ++i) {
+            means[i] += deviations[r * count + first + i] / n;
+        }
+    }
+    for (std::size_t r = 0; r < replicates; ++r) {
+        for (std::size_t i = 0; i < size; ++i) {
+            const double x = deviations[r * count + first + i] - means[i];
+            squares[i] += x * x;
+        }
+    }
+    for (double& square : squares) {
+        square = std::sqrt(square / (n - 1) / n);
+    }
+    return squares;
 }
 
 }  // namespace
@@ -63,11 +88,23 @@ Estimate widened(const Estimate& e, const ContributionSize& size) {
     return not_negative(reaching(e, size));
 }
 
-Estimate estimate_signed(
-    double mean, std::span<const double> deviations, const ContributionSize& size) {
-    const Estimate scatter = estimate_mean(deviations);
-    const double half = scatter.ci95_high - scatter.mean;
-    return reaching({mean, scatter.standard_error, mean - half, mean + half}, size);
+std::vector<Estimate> estimate_signed(const SignedNumbers& numbers, unsigned threads) {
+    const std::size_t count = numbers.means.size();
+    EXPECT(count > 0 && numbers.deviations.size() % count == 0 && numbers.sizes.size() == count);
+    const std::size_t replicates = numbers.deviations.size() / count;
+    std::vector<Estimate> all(count);
+    constexpr std::size_t kPerBlock = 256;
+    parallel_blocks(
+        (count + kPerBlock - 1) / kPerBlock, threads, [&](std::uint64_t block, unsigned) {
+            const std::size_t first = block * kPerBlock, size = std::min(kPerBlock, count - first);
+            const std::vector<double> errors = errors_of(numbers.deviations, count, first, size);
+            for (std::size_t i = first; i < first + size; ++i) {
+                all[i] = reaching(
+                    with_interval(numbers.means[i], errors[i - first], replicates),
+                    numbers.sizes[i]);
+            }
+        });
+    return all;
 }
 
 Estimate not_negative(const Estimate& e) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "quasimc/sums.h"
 
@@ -65,11 +66,17 @@ struct ContributionSize {
 /// both widened as in estimate_contributions().
 [[nodiscard]] Estimate widened(const Estimate& e, const ContributionSize& size);
 
-/// The estimate of a number of any sign from its deviations from `mean` in the replicates, widened
-/// by the size of a contribution. Its interval has no bounds; without any deviation the error is
-/// that of one contribution.
-[[nodiscard]] Estimate estimate_signed(
-    double mean, std::span<const double> deviations, const ContributionSize& size);
+/// Numbers of any sign, with their deviations in each replicate.
+struct SignedNumbers {
+    std::span<const double> means;
+    std::span<const double> deviations;       ///< [replicate * numbers + number]
+    std::span<const ContributionSize> sizes;  ///< one contribution
+};
+
+/// Their estimates from the scatter of the deviations, widened by the size of a contribution.
+/// Intervals have no bounds; without any deviation the error is that of one contribution.
+/// @param threads  at least 1
+[[nodiscard]] std::vector<Estimate> estimate_signed(const SignedNumbers& numbers, unsigned threads);
 
 /// The p-quantile of Student's t-distribution, 0 < p < 1, df >= 1.
 [[nodiscard]] double student_t_quantile(double p, unsigned df);

@@ -52,24 +52,58 @@ CountedLight together(const CountedLight& upper, const CountedLight& lower) {
         upper.units + lower.units, upper.squares + lower.squares, upper.is_alike && lower.is_alike};
 }
 
+/// The change by one contribution more or less. @param sample_of, size_of  of the index of a kind
+template <typename SampleOf, typename SizeOf>
+ContributionSize one_of_kinds(std::size_t kinds, const SampleOf& sample_of, const SizeOf& size_of) {
+    ContributionSize path, rest;
+    for (std::size_t i = 0; i < kinds; ++i) {
+        const ContributionSize size = size_of(i);
+        if (sample_of(i) == Sample::path) {
+            path = larger(path, size);
+        } else {
+            rest = both(rest, size);
+        }
+    }
+    return both(path, rest);
+}
+
 }  // namespace
 
-OrganContributions::OrganContributions(const OrganReader& reader, std::size_t band)
+ContributionSize one_contribution(std::span<const SampledContribution> kinds) {
+    return one_of_kinds(
+        kinds.size(), [&](std::size_t i) { return kinds[i].sample; },
+        [&](std::size_t i) {
+            return both(kinds[i].size, {kinds[i].unseen, 0});
+        });
+}
+
+Estimate estimate_sunlit_fraction(
+    std::span<const double> lit, ContributionSize one, bool has_points) {
+    const bool is_all =
+        has_points && std::ranges::all_of(lit, [](double each) { return each >= kFullyLit; });
+    one.more = is_all ? 0 : one.more;
+    Estimate fraction = estimate_contributions(lit, one);
+    fraction.ci95_high = is_all ? std::max(fraction.ci95_high, 1.0) : fraction.ci95_high;
+    return fraction;
+}
+
+OrganContributions::OrganContributions(
+    const OrganReader& reader, std::size_t band, const Incident& light)
     : absorptance_(reader.largest_absorptance(band)), has_points_(reader.sums().has_points()) {
     if (has_points_) {
-        read_points(reader, band);
+        read_points(reader, band, light);
     } else if (!reader.sums().data().strategies.empty()) {
-        read_strategies(reader, band);
+        read_strategies(reader, band, light);
     } else {
         bound_ = reader.largest(reader.sums().direct, band) / reader.replicates();
     }
 }
 
-void OrganContributions::read_points(const OrganReader& reader, std::size_t band) {
+void OrganContributions::read_points(
+    const OrganReader& reader, std::size_t band, const Incident& sum) {
     const double count = reader.replicates();
     const SumReader& sums = reader.sums();
     const double by_path = reader.largest(sums.light_path, band) / count;
-    const Incident sum = reader.incident(band);
     // Light paths may deliver light of sources that the points can't see.
     const bool is_hidden = sum.unoccluded_upper == 0 && sum.unoccluded_lower == 0;
     // The number of points on the triangle that the sun shines on most is equal in nearly all
@@ -98,7 +132,8 @@ void OrganContributions::read_points(const OrganReader& reader, std::size_t band
     }
 }
 
-void OrganContributions::read_strategies(const OrganReader& reader, std::size_t band) {
+void OrganContributions::read_strategies(
+    const OrganReader& reader, std::size_t band, const Incident& sum) {
     const double count = reader.replicates();
     kinds_.reserve(2 * reader.sums().data().strategies.size() + 2);
     for (std::size_t i = 0; i < reader.sums().data().strategies.size(); ++i) {
@@ -119,7 +154,6 @@ void OrganContributions::read_strategies(const OrganReader& reader, std::size_t 
                  is_unseen ? size.more : 0});
         }
     }
-    const Incident sum = reader.incident(band);
     const double once = reader.may_scatter(band) ? reader.largest_scattered(band) / count : 0;
     for (const SurfaceSide side : kSurfaceSides) {
         const double mean =
@@ -192,24 +226,29 @@ void OrganContributions::include(const OrganContributions& organ, double weight)
 
 template <typename SizeOf>
 ContributionSize OrganContributions::combined(const SizeOf& size_of) const {
-    ContributionSize path, rest;
-    for (std::size_t i = 0; i < kinds_.size(); ++i) {
-        const ContributionSize size = size_of(kinds_[i], i);
-        if (kinds_[i].sample == Sample::path) {
-            path = larger(path, size);
-        } else {
-            rest = both(rest, size);
+    return one_of_kinds(
+        kinds_.size(), [&](std::size_t i) { return kinds_[i].sample; },
+        [&](std::size_t i) { return size_of(kinds_[i], i); });
+}
+
+bool OrganContributions::is_counted(const Kind& kind, const LightParts& parts) {
+    return (kind.is_direct ? parts.direct : parts.scattered) && (parts.suns || !kind.has_suns) &&
+           (kind.side == SurfaceSide::upper ? parts.upper : parts.lower);
+}
+
+std::vector<SampledContribution> OrganContributions::kinds(const LightParts& parts) const {
+    std::vector<SampledContribution> counted;
+    for (const Kind& kind : kinds_) {
+        if (is_counted(kind, parts)) {
+            counted.push_back({kind.sample, kind.size, kind.unseen});
         }
     }
-    return both(path, rest);
+    return counted;
 }
 
 ContributionSize OrganContributions::size(const LightParts& parts) const {
     const ContributionSize one = combined([&](const Kind& kind, std::size_t) {
-        const bool is_counted = (kind.is_direct ? parts.direct : parts.scattered) &&
-                                (parts.suns || !kind.has_suns) &&
-                                (kind.side == SurfaceSide::upper ? parts.upper : parts.lower);
-        return is_counted ? both(kind.size, {kind.unseen, 0}) : ContributionSize{};
+        return is_counted(kind, parts) ? both(kind.size, {kind.unseen, 0}) : ContributionSize{};
     });
     return parts.is_absorbed ? one * absorptance_ : one;
 }
@@ -241,14 +280,7 @@ Estimate OrganContributions::estimate_sunlit(double area, std::span<const double
         const auto replicates = static_cast<double>(values.size());
         return estimate_seen_or_bound(values, bound_ * per_area * replicates);
     }
-    ContributionSize one = size() * per_area;
-    const bool is_all = has_points_ && std::all_of(values.begin(), values.end(), [](double lit) {
-                            return lit >= kFullyLit;
-                        });
-    one.more = is_all ? 0 : one.more;
-    Estimate lit = estimate_contributions(values, one);
-    lit.ci95_high = is_all ? std::max(lit.ci95_high, 1.0) : lit.ci95_high;
-    return lit;
+    return estimate_sunlit_fraction(values, size() * per_area, has_points_);
 }
 
 Estimate OrganContributions::estimate_ratio(

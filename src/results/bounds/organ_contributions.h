@@ -10,13 +10,37 @@
 
 namespace quasimc {
 
+/// The sample of a contribution: a path, which contributes once; a point of an organ; a direction
+/// or a line, which may contribute to several organs.
+enum class Sample : std::uint8_t { path, point, ray };
+
+/// The change of light by one contribution of a kind more or less.
+struct SampledContribution {
+    Sample sample = Sample::path;
+    ContributionSize size = {};
+    double unseen = 0;  ///< in addition: to organs without contributions, from one ray
+};
+
+/// The change by one contribution of any kind: a path more is of one kind, other samples may be
+/// missing of each.
+[[nodiscard]] ContributionSize one_contribution(std::span<const SampledContribution> kinds);
+
+/// Estimates the sunlit fraction from contributions to it.
+/// @param lit  the fraction, per replicate
+/// @param has_points  whether contributions are points of the organs
+[[nodiscard]] Estimate estimate_sunlit_fraction(
+    std::span<const double> lit, ContributionSize one, bool has_points);
+
 /// The change of the light of an organ, or of a group, by one contribution more or less, in a
 /// band (docs/theory/statistics.md).
 class OrganContributions {
   public:
     /// No contribution: of a group without organs.
     OrganContributions() = default;
-    OrganContributions(const OrganReader& reader, std::size_t band);
+    OrganContributions(const OrganReader& reader, std::size_t band)
+        : OrganContributions(reader, band, reader.incident(band)) {}
+    /// @param light  of the organ, all replicates together
+    OrganContributions(const OrganReader& reader, std::size_t band, const Incident& light);
     /// Contributions to the sunlit area, of a side or of both.
     [[nodiscard]] static OrganContributions sunlit(
         const OrganReader& reader, std::optional<SurfaceSide> side = std::nullopt);
@@ -29,6 +53,12 @@ class OrganContributions {
     /// One contribution to a quantity, as flux, as estimate() includes it.
     /// @param values  the quantity, per replicate
     [[nodiscard]] ContributionSize size(Quantity quantity, std::span<const double> values) const;
+    /// The kinds of contributions to the given parts of light, as many for all organs.
+    [[nodiscard]] std::vector<SampledContribution> kinds(const LightParts& parts) const;
+    /// The largest fraction of light that a side absorbs.
+    [[nodiscard]] double absorptance() const { return absorptance_; }
+    /// The largest contribution, where only this is known, as flux; else 0.
+    [[nodiscard]] double bound() const { return bound_; }
 
     /// Estimates the given parts of light. @param unit  of the values, per flux
     [[nodiscard]] Estimate estimate(
@@ -51,9 +81,6 @@ class OrganContributions {
         std::span<const double> b);
 
   private:
-    /// The sample of a contribution: a path, which contributes once; a point of an organ; a
-    /// direction or a line, which may contribute to several organs.
-    enum class Sample { path, point, ray };
     /// The light of one strategy on one side.
     struct Kind {
         SurfaceSide side = SurfaceSide::upper;
@@ -64,12 +91,13 @@ class OrganContributions {
         ContributionSize size = {};
         double unseen = 0;  ///< in addition: to organs without contributions, from one ray
     };
-    /// Combines the kinds: a path more is of one kind, other samples may be missing of each.
+    /// Combines the kinds: see one_contribution().
     /// @param size_of  of a kind and its index
     template <typename SizeOf>
     [[nodiscard]] ContributionSize combined(const SizeOf& size_of) const;
-    void read_strategies(const OrganReader& reader, std::size_t band);
-    void read_points(const OrganReader& reader, std::size_t band);
+    static bool is_counted(const Kind& kind, const LightParts& parts);
+    void read_strategies(const OrganReader& reader, std::size_t band, const Incident& light);
+    void read_points(const OrganReader& reader, std::size_t band, const Incident& light);
 
     std::vector<Kind> kinds_;  ///< in the same order for all organs and bands
     double absorptance_ = 0;

@@ -55,11 +55,16 @@ double least_absorptance(const Scene& scene, const Organ& organ, std::size_t ban
 
 double OrganLimits::of(Quantity quantity, std::size_t band) const {
     const LightParts& parts = parts_of(quantity);
+    const double most = light(parts, band);
+    return parts.is_absorbed ? std::min(emitted[band], most) : most;  // absorbed light fell on it
+}
+
+double OrganLimits::light(const LightParts& parts, std::size_t band) const {
     double most = 0;
     most += parts.direct && parts.upper ? direct_upper[band] : 0;
     most += parts.direct && parts.lower ? direct_lower[band] : 0;
     most += parts.scattered ? scattered[band] : 0;
-    return parts.is_absorbed ? std::min(emitted[band], most) : most;  // absorbed light fell on it
+    return most;
 }
 
 void OrganLimits::add(const OrganLimits& other, double weight) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quasimc/result.h"
+#include "results/quantities.h"
 #include "scene/scene.h"
 
 namespace quasimc {
@@ -26,8 +27,10 @@ struct OrganLimits {
     std::vector<double> emitted;                     ///< into the scene
     double sunlit_area = 0;
 
-    /// Limit of a quantity, as flux.
+    /// Limit of a quantity, as flux: no more than what is emitted is absorbed.
     [[nodiscard]] double of(Quantity quantity, std::size_t band) const;
+    /// Limit of the given parts of the light that falls on the organs, as flux.
+    [[nodiscard]] double light(const LightParts& parts, std::size_t band) const;
     /// Adds the limits of light times a positive weight.
     void add(const OrganLimits& other, double weight);
     /// Adds the limits of both.

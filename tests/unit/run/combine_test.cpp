@@ -1,7 +1,5 @@
 // Weighted sums of the light of organs.
 
-#include "results/combine.h"
-
 #include <array>
 #include <cmath>
 #include <numeric>
@@ -9,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "quasimc/run.h"
+#include "results/summable_light.h"
 #include "run/evaluation_of.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
@@ -43,8 +42,17 @@ struct Kept {
         sums = Simulator().sums(scene, sources, spec);
         evaluation = evaluation_of(scene, sources, spec);
     }
-    [[nodiscard]] std::vector<Estimate> combined(const OrganWeights& of) const {
-        return combine(sums, scene, evaluation, std::span(&of, 1));
+    [[nodiscard]] SummableLight light(Quantity quantity, std::size_t band) const {
+        return SummableLight::of_flux(sums, scene, evaluation, quantity, band);
+    }
+    [[nodiscard]] Estimate combined(
+        const OrganWeights& of,
+        Quantity quantity = Quantity::absorbed_flux,
+        std::size_t band = 0) const {
+        return light(quantity, band)
+            .combined(std::span(&of, 1), evaluation.threads)
+            .estimates()
+            .front();
     }
 };
 
@@ -66,44 +74,72 @@ TEST_P(Combine, WithWeightsOfOneIsTheGroupOfTheOrgans) {
     const GroupResults groups = evaluate_run(kept.sums, kept.scene, kept.spec, kept.sources).groups;
     const OrganGroup& all = groups.groups.front();
     ASSERT_EQ(all.organs.size(), 8U);
-    const std::vector<Estimate> sums = kept.combined({all.organs});
     for (const QuantityEntry& entry : quantity_table()) {
         for (std::size_t b = 0; b < 2; ++b) {
-            const Estimate& sum = sums[static_cast<std::size_t>(entry.quantity) * 2 + b];
             const Estimate of_group = groups.at(0, entry.quantity, b);
-            expect_same(sum, entry.is_flux ? of_group : scaled(of_group, all.area));
+            expect_same(
+                kept.combined({all.organs}, entry.quantity, b),
+                entry.is_flux ? of_group : scaled(of_group, all.area));
         }
     }
+}
+
+TEST_P(Combine, OfSunlitAreaIsTheGroupOfTheOrgans) {
+    const Kept kept(GetParam());
+    const GroupResults groups = evaluate_run(kept.sums, kept.scene, kept.spec, kept.sources).groups;
+    const OrganWeights of{groups.groups.front().organs};
+    const SummableLight area =
+        SummableLight::of_sunlit_area(kept.sums, kept.scene, kept.evaluation);
+    expect_same(area.combined(std::span(&of, 1)).estimates().front(), groups.sunlit_area.front());
 }
 
 TEST_P(Combine, IsProportionalToItsWeights) {
     const Kept kept(GetParam());
     const std::vector<std::uint32_t> organs{1, 4, 6};
     const std::vector<double> once{.5, 1, 2}, thrice{1.5, 3, 6};
-    const std::vector<Estimate> a = kept.combined({organs, once}),
-                                b = kept.combined({organs, thrice});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        expect_same(scaled(a[i], 3), b[i]);
+    for (const QuantityEntry& entry : quantity_table()) {
+        expect_same(
+            scaled(kept.combined({organs, once}, entry.quantity, 1), 3),
+            kept.combined({organs, thrice}, entry.quantity, 1));
     }
 }
 
+/// Sums of sums are those of their organs.
+TEST_P(Combine, IsAssociative) {
+    const Kept kept(GetParam());
+    const std::vector<std::uint32_t> one{0, 4, 6}, other{1, 2}, both{0, 4, 6, 1, 2}, rows{0, 1};
+    const std::vector<double> weights{.5, 1, 2}, twice{1, 2, 4, 3, 3}, of_rows{2, 3};
+    const SummableLight light = kept.light(Quantity::absorbed_flux, 1);
+    const std::vector<OrganWeights> parts{{one, weights}, {other}};
+    const OrganWeights sum{rows, of_rows}, all{both, twice};
+    const SummableLight a = light.combined(parts).combined(std::span(&sum, 1));
+    const SummableLight b = light.combined(std::span(&all, 1));
+    expect_same(a.estimates().front(), b.estimates().front());
+    EXPECT_NEAR(a.sizes().front().more, b.sizes().front().more, 1e-15);
+    EXPECT_NEAR(a.sizes().front().less, b.sizes().front().less, 1e-15);
+}
+
+/// Rows of a table over a sweep are read without a table of all organs.
 TEST_P(Combine, HasTheReplicatesOfTheSum) {
     const Kept kept(GetParam());
     const std::vector<std::uint32_t> organs{1, 4, 6};
     const std::vector<double> weights{.5, 1, 2};
     const OrganWeights of{organs, weights};
-    const std::array quantities{Quantity::absorbed_flux};
+    const std::array quantities{Quantity::absorbed_flux, Quantity::incident_upper};
     const CombinedReplicates replicates =
         combine_replicates(kept.sums, kept.scene, kept.evaluation, std::span(&of, 1), quantities);
-    const std::vector<Estimate> sums = kept.combined(of);
-    const std::size_t count = replicates.values.size() / 2;
-    for (std::size_t b = 0; b < 2; ++b) {
-        double mean = 0;
-        for (std::size_t r = 0; r < count; ++r) {
-            mean += replicates.values[r * 2 + b] / static_cast<double>(count);
+    for (std::size_t q = 0; q < 2; ++q) {
+        for (std::size_t b = 0; b < 2; ++b) {
+            const SummableLight sum = kept.light(quantities[q], b).combined(std::span(&of, 1));
+            for (std::size_t r = 0; r < sum.deviations().size(); ++r) {
+                const double value = sum.means().front() + sum.deviations()[r];
+                EXPECT_NEAR(replicates.values[(r * 2 + q) * 2 + b], value, 1e-12 * value);
+            }
+            const ContributionSize one = replicates.sizes[q * 2 + b];
+            EXPECT_NEAR(one.more, sum.sizes().front().more, 1e-12 * one.more);
+            EXPECT_NEAR(one.less, sum.sizes().front().less, 1e-12 * one.less);
+            EXPECT_LE(one.more, sum.estimates().front().standard_error * (1 + 1e-12));
         }
-        EXPECT_NEAR(mean, sums[b].mean, 1e-12 * mean);
-        EXPECT_LE(replicates.sizes[b].more, sums[b].standard_error * (1 + 1e-12));
     }
 }
 
@@ -115,25 +151,22 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(CombineOf, OrgansThatAreNotMeasuredIsUnknown) {
     const Kept kept(Method::from_organs);
     const std::vector<std::uint32_t> organs{0, 8};
-    EXPECT_TRUE(std::isnan(kept.combined({organs}).front().mean));
+    EXPECT_TRUE(std::isnan(kept.combined({organs}).mean));
 }
 
 TEST(CombineOf, NoOrgansIsZero) {
     const Kept kept(Method::light_tracing);
-    const Estimate none = kept.combined({}).front();
+    const Estimate none = kept.combined({});
     EXPECT_EQ(none.mean, 0);
     EXPECT_EQ(none.standard_error, 0);
 }
 
-/// Organs of long sums are read in parts.
 TEST(CombineOf, ManyOrgansIsTheirGroup) {
     const Kept kept(Method::light_tracing, 4096, 3000);
     const GroupResults groups = evaluate_run(kept.sums, kept.scene, kept.spec, kept.sources).groups;
     const OrganGroup& all = groups.groups.front();
     ASSERT_EQ(all.organs.size(), 3000U);
-    const auto absorbed = static_cast<std::size_t>(Quantity::absorbed_flux);
-    expect_same(
-        kept.combined({all.organs})[absorbed * 2], groups.at(0, Quantity::absorbed_flux, 0));
+    expect_same(kept.combined({all.organs}), groups.at(0, Quantity::absorbed_flux, 0));
 }
 
 TEST(CombineOf, ManyOrgansHasTheSameBitsOnAnyNumberOfThreads) {
@@ -141,14 +174,12 @@ TEST(CombineOf, ManyOrgansHasTheSameBitsOnAnyNumberOfThreads) {
     std::vector<std::uint32_t> organs(3000);
     std::iota(organs.begin(), organs.end(), 0);
     kept.evaluation.threads = 1;
-    const std::vector<Estimate> one = kept.combined({organs});
+    const Estimate one = kept.combined({organs});
     kept.evaluation.threads = 3;
-    const std::vector<Estimate> three = kept.combined({organs});
-    for (std::size_t i = 0; i < one.size(); ++i) {
-        EXPECT_EQ(one[i].mean, three[i].mean);
-        EXPECT_EQ(one[i].standard_error, three[i].standard_error);
-        EXPECT_EQ(one[i].ci95_high, three[i].ci95_high);
-    }
+    const Estimate three = kept.combined({organs});
+    EXPECT_EQ(one.mean, three.mean);
+    EXPECT_EQ(one.standard_error, three.standard_error);
+    EXPECT_EQ(one.ci95_high, three.ci95_high);
 }
 
 }  // namespace

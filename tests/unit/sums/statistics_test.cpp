@@ -26,6 +26,40 @@ TEST(EstimateMean, IsExactForOneToFour) {
     EXPECT_NEAR(e.ci95_high, 2.5 + half, 1e-12);
 }
 
+TEST(EstimateSigned, IsThatOfTheDeviationsAndOneContribution) {
+    const Values means{2.5, -1}, deviations{-1.5, 0, -.5, 0, .5, 0, 1.5, 0};
+    const std::vector<ContributionSize> sizes{{0, 0}, {.3, .4}};
+    const std::vector<Estimate> e = estimate_signed({means, deviations, sizes}, 1);
+    const Estimate of_values = estimate_mean(Values{1, 2, 3, 4});
+    EXPECT_DOUBLE_EQ(e[0].standard_error, of_values.standard_error);
+    EXPECT_DOUBLE_EQ(e[0].ci95_low, of_values.ci95_low);
+    EXPECT_DOUBLE_EQ(e[0].ci95_high, of_values.ci95_high);
+    EXPECT_DOUBLE_EQ(e[1].mean, -1);
+    EXPECT_DOUBLE_EQ(e[1].standard_error, .4);
+    EXPECT_DOUBLE_EQ(e[1].ci95_low, -1 - 3 * .4);
+    EXPECT_DOUBLE_EQ(e[1].ci95_high, -1 + 3 * .3);
+}
+
+TEST(EstimateSigned, HasTheSameBitsOnAnyNumberOfThreads) {
+    std::mt19937 draw;
+    std::normal_distribution<double> normal;
+    constexpr std::size_t kCount = 1000;
+    Values means(kCount), deviations(8 * kCount);
+    std::ranges::generate(deviations, [&] { return normal(draw); });
+    const std::vector<ContributionSize> sizes(kCount);
+    const std::vector<Estimate> one = estimate_signed({means, deviations, sizes}, 1),
+                                three = estimate_signed({means, deviations, sizes}, 3);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        EXPECT_EQ(one[i].standard_error, three[i].standard_error);
+    }
+}
+
+TEST(EstimateSigned, HasNoErrorToTellFromOneReplicate) {
+    const Values mean{3}, deviation{0};
+    const std::vector<ContributionSize> size{{.1, .1}};
+    EXPECT_TRUE(std::isnan(estimate_signed({mean, deviation, size}, 1)[0].standard_error));
+}
+
 TEST(EstimateMean, HasNoErrorToTellFromOneReplicate) {
     const Estimate e = estimate_mean(Values{3});
     EXPECT_EQ(e.mean, 3);

@@ -1,0 +1,297 @@
+#include "results/summable_light.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/checks.h"
+#include "base/parallel.h"
+#include "results/bounds/organ_reader.h"
+#include "results/bounds/physical_bounds.h"
+#include "results/organ_blocks.h"
+#include "sums/statistics.h"
+
+namespace quasimc {
+namespace {
+
+// Columns: the mean, a deviation of each replicate, these, and three of each kind of contribution.
+enum Fixed : std::uint8_t {
+    kArea,
+    kLimit,        // of the light
+    kEmitted,      // another limit of it: all light of the sources may fall on one organ
+    kAbsorptance,  // by which contributions are multiplied
+    kBound,        // largest contribution, where only this is known
+    kFixedColumns,
+};
+enum OfKind : std::uint8_t { kMore, kLess, kUnseen, kColumnsOfKind };
+
+std::size_t first_fixed(const SummableColumns& columns) {
+    return 1 + std::size_t{columns.replicates};
+}
+std::size_t first_of_kinds(const SummableColumns& columns) {
+    return first_fixed(columns) + kFixedColumns;
+}
+
+/// All numbers of an organ.
+struct OrganNumbers {
+    std::vector<double> values;  // per replicate
+    double area = 0, limit = 0, emitted = 0, absorptance = 1, bound = 0;
+    std::vector<SampledContribution> kinds = {};
+};
+
+/// The numbers of an entry in the order of the columns. @param put  called with (column, number)
+template <typename Put>
+void put_numbers(const OrganNumbers& organ, const Put& put) {
+    const double mean = mean_of(organ.values);
+    std::size_t column = 0;
+    put(column++, mean);
+    for (const double value : organ.values) {
+        put(column++, value - mean);
+    }
+    for (const double x :
+         {organ.area, organ.limit, organ.emitted, organ.absorptance, organ.bound}) {
+        put(column++, x);
+    }
+    for (const SampledContribution& kind : organ.kinds) {
+        for (const double x : {kind.size.more, kind.size.less, kind.unseen}) {
+            put(column++, x);
+        }
+    }
+}
+
+std::vector<Sample> samples_of(const OrganNumbers& organ) {
+    std::vector<Sample> samples;
+    for (const SampledContribution& kind : organ.kinds) {
+        samples.push_back(kind.sample);
+    }
+    return samples;
+}
+
+/// The light of all organs. @param read  makes the OrganNumbers of a reader and its organ
+template <typename Read>
+SummableLight read_organs(
+    const Sums& sums,
+    const Scene& scene,
+    const EvaluationSpec& spec,
+    Summand summand,
+    const Read& read) {
+    const SumReader reader(sums);
+    const std::vector<Organ>& organs = scene.organs();
+    const auto numbers_of = [&](std::size_t i) {
+        return read(OrganReader(reader, scene, spec, organs[i]), organs[i]);
+    };
+    SummableColumns columns{summand, static_cast<std::uint32_t>(sums->replicates.size()), {}};
+    if (!organs.empty()) {
+        columns.kinds = samples_of(numbers_of(0));
+    }
+    std::vector<double> numbers(
+        columns.size() * organs.size(), std::numeric_limits<double>::quiet_NaN());
+    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            if (is_measured(sums, organs[i])) {
+                put_numbers(numbers_of(i), [&](std::size_t column, double number) {
+                    numbers[column * organs.size() + i] = number;
+                });
+            }
+        }
+    });
+    return {std::move(columns), std::move(numbers)};
+}
+
+/// Terms of a weighted sum by a rule.
+template <typename Number>
+double folded(SumRule rule, const OrganWeights& of, const Number& number) {
+    double sum = 0;
+    for (std::size_t i = 0; i < of.organs.size(); ++i) {
+        const double x = number(of.organs[i]), weight = of.weight(i);
+        switch (rule) {
+            case SumRule::sum:
+                sum += weight * x;
+                break;
+            case SumRule::root_of_squares:
+                sum += weight * x * weight * x;
+                break;
+            case SumRule::largest:
+                sum = std::max(sum, weight * x);
+                break;
+            case SumRule::largest_of_all:
+                sum = std::max(sum, x);
+                break;
+        }
+    }
+    return rule == SumRule::root_of_squares ? std::sqrt(sum) : sum;
+}
+
+}  // namespace
+
+std::size_t SummableColumns::size() const {
+    return first_of_kinds(*this) + kColumnsOfKind * kinds.size();
+}
+
+SumRule SummableColumns::rule(std::size_t column) const {
+    const std::size_t fixed = first_fixed(*this), of_kinds = first_of_kinds(*this);
+    if (column < fixed || column == fixed + kArea || column == fixed + kLimit) {
+        return SumRule::sum;
+    }
+    if (column < of_kinds) {
+        return column == fixed + kAbsorptance ? SumRule::largest_of_all : SumRule::largest;
+    }
+    const std::size_t index = column - of_kinds;
+    if (index % kColumnsOfKind == kUnseen) {
+        return SumRule::sum;
+    }
+    return kinds[index / kColumnsOfKind] == Sample::ray ? SumRule::root_of_squares
+                                                        : SumRule::largest;
+}
+
+SummableLight SummableLight::of_flux(
+    const Sums& sums,
+    const Scene& scene,
+    const EvaluationSpec& spec,
+    Quantity quantity,
+    std::size_t band) {
+    const LightParts& parts = parts_of(quantity);
+    const PhysicalBounds bounds(scene, spec, sums->emitted_flux);
+    const auto read = [&](const OrganReader& reader, const Organ& organ) {
+        OrganNumbers own{.values = std::vector<double>(reader.replicates()), .area = organ.area};
+        Incident all;
+        for (std::uint32_t r = 0; r < own.values.size(); ++r) {
+            const Incident light = reader.incident(r, band);
+            own.values[r] = light.of(parts);
+            all += light;
+        }
+        OrganLimits limits = bounds.none();
+        bounds.find(organ, limits);
+        own.limit = limits.light(parts, band);
+        own.emitted =
+            parts.is_absorbed ? limits.emitted[band] : std::numeric_limits<double>::infinity();
+        const OrganContributions contributions(reader, band, all);
+        own.absorptance = parts.is_absorbed ? contributions.absorptance() : 1;
+        own.bound = contributions.bound();
+        own.kinds = contributions.kinds(parts);
+        return own;
+    };
+    return read_organs(sums, scene, spec, Summand::flux, read);
+}
+
+SummableLight SummableLight::of_sunlit_area(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    EXPECT(sums->units.sunlit_area > 0);
+    const PhysicalBounds bounds(scene, spec, sums->emitted_flux);
+    const auto read = [&](const OrganReader& reader, const Organ& organ) {
+        OrganNumbers own{.values = std::vector<double>(reader.replicates()), .area = organ.area};
+        for (std::uint32_t r = 0; r < own.values.size(); ++r) {
+            own.values[r] = reader.sunlit_area(r);
+        }
+        OrganLimits limits = bounds.none();
+        bounds.find(organ, limits);
+        own.limit = limits.sunlit_area;
+        own.emitted = std::numeric_limits<double>::infinity();
+        const OrganContributions contributions = OrganContributions::sunlit(reader);
+        own.bound = contributions.bound();
+        own.kinds = contributions.kinds(kIncidentLight);
+        return own;
+    };
+    return read_organs(
+        sums, scene, spec,
+        SumReader(sums).has_points() ? Summand::sunlit_area_by_points : Summand::sunlit_area, read);
+}
+
+SummableLight::SummableLight(SummableColumns columns, std::vector<double> numbers)
+    : columns_(std::move(columns)), numbers_(std::move(numbers)) {
+    EXPECT(numbers_.size() % columns_.size() == 0);
+    sizes_.resize(size());
+    for (std::size_t i = 0; i < size(); ++i) {
+        sizes_[i] = size_of(i);
+    }
+}
+
+ContributionSize SummableLight::size_of(std::size_t entry) const {
+    const std::size_t fixed = first_fixed(columns_);
+    const double absorptance = at(fixed + kAbsorptance, entry);
+    if (const double bound = at(fixed + kBound, entry); bound > 0) {
+        return {at(0, entry) == 0 ? bound * absorptance : 0, 0};
+    }
+    std::vector<SampledContribution> kinds(columns_.kinds.size());
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const std::size_t first = first_of_kinds(columns_) + kColumnsOfKind * i;
+        kinds[i] = {
+            columns_.kinds[i],
+            {at(first + kMore, entry), at(first + kLess, entry)},
+            at(first + kUnseen, entry)};
+    }
+    return one_contribution(kinds) * absorptance;
+}
+
+Estimate SummableLight::estimate(std::size_t entry, std::span<const double> values) const {
+    const std::size_t fixed = first_fixed(columns_);
+    const double bound = at(fixed + kBound, entry);
+    if (bound > 0) {
+        const double one = bound * at(fixed + kAbsorptance, entry);
+        return estimate_seen_or_bound(values, one * static_cast<double>(values.size()));
+    }
+    if (columns_.summand == Summand::flux) {
+        return estimate_contributions(values, sizes_[entry]);
+    }
+    const double area = at(fixed + kArea, entry), per_area = area > 0 ? 1 / area : 0;
+    std::vector<double> lit(values.begin(), values.end());
+    for (double& each : lit) {
+        each *= per_area;
+    }
+    const bool has_points = columns_.summand == Summand::sunlit_area_by_points;
+    return scaled(estimate_sunlit_fraction(lit, sizes_[entry] * per_area, has_points), area);
+}
+
+std::vector<Estimate> SummableLight::estimates() const {
+    std::vector<Estimate> all(size(), kUnknownEstimate);
+    const std::size_t fixed = first_fixed(columns_);
+    std::vector<double> values(columns_.replicates);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (std::isnan(at(0, i))) {
+            continue;
+        }
+        for (std::size_t r = 0; r < values.size(); ++r) {
+            values[r] = at(0, i) + at(1 + r, i);
+        }
+        all[i] = not_above(
+            estimate(i, values), std::min(at(fixed + kEmitted, i), at(fixed + kLimit, i)));
+    }
+    return all;
+}
+
+SummableLight SummableLight::combined(std::span<const OrganWeights> of, unsigned threads) const {
+    std::size_t terms = 0;
+    for (const OrganWeights& row : of) {
+        terms += row.organs.size();
+    }
+    // Below this a thread starts later than it would end.
+    constexpr std::size_t kFewNumbers = 1 << 20;
+    std::vector<double> numbers(columns_.size() * of.size());
+    parallel_blocks(
+        columns_.size(), terms * columns_.size() < kFewNumbers ? 1 : threads,
+        [&](std::uint64_t c, unsigned) {
+            const std::span<const double> own = column(c);
+            const SumRule rule = columns_.rule(c);
+            for (std::size_t row = 0; row < of.size(); ++row) {
+                numbers[c * of.size() + row] =
+                    folded(rule, of[row], [&](std::uint32_t organ) { return own[organ]; });
+            }
+        });
+    return {columns_, std::move(numbers)};
+}
+
+SummableLight SummableLight::joined(std::span<const SummableLight* const> lights) {
+    const SummableColumns& columns = lights.front()->columns_;
+    std::vector<double> numbers;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        for (const SummableLight* light : lights) {
+            EXPECT(light->columns_ == columns);
+            const std::span<const double> own = light->column(c);
+            numbers.insert(numbers.end(), own.begin(), own.end());
+        }
+    }
+    return {columns, std::move(numbers)};
+}
+
+}  // namespace quasimc
