@@ -1,6 +1,9 @@
 #include "quasimc/series.h"
 
+#include <algorithm>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,8 +17,11 @@
 #include "result.h"
 #include "resultio/describe_series.h"
 #include "resultio/json_parts.h"
+#include "results/units.h"
 #include "run.h"
 #include "scene.h"
+#include "series/time_sums.h"
+#include "summable_light.h"
 #include "watch.h"
 
 namespace quasimc::python {
@@ -111,6 +117,51 @@ py::list times_of(const RunRecord& all) {
     return times;
 }
 
+/// The results that are summed over a day (or over all days), and their weights: indices of those
+/// that were computed, and (results, bands) seconds in the units of sums. None without replicates.
+py::tuple weights_of(const RunRecord& all, std::optional<std::size_t> day) {
+    const std::vector<TimeStep>& steps = all.series->time_steps;
+    const bool has_replicates =
+        std::ranges::any_of(all.replicates, [](const auto& kept) { return kept != nullptr; });
+    const std::vector<TimeStepPlan> plans =
+        has_replicates ? plan_series(steps) : std::vector<TimeStepPlan>{};
+    std::map<std::size_t, double> seconds;
+    for (std::size_t i = 0; has_replicates && i < all.time_steps.size(); ++i) {
+        if (steps[i].day == day.value_or(steps[i].day) && plans[i].factor * steps[i].seconds > 0) {
+            seconds[plans[i].traced] += plans[i].factor * steps[i].seconds;
+        }
+    }
+    const std::vector<Band>& bands = all.scene->bands();
+    std::vector<std::size_t> results;
+    std::vector<double> weights;
+    for (const auto& [step, own] : seconds) {
+        results.push_back(step);
+        for (const Band& band : bands) {
+            weights.push_back(own * summed_unit(band.unit).factor);
+        }
+    }
+    const std::vector<py::ssize_t> shape{
+        static_cast<py::ssize_t>(results.size()), static_cast<py::ssize_t>(bands.size())};
+    return py::make_tuple(results, Numbers(shape, weights.data()));
+}
+
+/// Weighted sums of estimates with independent errors, as those of days.
+/// @param values  (times, n, 4). @param weights  (times, n)
+/// @param freedom  degrees of freedom of each error
+Numbers sum_of_times(const Numbers& values, const Numbers& weights, double freedom) {
+    const auto count = static_cast<std::size_t>(weights.shape(1));
+    std::vector<TimeSum> sums(count);
+    const double* own = values.data();
+    for (std::size_t i = 0; i < static_cast<std::size_t>(weights.size()); ++i, own += 4) {
+        sums[i % count].add({own[0], own[1], own[2], own[3]}, weights.data()[i], freedom);
+    }
+    std::vector<Estimate> estimates;
+    for (const TimeSum& sum : sums) {
+        estimates.push_back(sum.estimate());
+    }
+    return array_of(estimates, {static_cast<py::ssize_t>(count)});
+}
+
 py::list days_of(const py::object& self) {
     const auto& all = self.cast<const RunRecord&>();
     py::list days;
@@ -118,6 +169,7 @@ py::list days_of(const py::object& self) {
         py::dict day;
         day["date"] = all.series->days[all.days[i]];
         day["seconds"] = all.sums[i].seconds;
+        day["weights"] = weights_of(all, all.days[i]);
         day["values"] = view_of_sum(all.sums[i], organs_of(all.sums[i]), self);
         day["groups"] = groups_dict(all.sums[i].groups, self, CsvTimes::days);
         day["sun_shade"] = parts_dict(all.sums[i].sun_shade, &all.sums[i].sunlit_hours, self);
@@ -162,6 +214,8 @@ void bind_series(py::module_& module) {
                 return view_of_sum(total, organs_of(total), self);
             })
         .def_property_readonly(
+            "total_weights", [](const RunRecord& all) { return weights_of(all, std::nullopt); })
+        .def_property_readonly(
             "total_origins",
             [](const py::object& self) {
                 return origins_dict(self.cast<const RunRecord&>().summary.total.origins, self);
@@ -195,6 +249,8 @@ void bind_series(py::module_& module) {
         .def_property_readonly(
             "control", [](const RunRecord& all) { return controls_of(*all.series, *all.scene); })
         .def_property_readonly("facts", &facts_of_series);
+    module.def(
+        "sum_of_times", &sum_of_times, py::arg("values"), py::arg("weights"), py::arg("freedom"));
     module.def(
         "run_series", &run_times, py::arg("scene"), py::arg("light"), py::arg("keeps_times"),
         py::arg("max_bytes"), py::arg("on_progress") = py::none());

@@ -13,6 +13,19 @@
 
 namespace quasimc::python {
 
+Numbers array_of(const std::vector<Estimate>& estimates, std::vector<py::ssize_t> shape) {
+    shape.push_back(4);
+    Numbers array(std::move(shape));
+    double* out = array.mutable_data();
+    for (const Estimate& estimate : estimates) {
+        const Estimate e = reported(estimate);
+        for (const double number : {e.mean, e.standard_error, e.ci95_low, e.ci95_high}) {
+            *out++ = number;
+        }
+    }
+    return array;
+}
+
 Numbers sizes_of(const std::vector<ContributionSize>& sizes, std::vector<py::ssize_t> shape) {
     Numbers array(std::move(shape));
     double* out = array.mutable_data();
@@ -40,20 +53,6 @@ std::vector<OrganWeights> rows_of(
              std::span(weights.data(), weights.size()).subspan(first, count)});
     }
     return rows;
-}
-
-/// @param shape  of the estimates, to which an axis of (mean, standard error, low, high) is added
-Numbers array_of(const std::vector<Estimate>& estimates, std::vector<py::ssize_t> shape) {
-    shape.push_back(4);
-    Numbers array(std::move(shape));
-    double* out = array.mutable_data();
-    for (const Estimate& estimate : estimates) {
-        const Estimate e = reported(estimate);
-        for (const double number : {e.mean, e.standard_error, e.ci95_low, e.ci95_high}) {
-            *out++ = number;
-        }
-    }
-    return array;
 }
 
 std::shared_ptr<SummableLight> combined(

@@ -12,6 +12,8 @@ namespace quasimc::python {
 
 using Numbers = py::array_t<double, py::array::c_style>;
 
+/// @param shape  of the estimates, to which an axis of (mean, standard error, low, high) is added
+Numbers array_of(const std::vector<Estimate>& estimates, std::vector<py::ssize_t> shape);
 /// Sizes of a contribution: one more, and one less. @param shape  (..., 2)
 Numbers sizes_of(const std::vector<ContributionSize>& sizes, std::vector<py::ssize_t> shape);
 

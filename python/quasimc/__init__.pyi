@@ -370,7 +370,7 @@ class Groups(Light):
         ratio_names: Iterable[str] = (),
         *,
         first: int = 0,
-        factors: Array | None = None,
+        is_summed: bool = False,
         replicates: Any = None,
         parts: Any = None,
         origins: Mapping[str, Any] | None = None,
@@ -397,6 +397,7 @@ class Sums(Light):
         origins: Mapping[str, Any] | None = None,
         sensors: Mapping[str, Any] | None = None,
         sun_shade: Mapping[str, Any] | None = None,
+        lights: Any = None,
     ) -> None: ...
     @property
     def sun_shade(self) -> SunShade: ...
@@ -448,6 +449,7 @@ class Result(Light):
         ratio_names: Iterable[str] = (),
         replicates: Any = None,
         written: Any = None,
+        identity: str | None = None,
     ) -> None: ...
     @property
     def has_replicates(self) -> bool: ...

@@ -6,7 +6,6 @@ import warnings
 
 import numpy as np
 
-from ._combination import Combination
 from ._first_order import FirstOrder
 from ._spread import Spread, paired
 from ._units import product
@@ -72,7 +71,7 @@ def times(light, factors):
     source, values = None, None
     if np.all(factors >= 0) and shape == light.shape:
         values = light._values * factors[..., None]
-        if isinstance(light._source, Combination) and np.all(factors > 0):
+        if hasattr(light._source, "scaled") and np.all(factors > 0):
             source = _scaled_rows(light, factors)
     if source is None and light._source is not None:
         source = FirstOrder.of(lambda x: x * factors, lambda x: [factors], [light._source])
@@ -240,8 +239,8 @@ def warn_of_unknown(arguments):
     warn_here(
         [
             f"the replicates of {names} were not kept: errors of sums and differences are unknown; "
-            'run with keep="replicates"; of sums over days there are none: use '
-            "groups of the run (of sensors, average=True)"
+            'run with keep="replicates"; light on sensors and daylight coefficients have none: use '
+            "average=True for sensors, and groups of the run"
         ]
     )
 

@@ -111,10 +111,12 @@ class Combination:
         if first.are_organs and all(np.array_equal(first.organs, each.organs) for each in rows):
             unit = self._of(lights, first.unit())
             return [(unit, sum(own * self._shaped(each.weights) for own, each in zip(slopes, rows)))]
-        slopes = [self._by_row(own) for own in slopes]
-        if any(own is None for own in slopes):
+        common, by_row = 1.0, [self._by_row(own) for own in slopes]
+        if any(own is None for own in by_row) and np.all(slope):  # as seconds in units of each band
+            common, by_row = slope, [self._by_row(own / slope) for own in slopes]
+        if any(own is None for own in by_row):
             return terms
-        return [(self._of(lights, part), sign) for sign, part in Rows.added(rows, slopes)]
+        return [(self._of(lights, part), sign * common) for sign, part in Rows.added(rows, by_row)]
 
     def _shaped(self, weights):
         """Weights of the rows in the shape of slopes."""

@@ -19,11 +19,11 @@ class FirstOrder:
     same, and a contribution counts by its size in the sum, as the engine finds it for groups.
     """
 
-    __slots__ = ("_spread", "_terms")
+    __slots__ = ("_spread", "terms")
 
     def __init__(self, spread, terms):
         self._spread = spread
-        self._terms = terms if len(terms) <= _MOST_TERMS else [(spread, 1.0)]
+        self.terms = terms if len(terms) <= _MOST_TERMS else [(spread, 1.0)]
 
     @classmethod
     def of(cls, function, slopes, sources):
@@ -42,7 +42,7 @@ class FirstOrder:
         derivatives = [_times(own, factor) for own, (_, factor) in zip(slopes(*means), units)]
         terms = []
         for (unit, _), spread, slope in zip(units, spreads, derivatives):
-            inner = unit._terms if isinstance(unit, cls) else [(unit, 1.0)]
+            inner = terms_of(unit)
             if spread.means.shape != values.shape[values.ndim - spread.ndim :]:
                 inner = [(_broadcast(spread, values.shape), 1.0)]  # of one number along an axis
             terms += [(light, _times(own, slope)) for light, own in inner]
@@ -66,7 +66,7 @@ class FirstOrder:
             [
                 (inner, _times(own, slope))
                 for light, slope in terms
-                for inner, own in (light._terms if isinstance(light, cls) else [(light, 1.0)])
+                for inner, own in terms_of(light)
             ]
         )
         spreads = [(light.spread(), slope) for light, slope in terms]
@@ -107,14 +107,14 @@ class FirstOrder:
                     select(light, self.ndim - light.ndim),
                     np.broadcast_to(slope, shape)[index] if np.ndim(slope) else slope,
                 )
-                for light, slope in self._terms
+                for light, slope in self.terms
             ],
         )
 
     def summed(self, factors, axes=(0,)):
         used = factors != 0
         terms = [
-            _summed(light, np.where(used, slope, 0.0) * factors, axes) for light, slope in self._terms
+            _summed(light, np.where(used, slope, 0.0) * factors, axes) for light, slope in self.terms
         ]
         means = (np.where(used, self._spread.means, 0.0) * factors).sum(axis=axes)
         return FirstOrder.of_terms(terms, means)
@@ -124,6 +124,11 @@ class FirstOrder:
 
     def estimates(self):
         return self._spread.estimates()
+
+
+def terms_of(source):
+    """What a source is the sum of: pairs of a source and its slope."""
+    return getattr(source, "terms", [(source, 1.0)])
 
 
 def _unit(source):

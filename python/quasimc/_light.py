@@ -109,9 +109,9 @@ class Light(Mapping):
         if replicates is None or self._rows is None:
             return None
         if is_flux:
-            return Combination(replicates, number, self._rows)
+            return replicates.source(number, self._rows)
         areas = self._index.areas
-        return Combination(replicates, number, self._rows.scaled(1 / np.where(areas > 0, areas, 1)))
+        return replicates.source(number, self._rows.scaled(1 / np.where(areas > 0, areas, 1)))
 
     def _columns(self):
         """Columns of light as those of the CSV files: name -> array."""

@@ -35,6 +35,12 @@ class Lights:
             return self.core.light(quantity, band)
         return self._known[quantity, band]
 
+    def source(self, quantity, rows):
+        """Weighted sums of organs: a source of estimates."""
+        from ._combination import Combination
+
+        return Combination(self, quantity, rows)
+
     def origin(self, name):
         """The light that came from an origin."""
         if name not in self._origins:

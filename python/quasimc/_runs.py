@@ -125,8 +125,8 @@ class Runs:
             As of `run`.
         keep : str
             "estimates": keep the result of each time step; "replicates": with the sums of all
-            replicates; "sums": keep sums over days alone, for long seasons; "auto": "estimates". Sums
-            over days have errors for `groups` alone.
+            replicates, by which sums over organs have errors, also of days; "sums": keep sums over
+            days alone, for long seasons; "auto": "estimates".
 
         Returns
         -------

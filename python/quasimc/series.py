@@ -5,12 +5,16 @@ from __future__ import annotations
 import json
 from functools import cached_property
 
+import numpy as np
+
 from . import _core
 from ._index import OrganIndex, RunIndex, time_index
-from ._light import Light, label_columns
+from ._light import Light, label_columns, origins_of
 from ._meshes import plain
 from ._optional import needed
+from ._rows import Rows
 from ._stacked_light import StackedLight
+from ._time_sum import TimeLights
 from .control import Control
 from .groups import Groups
 from .result import Result
@@ -82,7 +86,7 @@ class Series:
                 day["date"],
                 Sums(
                     day["values"], day["seconds"], self.organs, day["groups"], day["origins"],
-                    day["sensors"], day["sun_shade"],
+                    day["sensors"], day["sun_shade"], self._lights_of(day["weights"]),
                 ),
             )
             for day in self._core.days
@@ -94,6 +98,19 @@ class Series:
         return Sums(
             self._core.total, self.total_seconds, self.organs, self._core.total_groups,
             self._core.total_origins, self._core.total_sensors, self._core.total_sun_shade,
+            self._lights_of(self._core.total_weights),
+        )
+
+    def _lights_of(self, weights):
+        """The light that a sum over time is made of, of all and of origins apart: a pair, or None."""
+        rows, weights = weights
+        results = [self._results[row] for row in rows]
+        if not results or not all(result.has_replicates for result in results):
+            return None
+        parts = [result._parts for result in results]
+        return (
+            TimeLights([result._replicates for result in results], weights),
+            None if None in parts else TimeLights(parts, weights),
         )
 
     @cached_property
@@ -262,15 +279,19 @@ class Sums(Light):
         Name of a set -> `Sensors`.
     """
 
-    def __init__(self, values, seconds, organs, groups=None, origins=None, sensors=None, sun_shade=None):
-        parts = {
-            name: (light["values"][: len(organs)], None) for name, light in (origins or {}).items()
-        }
+    def __init__(
+        self, values, seconds, organs, groups=None, origins=None, sensors=None, sun_shade=None,
+        lights=None,
+    ):  # fmt: skip
+        count = len(organs)
+        whole, parts = lights or (None, None)
         super().__init__(
-            values[: len(organs)],
+            values[:count],
             OrganIndex(organs),
             organs,
-            origins=parts,
+            rows=Rows.of_organs(np.arange(count)),
+            replicates=whole,
+            origins=origins_of(origins or {}, parts, lambda light: light["values"][:count]),
             is_summed=True,
         )
         self.seconds = seconds
@@ -278,7 +299,9 @@ class Sums(Light):
         self.groups = (
             None
             if groups is None
-            else Groups(groups, organs, origins=origins, is_summed=True)
+            else Groups(
+                groups, organs, replicates=whole, parts=parts, origins=origins, is_summed=True
+            )
         )
         self._parts = sun_shade
 

@@ -125,7 +125,7 @@ def test_an_organ_without_a_value_matters_only_where_it_is_used(bright_pair):
 def test_a_long_sum_forgets_its_parts(pair):
     a = pair[0]["PAR"]
     total = sum([a] * 200, 0.0)
-    assert len(total._source._terms) < 100
+    assert len(total._source.terms) < 100
     assert total.values == pytest.approx(200 * a.values, rel=1e-9)
     scatter = [light._source.spread().deviations.std(axis=0) for light in (total, a)]
     assert scatter[0] == pytest.approx(200 * scatter[1], rel=1e-9)
