@@ -99,7 +99,8 @@ void RunRecord::end(const SeriesSummary& of_run) {
 
 SeriesSummary replay(const RunRecord& record, const Scene& scene, OutputWriter& writer) {
     const RowOrder order(*record.scene, scene);
-    for (std::size_t i = 0; i < record.results.size(); ++i) {
+    const bool has_times = writer.wants(SeriesPart::time_steps);
+    for (std::size_t i = 0; has_times && i < record.results.size(); ++i) {
         Result result = *record.results[i];
         order.apply(result);
         writer.on_time_step({record.time_steps[i], result, record.computed[i]});

@@ -51,9 +51,12 @@ RunFile run_of(const Document& document) {
     return read_run_document(document.node, document.name, files, {}, {}, NoLightPolicy::allowed);
 }
 
-/// The writer of a format: "json", "csv".
+/// The writer of a format: "json", "csv", or "table" for the first [[table]] of the run.
 std::unique_ptr<OutputWriter> make_writer(
     const std::string& format, const RunFile& run, const TextSink& sink) {
+    if (format == "table") {
+        return make_table({run, sink, {}, {}, &run.output.tables.at(0)});
+    }
     return format == "csv" ? make_csv({run, sink}) : make_json({run, sink});
 }
 

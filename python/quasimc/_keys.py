@@ -33,6 +33,11 @@ TIME_KEYS = (
     "diffuse_fraction", "linke_turbidity", "spectrum", "sky", "overcast_sky", "cie_type", "turbidity",
 )  # fmt: skip
 
+#: Keys of ``[[table]]`` that `save` takes.
+TABLE_KEYS = (
+    "rows", "per", "form", "where", "quantities", "bands", "origins", "statistics", "digits",
+)  # fmt: skip
+
 _CLOCK = "utc_offset_hours=2 is the offset of the clock from UTC"
 #: Names of other programs.
 _ELSEWHERE = {"timezone": _CLOCK, "tz": _CLOCK}

@@ -10,12 +10,20 @@ from ._targets import target
 class ResultViews:
     """Part of `Result`."""
 
-    def save(self, path):
+    def save(self, path, **table):
         """Writes the result to a file, in the format of its ending.
 
         ".json": all, for `quasimc.open` and the program; ".csv": the table of organs; ".nc": NetCDF;
         ".vtp", ".glb", ".ply": the scene with its light for ParaView, Blender and MeshLab. Time steps
         are saved with their series (`Series.save`); the light of a specification (`grow`) can't be saved.
+
+        Parameters
+        ----------
+        path : str or path
+        **table
+            For ".csv", another table, with the keys of ``[[table]]`` (docs/reference/csv.md): rows
+            ("groups", "sensors", ...), per ("day", "period"), form, where, quantities, bands, origins,
+            statistics, digits.
 
         Returns
         -------
@@ -30,7 +38,7 @@ class ResultViews:
         """
         from ._store import save
 
-        return save(self, path)
+        return save(self, path, table)
 
     def picture(self, path=None, quantity="absorbed_flux_density", band=None, **options):
         """Draws the scene coloured by its light, by the program (docs/guide/pictures.md).

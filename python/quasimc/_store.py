@@ -9,7 +9,8 @@ from tempfile import TemporaryDirectory
 from types import SimpleNamespace
 
 from . import _core
-from ._meshes import input_error
+from ._keys import TABLE_KEYS, keyword_error, near
+from ._meshes import input_error, plain
 from ._program import call
 from ._targets import target
 from ._warn import warn_here
@@ -41,8 +42,8 @@ class Opened:
         return self._document
 
 
-def text_of(light, format):
-    """A Result, Series or Sweep as bytes of a file: "json", "csv"."""
+def text_of(light, format, table=None):
+    """A Result, Series or Sweep as bytes of a file: "json", "csv", or "table" with the keys of one."""
     if light._written is None:
         raise input_error(
             "save",
@@ -52,12 +53,14 @@ def text_of(light, format):
         )
     if format == "json" and light._written.text is not None:
         return light._written.text.encode()
+    document = light._written.document(light.organs)
+    if format == "table":
+        document = _core.Document({**document.table(), "table": [table]}, document.name, document.folder)
     if isinstance(light, Sweep):
-        records = [_record_of(point) for point in light]
-        return _core.written_sweep(light._written.document(light.organs), records, format)
+        return _core.written_sweep(document, [_record_of(point) for point in light], format)
     if format == "csv" and isinstance(light, Series):
         light._results_of_times()  # refuses a table without rows
-    return _core.written(light._written.document(light.organs), _record_of(light), format)
+    return _core.written(document, _record_of(light), format)
 
 
 def _record_of(light):
@@ -67,8 +70,11 @@ def _record_of(light):
     return _core.record_of(light.organs._scene, light._core)
 
 
-def save(light, path):
-    """Writes a Result, Series or Sweep in the format of the path's ending. Nothing is left if it fails."""
+def save(light, path, keys):
+    """Writes a Result, Series or Sweep in the format of the path's ending. Nothing is left if it fails.
+
+    @param keys: those of ``[[table]]``, for CSV
+    """
     path = Path(path)
     ending = path.suffix.lower()
     known = [*_OWN, *(end for end in _CONVERTED if not (isinstance(light, Sweep) and end in _OF_SCENES))]
@@ -80,12 +86,29 @@ def save(light, path):
             f"use {', '.join(known)}",
         )
     target(path)
-    if ending in _OWN:
+    if keys:
+        _check_table(light, ending, keys)
+        _replace(path, text_of(light, "table", plain({"file": os.path.abspath(path), **keys})))
+    elif ending in _OWN:
         _replace(path, text_of(light, ending[1:]))
     else:
         with json_file(light) as stored:
             call("convert", stored, path)
     return path
+
+
+def _check_table(light, ending, keys):
+    """Refuses keys of tables that have no meaning. Raises InputError."""
+    for key in keys:
+        if key not in TABLE_KEYS:
+            raise keyword_error("save", key, near(key, TABLE_KEYS, f"it has {', '.join(TABLE_KEYS)}"))
+    if ending != ".csv":
+        raise input_error("save", f"{next(iter(keys))} is for tables", "", "use the ending .csv")
+    per = keys.get("per", "time")
+    if per == "sweep":
+        raise input_error("save", "per = 'sweep'", "sums over points are not kept", "use sweep.sum()")
+    if isinstance(light, Series) and per == "time" and keys.get("rows") != "control":
+        light._results_of_times()  # refuses a table without rows
 
 
 def _replace(path, content):

@@ -223,12 +223,20 @@ class Series:
 
         return SeriesPlots(self)
 
-    def save(self, path):
+    def save(self, path, **table):
         """Writes the series to a file, in the format of its ending.
 
         ".json": all but replicates, for `quasimc.open` and the program; ".csv": the table of organs and
         times; ".nc": NetCDF; ".vtp", ".glb", ".ply": the scene with the sum over all times. Time steps
         at night, whose light is 0, are not written.
+
+        Parameters
+        ----------
+        path : str or path
+        **table
+            For ".csv", another table, with the keys of ``[[table]]`` (docs/reference/csv.md): rows
+            ("groups", "sensors", ...), per ("day", "period"), form, where, quantities, bands, origins,
+            statistics, digits.
 
         Returns
         -------
@@ -245,7 +253,7 @@ class Series:
         """
         from ._store import save
 
-        return save(self, path)
+        return save(self, path, table)
 
     def __reduce__(self):
         from ._store import state_of

@@ -109,11 +109,19 @@ class Sweep(Sequence):
             raise ValueError(f"{weights.size} weights for {len(self)} points; give one for each")
         return self[quantity].sum(axis="point", weights=weights)
 
-    def save(self, path):
+    def save(self, path, **table):
         """Writes the sweep to a file, in the format of its ending.
 
         ".json": all but replicates, for `quasimc.open` and the program; ".csv": the table of points and
         organs; ".nc": NetCDF.
+
+        Parameters
+        ----------
+        path : str or path
+        **table
+            For ".csv", another table, with the keys of ``[[table]]`` (docs/reference/csv.md): rows
+            ("groups", "sensors", ...), per ("day", "period"), form, where, quantities, bands, origins,
+            statistics, digits.
 
         Returns
         -------
@@ -129,7 +137,7 @@ class Sweep(Sequence):
         """
         from ._store import save
 
-        return save(self, path)
+        return save(self, path, table)
 
     def __reduce__(self):
         from ._store import state_of

@@ -173,6 +173,13 @@ def test_the_keys_of_times_are_those_of_the_reference():
     assert keys | {"duration_minutes"} == set(_keys.TIME_KEYS)
 
 
+def test_the_keys_of_tables_are_those_of_the_reference():
+    text = (REFERENCE.parent / "csv.md").read_text("utf-8")
+    part = text[text.index("## Tables by request") : text.index("## Lamps under control")]
+    keys = re.findall(r"^\| `([a-z_]+)` \|", part, flags=re.M)
+    assert keys == ["file", *_keys.TABLE_KEYS]
+
+
 def test_the_keys_of_sources_are_those_of_the_reference():
     known = {key for keys in _keys.SOURCE_KEYS.values() for key in keys}
     assert keys_of_tables("## `[[source]]`", "### Lamps") == known
