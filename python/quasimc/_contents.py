@@ -18,6 +18,8 @@ class Contents:
     def add_organ(self, shape, *, material, **keys):
         """Adds an organ with a parametric shape: triangle, rhombus, polygon, bezier, cylinder, disk, ...
 
+        Returns the scene, as all methods that add something.
+
         Parameters
         ----------
         shape : str
