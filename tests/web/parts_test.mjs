@@ -11,7 +11,7 @@ import { classCounts, highestKnown } from "../../web/src/legend.js";
 import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
 import { Timeline } from "../../web/src/timeline.js";
 import { firstColumn } from "../../web/src/page.js";
-import { methodWords, sourceWords, timeWords } from "../../web/src/run_words.js";
+import { methodWords, sourceWords, timeWords } from "../../web/src/run_text.js";
 import { pointNames } from "../../web/src/point_names.js";
 import { sunPaths } from "../../web/src/sun_paths.js";
 

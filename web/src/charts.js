@@ -220,7 +220,7 @@ export class Charts {
   /** Area in each layer, as a dotted outline over the width. */
   #addArea({ node, y, box }, bins) {
     const most = Math.max(...bins.map(({ area }) => area));
-    byId("profile-area").textContent = `leaf area, up to ${areaText(most, this.page.run.json.unit)}`;
+    byId("profile-area").textContent = `leaf area ≤ ${areaText(most, this.page.run.json.unit)}`;
     const x = (area) => box.left + 0.92 * (area / most) * (box.right - box.left);
     const points = bins.flatMap(({ from, to, area }) => [`${x(area)},${y(from)}`, `${x(area)},${y(to)}`]);
     node.append(svg("polyline", { class: "area", points: points.join(" "), "pointer-events": "none" }));

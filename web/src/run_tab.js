@@ -3,7 +3,7 @@
 import { drawConvergence } from "./convergence.js";
 import { make } from "./dom.js";
 import { lightBudget } from "./energy.js";
-import { methodWords, sourceWords, timeWords } from "./run_words.js";
+import { methodWords, sourceWords, timeWords } from "./run_text.js";
 import { counted, kUnknownText, many, percent, plain, unitText, plainUnit, withError, withUnit } from "./format.js";
 
 /** @param rows  lists of texts, numbers as {number: text}, or nodes */

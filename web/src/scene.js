@@ -36,7 +36,7 @@ const kCoarse = 0.5;
 const kFine = 2;
 const kSwift = 60; // milliseconds: a fine picture is drawn at once if it takes less
 const kPatience = 1000; // milliseconds: and at rest, if it takes less
-const kPause = 120; // milliseconds without a change before it
+const kPause = 600; // milliseconds without a change before it: more than between news of a run, which needs the processor
 
 /** Side by side: the light, and the plant in its own colours. */
 const kLight = { angle: 0.06 };
