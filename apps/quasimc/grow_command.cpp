@@ -23,11 +23,11 @@
 #include "grow_pictures.h"
 #include "grow_plant.h"
 #include "grow_steps.h"
+#include "grow_window.h"
 #include "growth/plant.h"
 #include "interrupt.h"
 #include "quasimc/quasimc.h"
 #include "terminal.h"
-#include "window/plant_window.h"
 
 namespace {
 
@@ -39,8 +39,8 @@ struct Growth {
     GrowEnvironment* environment;  ///< may be null
     const GrowWriters& writers;
     StepTable& table;
-    GrowPictures* pictures;        ///< may be null
-    quasimc::PlantWindow* window;  ///< may be null
+    GrowPictures* pictures;  ///< may be null
+    GrowWindow* window;      ///< may be null
 
     /// The plant after the last complete step.
     [[nodiscard]] GrownPlant current() const { return {plant, model.view(), environment}; }
@@ -59,7 +59,7 @@ void on_pass(const Growth& growth) {
         growth.pictures->set_light(*growth.environment);
     }
     if (growth.window != nullptr) {
-        growth.window->add(growth.environment->light());
+        growth.window->set_light(*growth.environment);
     }
 }
 
@@ -78,8 +78,8 @@ void on_step(const Growth& growth) {
     if (!growth.arguments.series.empty()) {
         growth.table.add(plant);
     }
-    if (growth.window != nullptr && growth.arguments.light.empty()) {
-        growth.window->add(plant.step(), plant.scene());
+    if (growth.window != nullptr) {
+        growth.window->add(plant, !growth.arguments.light.empty());
     }
 }
 
@@ -221,12 +221,12 @@ std::unique_ptr<GrowPictures> make_pictures(
         arguments.output, name_of(arguments), arguments.picture, inputs);
 }
 
-std::unique_ptr<quasimc::PlantWindow> open_window(const GrowArguments& arguments) {
+std::unique_ptr<GrowWindow> open_window(const GrowArguments& arguments) {
     if (!arguments.view) {
         return nullptr;
     }
-    auto window = std::make_unique<quasimc::PlantWindow>(
-        static_cast<int>(arguments.port), name_of(arguments));
+    auto window =
+        std::make_unique<GrowWindow>(static_cast<int>(arguments.port), name_of(arguments));
     fmt::print(stderr, "view: {}\n", window->address());
     return window;
 }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "quasimc/sums.h"
 #include "window/page.h"
 #include "window/window_parts.h"
 
@@ -41,6 +42,34 @@ std::shared_ptr<const LiveScene> live_scene(
         LiveScene{.scene = std::move(scene), .bands = bands, .title = title, .grows = true});
 }
 
+/// Numbers of organs, `each` of them per organ, for other organs; unknown ones for kNoOrgan.
+std::vector<Estimate> numbers_for(
+    std::span<const std::uint32_t> organs, const std::vector<Estimate>& numbers, std::size_t each) {
+    std::vector<Estimate> chosen;
+    if (numbers.empty()) {
+        return chosen;
+    }
+    chosen.reserve(organs.size() * each);
+    for (const std::uint32_t organ : organs) {
+        for (std::size_t i = 0; i < each; ++i) {
+            chosen.push_back(organ == kNoOrgan ? kUnknownEstimate : numbers[organ * each + i]);
+        }
+    }
+    return chosen;
+}
+
+/// The numbers of a result for other organs, and what is known of all of its organs together.
+Result result_for(std::span<const std::uint32_t> organs, const Result& result) {
+    Result chosen;
+    chosen.bands = result.bands;
+    chosen.ratios = result.ratios;
+    chosen.values = numbers_for(organs, result.values, kQuantities * result.bands);
+    chosen.sunlit_fraction = numbers_for(organs, result.sunlit_fraction, 1);
+    chosen.ratio_values = numbers_for(organs, result.ratio_values, result.ratios);
+    chosen.budget = result.budget;
+    return chosen;
+}
+
 }  // namespace
 
 PlantWindow::PlantWindow(int port, std::string title)
@@ -66,6 +95,27 @@ void PlantWindow::add(const StepSnapshot& step) {
                     .results = {light, &light->results},
                     .sources = sources.empty() ? Sources() : sources.front(),
                     .head = head_of(*light->scene, light->results, bands)});
+}
+
+void PlantWindow::add(
+    const StepSnapshot& step,
+    const std::shared_ptr<const Scene>& drawn,
+    std::span<const std::uint32_t> organs) {
+    const StepLight& light = *step.light;
+    if (!light.scene) {
+        add(step);
+        return;
+    }
+    const std::vector<Band>& bands = step.specification.bands;
+    auto results = std::make_shared<std::vector<Result>>();
+    for (const Result& result : light.results) {
+        results->push_back(result_for(organs, result));
+    }
+    const auto& sources = step.lighting.sources;
+    add(step.step, {.scene = live_scene(drawn, bands, title_),
+                    .results = std::move(results),
+                    .sources = sources.empty() ? Sources() : sources.front(),
+                    .head = head_of(*light.scene, light.results, bands)});
 }
 
 void PlantWindow::add(std::int64_t step, const std::shared_ptr<const Scene>& scene) {

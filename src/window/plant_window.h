@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "coupling/environment.h"
@@ -24,6 +25,13 @@ class PlantWindow {
     [[nodiscard]] std::string address() const { return server_.address(); }
     /// Adds the light of a step. Without a scene only the progress is set.
     void add(const StepSnapshot& step);
+    /// Adds the light of a step on a drawn plant, of which it knows some organs.
+    /// @param organs  for every organ of the drawn plant its index in the scene of the light; or
+    ///        kNoOrgan: its light is unknown
+    void add(
+        const StepSnapshot& step,
+        const std::shared_ptr<const Scene>& drawn,
+        std::span<const std::uint32_t> organs);
     /// Adds a step without light. @param scene  null: there is nothing to show
     void add(std::int64_t step, const std::shared_ptr<const Scene>& scene);
     /// Sets the progress.

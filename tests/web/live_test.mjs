@@ -11,6 +11,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import path from "node:path";
+import { fileURLToPath } from "node:url";
 import { pixelsOf } from "./pixels.mjs";
 
 const [quasimc, environment, executablePath, packages, pictures] = process.argv.slice(2);
@@ -180,6 +181,32 @@ async function checkGrowth(context) {
   }
 }
 
+/** A plant from a model shows all its shapes: leaves with the light that they query, and stems without a value. */
+async function checkDrawn(context) {
+  const grow = spawn(quasimc, ["grow", "tree.l", "--steps", "4", "--view"], { cwd: fileURLToPath(new URL("../../examples/07-grow", import.meta.url)), stdio: ["ignore", "ignore", "pipe"] });
+  try {
+    let heard = "";
+    grow.stderr.on("data", (bytes) => (heard += bytes));
+    while (!/view: http:\S+\/\n/.test(heard)) {
+      await new Promise((done) => setTimeout(done, 50));
+    }
+    const { page, faults } = await open(context, `${/http:\S+/.exec(heard)[0]}#tab=table`);
+    await page.waitForSelector("html[data-ended]");
+    assert.equal(await page.locator("#title").textContent(), "tree.l");
+    await page.waitForSelector("#table tbody tr");
+    const rows = await page.locator("#table tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const column = await page.locator("#table th").evaluateAll((all) => all.findIndex((cell) => cell.textContent.startsWith("Absorbed per area")));
+    const hasLight = ([organ, ...others]) => ({ isStem: /I \d/.test(organ), value: others[column - 1] });
+    const [stems, leaves] = [true, false].map((isStem) => rows.map(hasLight).filter((row) => row.isStem === isStem));
+    assert.ok(stems.length >= 4 && stems.every(({ value }) => value === "–"), JSON.stringify(stems));
+    assert.ok(leaves.filter(({ value }) => Number.parseFloat(value) > 0).length >= 4, JSON.stringify(leaves));
+    assert.deepEqual(faults, []);
+    await page.close();
+  } finally {
+    grow.kill("SIGKILL");
+  }
+}
+
 /** A run that takes some seconds: the page follows its replicates, and ends with its result. */
 async function checkRun(context) {
   writeFileSync(inFolder("run.toml"), `
@@ -213,7 +240,7 @@ shape = "triangle"
 corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
 `);
   const run = spawn(quasimc, ["run", "run.toml", "--view"], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
-  let told = "";
+  let heard = "";
   run.stderr.on("data", (bytes) => (told += bytes));
   const ended = new Promise((done) => run.once("exit", done));
   try {
@@ -253,6 +280,7 @@ try {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 } });
   context.setDefaultTimeout(100000); // of a machine that has much else to do
   await checkGrowth(context);
+  await checkDrawn(context);
   await checkRun(context);
 } finally {
   await browser.close();
