@@ -66,14 +66,14 @@ export class Charts {
     const { isMeasured, countedNoun } = page.run;
     const byArea = page.state.by === "area" && !isMeasured; // sensors have none
     byId("by").hidden = isMeasured;
-    byId("histogram-title").textContent = byArea ? "Plant area by value" : `${countedNoun[0].toUpperCase()}${countedNoun.slice(1)}s by value`;
+    byId("histogram-title").textContent = byArea ? "Organ area by value" : `${countedNoun[0].toUpperCase()}${countedNoun.slice(1)}s by value`;
     byId("histogram-unit").textContent = isError ? "class of error" : page.unit;
     const { areas } = page.run.shape;
     const isIn = (i) => page.run.isCounted[i] === 1;
     const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, isIn, scale: page.usual };
     const found = isError ? classBins(data) : valueBins(data);
     if (!found) {
-      byId("histogram").textContent = page.absent || `No ${isMeasured ? "sensor" : "plant"} has a value.`;
+      byId("histogram").textContent = page.absent || `No ${countedNoun} has a value.`;
       return () => {};
     }
     const part = byArea ? "area" : "count";

@@ -97,7 +97,7 @@ export class Course {
     if (points.length > 0) {
       const name = quantityName(this.page.run.json.columns[this.page.column]);
       const isRight = points[0][0] > (box.left + box.right) / 2;
-      node.append(svg("text", { x: points[0][0], y: 8, "text-anchor": isRight ? "end" : "start" }, "all plants", svg("title", {}, name)));
+      node.append(svg("text", { x: points[0][0], y: 8, "text-anchor": isRight ? "end" : "start" }, "mean of all organs", svg("title", {}, name)));
     }
   }
 

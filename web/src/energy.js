@@ -92,7 +92,7 @@ export function lightBudget(page, entry, band) {
   const perGround = { "umol s-1": "umol m-2 s-1" }[own] ?? `${own} m-2`;
   return {
     plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
-    parts: incoming > 0 ? [["plants", "Plants"], ["ground", "Ground"], ["sky", "Back to the sky"]]
+    parts: incoming > 0 ? [["plants", "Organs"], ["ground", "Ground"], ["sky", "Back to the sky"]]
       .map(([key, name]) => ({ key, name, part: Math.max(0, found[key]) / incoming })).filter(({ key, part }) => key !== "ground" || part > 0) : [],
   };
 }

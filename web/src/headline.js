@@ -3,6 +3,7 @@
 import { bandName } from "./data.js";
 import { make } from "./dom.js";
 import { lightBudget, lightDifference } from "./energy.js";
+import { isPart, lightOfShown } from "./shown_light.js";
 import { estimate, kUnknownText, many, percent, plain, withUnit } from "./format.js";
 import { endsOf, kSure } from "./numbers.js";
 
@@ -18,10 +19,16 @@ export class Headline {
     Object.assign(this, { page, parent });
   }
 
-  draw() {
+  async draw() {
     const { page, parent } = this;
     const { timeline, entry, band } = page;
-    const budget = lightBudget(page, entry, band);
+    const whole = lightBudget(page, entry, band);
+    const asked = (this.asked = {});
+    const isOfShown = whole && page.state.show !== "difference" && !page.run.isMeasured && isPart(page);
+    const budget = isOfShown ? await lightOfShown(page, whole) : whole;
+    if (asked !== this.asked) {
+      return; // another one is drawn already
+    }
     const isAbout = page.run.isMeasured ? this.#measured() : null;
     const time = entry.name ? `, ${timeline.wordsOf(entry)}` : "";
     parent.hidden = budget === null;
@@ -39,8 +46,8 @@ export class Headline {
       parent.replaceChildren(...this.#difference(budget, difference, time));
       return;
     }
-    const what = `The plants absorb${isDifference ? " in this result alone" : ""}${time}`;
-    if (!(budget.plants > 0)) {
+    const what = `${budget.who ?? "All organs absorb"}${isDifference ? " in this result alone" : ""}${time}`;
+    if (!(budget.plants > 0) && !budget.who) {
       parent.replaceChildren(make("p", { class: "what" }, what), make("h3", {}, "No light at this time"));
       return;
     }
@@ -50,6 +57,7 @@ export class Headline {
       make("p", { class: "what" }, what),
       numberNode(budget.plants, budget.error, budget.unit),
       make("p", { class: "of" }, `${budget.isPerGround ? "of ground · " : ""}${incoming}`),
+      budget.note && make("p", { class: "of" }, budget.note),
       this.#bar(budget.parts), this.#list(budget.parts));
   }
 
@@ -74,7 +82,7 @@ export class Headline {
     const isClear = Math.abs(mean) >= kSure * (error || 0) && mean !== 0;
     const size = Number.isFinite(part) ? `${percent(Math.abs(part), Math.abs(part) < 1 ? 2 : 3)} ` : "";
     const words = isClear ? `${size}${mean > 0 ? "more" : "less"} than ${title}` : `no clear difference from ${title}`;
-    return [make("p", { class: "what" }, `The plants absorb, difference${time}`), numberNode(mean, error, unit),
+    return [make("p", { class: "what" }, `All organs absorb, difference${time}`), numberNode(mean, error, unit),
       make("p", { class: "of" }, `${isPerGround ? "of ground · " : ""}${words}`)];
   }
 
@@ -90,6 +98,6 @@ export class Headline {
 
   #list(parts) {
     return make("div", { class: "light-parts" }, parts.map(({ key, name, part }) =>
-      [make("i", { class: `swatch part-${key}` }), make("span", {}, key === "plants" && this.page.run.isMeasured ? "All but the ground" : name), make("span", {}, `${(100 * part).toFixed(1)} %`)]));
+      [make("i", { class: `swatch part-${key}` }), make("span", {}, name), make("span", {}, `${(100 * part).toFixed(1)} %`)]));
   }
 }

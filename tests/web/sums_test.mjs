@@ -1,0 +1,75 @@
+// What the page says of sums: node sums_test.mjs QUASIMC CHROMIUM PACKAGES [PICTURES]
+//
+// Rationale: the largest number of the page is the one that is published; a right number with wrong words is false.
+// Expected behaviour: it is of all organs, or of those that are shown: with the error of a group of the result that has
+// just these, else without one.
+
+import assert from "node:assert/strict";
+import { Workshop, open, twoLeaves } from "./workshop.mjs";
+
+const workshop = new Workshop("sums");
+
+const runFile = (more = "", run = "") => `
+title = "Two leaves"
+bands = ["PAR"]
+irradiance_unit = "W m-2"
+[run]
+paths = 256
+${run}
+[[source]]
+type = "sky"
+model = "cie_overcast"
+irradiance_horizontal = 100
+${more}
+${twoLeaves()}`;
+
+const kCell = `[cell]
+x = [-1, 1]
+y = [-1, 1]
+`;
+const kGround = `[ground]
+material = "leaf"
+`;
+
+const textOf = async (page) => (await page.locator("#headline").textContent()).replaceAll("\u00a0", " ");
+const numberOf = async (page) => (await textOf(page)).match(/([\d.,]+)(?: ± ([\d.,]+))? W m⁻²of ground/).slice(1).map((text) => (text === undefined ? null : Number(text.replace(/,/g, ""))));
+const press = (page, value) => page.getByRole("group", { name: "kind", exact: true }).getByRole("button", { name: value }).click();
+const groupOf = (result, value) => result.groups.find((group) => group.value === value).absorbed_flux.PAR;
+
+/** Number and error are those of an estimate, over the 4 square metres of the cell. */
+function checkIs([mean, error], estimate) {
+  assert.ok(Math.abs(mean - estimate.mean / 4) <= estimate.standard_error / 4, `${mean}: ${estimate.mean / 4}`);
+  assert.ok(Math.abs(error / (estimate.standard_error / 4) - 1) < 0.3, `${error}: ${estimate.standard_error / 4}`);
+}
+
+async function checkShown(page, result) {
+  await open(page, workshop.address("grouped"));
+  assert.match(await textOf(page), /^All organs absorb\d/);
+  checkIs(await numberOf(page), groupOf(result, ""));
+  await press(page, /^stem/);
+  await page.waitForFunction(() => document.querySelector("#headline").textContent.startsWith("Organs of kind stem absorb"));
+  checkIs(await numberOf(page), groupOf(result, "stem"));
+  await press(page, /^blade/); // both: all organs again
+  await page.waitForFunction(() => document.querySelector("#headline").textContent.startsWith("All organs absorb"));
+}
+
+/** Without a group the sum is known, its error not. */
+async function checkWithoutGroups(page, result) {
+  await open(page, `${workshop.address("plain")}#labels=${encodeURIComponent('{"kind":["stem"]}')}`);
+  await page.waitForFunction(() => document.querySelector("#headline").textContent.startsWith("1 organ shown absorbs"));
+  const [mean, error] = await numberOf(page);
+  const stem = result.organs.find(({ name }) => name === "lower").absorbed_flux.PAR;
+  assert.ok(Math.abs(mean / (stem.mean / 4) - 1) < 1e-3, `${mean}: ${stem.mean / 4}`);
+  assert.equal(error, null);
+  assert.match(await textOf(page), /Error not known/);
+}
+
+workshop.use(async (browser) => {
+  const page = await workshop.page(browser);
+  const grouped = workshop.compute("grouped", runFile(kCell + kGround, 'groups = ["kind"]'));
+  const plain = workshop.compute("plain", runFile(kCell + kGround));
+  ["grouped", "plain"].forEach((name) => workshop.report(name));
+  await checkShown(page, grouped);
+  await checkWithoutGroups(page, plain);
+  assert.deepEqual(workshop.faults, []);
+});
