@@ -2,7 +2,8 @@
 //
 // Rationale: the largest number of the page is the one that is published; a right number with wrong words is false.
 // Expected behaviour: it is of all organs, or of those that are shown: with the error of a group of the result that has
-// just these, else without one.
+// just these, else without one. Parts of the light that enters are given in a periodic cell alone, and light goes back to
+// the sky only where a ground takes the rest; elsewhere there is the mean per area.
 
 import assert from "node:assert/strict";
 import { Workshop, open, twoLeaves } from "./workshop.mjs";
@@ -34,7 +35,7 @@ material = "leaf"
 const textOf = async (page) => (await page.locator("#headline").textContent()).replaceAll("\u00a0", " ");
 const numberOf = async (page) => (await textOf(page)).match(/([\d.,]+)(?: ± ([\d.,]+))? W m⁻²of ground/).slice(1).map((text) => (text === undefined ? null : Number(text.replace(/,/g, ""))));
 const press = (page, value) => page.getByRole("group", { name: "kind", exact: true }).getByRole("button", { name: value }).click();
-const groupOf = (result, value) => result.groups.find((group) => group.value === value).absorbed_flux.PAR;
+const groupOf = (result, value, quantity = "absorbed_flux") => result.groups.find((group) => group.value === value)[quantity].PAR;
 
 /** Number and error are those of an estimate, over the 4 square metres of the cell. */
 function checkIs([mean, error], estimate) {
@@ -64,12 +65,33 @@ async function checkWithoutGroups(page, result) {
   assert.match(await textOf(page), /Error not known/);
 }
 
+/** What enters is known in a cell alone, and all that is not absorbed goes up where there is a ground. */
+async function checkParts(page, result) {
+  await open(page, workshop.address("plain"));
+  assert.match(await textOf(page), /of ground · [\d.]+ % of incoming PAR/);
+  assert.match(await textOf(page), /Back to the sky/);
+  await open(page, workshop.address("bare"));
+  assert.match(await textOf(page), /of incoming PAR.*Passes or leaves[\d.]+ %$/);
+  await open(page, workshop.address("alone"));
+  const text = await textOf(page);
+  assert.ok(!text.includes("%") && !text.includes("sky"), text);
+  const { mean, standard_error: error } = groupOf(result, "", "absorbed_flux_density");
+  const [shown, own] = text.match(/mean per area ([\d.]+) ± ([\d.]+) W m⁻²/).slice(1).map(Number);
+  assert.ok(Math.abs(shown - mean) <= error && Math.abs(own / error - 1) < 0.3, text);
+  const [, passing] = text.match(/Passes or leaves([\d,.]+) W$/);
+  const { escaped, cut_off: cut } = result.energy.PAR;
+  assert.ok(Math.abs(Number(passing) / (escaped.mean + cut.mean) - 1) < 0.005, text);
+}
+
 workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   const grouped = workshop.compute("grouped", runFile(kCell + kGround, 'groups = ["kind"]'));
   const plain = workshop.compute("plain", runFile(kCell + kGround));
-  ["grouped", "plain"].forEach((name) => workshop.report(name));
+  workshop.compute("bare", runFile(kCell));
+  const alone = workshop.compute("alone", runFile());
+  ["grouped", "plain", "bare", "alone"].forEach((name) => workshop.report(name));
   await checkShown(page, grouped);
   await checkWithoutGroups(page, plain);
+  await checkParts(page, alone);
   assert.deepEqual(workshop.faults, []);
 });

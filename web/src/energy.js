@@ -70,10 +70,24 @@ function cellArea(result) {
   return ends("x") * ends("y");
 }
 
+/** What is known of the light that no organ absorbs. Only in a cell with a ground it has nowhere to go but up. */
+function restOf({ ground, sky }, isClosed) {
+  return [{ key: "ground", name: "Ground", light: ground }, { key: "sky", name: isClosed ? "Back to the sky" : "Passes or leaves", light: sky }]
+    .filter(({ key, light }) => key !== "ground" || light > 0);
+}
+
+/** The parts of the light that enters a cell; none elsewhere, where that depends on the extent of the scene alone. */
+function partsOf(plants, rest) {
+  const all = [{ key: "plants", name: "Organs", light: plants }, ...rest];
+  const incoming = all.reduce((sum, { light }) => sum + light, 0);
+  return incoming > 0 ? all.map(({ key, name, light }) => ({ key, name, part: Math.max(0, light) / incoming })) : [];
+}
+
 /**
  * The light of a band at an entry of the timeline.
- * @returns {plants, error, unit, isPerGround, given, byOf, parts: [{name, part}]}: `given` is the unit in the result, and
- *   `byOf` returns what its numbers are multiplied by, for the area of a cell; null if the result does not have it
+ * @returns {plants, error, unit, isPerGround, given, byOf, parts: [{key, name, part}], rest: [{key, name, light}]}:
+ *   `given` is the unit in the result, `byOf` returns what its numbers are multiplied by, for the area of a cell, and
+ *   `rest`, in `unit`, is where there are no parts; null if the result does not have it
  */
 export function lightBudget(page, entry, band) {
   const { run } = page;
@@ -81,7 +95,6 @@ export function lightBudget(page, entry, band) {
   if (!found) {
     return null;
   }
-  const incoming = found.plants + found.ground + found.sky;
   const { unit, factor } = plainUnit(found.unit);
   const isLarge = unit === "J" && found.plants * factor > 1e4;
   const area = cellArea(run.json.head);
@@ -89,11 +102,12 @@ export function lightBudget(page, entry, band) {
   const byOf = (cell) => (isPerGround ? 1 / cell : factor) * (isLarge ? 1e-6 : 1);
   const by = byOf(area);
   const own = isLarge ? "MJ" : unit;
+  const isCell = area > 0 || run.json.periods?.length > 1;
+  const rest = restOf(found, isCell && run.json.organs.ground.length > 0);
   const perGround = { "umol s-1": "umol m-2 s-1" }[own] ?? `${own} m-2`;
   return {
     plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
-    parts: incoming > 0 ? [["plants", "Organs"], ["ground", "Ground"], ["sky", "Back to the sky"]]
-      .map(([key, name]) => ({ key, name, part: Math.max(0, found[key]) / incoming })).filter(({ key, part }) => key !== "ground" || part > 0) : [],
+    parts: isCell ? partsOf(found.plants, rest) : [], rest: isCell ? [] : rest.map((one) => ({ ...one, light: one.light * by })),
   };
 }
 

@@ -2,9 +2,9 @@
 
 import { bandName } from "./data.js";
 import { make } from "./dom.js";
-import { lightBudget, lightDifference } from "./energy.js";
+import { allPlants, lightBudget, lightDifference } from "./energy.js";
 import { isPart, lightOfShown } from "./shown_light.js";
-import { estimate, kUnknownText, many, percent, plain, withUnit } from "./format.js";
+import { estimate, kUnknownText, many, percent, plain, withError, withUnit } from "./format.js";
 import { endsOf, kSure } from "./numbers.js";
 
 /** "32.75 ± 0.02 mol m⁻²" in sizes */
@@ -37,7 +37,7 @@ export class Headline {
       return;
     }
     if (isAbout) {
-      parent.replaceChildren(...isAbout, this.#bar(budget.parts), this.#list(budget.parts));
+      parent.replaceChildren(...isAbout, ...this.#rest(budget));
       return;
     }
     const isDifference = page.state.show === "difference";
@@ -46,19 +46,16 @@ export class Headline {
       parent.replaceChildren(...this.#difference(budget, difference, time));
       return;
     }
-    const what = `${budget.who ?? "All organs absorb"}${isDifference ? " in this result alone" : ""}${time}`;
-    if (!(budget.plants > 0) && !budget.who) {
+    const what = `${budget.subject ?? "All organs absorb"}${isDifference ? " in this result alone" : ""}${time}`;
+    if (!(budget.plants > 0) && !budget.subject) {
       parent.replaceChildren(make("p", { class: "what" }, what), make("h3", {}, "No light at this time"));
       return;
     }
-    const plants = budget.parts.find(({ key }) => key === "plants")?.part;
-    const incoming = `${percent(plants, 3)} of ${budget.isPerGround ? "incoming" : "the"} ${bandName(band) || "light"}${budget.isPerGround ? "" : " that enters the scene"}`;
     parent.replaceChildren(
       make("p", { class: "what" }, what),
       numberNode(budget.plants, budget.error, budget.unit),
-      make("p", { class: "of" }, `${budget.isPerGround ? "of ground · " : ""}${incoming}`),
-      budget.note && make("p", { class: "of" }, budget.note),
-      this.#bar(budget.parts), this.#list(budget.parts));
+      ...[this.#shareWords(budget), this.#meanWords(budget), budget.note].filter(Boolean).map((words) => make("p", { class: "of" }, words)),
+      ...this.#rest(budget));
   }
 
   /** The mean, the least and the greatest of what sensors measure; null if they do not measure what is shown. */
@@ -84,6 +81,29 @@ export class Headline {
     const words = isClear ? `${size}${mean > 0 ? "more" : "less"} than ${title}` : `no clear difference from ${title}`;
     return [make("p", { class: "what" }, `All organs absorb, difference${time}`), numberNode(mean, error, unit),
       make("p", { class: "of" }, `${isPerGround ? "of ground · " : ""}${words}`)];
+  }
+
+  /** "of ground · 88.4 % of incoming PAR" in a cell. */
+  #shareWords({ parts, isPerGround }) {
+    const plants = parts.find(({ key }) => key === "plants");
+    return [isPerGround && "of ground", plants && `${percent(plants.part, 3)} of incoming ${bandName(this.page.band) || "light"}`].filter(Boolean).join(" · ");
+  }
+
+  /** The mean per area outside of a cell: there it is what can be compared. */
+  #meanWords({ parts, subject }) {
+    const { page } = this;
+    const { entry, band, run } = page;
+    const column = run.columnOf("absorbed_flux_density", band);
+    const found = parts.length > 0 || subject || column < 0 ? null : allPlants(page.headOf(entry), "absorbed_flux_density", band);
+    const factor = column < 0 ? 1 : run.factorOf(page.time, column);
+    return found && `mean per area ${withUnit(withError(found.mean * factor, found.error * factor), run.unit(page.time, column))}`;
+  }
+
+  /** Where the light goes: its parts, or what is known of the rest. */
+  #rest({ parts, rest, unit }) {
+    return parts.length > 0 ? [this.#bar(parts), this.#list(parts)]
+      : [make("div", { class: "light-parts" }, rest.map(({ key, name, light }) =>
+        [make("i", { class: `swatch part-${key}` }), make("span", {}, name), make("span", {}, withUnit(plain(light), unit))]))];
   }
 
   #bar(parts) {

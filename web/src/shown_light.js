@@ -32,7 +32,7 @@ async function partOfShown({ run, time, band, isShown }) {
 /**
  * The budget of the organs that are shown: with an error if the result has a group of just these.
  * @param whole  that of all, see lightBudget
- * @returns  as lightBudget(), with `who` absorbs it, a `note`, and the part of other organs. A promise
+ * @returns  as lightBudget(), with `subject` absorbs it, a `note`, and the part of other organs. A promise
  */
 export async function lightOfShown(page, whole) {
   const { run, isShown, band } = page;
@@ -46,7 +46,7 @@ export async function lightOfShown(page, whole) {
   const organs = whole.parts.find(({ key }) => key === "plants");
   return {
     ...whole, plants: whole.plants * part, error: isKnown ? (whole.plants * (flux.standard_error ?? NaN)) / all.mean : NaN,
-    who: isKnown ? `Organs of ${group.by} ${group.value} absorb` : `${many(count, "organ")} shown absorb${count === 1 ? "s" : ""}`,
+    subject: isKnown ? `Organs of ${group.by} ${group.value} absorb` : `${many(count, "organ")} shown absorb${count === 1 ? "s" : ""}`,
     note: isKnown ? "" : "Error not known: no group of the result has just these organs.",
     parts: organs ? [{ ...organs, name: "Shown organs", part: organs.part * part }, { key: "others", name: "Other organs", part: organs.part * (1 - part) }, ...whole.parts.filter((one) => one !== organs)] : [],
   };
