@@ -3,7 +3,7 @@
 // Rationale: the largest number of the page is the one that is published; a right number with wrong words is false.
 // Expected behaviour: it is of all organs, or of those that are shown: with the error of a group of the result that has
 // just these, else without one. Parts of the light that enters are given in a periodic cell alone, and light goes back to
-// the sky only where a ground takes the rest; elsewhere there is the mean per area.
+// the sky only where a ground takes the rest; elsewhere there is the mean per area. Parts have the errors of the result.
 
 import assert from "node:assert/strict";
 import { Workshop, open, twoLeaves } from "./workshop.mjs";
@@ -68,10 +68,10 @@ async function checkWithoutGroups(page, result) {
 /** What enters is known in a cell alone, and all that is not absorbed goes up where there is a ground. */
 async function checkParts(page, result) {
   await open(page, workshop.address("plain"));
-  assert.match(await textOf(page), /of ground · [\d.]+ % of incoming PAR/);
+  assert.match(await textOf(page), /of ground · [\d.]+ ± [\d.]+ % of incoming PAR/);
   assert.match(await textOf(page), /Back to the sky/);
   await open(page, workshop.address("bare"));
-  assert.match(await textOf(page), /of incoming PAR.*Passes or leaves[\d.]+ %$/);
+  assert.match(await textOf(page), /of incoming PAR.*Passes or leaves[\d.]+(?: ± [\d.]+)? %$/);
   await open(page, workshop.address("alone"));
   const text = await textOf(page);
   assert.ok(!text.includes("%") && !text.includes("sky"), text);
@@ -81,6 +81,17 @@ async function checkParts(page, result) {
   const [, passing] = text.match(/Passes or leaves([\d,.]+) W$/);
   const { escaped, cut_off: cut } = result.energy.PAR;
   assert.ok(Math.abs(Number(passing) / (escaped.mean + cut.mean) - 1) < 0.005, text);
+}
+
+/** "Organs87.1 ± 0.6 %" is the fraction of the result. */
+async function checkFractions(page, result) {
+  await open(page, workshop.address("plain"));
+  const text = await textOf(page);
+  const canopy = result.canopy.PAR;
+  for (const [name, { mean, standard_error: error }] of [["Organs", canopy.absorptance], ["Ground", canopy.ground_absorptance], ["sky", canopy.reflectance]]) {
+    const [shown, own] = text.match(new RegExp(`${name}([\\d.]+) ± ([\\d.]+) %`)).slice(1).map(Number);
+    assert.ok(Math.abs(shown / 100 - mean) <= error && Math.abs(own / 100 / error - 1) < 0.3, `${text}: ${mean} ± ${error}`);
+  }
 }
 
 workshop.use(async (browser) => {
@@ -93,5 +104,6 @@ workshop.use(async (browser) => {
   await checkShown(page, grouped);
   await checkWithoutGroups(page, plain);
   await checkParts(page, alone);
+  await checkFractions(page, plain);
   assert.deepEqual(workshop.faults, []);
 });

@@ -76,16 +76,23 @@ function restOf({ ground, sky }, isClosed) {
     .filter(({ key, light }) => key !== "ground" || light > 0);
 }
 
-/** The parts of the light that enters a cell; none elsewhere, where that depends on the extent of the scene alone. */
-function partsOf(plants, rest) {
+const kFractions = { plants: "absorptance", ground: "ground_absorptance", sky: "reflectance" };
+
+/**
+ * The parts of the light that enters a cell, with the errors of the result where it has its canopy's.
+ * @param canopy  of the result at that time  @param rest  see restOf
+ */
+function partsOf(plants, rest, canopy) {
   const all = [{ key: "plants", name: "Organs", light: plants }, ...rest];
   const incoming = all.reduce((sum, { light }) => sum + light, 0);
-  return incoming > 0 ? all.map(({ key, name, light }) => ({ key, name, part: Math.max(0, light) / incoming })) : [];
+  const given = (key) => canopy?.[kFractions[key]];
+  return incoming > 0 ? all.map(({ key, name, light }) => (Number.isFinite(given(key)?.mean) ? { key, name, part: given(key).mean, error: given(key).standard_error ?? NaN }
+    : { key, name, part: Math.max(0, light) / incoming, error: NaN })) : [];
 }
 
 /**
  * The light of a band at an entry of the timeline.
- * @returns {plants, error, unit, isPerGround, given, byOf, parts: [{key, name, part}], rest: [{key, name, light}]}:
+ * @returns {plants, error, unit, isPerGround, given, byOf, parts: [{key, name, part, error}], rest: [{key, name, light}]}:
  *   `given` is the unit in the result, `byOf` returns what its numbers are multiplied by, for the area of a cell, and
  *   `rest`, in `unit`, is where there are no parts; null if the result does not have it
  */
@@ -107,7 +114,7 @@ export function lightBudget(page, entry, band) {
   const perGround = { "umol s-1": "umol m-2 s-1" }[own] ?? `${own} m-2`;
   return {
     plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
-    parts: isCell ? partsOf(found.plants, rest) : [], rest: isCell ? [] : rest.map((one) => ({ ...one, light: one.light * by })),
+    parts: isCell ? partsOf(found.plants, rest, page.headOf(entry)?.canopy?.[band]) : [], rest: isCell ? [] : rest.map((one) => ({ ...one, light: one.light * by })),
   };
 }
 

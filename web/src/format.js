@@ -102,6 +102,9 @@ export const withUnit = (text, unit) => (unit && text !== kUnknownText ? `${text
 /** "0.6 %" */
 export const percent = (part, digits = 2) => (Number.isFinite(part) ? `${plain(100 * part, digits)} %` : kUnknownText);
 
+/** "87.1 ± 0.6 %", three digits where the error is not known. */
+export const percentWithError = (part, error) => (error > 0 ? `${withError(100 * part, 100 * error)} %` : percent(part, 3));
+
 /** "µmol m⁻² s⁻¹" of "umol m-2 s-1" */
 export function unitText(unit) {
   return unit === "1" ? "" : unit.split(" ")

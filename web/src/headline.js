@@ -4,7 +4,7 @@ import { bandName } from "./data.js";
 import { make } from "./dom.js";
 import { allPlants, lightBudget, lightDifference } from "./energy.js";
 import { isPart, lightOfShown } from "./shown_light.js";
-import { estimate, kUnknownText, many, percent, plain, withError, withUnit } from "./format.js";
+import { estimate, kUnknownText, many, percent, percentWithError, plain, withError, withUnit } from "./format.js";
 import { endsOf, kSure } from "./numbers.js";
 
 /** "32.75 ± 0.02 mol m⁻²" in sizes */
@@ -83,10 +83,10 @@ export class Headline {
       make("p", { class: "of" }, `${isPerGround ? "of ground · " : ""}${words}`)];
   }
 
-  /** "of ground · 88.4 % of incoming PAR" in a cell. */
+  /** "of ground · 88.4 ± 0.2 % of incoming PAR" in a cell. */
   #shareWords({ parts, isPerGround }) {
     const plants = parts.find(({ key }) => key === "plants");
-    return [isPerGround && "of ground", plants && `${percent(plants.part, 3)} of incoming ${bandName(this.page.band) || "light"}`].filter(Boolean).join(" · ");
+    return [isPerGround && "of ground", plants && `${percentWithError(plants.part, plants.error)} of incoming ${bandName(this.page.band) || "light"}`].filter(Boolean).join(" · ");
   }
 
   /** The mean per area outside of a cell: there it is what can be compared. */
@@ -117,7 +117,7 @@ export class Headline {
   }
 
   #list(parts) {
-    return make("div", { class: "light-parts" }, parts.map(({ key, name, part }) =>
-      [make("i", { class: `swatch part-${key}` }), make("span", {}, name), make("span", {}, `${(100 * part).toFixed(1)} %`)]));
+    return make("div", { class: "light-parts" }, parts.map(({ key, name, part, error }) =>
+      [make("i", { class: `swatch part-${key}` }), make("span", {}, name), make("span", {}, percentWithError(part, error))]));
   }
 }

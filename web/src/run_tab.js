@@ -4,7 +4,7 @@ import { drawConvergence } from "./convergence.js";
 import { make } from "./dom.js";
 import { lightBudget } from "./energy.js";
 import { methodWords, sourceWords, timeWords } from "./run_text.js";
-import { counted, kUnknownText, many, percent, plain, unitText, plainUnit, withError, withUnit } from "./format.js";
+import { counted, kUnknownText, many, percent, percentWithError, plain, unitText, plainUnit, withError, withUnit } from "./format.js";
 
 /** @param rows  lists of texts, numbers as {number: text}, or nodes */
 export function table(caption, heads, rows) {
@@ -28,12 +28,16 @@ function estimateIn(factor) {
   return (e) => ({ number: e && e.mean !== null ? withError(e.mean * factor, (e.standard_error ?? NaN) * factor) : kUnknownText });
 }
 
+/** All parts add up to what is emitted: paths that chance prolongs are a surplus of the others. */
+const negative = (e) => e && { ...e, mean: e.mean === null ? null : -e.mean };
+
 function energyParts(energy, isRemainder) {
   const rows = Object.entries(energy).map(([band, e]) => {
     const { unit, factor } = plainUnit(e.unit);
     const estimate = estimateIn(factor);
-    return [band, unitText(unit), estimate({ mean: e.emitted, standard_error: e.emitted_standard_error }), estimate(e.absorbed_by_organs),
-      estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off), estimate(e.imbalance)];
+    const isExact = e.emitted_standard_error === 0;
+    return [band, unitText(unit), isExact ? { number: plain(e.emitted * factor, 5) } : estimate({ mean: e.emitted, standard_error: e.emitted_standard_error }), estimate(e.absorbed_by_organs),
+      estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off), estimate(negative(e.imbalance))];
   });
   const worst = Math.max(...Object.values(energy).map(({ closure_error: error }) => error ?? 0));
   const closes = worst > 0 ? `The budget adds up to 1 part in ${plain(1 / worst, 1)}.` : "The budget adds up exactly.";
@@ -130,7 +134,7 @@ export class RunTab {
   #lightWords(bands) {
     return bands.flatMap((band) => {
       const parts = lightBudget(this.page, this.page.entry, band)?.parts ?? [];
-      return parts.length > 0 ? [make("p", {}, `${band}: ${parts.map(({ name, part }) => `${name.toLowerCase()} ${(100 * part).toFixed(1)} %`).join(", ")}.`)] : [];
+      return parts.length > 0 ? [make("p", {}, `${band}: ${parts.map(({ name, part, error }) => `${name.toLowerCase()} ${percentWithError(part, error)}`).join(", ")}.`)] : [];
     });
   }
 

@@ -44,10 +44,12 @@ export async function lightOfShown(page, whole) {
   const part = isKnown ? flux.mean / all.mean : await partOfShown(page);
   const count = isShown.reduce((sum, shown, i) => sum + (shown && run.isPlant[i] ? 1 : 0), 0);
   const organs = whole.parts.find(({ key }) => key === "plants");
+  const given = group?.fraction_incident?.[band];
+  const ownPart = Number.isFinite(given?.mean) ? { part: given.mean, error: given.standard_error ?? NaN } : { part: (organs?.part ?? NaN) * part, error: NaN };
   return {
     ...whole, plants: whole.plants * part, error: isKnown ? (whole.plants * (flux.standard_error ?? NaN)) / all.mean : NaN,
     subject: isKnown ? `Organs of ${group.by} ${group.value} absorb` : `${many(count, "organ")} shown absorb${count === 1 ? "s" : ""}`,
     note: isKnown ? "" : "Error not known: no group of the result has just these organs.",
-    parts: organs ? [{ ...organs, name: "Shown organs", part: organs.part * part }, { key: "others", name: "Other organs", part: organs.part * (1 - part) }, ...whole.parts.filter((one) => one !== organs)] : [],
+    parts: organs ? [{ ...organs, name: "Shown organs", ...ownPart }, { key: "others", name: "Other organs", part: organs.part - ownPart.part, error: NaN }, ...whole.parts.filter((one) => one !== organs)] : [],
   };
 }

@@ -13,7 +13,7 @@ function summedGroup(groups, weights) {
     return Number.isFinite(mean) ? { mean, standard_error: sumOf(all.map((one) => one?.standard_error), weights) } : { mean: null };
   };
   const bands = Object.keys(groups[0].absorbed_flux ?? {});
-  const quantities = Object.keys(groups[0]).filter((key) => bands.some((band) => groups[0][key]?.[band]));
+  const quantities = Object.keys(groups[0]).filter((key) => !key.startsWith("fraction_") && bands.some((band) => groups[0][key]?.[band])); // fractions have no sum
   const { by, value, organs, area } = groups[0];
   return { by, value, organs, area, ...Object.fromEntries(quantities.map((key) =>
     [key, Object.fromEntries(bands.map((band) => [band, estimates(groups.map((group) => group[key]?.[band]))]))])) };
