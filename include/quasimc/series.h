@@ -74,6 +74,8 @@ struct SeriesSums {
     double seconds = 0;              ///< factor on their light in SeriesSummary::total
     std::size_t origin = kAllLight;  ///< index in RunSpec::origins
     bool of_sensors = false;
+    /// Duration of the time steps with this light; 0 with TimeMethod::daylight_coefficients.
+    double duration = 0;
 };
 
 /// Sums of the paths of a run, traced elsewhere.

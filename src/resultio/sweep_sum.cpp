@@ -50,6 +50,11 @@ SweepSum::SweepSum(const RunFile& first, const TableSpec& table)
     origins_.assign(written_columns(first).origins.size(), none);
     incident_ = ReplicateSum(replicates, bands_);
     canopy_ = ReplicateSum(replicates, bands_ * fraction_table().size());
+    choose_parts();
+    if (has_parts_) {
+        sun_shade_ = SunShadeReplicateSum(replicates, rows_, bands_);
+    }
+    sunlit_ = ReplicateSum(replicates, has_sunlit_ ? rows_ : 0);
     areas_.assign(rows_, 1);
 }
 
@@ -78,6 +83,22 @@ void SweepSum::choose_quantities() {
             quantities_.push_back(entry.quantity);
         }
     }
+}
+
+/// Chooses whether sunlit areas and the light of sunlit and shaded parts are summed.
+void SweepSum::choose_parts() {
+    const auto is_asked = [&](std::string_view name) {
+        return is_selected(table_.quantities, name);
+    };
+    const bool has_apart = run_->spec.sun_shade == SunShade::apart;
+    if (is_of(CsvRows::sensors)) {
+        return;
+    }
+    has_parts_ = has_apart && std::ranges::any_of(sun_shade_table(), [&](const auto& entry) {
+                     return is_asked(run_->series ? entry.of_sums : entry.name);
+                 });
+    has_sunlit_ = run_->series ? has_apart && (is_asked(kSunlitHours) || is_asked(kSunlitAreaHours))
+                               : is_asked("sunlit_fraction") || is_asked("sunlit_area");
 }
 
 SweepSum::Rows SweepSum::rows_of(const Scene& scene) const {
@@ -119,6 +140,27 @@ void SweepSum::add(const SeriesSums& sums) {
     if (!is_of_origin && is_of(CsvRows::groups)) {
         add_canopy(sums, factor);
     }
+    if (!is_of_origin) {
+        add_parts(sums, rows);
+    }
+}
+
+/// Adds sunlit areas and the light of sunlit and shaded parts.
+void SweepSum::add_parts(const SeriesSums& sums, const Rows& rows) {
+    const double light = weight() * (run_->series ? sums.seconds : 1);
+    const double time = weight() * (run_->series ? sums.duration : 1);
+    if (has_parts_) {
+        sun_shade_.add(
+            {sums.sums, sums.scene, sums.spec}, {rows.organs, rows.areas, is_of(CsvRows::groups)},
+            {light, time});
+    }
+    if (has_sunlit_) {
+        const CombinedReplicates areas =
+            combine_sunlit_replicates(sums.sums, sums.scene, sums.spec, rows.organs);
+        if (!areas.values.empty()) {
+            sunlit_.add(areas, time);
+        }
+    }
 }
 
 void SweepSum::add_canopy(const SeriesSums& sums, double weight) {
@@ -152,12 +194,15 @@ void SweepSum::add_horizontal(const SeriesSums& sums, double weight) {
 void SweepSum::end_point(bool is_complete) {
     light_.end_point();
     canopy_.end_point();
+    sun_shade_.end_point();
+    sunlit_.end_point();
     for (ReplicateSum& origin : origins_) {
         origin.end_point();
     }
     for (std::size_t i = 0; run_->series && i < run_->series->time_steps.size(); ++i) {
         seconds_ += weight() * run_->series->time_steps[i].seconds;
     }
+    weights_ += weight();
     ++points_;
     is_complete_ = is_complete_ && is_complete;
 }
@@ -267,12 +312,31 @@ SeriesSum SweepSum::sum_of_sensors(SeriesSum light) const {
     return sum;
 }
 
+/// Puts sunlit fractions x hours, or their means, and the light of sunlit and shaded parts.
+void SweepSum::put_parts(SeriesSum& sum) const {
+    constexpr double kSecondsPerHour = 3600;
+    const bool is_of_groups = is_of(CsvRows::groups);
+    const double whole = run_->series ? seconds_ : weights_;
+    const double of_time = run_->series ? 1 / kSecondsPerHour : per_weight();
+    if (has_parts_) {
+        (is_of_groups ? sum.groups.sun_shade : sum.sun_shade) =
+            sun_shade_.estimates(areas_, {per_weight(), of_time, whole});
+    }
+    std::vector<Estimate>& fractions = is_of_groups ? sum.groups.sunlit_fraction : sum.sunlit_hours;
+    for (std::size_t row = 0; has_sunlit_ && row < rows_; ++row) {
+        const double per_area = areas_[row] > 0 ? of_time / areas_[row] : 0;
+        fractions.push_back(not_above(sunlit_.estimate(row, per_area), of_time * whole));
+        sum.groups.sunlit_area.push_back(scaled(fractions.back(), areas_[row]));
+    }
+}
+
 SeriesSum SweepSum::sum() const {
     SeriesSum sum = sum_of(light_);
     const std::vector<std::string> names = written_columns(*run_).origins;
     for (std::size_t i = 0; i < origins_.size(); ++i) {
         sum.origins.push_back({names[i], sum_of(origins_[i])});
     }
+    put_parts(sum);
     if (is_of(CsvRows::groups)) {
         sum.groups.shares = shares();
         sum.canopy = canopy();

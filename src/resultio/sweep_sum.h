@@ -12,6 +12,7 @@
 #include "quasimc/series.h"
 #include "results/combine.h"
 #include "results/replicate_sum.h"
+#include "results/sun_shade_replicates.h"
 
 namespace quasimc {
 
@@ -60,6 +61,9 @@ class SweepSum {
     [[nodiscard]] double per_weight() const;
     void choose_quantities();
     void add_canopy(const SeriesSums& sums, double weight);
+    void choose_parts();
+    void add_parts(const SeriesSums& sums, const Rows& rows);
+    void put_parts(SeriesSum& sum) const;
     void add_horizontal(const SeriesSums& sums, double weight);
     [[nodiscard]] SeriesSum sum_of_sensors(SeriesSum light) const;
     [[nodiscard]] std::vector<Estimate> values_of(const ReplicateSum& light) const;
@@ -77,11 +81,16 @@ class SweepSum {
     std::vector<double> areas_;  // of the rows, after add()
     ReplicateSum light_;
     std::vector<ReplicateSum> origins_;
+    bool has_parts_ = false;   // whether it needs light of sunlit and shaded parts
+    bool has_sunlit_ = false;  // whether it needs sunlit areas
+    SunShadeReplicateSum sun_shade_;
+    ReplicateSum sunlit_;    // sunlit area, by row
     ReplicateSum incident_;  // on the horizontal, by band
     ReplicateSum canopy_;    // the flux of each fraction, by band
     bool is_incident_known_ = true;
     bool has_transmittance_ = false;  // whether the table needs that of sensors
     std::vector<double> horizontal_;  // for it: light on the horizontal, by band
+    double weights_ = 0;              // sum over points
     double seconds_ = 0;              // sum over points of weight x time
     std::size_t points_ = 0;
     bool is_complete_ = true;

@@ -22,7 +22,13 @@ Estimate value_at(const std::vector<Estimate>& values, std::size_t row) {
 class ColumnList {
   public:
     ColumnList(const RunFile& run, const TableSpec& table)
-        : run_(run), table_(table), is_of_groups_(table.rows == CsvRows::groups) {}
+        : run_(run),
+          table_(table),
+          is_of_groups_(table.rows == CsvRows::groups),
+          times_(
+              table.times != CsvTimes::sweep ? table.times
+              : run.series                   ? CsvTimes::period
+                                             : CsvTimes::time_steps) {}
 
     std::vector<TableColumn> make() {
         const std::vector<Band>& bands = run_.scene.bands();
@@ -39,10 +45,8 @@ class ColumnList {
                 }
             }
         }
-        if (table_.times != CsvTimes::sweep) {
-            add_parts();
-            is_summed(table_.times) ? add_hours() : add_traits();
-        }
+        add_parts();
+        is_summed(times_) ? add_hours() : add_traits();
         for (std::size_t b = 0; is_of_groups_ && b < bands.size(); ++b) {
             if (is_selected(table_.bands, bands[b].name)) {
                 add_shares(b);
@@ -98,13 +102,12 @@ class ColumnList {
         });
         const bool of_groups = is_of_groups_;
         for (const PartColumn& part : part_columns(all)) {
-            const std::string quantity = quantity_of(part, table_.times);
+            const std::string quantity = quantity_of(part, times_);
             if (!is_selected(table_.quantities, quantity)) {
                 continue;
             }
             add(quantity, part.entry.has_bands() ? run_.scene.bands()[part.band].name : "",
-                unit_of(run_, part, table_.times) + per_day(part, table_.times),
-                summary_of(part, table_.times),
+                unit_of(run_, part, times_) + per_day(part, times_), summary_of(part, times_),
                 [part, of_groups](const RowLight& light, std::size_t row) {
                     if (light.sum != nullptr) {
                         return part.of(
@@ -116,50 +119,53 @@ class ColumnList {
         }
     }
 
+    /// Adds sunlit areas in sums over time.
     void add_hours() {
-        if (run_.spec.sun_shade != SunShade::apart) {
-            return;
+        if (run_.spec.sun_shade == SunShade::apart) {
+            const std::string hours = times_ == CsvTimes::days ? "h d-1" : "h";
+            add_sunlit(
+                {kSunlitHours, hours, "sunlit fraction of the area x time"},
+                {kSunlitAreaHours, run_.scene.length_unit() + "2 " + hours,
+                 "sunlit_hours times the area"});
         }
+    }
+
+    struct Text {
+        std::string_view name;
+        std::string unit;
+        std::string_view summary;
+    };
+    void add_sunlit(const Text& fraction, const Text& area) {
         const bool of_groups = is_of_groups_;
-        const std::string hours = table_.times == CsvTimes::days ? "h d-1" : "h";
-        if (is_selected(table_.quantities, kSunlitHours)) {
-            add(kSunlitHours, "", hours, "sunlit fraction of the area x time",
+        if (is_selected(table_.quantities, fraction.name)) {
+            add(fraction.name, "", fraction.unit, fraction.summary,
                 [of_groups](const RowLight& light, std::size_t row) {
+                    const GroupResults& groups =
+                        light.sum != nullptr ? light.sum->groups : light.result->groups;
                     return value_at(
-                        of_groups ? light.sum->groups.sunlit_fraction : light.sum->sunlit_hours,
+                        of_groups              ? groups.sunlit_fraction
+                        : light.sum != nullptr ? light.sum->sunlit_hours
+                                               : light.result->sunlit_fraction,
                         row);
                 });
         }
-        if (of_groups && is_selected(table_.quantities, kSunlitAreaHours)) {
-            add(kSunlitAreaHours, "", run_.scene.length_unit() + "2 " + hours,
-                "sunlit_hours times the area", [](const RowLight& light, std::size_t row) {
-                    return value_at(light.sum->groups.sunlit_area, row);
-                });
+        if (of_groups && is_selected(table_.quantities, area.name)) {
+            add(area.name, "", area.unit, area.summary, [](const RowLight& light, std::size_t row) {
+                const GroupResults& groups =
+                    light.sum != nullptr ? light.sum->groups : light.result->groups;
+                return value_at(groups.sunlit_area, row);
+            });
         }
     }
 
     void add_traits() {
+        add_sunlit(
+            {"sunlit_fraction", "1", "fraction of the area lit directly by directional sources"},
+            {"sunlit_area", run_.scene.length_unit() + "2", "sunlit_fraction times the area"});
         const bool of_groups = is_of_groups_;
-        if (is_selected(table_.quantities, "sunlit_fraction")) {
-            add("sunlit_fraction", "", "1",
-                "fraction of the area lit directly by directional sources",
-                [of_groups](const RowLight& light, std::size_t row) {
-                    return value_at(
-                        of_groups ? light.result->groups.sunlit_fraction
-                                  : light.result->sunlit_fraction,
-                        row);
-                });
-        }
-        if (of_groups && is_selected(table_.quantities, "sunlit_area")) {
-            add("sunlit_area", "", run_.scene.length_unit() + "2", "sunlit_fraction times the area",
-                [](const RowLight& light, std::size_t row) {
-                    return value_at(light.result->groups.sunlit_area, row);
-                });
-        }
-        for (std::size_t i = 0; i < run_.spec.ratios.size(); ++i) {
-            if (!is_selected(table_.quantities, "ratios")) {
-                break;
-            }
+        const bool has_ratios =
+            is_selected(table_.quantities, "ratios") && table_.times != CsvTimes::sweep;
+        for (std::size_t i = 0; has_ratios && i < run_.spec.ratios.size(); ++i) {
             add("ratio_" + run_.spec.ratios[i], "", "1", "ratio of incident light, both sides",
                 [of_groups, i](const RowLight& light, std::size_t row) {
                     return of_groups ? light.result->groups.ratio(row, i)
@@ -202,6 +208,7 @@ class ColumnList {
     const RunFile& run_;
     const TableSpec& table_;
     bool is_of_groups_;
+    CsvTimes times_;  // a sweep is summed like a period, or has means like those of a time step
     std::vector<TableColumn> columns_;
 };
 

@@ -401,7 +401,8 @@ class TableWriter final : public OutputWriter {
 std::unique_ptr<OutputWriter> make_table_of_sensors(const OutputInput& input, CsvTimes times) {
     TableSpec table{.file = input.path, .rows = CsvRows::sensors, .times = times};
     const OutputSpec& output = input.run.output;
-    const std::vector<std::string_view> known = table_quantities(table.rows, times);
+    const std::vector<std::string_view> known =
+        table_quantities(table.rows, times, input.run.series.has_value());
     std::copy_if(
         output.quantities.begin(), output.quantities.end(), std::back_inserter(table.quantities),
         [&](const std::string& name) {

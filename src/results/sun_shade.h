@@ -11,23 +11,6 @@
 
 namespace quasimc {
 
-/// The light of a surface of organs in a band, and its sunlit area: per replicate.
-struct SunShadeSamples {
-    explicit SunShadeSamples(std::size_t replicates)
-        : direct(replicates),
-          beam(replicates),
-          other(replicates),
-          lit(replicates),
-          other_on_lit(replicates) {}
-
-    std::vector<double> direct;  ///< flux straight from sources
-    std::vector<double> beam;    ///< flux straight from suns
-    std::vector<double> other;   ///< all other flux
-    std::vector<double> lit;     ///< sunlit area
-    /// The other flux on sunlit area, if it is evenly distributed over each organ.
-    std::vector<double> other_on_lit;
-};
-
 /// Estimates the light of the sunlit and the shaded part of organs and groups.
 class SunShadeEvaluator {
   public:

@@ -153,10 +153,12 @@ TableSpec read_table(
     if (spec.rows == CsvRows::sensors && top.any("sensors") == nullptr) {
         table.fault_at("rows", "rows = \"sensors\" without [[sensors]]");
     }
-    check_list(table, "quantities", spec.quantities, table_quantities(spec.rows, spec.times));
+    const bool has_times = top.any("time") != nullptr;
+    check_list(
+        table, "quantities", spec.quantities, table_quantities(spec.rows, spec.times, has_times));
     check_list(table, "bands", spec.bands, names_in(bands));
     const bool is_over_times = is_summed(spec.times) && spec.times != CsvTimes::sweep;
-    if (is_over_times && top.any("time") == nullptr) {
+    if (is_over_times && !has_times) {
         table.fault_at(
             "per", fmt::format("per = \"{}\" without [time]", *table.text("per")),
             "sums over time need [time]");

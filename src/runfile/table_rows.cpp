@@ -131,7 +131,9 @@ std::vector<std::string> group_keys(const RunFile& run) {
     return keys;
 }
 
-std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
+std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times, bool has_times) {
+    const bool is_of_sweep = times == CsvTimes::sweep;
+    const bool is_over_time = is_summed(times) && (!is_of_sweep || has_times);
     std::vector<std::string_view> names;
     for (const QuantityEntry& entry : quantity_table()) {
         if (rows != CsvRows::sensors || is_of_sensors(entry.quantity)) {
@@ -152,22 +154,15 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times) {
     for (std::size_t i = 0; is_of_groups && i < fraction_table().size(); ++i) {
         names.push_back(fraction_table()[i].name);
     }
-    if (times == CsvTimes::sweep) {
-        return names;
-    }
     for (const SunShadeEntry& entry : sun_shade_table()) {
-        names.push_back(is_summed(times) ? entry.of_sums : entry.name);
+        names.push_back(is_over_time ? entry.of_sums : entry.name);
     }
-    if (is_summed(times)) {
-        names.push_back(kSunlitHours);
-        if (is_of_groups) {
-            names.push_back(kSunlitAreaHours);
-        }
-        return names;
+    names.push_back(is_over_time ? kSunlitHours : "sunlit_fraction");
+    if (!is_summed(times)) {
+        names.emplace_back("ratios");
     }
-    names.insert(names.end(), {"sunlit_fraction", "ratios"});
     if (is_of_groups) {
-        names.emplace_back("sunlit_area");
+        names.push_back(is_over_time ? kSunlitAreaHours : "sunlit_area");
     }
     return names;
 }

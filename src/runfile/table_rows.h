@@ -55,7 +55,8 @@ inline constexpr std::string_view kFluenceRate = "fluence_rate";
 /// labels i and j of points also make; else the number of points.
 [[nodiscard]] std::vector<std::size_t> sensor_shape(const SensorSet& set);
 
-/// The names of the quantities that a table can have.
-[[nodiscard]] std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times);
+/// The names of the quantities that a table can have. @param has_times  of a run with [time]
+[[nodiscard]] std::vector<std::string_view> table_quantities(
+    CsvRows rows, CsvTimes times, bool has_times);
 
 }  // namespace quasimc

@@ -72,6 +72,7 @@ class SeriesRun final : public SeriesSteps {
                 last_traced_ = std::max(last_traced_, plans_[i].traced);
                 last_use_[plans_[i].traced] = i;
                 seconds_[plans_[i].traced] += plans_[i].factor * in_.time_steps[i].seconds;
+                durations_[plans_[i].traced] += in_.time_steps[i].seconds;
             }
         }
         path_factors_ = path_factors_left_;
@@ -189,22 +190,22 @@ class SeriesRun final : public SeriesSteps {
 
     /// Reports the sums of a computation, those of each origin apart.
     void report(std::size_t i, const RunSums& run) const {
-        const double seconds = seconds_.at(i);
+        const double seconds = seconds_.at(i), duration = durations_.at(i);
         const std::size_t origins = run.sums->origins.size();
         if (origins == 0) {
             report_sums(
-                in_.control,
-                {run.sums, run.scene, run.spec, seconds, SeriesSums::kAllLight, run.of_sensors});
+                in_.control, {run.sums, run.scene, run.spec, seconds, SeriesSums::kAllLight,
+                              run.of_sensors, duration});
             return;
         }
         report_sums(
             in_.control, {of_all_origins(run.sums), run.scene, run.spec, seconds,
-                          SeriesSums::kAllLight, run.of_sensors});
+                          SeriesSums::kAllLight, run.of_sensors, duration});
         for (std::size_t origin = 0; origin < origins; ++origin) {
             report_sums(
                 in_.control,
                 {of_origin(run.sums, origin), run.scene, evaluation_of_origin(run.spec, origin),
-                 seconds, origin, run.of_sensors});
+                 seconds, origin, run.of_sensors, duration});
         }
     }
 
@@ -292,6 +293,7 @@ class SeriesRun final : public SeriesSteps {
     std::size_t last_traced_ = 0;
     std::map<std::size_t, std::size_t> last_use_;  // of a trace, by the computed time step
     std::map<std::size_t, double> seconds_;        // of the light of a trace in the total
+    std::map<std::size_t, double> durations_;      // of its time steps
     std::map<std::size_t, CachedTrace> cached_;
     GroupResults groups_;  // for NoLightPolicy
     SeriesAdder day_, total_;

@@ -254,7 +254,11 @@ ContributionSize OrganContributions::size(const LightParts& parts) const {
 }
 
 ContributionSize OrganContributions::size(Quantity quantity, std::span<const double> values) const {
-    const LightParts& parts = parts_of(quantity);
+    return size(parts_of(quantity), values);
+}
+
+ContributionSize OrganContributions::size(
+    const LightParts& parts, std::span<const double> values) const {
     if (bound_ == 0) {
         return size(parts);
     }

@@ -50,6 +50,10 @@ class OrganContributions {
 
     /// One contribution to the given parts of light, as flux (or sunlit area).
     [[nodiscard]] ContributionSize size(const LightParts& parts = kIncidentLight) const;
+    /// The same, as estimate() includes it.
+    /// @param values  these parts of light, per replicate
+    [[nodiscard]] ContributionSize size(
+        const LightParts& parts, std::span<const double> values) const;
     /// One contribution to a quantity, as flux, as estimate() includes it.
     /// @param values  the quantity, per replicate
     [[nodiscard]] ContributionSize size(Quantity quantity, std::span<const double> values) const;

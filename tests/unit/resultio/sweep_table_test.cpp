@@ -301,6 +301,133 @@ TEST(SweepTable, WeighsTheTransmittanceOfSensorsByTheLight) {
     }
 }
 
+const std::string kSummedParts =
+    "quantities = ['incident_upper_direct', 'sunlit_fraction_upper', 'sunlit_fraction', "
+    "'incident_upper_sunlit', 'incident_upper_shaded', 'incident_lower_sunlit', "
+    "'incident_lower_shaded', 'absorbed_flux_density_sunlit', 'absorbed_flux_density_shaded']\n";
+
+/// Means of equal points are one of them, with its error: so are quotients of sums.
+TEST(SweepTable, OfEqualPointsHasTheSunlitAndShadedPartsOfOne) {
+    for (const std::string rows : {"organs", "groups"}) {
+        const std::string keys = "rows = '" + rows + "'\nbands = ['R']\n" + kSummedParts;
+        const auto texts = written(stand(
+            "[sweep]\nmaterial.leaf.reflectance = [[0.1, 0.4], [0.1, 0.4]]\n"
+            "weights = [1, 3]\n" +
+            table("sum.csv", keys + "per = 'sweep'\n") + table("each.csv", keys)));
+        const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+        ASSERT_EQ(2 * (sum.size() - 1), each.size() - 1) << rows;
+        const std::size_t first = sum[0].size() - 27;
+        ASSERT_TRUE(std::equal(sum[0].begin(), sum[0].end(), each[0].begin() + 1));
+        const auto found_lit = std::ranges::find(sum[0], "sunlit_fraction");
+        const std::size_t lit = static_cast<std::size_t>(found_lit - sum[0].begin()) - first;
+        int seen = 0;
+        for (std::size_t row = 1; row < sum.size(); ++row) {
+            const auto found = numbers_from(sum[row], first);
+            const auto one = numbers_from(each[row], first + 1);
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                // An organ has light of a shaded part even if it has no shaded area.
+                const bool is_void = std::isnan(found[i - i % 3]) && one[lit] > 1 - 1e-3;
+                if (!is_void) {
+                    expect_near(found[i], one[i], rows + sum[row][1] + " " + sum[0][first + i]);
+                }
+            }
+            seen += found[lit] > 0 && found[lit] < 0.9 ? 1 : 0;
+        }
+        EXPECT_GT(seen, 0) << "partly lit";
+    }
+}
+
+/// Light per sunlit area weighs each point by its sunlit area, light per shaded area by the rest.
+TEST(SweepTable, WeighsSunlitAndShadedLightByTheirAreas) {
+    for (const std::string rows : {"organs", "groups"}) {
+        const std::string keys = "rows = '" + rows + "'\nbands = ['R']\n" + kSummedParts + kMeans;
+        const auto texts = written(stand(
+            "[sweep]\nsource.sun.direction = [[1, 0, -1], [0, 0.2, -1]]\n"
+            "weights = [1, 2]\n" +
+            table("sum.csv", keys + "per = 'sweep'\n") + table("each.csv", keys)));
+        const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+        const std::size_t first = sum[0].size() - 9;
+        const auto column = [&](const std::string& name) {
+            const auto found = std::ranges::find(sum[0], name);
+            EXPECT_NE(found, sum[0].end()) << name;
+            return static_cast<std::size_t>(found - sum[0].begin()) - first;
+        };
+        const std::size_t lit = column("sunlit_fraction_upper");
+        const std::size_t sunlit = column("incident_upper_sunlit_R");
+        const std::size_t shaded = column("incident_upper_shaded_R");
+        int partly_lit = 0;
+        for (std::size_t row = 1; row < sum.size(); ++row) {
+            const auto found = numbers_from(sum[row], first);
+            const auto a = numbers_from(each[row], first + 1);
+            const auto b = numbers_from(each[row + sum.size() - 1], first + 1);
+            const auto mean = [&](double weight_a, double weight_b, std::size_t i) {
+                return (weight_a * (weight_a > 0 ? a[i] : 0) +
+                        weight_b * (weight_b > 0 ? b[i] : 0)) /
+                       (weight_a + weight_b);
+            };
+            expect_near(found[lit], mean(1, 2, lit), "sunlit_fraction_upper");
+            if (std::max(a[lit], b[lit]) > 0.99) {
+                continue;  // fractions end at 1, their samples do not
+            }
+            ++partly_lit;
+            expect_near(found[sunlit], mean(a[lit], 2 * b[lit], sunlit), "sunlit " + rows);
+            expect_near(found[shaded], mean(1 - a[lit], 2 - 2 * b[lit], shaded), "shaded " + rows);
+        }
+        EXPECT_GT(partly_lit, 0);
+    }
+}
+
+/// Hours add up; light per sunlit area is its mean over area and time.
+TEST(SweepTable, OfTimesHasSunlitHoursAndTheLightOfParts) {
+    std::string quantities = kSummedParts;
+    for (const auto& [from, to] : std::vector<std::pair<std::string, std::string>>{
+             {"sunlit_fraction_upper", "sunlit_hours_upper"},
+             {"'sunlit_fraction'", "'sunlit_hours'"}}) {
+        quantities.replace(quantities.find(from), from.size(), to);
+    }
+    for (const std::string rows : {"organs", "groups"}) {
+        const std::string keys = "rows = '" + rows + "'\nbands = ['R']\n" + quantities + kMeans;
+        const auto texts = written(stand(
+            kHours +
+            "[sweep]\ntime.day = ['2024-01-15', '2024-06-15']\n"
+            "weights = [31, 30]\n" +
+            table("sum.csv", keys + "per = 'sweep'\n") +
+            table("each.csv", keys + "per = 'period'\n")));
+        const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+        ASSERT_EQ(each.size() - 1, 2 * (sum.size() - 1));
+        const std::size_t first = sum[0].size() - 9;
+        const auto column = [&](const std::string& name) {
+            return static_cast<std::size_t>(std::ranges::find(sum[0], name) - sum[0].begin()) -
+                   first;
+        };
+        const std::size_t hours = column("sunlit_hours"), upper = column("sunlit_hours_upper");
+        const std::size_t sunlit = column("incident_upper_sunlit_R");
+        const std::size_t shaded = column("incident_upper_shaded_R");
+        const std::size_t direct = column("incident_upper_direct_R");
+        int partly_lit = 0;
+        for (std::size_t row = 1; row < sum.size(); ++row) {
+            const auto found = numbers_from(sum[row], first);
+            const auto a = numbers_from(each[row], first + 2);
+            const auto b = numbers_from(each[row + sum.size() - 1], first + 2);
+            for (const std::size_t i : {hours, upper, direct}) {
+                expect_near(found[i] / 1000, (31 * a[i] + 30 * b[i]) / 1000, sum[0][first + i]);
+            }
+            if (std::max(a[upper], b[upper]) > 0.95 * 3) {
+                continue;  // hours end at 3, their samples do not
+            }
+            ++partly_lit;
+            const double lit_a = 31 * a[upper], lit_b = 30 * b[upper];
+            const double shade_a = 31 * 3 - lit_a, shade_b = 30 * 3 - lit_b;
+            const auto mean = [&](double weight_a, double weight_b, std::size_t i) {
+                return (weight_a * a[i] + weight_b * b[i]) / (weight_a + weight_b);
+            };
+            expect_near(found[sunlit], mean(lit_a, lit_b, sunlit), "sunlit " + rows);
+            expect_near(found[shaded], mean(shade_a, shade_b, shaded), "shaded " + rows);
+        }
+        EXPECT_GT(partly_lit, 0);
+    }
+}
+
 TEST(SweepTable, HasRowsByConditionInLongForm) {
     const Rows rows = fields_of(written(stand(
         "[sweep]\npaths = [64, 128]\n" +

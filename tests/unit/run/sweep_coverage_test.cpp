@@ -13,6 +13,7 @@
 
 #include "quasimc/series.h"
 #include "results/replicate_sum.h"
+#include "results/sun_shade_replicates.h"
 #include "statistical/scenes.h"
 #include "support/random_leaves.h"
 
@@ -78,7 +79,9 @@ struct Suns {
     std::vector<double> elevations, weights;
     double horizontal = 0;  ///< irradiance by the sky
 
-    void add_up(const Scene& scene, RunSpec spec, PointAdder& adder) const {
+    /// @param adder  a PointAdder or PartsAdder
+    template <typename Adder>
+    void add_up(const Scene& scene, RunSpec spec, Adder& adder) const {
         spec.replicates = kReplicatesOfPoint;
         for (std::size_t i = 0; i < elevations.size(); ++i) {
             TimeStep step;
@@ -134,6 +137,76 @@ INSTANTIATE_TEST_SUITE_P(
     CoverageOfSweeps,
     ::testing::Values(
         Method::light_tracing, Method::first_hits, Method::from_organs, Method::ray_bundles),
+    name_of);
+
+/// Adds up the light of sunlit and shaded parts of all leaves.
+class PartsAdder final : public RunListener {
+  public:
+    explicit PartsAdder(const Scene& scene) : sum_(kReplicatesOfPoint, 1, scene.bands().size()) {
+        for (std::uint32_t leaf = 0; leaf < kLeaves; ++leaf) {
+            leaves_.push_back(leaf);
+            area_ += scene.organs()[leaf].area;
+        }
+    }
+
+    void set_weight(double weight) { weight_ = weight; }
+    void on_sums(const SeriesSums& sums) override {
+        const std::array rows{OrganWeights{leaves_}};
+        sum_.add({sums.sums, sums.scene, sums.spec}, {rows, {&area_, 1}, true}, {weight_, weight_});
+        sum_.end_point();
+        whole_ += weight_;
+    }
+    [[nodiscard]] Estimate at(SunShadeQuantity quantity) const {
+        return sum_.estimates({&area_, 1}, {1, 1, whole_}).at(0, quantity);
+    }
+
+  private:
+    std::vector<std::uint32_t> leaves_;
+    double area_ = 0, weight_ = 1, whole_ = 0;
+    SunShadeReplicateSum sum_;
+};
+
+class CoverageOfSummedParts : public ::testing::TestWithParam<Method> {};
+
+/// Quotients of sums whose parts are correlated within a replicate and over points.
+TEST_P(CoverageOfSummedParts, HoldsTheLightOfSunlitAndShadedArea) {
+    constexpr int kSeeds = 200;
+    const std::array quantities{
+        SunShadeQuantity::sunlit_fraction_upper, SunShadeQuantity::incident_upper_sunlit,
+        SunShadeQuantity::incident_upper_shaded, SunShadeQuantity::absorbed_flux_density_shaded};
+    const Suns suns{{25, 35, 50, 60}, {31, 28, 31, 30}, .2};
+    const Scene scene = make_stand_of_sweep();
+    RunSpec many = spec_of_truth(), pilot = spec_of(GetParam(), 1 << 8);
+    many.sun_shade = pilot.sun_shade = SunShade::apart;
+    PartsAdder truth(scene);
+    suns.add_up(scene, many, truth);
+    std::array<int, 4> right{};
+    std::array<double, 4> scatter{}, variance{};
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        pilot.seed = static_cast<std::uint64_t>(seed);
+        PartsAdder adder(scene);
+        suns.add_up(scene, pilot, adder);
+        for (std::size_t i = 0; i < quantities.size(); ++i) {
+            const Estimate found = adder.at(quantities[i]);
+            const double expected = truth.at(quantities[i]).mean;
+            right[i] += holds(found, expected) ? 1 : 0;
+            scatter[i] += (found.mean - expected) * (found.mean - expected);
+            variance[i] += found.standard_error * found.standard_error;
+        }
+    }
+    for (std::size_t i = 0; i < quantities.size(); ++i) {
+        EXPECT_GT(right[i], .9 * kSeeds) << i;
+        EXPECT_GT(std::sqrt(variance[i] / scatter[i]), .8) << i;
+        // Sunlit area scatters less than one contribution to it.
+        const bool is_shaded = i >= 2;
+        EXPECT_LT(std::sqrt(variance[i] / scatter[i]), is_shaded ? 1.3 : 6) << i;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods,
+    CoverageOfSummedParts,
+    ::testing::Values(Method::light_tracing, Method::first_hits, Method::from_organs),
     name_of);
 
 /// Leaves that no path met at one sun were met at no other either: limits add up, not their
