@@ -48,9 +48,9 @@ def cases(a, b, mask):
         "result.sum(mask)": lambda: a.sum("absorbed_flux", mask),
         "light.sum()": lambda: x.sum(),
         "light.sum(weights)": lambda: x.sum(weights=mask - 0.5),
-        "30 * a - 31 * b": lambda: 30 * x - 31 * y,
+        "30 * a - 31 * b": lambda: (30 * x - 31 * y).standard_error,
         "(30 * a - 31 * b).sum()": lambda: (30 * x - 31 * y).sum(),
-        "a / b": lambda: x / y,
+        "a / b": lambda: (x / y).standard_error,
     }
 
 

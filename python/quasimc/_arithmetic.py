@@ -75,8 +75,8 @@ def times(light, factors):
             source = _scaled_rows(light, factors)
     if source is None and light._source is not None:
         source = FirstOrder.of(lambda x: x * factors, lambda x: [factors], [light._source])
-    if values is None:
-        values = source.estimates() if source is not None else _turned(light, factors)
+    if values is None and source is None:
+        values = _turned(light, factors)
     result = light._like(values, source, shape=shape)
     if factors.ndim:
         result._set_unit("")
@@ -185,9 +185,8 @@ def of_sources(function, slopes, arguments):
         means = np.asarray(function(*[argument.values for argument in arguments]))
         values, source = unknown(means), None
     else:
-        source = FirstOrder.of(function, slopes, sources)
-        values = source.estimates()
-    shape = values.shape[:-1]
+        values, source = None, FirstOrder.of(function, slopes, sources)
+    shape = source.means.shape if values is None else values.shape[:-1]
     first = max(arguments, key=lambda argument: argument.ndim)
     result = first._like(values, source, shape=shape, index=index)
     result.extensive = True

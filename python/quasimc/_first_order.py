@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ._spread import linear
+from ._spread import linear, paired
 from ._stack import Stack
 
 #: More lights than these are no longer known one by one, so that a long sum of results frees them.
@@ -19,11 +19,14 @@ class FirstOrder:
     same, and a contribution counts by its size in the sum, as the engine finds it for groups.
     """
 
-    __slots__ = ("_spread", "terms")
+    __slots__ = ("means", "terms", "_spread")
 
-    def __init__(self, spread, terms):
-        self._spread = spread
-        self.terms = terms if len(terms) <= _MOST_TERMS else [(spread, 1.0)]
+    def __init__(self, means, terms):
+        self.means = means
+        self._spread = None  # deviations are made when they are needed
+        self.terms = terms
+        if len(terms) > _MOST_TERMS:
+            self.terms = [(self.spread(), 1.0)]
 
     @classmethod
     def of(cls, function, slopes, sources):
@@ -36,20 +39,14 @@ class FirstOrder:
         sources : list
         """
         units = [_unit(source) for source in sources]
-        spreads = [unit.spread() for unit, _ in units]
-        means = [_times(factor, spread.means) for spread, (_, factor) in zip(spreads, units)]
+        means = [_times(factor, _means_of(unit)) for unit, factor in units]
         values = np.asarray(function(*means), float)
-        derivatives = [_times(own, factor) for own, (_, factor) in zip(slopes(*means), units)]
         terms = []
-        for (unit, _), spread, slope in zip(units, spreads, derivatives):
-            inner = terms_of(unit)
-            if spread.means.shape != values.shape[values.ndim - spread.ndim :]:
-                inner = [(_broadcast(spread, values.shape), 1.0)]  # of one number along an axis
-            terms += [(light, _times(own, slope)) for light, own in inner]
-        joined = joined_terms(terms)
-        if joined is terms:
-            return cls(linear(values, list(zip(spreads, derivatives))), terms)
-        return cls.of_terms(joined, values)
+        for (unit, factor), own, slope in zip(units, means, slopes(*means)):
+            if own.shape != values.shape[values.ndim - own.ndim :]:
+                unit = _broadcast(unit.spread(), values.shape)  # of one number along an axis
+            terms.append((unit, _times(slope, factor)))
+        return cls.of_terms(terms, values)
 
     @classmethod
     def of_terms(cls, terms, means=None):
@@ -69,17 +66,17 @@ class FirstOrder:
                 for inner, own in terms_of(light)
             ]
         )
-        spreads = [(light.spread(), slope) for light, slope in terms]
-        means = sum(spread.means * slope for spread, slope in spreads) if means is None else means
-        return cls(linear(means, spreads), terms)
+        if means is None:
+            means = sum(_means_of(light) * slope for light, slope in terms)
+        return cls(means, terms)
 
     @property
     def ndim(self):
-        return self._spread.ndim
+        return np.ndim(self.means)
 
     @property
     def replicates(self):
-        return self._spread.replicates
+        return paired([light for light, _ in self.terms])
 
     def with_band(self, band):
         def select(light, _):
@@ -99,9 +96,9 @@ class FirstOrder:
     def _selected(self, axis, key, select):
         """An index of one axis. @param select: of a light, and the number of first axes that it lacks"""
         index = (slice(None),) * axis + (key,)
-        shape = self._spread.means.shape
+        shape = self.means.shape
         return FirstOrder(
-            self._spread.at(index),
+            self.means[index],
             [
                 (
                     select(light, self.ndim - light.ndim),
@@ -116,14 +113,22 @@ class FirstOrder:
         terms = [
             _summed(light, np.where(used, slope, 0.0) * factors, axes) for light, slope in self.terms
         ]
-        means = (np.where(used, self._spread.means, 0.0) * factors).sum(axis=axes)
+        means = (np.where(used, self.means, 0.0) * factors).sum(axis=axes)
         return FirstOrder.of_terms(terms, means)
 
     def spread(self):
+        if self._spread is None:
+            with np.errstate(divide="ignore", invalid="ignore"):
+                terms = [(light.spread(), slope) for light, slope in self.terms]
+                self._spread = linear(self.means, terms)
         return self._spread
 
     def estimates(self):
-        return self._spread.estimates()
+        return self.spread().estimates()
+
+
+def _means_of(source):
+    return source.means if hasattr(source, "means") else source.spread().means
 
 
 def terms_of(source):

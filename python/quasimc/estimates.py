@@ -42,12 +42,12 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
         Whether sums over organs have a meaning: those of fluxes have, those of densities have not.
     """
 
-    __slots__ = ("_values", "_source", "_origins", "_units", "name", "bands", "index", "extensive")
+    __slots__ = ("_numbers", "_source", "_origins", "_units", "name", "bands", "index", "extensive")
 
     def __init__(
         self, values, name, unit, bands=(), *, index=None, source=None, origins=None, extensive=True
     ):
-        self._values = values  # (..., 4): mean, standard error, ends of the interval
+        self._numbers = values  # None: those of the source, when they are needed
         self._source = source  # see `_spread`; None: replicates are not known
         self._origins = origins or {}  # name -> function that returns Estimates
         self._units = (unit,) if isinstance(unit, str) else tuple(unit)
@@ -57,6 +57,13 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
         self.extensive = extensive
 
     # Values and errors.
+
+    @property
+    def _values(self):
+        """(..., 4): mean, standard error, ends of the interval."""
+        if self._numbers is None:
+            self._numbers = self._source.estimates()
+        return self._numbers
 
     @property
     def values(self):
@@ -86,11 +93,11 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
 
     @property
     def shape(self):
-        return self._values.shape[:-1]
+        return self._source.means.shape if self._numbers is None else self._numbers.shape[:-1]
 
     @property
     def ndim(self):
-        return self._values.ndim - 1
+        return len(self.shape)
 
     @property
     def size(self):
