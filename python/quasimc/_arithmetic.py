@@ -200,7 +200,7 @@ def _common(arguments):
         own = argument.index
         if not (index is None or own is None or own in (index, getattr(index, "inner", None))):
             raise ValueError(
-                f"the {own.axis}s of {argument.name} are others: use quasimc.align(a, b)"
+                f"the {own.axis}s of {argument.name} differ: use quasimc.align(a, b)"
             )
         index = own if index is None else index
         if bands and argument.bands and bands != argument.bands:

@@ -140,7 +140,7 @@ def per_organ(where, what, value, ids, ranks):
         return [str(value)]
     values = [str(v) for v in without_mask(where, what, value)]
     if len(values) != count:
-        raise input_error(where, f"{what} has {len(values)} values", f"there are {count} organs")
+        raise input_error(where, f"{what} has {len(values)} values", f"it needs one for each of {count} organs")
     return [values[rank] for rank in ranks]
 
 

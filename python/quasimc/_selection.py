@@ -77,8 +77,8 @@ class Selectable:
         if band not in self.bands:
             known = ", ".join(self.bands) or "none"
             near = [b for b in self.bands if b.lower() == band.lower()]
-            hint = f"; did you mean {near[0]!r}?" if near else ""
-            raise KeyError(f"there is no band {band!r}{hint}; there are: {known}")
+            hint = f"did you mean {near[0]!r}?" if near else f"there are: {known}"
+            raise KeyError(f"there is no band {band!r}; {hint}")
         i = self.bands.index(band)
         result = self._mapped(
             self._values[..., i, :],

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.h"
 #include "base/text.h"
 #include "runfile/run_file_sections.h"
 #include "runfile/unit_spelling.h"
@@ -24,8 +25,8 @@ std::vector<const Node*> nodes_of_value(
     if (list != nullptr) {
         if (list->size() != bands.size()) {
             table.fault_at(
-                node, fmt::format("{} has {} values", key, list->size()),
-                fmt::format("there are {} bands", bands.size()),
+                node, fmt::format("{} has {}", key, counted(list->size(), "value")),
+                "the run has " + counted(bands.size(), "band"),
                 "give one for all or one for each band");
             return nodes;
         }

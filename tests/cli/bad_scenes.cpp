@@ -52,7 +52,7 @@ const std::vector<BadInput> kBadScenes{
      "two irradiances are given"},
     {"IrradianceMissing", kIrradiance, "", "its irradiance is missing"},
     {"IrradianceForTwoBands", kIrradiance, "irradiance_facing = [1, 2]",
-     "irradiance_facing has 2 values (there are 1 bands)"},
+     "irradiance_facing has 2 values (the run has 1 band)"},
     {"IrradianceOverflow", kIrradiance, "irradiance_facing = 1e999", "run.toml:12: "},
     {"SunsetOnTheHorizontal", kDirection + "\n" + kIrradiance,
      "direction = [1, 0, 0]\nirradiance_horizontal = 1", "of a source below the horizon"},

@@ -85,7 +85,7 @@ TEST(MaterialKeys, RefuseWhatIsWrong) {
         {"reflectance = -0.1\n", "reflectance is -0.1"},
         {"reflectance = nan\n", "reflectance is nan"},
         {"reflectance = 'much'\n", "reflectance is a text (it must be a number)"},
-        {"reflectance = [0.1]\n", "reflectance has 1 values (there are 2 bands)"},
+        {"reflectance = [0.1]\n", "reflectance has 1 value (the run has 2 bands)"},
         {"reflectance = [0.1, 0.1, 0.1]\n", "reflectance has 3 values"},
         {"reflectance = { R = 0.1 }\n", "FR is missing"},
         {"reflectance = { R = 0.1, FR = 0.1, B = 0.1 }\n", "unknown key 'B'"},
