@@ -16,15 +16,13 @@ namespace quasimc {
 namespace {
 
 // Columns: the mean, a deviation of each replicate, these, and three of each kind of contribution.
-enum Fixed : std::uint8_t {
-    kArea,
-    kLimit,        // of the light
-    kEmitted,      // another limit of it: all light of the sources may fall on one organ
-    kAbsorptance,  // by which contributions are multiplied
-    kBound,        // largest contribution, where only this is known
-    kFixedColumns,
-};
-enum OfKind : std::uint8_t { kMore, kLess, kUnseen, kColumnsOfKind };
+constexpr std::size_t kArea = 0;
+constexpr std::size_t kLimit = 1;        // of the light
+constexpr std::size_t kEmitted = 2;      // also a limit: all light may fall on one organ
+constexpr std::size_t kAbsorptance = 3;  // by which contributions are multiplied
+constexpr std::size_t kBound = 4;        // largest contribution, where only this is known
+constexpr std::size_t kFixedColumns = 5;
+constexpr std::size_t kMore = 0, kLess = 1, kUnseen = 2, kColumnsOfKind = 3;
 
 std::size_t first_fixed(const SummableColumns& columns) {
     return 1 + std::size_t{columns.replicates};
@@ -40,23 +38,30 @@ struct OrganNumbers {
     std::vector<SampledContribution> kinds = {};
 };
 
-/// The numbers of an entry in the order of the columns. @param put  called with (column, number)
-template <typename Put>
-void put_numbers(const OrganNumbers& organ, const Put& put) {
+/// Puts the numbers of an entry into the columns. @param entries  their length
+void put_numbers(
+    const OrganNumbers& organ,
+    std::size_t entry,
+    std::size_t entries,
+    std::vector<double>& numbers) {
+    std::size_t at = entry;
+    const auto put = [&](double number) {
+        numbers[at] = number;
+        at += entries;
+    };
     const double mean = mean_of(organ.values);
-    std::size_t column = 0;
-    put(column++, mean);
+    put(mean);
     for (const double value : organ.values) {
-        put(column++, value - mean);
+        put(value - mean);
     }
     for (const double x :
          {organ.area, organ.limit, organ.emitted, organ.absorptance, organ.bound}) {
-        put(column++, x);
+        put(x);
     }
     for (const SampledContribution& kind : organ.kinds) {
-        for (const double x : {kind.size.more, kind.size.less, kind.unseen}) {
-            put(column++, x);
-        }
+        put(kind.size.more);
+        put(kind.size.less);
+        put(kind.unseen);
     }
 }
 
@@ -90,9 +95,7 @@ SummableLight read_organs(
     for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last; ++i) {
             if (is_measured(sums, organs[i])) {
-                put_numbers(numbers_of(i), [&](std::size_t column, double number) {
-                    numbers[column * organs.size() + i] = number;
-                });
+                put_numbers(numbers_of(i), i, organs.size(), numbers);
             }
         }
     });
