@@ -5,7 +5,8 @@
 // Expected behaviour: as the name of each check says.
 
 import assert from "node:assert/strict";
-import { isOfSensors } from "../../web/src/filters.js";
+import { isOfSensors, weightsOf } from "../../web/src/filters.js";
+import { scaleOf } from "../../web/src/numbers.js";
 import { evenly } from "../../web/src/format.js";
 import { classCounts, highestKnown } from "../../web/src/legend.js";
 import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
@@ -88,6 +89,17 @@ function checkCounts() {
   assert.deepEqual(counts.slice(0, 3), [1, 1, 0]);
 }
 
+/** The scale is that of organs: a bright ground, which has no weight, does not darken them. */
+function checkScale() {
+  assert.deepEqual(scaleOf(Float32Array.of(5, 90, 7, NaN), Float32Array.of(1, 0, 1, 1)), { low: 0, high: 7 });
+  assert.deepEqual(scaleOf(Float32Array.of(5, 90), Float32Array.of(0, 0)), { low: 0, high: 90 });
+  const areas = Float32Array.of(4, 1, 2);
+  const weights = (flags) => [...weightsOf({ isMeasured: false, isPlant: [0, 1, 1], isGround: [1, 0, 0], isSensor: [0, 0, 0], ...flags }, areas)];
+  assert.deepEqual(weights({}), [0, 1, 2]);
+  assert.deepEqual(weights({ isMeasured: true, isPlant: [0, 0, 0], isSensor: [0, 1, 1] }), [0, 1, 1]);
+  assert.deepEqual(weights({ isPlant: [0, 0, 0], isGround: [1, 1, 1] }), [4, 1, 2]);
+}
+
 /** A result of sensors opens with what they measure, one of plants with what these absorb. */
 function checkFirst() {
   const columns = ["absorbed_flux_density", "incident_upper"].map((quantity) => ({ quantity, band: "PAR" }));
@@ -134,6 +146,7 @@ checkPoints();
 checkWords();
 checkEven();
 checkFirst();
+checkScale();
 checkCounts();
 checkUnknown();
 checkDays();

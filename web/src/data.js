@@ -1,7 +1,7 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
 import { plainUnit, unitText } from "./format.js";
-import { isOfSensors } from "./filters.js";
+import { isOfSensors, weightsOf } from "./filters.js";
 import { shapeOf } from "./sensors.js";
 
 /** The bytes of a base64 text. */
@@ -121,9 +121,9 @@ export class RunData {
       .filter((column) => json.times.some((time) => time.values[column.number] >= 0));
   }
 
-  /** How much each organ counts in scales: its area, or 1 for sensors that it is about. */
+  /** How much each organ counts in scales, see weightsOf. */
   get weights() {
-    return this.isMeasured ? Float32Array.from(this.isSensor) : this.shape.areas;
+    return weightsOf(this, this.shape.areas);
   }
 
   /** Whether the page has the other points of its sweep. */

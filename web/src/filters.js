@@ -54,3 +54,11 @@ export function isOfSensors({ isPlant, isSensor }) {
   const count = (flags) => flags.reduce((sum, one) => sum + one, 0);
   return count(isSensor) > count(isPlant);
 }
+
+/** How much each organ counts in scales: its area, 0 for the ground below others; or 1 for sensors that a result is about. */
+export function weightsOf({ isMeasured, isPlant, isGround, isSensor }, areas) {
+  if (isMeasured) {
+    return Float32Array.from(isSensor);
+  }
+  return isPlant.includes(1) ? areas.map((area, i) => (isGround[i] ? 0 : area)) : areas;
+}

@@ -59,7 +59,7 @@ class LiveView {
   allValues(column) {
     return Promise.all(this.live.state.frames.map(async (frame) => {
       const run = await this.live.frame(frame).catch(() => null);
-      return { values: run && (await run.values(0, column)), areas: run?.shape.areas };
+      return { values: run && (await run.values(0, column)), areas: run?.weights };
     }));
   }
 

@@ -64,9 +64,13 @@ function exceededBy(numbers, areas, part, { low, high }) {
 
 /**
  * Ends of a colour scale: from 0, unless some numbers are negative, to the value that 0.5 % of the area
- * exceeds, so that single organs do not darken all others.
+ * exceeds, so that single organs do not darken all others. Numbers without an area count only where there are no others.
  */
-export function scaleOf(numbers, areas) {
+export function scaleOf(all, areas) {
+  const numbers = all.map((number, i) => (areas[i] > 0 ? number : NaN));
+  if (!numbers.some(Number.isFinite) && all.some(Number.isFinite)) {
+    return scaleOf(all, all.map(() => 1));
+  }
   const ends = endsOf(numbers);
   if (!(ends.high >= ends.low)) {
     return { low: 0, high: 1 };

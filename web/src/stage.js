@@ -13,6 +13,7 @@ import { SceneWindow } from "./scene.js";
 import { sunPaths } from "./sun_paths.js";
 import { kMaxMarks } from "./passes.js";
 
+const kGround = 0.45; // of the colour of the ground, so that leaves stand out
 const kBeside = 60; // degrees beside an organ, from which one turns to it
 const rgbOf = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255);
 const isDark = () => document.documentElement.dataset.theme === "dark";
@@ -75,6 +76,9 @@ export class Stage {
     }
     const strength = state.show === "value" ? 0.4 : 0.26;
     this.window.setShading(state.shading ? strength : 0, isDark() ? [0.91, 0.94, 0.92] : [0.08, 0.13, 0.11]);
+    if (this.behind !== undefined && this.behind !== groundColor()) {
+      this.mark(); // another theme
+    }
     this.#showDome();
     this.#showNeighbours();
     this.#moved();
@@ -98,19 +102,22 @@ export class Stage {
     this.window.setBackdrop(isWanted ? makeDome(middle, 0.9 * radius, this.lights.cells) : null);
   }
 
-  /** Colours, of which hidden organs have none and dimmed ones little. */
+  /** Colours, of which hidden organs have none, dimmed ones little, and the ground below organs about a half. */
   #hide(colors, dimmed = null) {
-    const { isShown } = this.page;
-    const ground = packed(groundColor());
-    const mix = (color) => [0, 8, 16].reduce((sum, shift) =>
-      sum | (Math.round(0.15 * ((color >> shift) & 255) + 0.85 * ((ground >> shift) & 255)) << shift), 0);
-    return colors.map((color, i) => (!isShown[i] ? -1 : dimmed && !dimmed.has(i) ? mix(color) : color));
+    const { isShown, run } = this.page;
+    const behind = packed(groundColor());
+    const hasOthers = run.isGround.includes(0);
+    const mix = (color, own) => [0, 8, 16].reduce((sum, shift) =>
+      sum | (Math.round(own * ((color >> shift) & 255) + (1 - own) * ((behind >> shift) & 255)) << shift), 0);
+    const own = (i) => (dimmed && !dimmed.has(i) ? 0.15 : run.isGround[i] && hasOthers && !dimmed ? kGround : 1);
+    return colors.map((color, i) => (isShown[i] ? mix(color, own(i)) : -1));
   }
 
   mark() {
     const { page } = this;
-    if (this.painted !== page.colors || this.dimmed !== page.pointed || this.besideShown !== this.besidePainted) {
-      Object.assign(this, { painted: page.colors, dimmed: page.pointed, besidePainted: this.besideShown });
+    const behind = groundColor();
+    if (this.painted !== page.colors || this.behind !== behind || this.dimmed !== page.pointed || this.besideShown !== this.besidePainted) {
+      Object.assign(this, { behind, painted: page.colors, dimmed: page.pointed, besidePainted: this.besideShown });
       this.window.paint(this.#hide(page.colors, page.pointed));
       if (page.state.beside) {
         this.window.paintPlant(this.#hide(plantColors(page.run), page.pointed));
