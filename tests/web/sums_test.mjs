@@ -3,10 +3,11 @@
 // Rationale: the largest number of the page is the one that is published; a right number with wrong words is false.
 // Expected behaviour: it is of all organs, or of those that are shown: with the error of a group of the result that has
 // just these, else without one. Parts of the light that enters are given in a periodic cell alone, and light goes back to
-// the sky only where a ground takes the rest; elsewhere there is the mean per area. Parts have the errors of the result.
+// the sky only where a ground takes the rest; elsewhere there is the mean per area. Parts have the errors of the result. What has no
+// sum over a day is shown at its brightest hour.
 
 import assert from "node:assert/strict";
-import { Workshop, open, twoLeaves } from "./workshop.mjs";
+import { Workshop, kDay, open, twoLeaves } from "./workshop.mjs";
 
 const workshop = new Workshop("sums");
 
@@ -94,16 +95,42 @@ async function checkFractions(page, result) {
   }
 }
 
+/** A fraction has no sum: the brightest hour is shown, and the day can't be chosen. */
+async function checkFraction(page, result) {
+  await open(page, `${workshop.address("day")}#quantity=sunlit_fraction&band=`);
+  await page.waitForFunction(() => document.querySelectorAll("#histogram .hit").length > 0);
+  const lights = result.time_steps.map(({ energy }) => energy.PAR.absorbed_by_organs.mean);
+  const brightest = result.time_steps[lights.indexOf(Math.max(...lights))].time.slice(11, 16);
+  assert.equal(await page.locator("#time-title").textContent(), brightest);
+  assert.ok(await page.getByRole("radio", { name: "Day" }).isDisabled());
+  await page.locator("#quantity").selectOption("absorbed_flux_density");
+  await page.waitForFunction(() => !document.querySelector("#period button").disabled);
+  await page.getByRole("radio", { name: "Day" }).click();
+  await page.waitForFunction(() => document.querySelector("#time-title").textContent === "Sum of the day");
+  await page.locator("#quantity").selectOption("sunlit_fraction");
+  await page.waitForFunction((time) => document.querySelector("#time-title").textContent === time, brightest);
+}
+
+const kDayFile = `
+title = "A day"
+bands = ["PAR"]
+${kDay}
+[run]
+paths = 64
+${kCell}${kGround}${twoLeaves()}`;
+
 workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   const grouped = workshop.compute("grouped", runFile(kCell + kGround, 'groups = ["kind"]'));
   const plain = workshop.compute("plain", runFile(kCell + kGround));
   workshop.compute("bare", runFile(kCell));
   const alone = workshop.compute("alone", runFile());
-  ["grouped", "plain", "bare", "alone"].forEach((name) => workshop.report(name));
+  const day = workshop.compute("day", kDayFile);
+  ["grouped", "plain", "bare", "alone", "day"].forEach((name) => workshop.report(name));
   await checkShown(page, grouped);
   await checkWithoutGroups(page, plain);
   await checkParts(page, alone);
   await checkFractions(page, plain);
+  await checkFraction(page, day);
   assert.deepEqual(workshop.faults, []);
 });

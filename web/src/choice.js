@@ -6,7 +6,7 @@ import { make } from "./dom.js";
 export function roving(parent, selector, act) {
   parent.addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[event.key];
-    const all = [...parent.querySelectorAll(selector)].filter((one) => !one.hidden);
+    const all = [...parent.querySelectorAll(selector)].filter((one) => !one.hidden && !one.disabled);
     const at = all.indexOf(document.activeElement);
     if (!step || at < 0) {
       return;

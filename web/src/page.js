@@ -129,6 +129,19 @@ export class Page {
     return allPlants(this.headOf(day), "absorbed_flux", this.band)?.mean ?? 0;
   }
 
+  /** The time of most light on the day of an entry. */
+  brightestBeside(entry) {
+    const { timeline } = this;
+    const beside = timeline.points.length > 0 ? timeline.steps : timeline.stepsBeside(entry);
+    return beside.reduce((best, step) => (this.lightOf(step) > this.lightOf(best) ? step : best), beside[0]);
+  }
+
+  /** Whether the result has the shown quantity at an entry: sums over times lack fractions. */
+  hasAt({ point, index }) {
+    const { values } = this.run.json.times[index] ?? {};
+    return point === -1 ? this.run.json.columns[this.column].band !== "" : values === undefined || values[this.column] >= 0;
+  }
+
   /** The values of an organ at entries of the timeline, see RunData.course. */
   courseOf(entries, column, organ) {
     return this.live ? this.live.course(entries, column, this.run.idOf(organ)) : this.run.course(entries.map(({ index }) => index), column, organ);
@@ -201,6 +214,10 @@ export class Page {
     const { run, state } = this;
     this.entry = this.timeline.find(state.time) ?? this.entry;
     const { time, column } = this;
+    const step = run.has(time, column) ? null : this.brightestBeside(this.entry);
+    if (step && step !== this.entry && this.hasAt(step) && !this.timeline.steps.includes(this.entry)) {
+      return this.goTo(step);
+    }
     const [values, difference] = await Promise.all([
       run.values(time, column), state.show === "difference" ? this.minus.values(time, column) : null]);
     if (time !== this.time || column !== this.column || run !== this.run) {

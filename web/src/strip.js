@@ -50,6 +50,15 @@ export class Strip {
     }
   }
 
+  /** A period can't be chosen where the quantity has no values. */
+  #enable(name, isThere) {
+    const button = this.choice?.buttons.get(name);
+    if (button) {
+      button.disabled = !isThere;
+      button.title = isThere ? "" : "This quantity has values for single times only";
+    }
+  }
+
   #periodOf(entry) {
     const { timeline } = this.page;
     return entry === timeline.total ? "sum" : timeline.days.includes(entry) ? "day" : "step";
@@ -58,10 +67,8 @@ export class Strip {
   #usePeriod(kind) {
     const { page } = this;
     const { timeline, entry } = page;
-    const beside = timeline.points.length > 0 ? timeline.steps : timeline.stepsBeside(entry);
     const day = timeline.days.find(({ date }) => date === (entry.date ?? timeline.dates[0])) ?? timeline.days[0];
-    const brightest = beside.reduce((best, step) => (page.lightOf(step) > page.lightOf(best) ? step : best), beside[0]);
-    page.goTo({ sum: timeline.total, day, step: brightest }[kind]);
+    page.goTo({ sum: timeline.total, day, step: page.brightestBeside(entry) }[kind]);
   }
 
   /** Draws all anew. */
@@ -76,6 +83,7 @@ export class Strip {
     this.#fillPeriods();
     const kind = this.#periodOf(entry);
     this.choice?.set(kind);
+    Object.entries({ sum: timeline.total, day: timeline.days[0] }).forEach(([name, one]) => this.#enable(name, !one || page.hasAt(one)));
     const { title, note } = timeline.titleOf(entry, (step) => page.lightOf(step));
     this.now.replaceChildren(make("b", { id: "time-title" }, title), make("span", {}, `${note}${page.state.show === "difference" ? " · bars: this result alone" : ""}`.replace(/^ · /, "")));
     this.button.hidden = this.isStill.matches || timeline.steps.length < 2;
