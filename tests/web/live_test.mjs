@@ -240,7 +240,7 @@ shape = "triangle"
 corners = [[-1, -1, 0.5], [1, -1, 0.5], [0, 1.2, 0.5]]
 `);
   const run = spawn(quasimc, ["run", "run.toml", "--view"], { cwd: folder, stdio: ["ignore", "ignore", "pipe"] });
-  let heard = "";
+  let told = "";
   run.stderr.on("data", (bytes) => (told += bytes));
   const ended = new Promise((done) => run.once("exit", done));
   try {

@@ -66,7 +66,7 @@ async function checkPoints(page, address, result) {
   const value = Number.parseFloat(await cardValue(page));
   const { mean, standard_error: error } = upperAt(result, 1);
   assert.ok(Math.abs(value - mean) <= Math.max(error, 0.001 * mean), `${value}, ${mean} ± ${error}`);
-  await page.waitForFunction(() => location.hash.includes("time=point-2"));
+  await page.waitForFunction(() => location.hash.includes("time=point-2") && location.hash.includes("pins"));
   await page.reload();
   await page.waitForSelector("html[data-state=ready]");
   assert.equal(await shown(page), "elevation 45°", "the address keeps the point");
@@ -110,8 +110,7 @@ async function checkYear(page, address, result) {
   const own = Number.parseFloat((await page.locator("#headline .number .error").textContent()).replace(/[^\d.]/g, ""));
   assert.ok(Math.abs(own - error) < 0.1 * error, `the bound ${own} for ${error}`);
   await page.getByRole("radio", { name: "Days" }).click();
-  await page.locator("#strip").press("ArrowRight");
-  await page.waitForFunction(() => document.getElementById("time-title").textContent === "15 June 2023");
+  await page.waitForFunction(() => document.getElementById("time-title").textContent === "15 June 2023"); // the day of most light
   assert.ok(Math.abs((await headline()) - days[1].mean / 4e6) < 0.005 * days[1].mean / 4e6);
   await page.setViewportSize({ width: 390, height: 844 });
   assert.equal(await crowded(page), 0);
@@ -122,6 +121,12 @@ async function checkYear(page, address, result) {
   const hours = result.points[1].time_steps.filter(({ energy }) => energy.PAR.absorbed_by_organs.mean > 0).length;
   assert.ok(Math.abs((await page.locator("#strip .step:not(.day)").count()) - hours) <= 1, "bars of hours");
   await page.waitForFunction(() => location.hash.includes("point-2%20"));
+  const end = await page.locator("#legend-scale .tick.last").textContent();
+  await page.locator("#strip").click({ position: { x: 2, y: 8 } }); // the first day in the row above
+  await page.waitForFunction(() => document.getElementById("time-title").textContent === "15 January 2023");
+  await page.getByRole("radio", { name: "Hours" }).click();
+  await page.waitForFunction(() => location.hash.includes("point-1%20"));
+  assert.equal(await page.locator("#legend-scale .tick.last").textContent(), end, "hours of all days have one scale");
   await page.reload();
   await page.waitForSelector("html[data-state=ready]");
   assert.match(await shown(page), /^\d\d:00$/, "the address keeps the hour of a day");

@@ -4,7 +4,7 @@ import { classColor, kClasses, kDark, kFaint } from "./classes.js";
 import { make, svg } from "./dom.js";
 import { areaText, counted, estimate, interval, percent, plain, withError, withUnit } from "./format.js";
 import { numberNode } from "./headline.js";
-import { kSure } from "./numbers.js";
+import { cssOf, kSure } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 
 const kMaxColumns = 60; // in "All numbers"
@@ -86,10 +86,14 @@ export class Cards {
     this.page.say("Copied");
   }
 
+  get #isDifference() {
+    return this.page.state.show === "difference";
+  }
+
   #rank(organ) {
     const { mean } = this.page.values;
     const { isPlant } = this.page.run;
-    if (!Number.isFinite(mean[organ]) || !isPlant[organ]) {
+    if (!Number.isFinite(mean[organ]) || !isPlant[organ] || this.#isDifference) {
       return "";
     }
     const rank = mean.reduce((count, value, i) => count + (isPlant[i] && value > mean[organ] ? 1 : 0), 1);
@@ -100,9 +104,10 @@ export class Cards {
     const { classes, values } = this.page;
     const number = classes[organ];
     const swatch = make("i", { class: "swatch" });
-    swatch.style.backgroundColor = classColor(number);
+    swatch.style.backgroundColor = this.#isDifference ? cssOf(this.page.colors[organ]) : classColor(number);
+    const isClear = Math.abs(values.mean[organ]) >= kSure * (values.error[organ] || 0);
     const relative = values.error[organ] / Math.abs(values.mean[organ]);
-    const words = number === kDark ? "no light found" : number === kFaint ? "too faint to matter" : number >= kClasses.length ? "error not known"
+    const words = this.#isDifference ? isClear ? "a clear difference" : "no clear difference" : number === kDark ? "no light found" : number === kFaint ? "too faint to matter" : number >= kClasses.length ? "error not known"
       : relative > 0.5 ? "known to no better than 50 %" : `known to ${percent(relative)}`;
     const ends = Number.isFinite(values.low[organ]) ? ` · 95 %: ${interval(values.low[organ], values.high[organ], values.error[organ])}` : "";
     return make("p", { class: "sure" }, swatch, words + ends);
@@ -130,14 +135,14 @@ export class Cards {
     const of = (organ) => ({ mean: mean[organ], error: error[organ] });
     const rows = pins.map((organ, i) => make("tr", {}, make("th", { scope: "row" }, letterBadge(i)),
       make("td", { class: "number" }, this.#valueText(organ)),
-      make("td", { class: "number" }, i === 0 ? "" : comparedWords(of(pins[0]), of(organ)))));
+      !this.#isDifference && make("td", { class: "number" }, i === 0 ? "" : comparedWords(of(pins[0]), of(organ)))));
     return make("section", { class: "card compared" }, make("h3", {}, "Compared"),
-      make("table", {}, make("thead", {}, make("tr", {}, make("th", {}), make("th", { class: "number", scope: "col" }, this.page.unit || "value"), make("th", { class: "number", scope: "col" }, "against A"))), make("tbody", {}, rows)));
+      make("table", {}, make("thead", {}, make("tr", {}, make("th", {}), make("th", { class: "number", scope: "col" }, this.page.unit || "value"), !this.#isDifference && make("th", { class: "number", scope: "col" }, "against A"))), make("tbody", {}, rows)));
   }
 
   #valueText(organ) {
     const { mean, error, high } = this.page.values;
-    const { value, error: own } = estimate(mean[organ], error[organ], high[organ]);
+    const { value, error: own } = estimate(mean[organ], error[organ], this.#isDifference ? undefined : high[organ]);
     return [value, own && make("span", { class: "error" }, ` ± ${own}`)];
   }
 }

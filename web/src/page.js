@@ -254,19 +254,14 @@ export class Page {
 
   /** Of what a common scale is: points of a sweep or frames have one together, and times of one result. */
   get #scaleOwner() {
-    return this.live?.allValues && !this.#isOfRun ? this.live : this.run;
-  }
-
-  /** Whether an entry and those beside it are times of one result. */
-  get #isOfRun() {
-    return this.timeline.points.length > 0 && !this.timeline.points.includes(this.entry);
+    return this.live?.allValues && this.entry !== this.timeline.total ? this.live : this.run;
   }
 
   /** The values of all times that have a common scale: [{values, areas}]; null values where there are none. */
   async #allValues() {
     const { run, column } = this;
     if (this.#scaleOwner === this.live) {
-      return this.live.allValues(column);
+      return this.live.allValues(column, this.entry);
     }
     const isOne = run.json.times.length === 1;
     const steps = this.timeline.steps.includes(this.entry) && !isOne ? this.timeline.steps : [this.entry];

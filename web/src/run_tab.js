@@ -93,14 +93,16 @@ function named(text, usual) {
 function aboutRun(run, now) {
   const { head } = run.json;
   const { organs, triangles, length_unit: unit } = head.scene ?? {};
-  const method = now.method ?? head.method;
+  const step = (head.time_steps ?? []).reduce((best, one) => ((one.completed?.paths ?? 0) > (best?.completed?.paths ?? 0) ? one : best), undefined);
+  const method = now.method ?? head.method ?? step?.method;
+  const { paths, replicates } = step?.completed ?? {};
   const rows = [
     ["scene", `${many(organs ?? run.organCount, "organ")}, ${many(triangles ?? run.shape.triangles, "triangle")}${unit ? `, lengths in ${unit}` : ""}`],
     ...sourceWords(head.sources ?? []).map((source) => ["source", source]),
     ...(head.point ? [["point", words(head.point)]] : []),
     ...[head.time ?? []].flat().map((text) => named(timeWords(words(text)), "time steps")),
     ...(method ? [["method", methodWords(method)]] : []),
-    ["completed", completedWords(now.completed ?? head.completed ?? {})],
+    ["completed", [completedWords({ paths, replicates, ...(now.completed ?? head.completed) }), head.timing && `${plain(head.timing.total_s)}\u00a0s`].filter(Boolean).join("; ")],
     ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (p = ${plain(now.audit.p_value)})`]] : []),
     ["program", head.program_version ? `QuasiMC ${head.program_version}` : run.json.program],
     ...(head.run_file_path ? [["run file", head.run_file_path]] : []),

@@ -76,7 +76,7 @@ export class SkyDisc {
     const azimuth = Math.atan2(sun[0] * ny - sun[1] * nx, sun[0] * nx + sun[1] * ny);
     const wind = kWinds[Math.round((azimuth / (2 * Math.PI)) * 8 + 8) % 8];
     const high = (Math.asin(sun[2]) * 180) / Math.PI;
-    return high < 0 ? "Light from below" : `Sun ${Math.round(high)}° high, ${wind}`;
+    return high > 85 ? "Sun overhead" : high < 0 ? "Light from below" : `Sun ${Math.round(high)}° high, ${wind}`;
   }
 
   #drawSky(cells) {

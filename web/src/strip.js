@@ -64,8 +64,11 @@ export class Strip {
     return entry === timeline.total ? "sum" : timeline.days.includes(entry) ? "day" : "step";
   }
 
-  #usePeriod(kind) {
+  async #usePeriod(kind) {
     const { page } = this;
+    if (page.entry === page.timeline.total && page.timeline.points.length > 0 && kind !== "sum") {
+      await page.goTo(page.timeline.points.reduce((best, point) => (page.lightOf(point) > page.lightOf(best) ? point : best)));
+    }
     const { timeline, entry } = page;
     const day = timeline.days.find(({ date }) => date === (entry.date ?? timeline.dates[0])) ?? timeline.days[0];
     page.goTo({ sum: timeline.total, day, step: page.brightestBeside(entry) }[kind]);

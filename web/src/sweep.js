@@ -115,12 +115,15 @@ export class SweepView {
     }));
   }
 
-  /** Values of all organs at all points, for a common scale. A promise. */
-  allValues(column) {
-    return Promise.all(this.names.map(async (_, point) => {
+  /** Values of all organs at all points, or at all of their hours if an entry is one, for a common scale. A promise. */
+  async allValues(column, { start }) {
+    const all = await Promise.all(this.names.map(async (_, point) => {
       const run = await this.run(point);
-      return { values: await run.values(run.json.times.length - 1, column), areas: run.weights };
+      const { times } = run.json;
+      const wanted = [...times.keys()].filter((time) => (start === null ? time === times.length - 1 : times[time].part === "time_steps"));
+      return Promise.all(wanted.map(async (time) => ({ values: await run.values(time, column), areas: run.weights })));
     }));
+    return all.flat();
   }
 
   /** Reads the light of all other points, for the heights of their bars. */

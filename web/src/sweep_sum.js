@@ -41,8 +41,9 @@ export function sumOfPoints(runs, weights) {
   const heads = runs.map((run) => run.headOf(run.json.times.length - 1));
   const head = { groups: summedGroups(heads, parts), seconds: isOfTimes ? sumOf(heads.map(({ seconds }) => seconds), parts) : undefined };
   const known = (column) => column.band && runs.every((run) => run.has(run.json.times.length - 1, first.json.columns.indexOf(column)));
+  const common = { ...first.json.head, point: `all ${runs.length}`, completed: undefined, method: undefined, timing: undefined };
   const json = {
-    ...first.json, head: isOfTimes ? { ...first.json.head, time_steps: undefined, days: undefined, total: head } : { ...first.json.head, energy: undefined, ...head },
+    ...first.json, head: isOfTimes ? { ...common, time_steps: undefined, days: undefined, total: head } : { ...common, energy: undefined, ...head },
     times: [{ part: isOfTimes ? "total" : "", index: 0, label: "", suns: [], lamps: [], sky: null, values: first.json.columns.map((column, i) => (known(column) ? i : -1)),
       paths: runs.map((run) => run.json.times.filter(({ part }) => part === "time_steps").flatMap(({ suns }) => suns)).filter((suns) => suns.length > 1) }],
   };
