@@ -122,8 +122,8 @@ export async function buildPage(run, timeline, graphics, live = null, time = nul
   const strip = new Strip(page, byId("time"));
   const zoom = (organ) => stage?.zoomTo(organ);
   const find = new Find(page, (organ) => {
+    stage?.lookAt(organ); // before its card takes a part of the scene
     page.pins.includes(organ) || page.pin(organ);
-    stage?.lookAt(organ);
   });
   page.parts = [theme, new Head(page), new Panel(page, byId("panel"), (azimuth, elevation) => stage?.lookFrom(azimuth, elevation)), ...(stage ? [stage, new Legend(page, byId("legend"))] : []),
     new Drawer(page), strip, new Cards(page, byId("cards"), zoom), find, ...(stage ? [new SkyDisc(page, byId("disc"), () => stage.window.orbit.view)] : [])];
