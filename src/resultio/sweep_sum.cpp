@@ -16,11 +16,29 @@
 #include "results/fraction_table.h"
 #include "results/groups.h"
 #include "results/sensor_transmittance.h"
+#include "results/summable_light.h"
 #include "runfile/table_rows.h"
 #include "runfile/written.h"
 #include "scene/sensors.h"
 
 namespace quasimc {
+namespace {
+
+/// The sunlit areas of rows in each replicate; empty without directional sources.
+CombinedReplicates sunlit_areas(const SeriesSums& sums, std::span<const OrganWeights> rows) {
+    const SummableLight organs = SummableLight::of_sunlit_area(sums.sums, sums.scene, sums.spec);
+    if (organs.size() == 0) {
+        return {};
+    }
+    const SummableLight areas = organs.combined(rows, sums.spec.threads);
+    CombinedReplicates all{{areas.deviations().begin(), areas.deviations().end()}, areas.sizes()};
+    for (std::size_t i = 0; i < all.values.size(); ++i) {
+        all.values[i] += areas.means()[i % areas.size()];
+    }
+    return all;
+}
+
+}  // namespace
 
 std::string sweep_comments(const RunFile& run) {
     std::string weights;
@@ -155,8 +173,7 @@ void SweepSum::add_parts(const SeriesSums& sums, const Rows& rows) {
             {light, time});
     }
     if (has_sunlit_) {
-        const CombinedReplicates areas =
-            combine_sunlit_replicates(sums.sums, sums.scene, sums.spec, rows.organs);
+        const CombinedReplicates areas = sunlit_areas(sums, rows.organs);
         if (!areas.values.empty()) {
             sunlit_.add(areas, time);
         }
