@@ -22,10 +22,11 @@ class CheckpointTest : public ProgramTest {
     void SetUp() override {
         ProgramTest::SetUp();
         folder_.write(
-            "day.toml", good_run_file() +
-                            "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
-                            "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-20\"\n"
-                            "utc_offset_hours = 1\nhours = [9, 14]\nsky = \"uniform\"\n");
+            "day.toml",
+            replaced(good_run_file(), "[[material]]", "on_hours = [0, 24]\n[[material]]") +
+                "[site]\nlatitude_deg = 51.97\nlongitude_deg = 5.67\n"
+                "[time]\nfrom = \"2024-06-20\"\nto = \"2024-06-20\"\n"
+                "utc_offset_hours = 1\nhours = [9, 14]\nsky = \"uniform\"\n");
         folder_.write(
             "sweep.toml", good_run_file() + "[sweep]\nmax_depth = [1, 2]\nseed = [1, 2, 3]\n");
     }
