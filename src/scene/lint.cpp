@@ -239,7 +239,7 @@ std::vector<LintFinding> lint_by_check(const Scene& scene) {
         std::string_view name;
         std::vector<Warning> (*run)(const Survey& survey);
     };
-    constexpr std::array<Check, 8> kChecks{
+    constexpr std::array<Check, 9> kChecks{
         {{"unit", lint_unit},
          {"sizes", lint_sizes},
          {"materials", lint_materials},
@@ -247,7 +247,8 @@ std::vector<LintFinding> lint_by_check(const Scene& scene) {
          {"ground", lint_ground},
          {"areas", lint_areas},
          {"thin", lint_thin},
-         {"overlap", lint_overlap}}};
+         {"overlap", lint_overlap},
+         {"sensors", lint_sensors}}};
     const Survey survey = survey_of(scene);
     std::vector<LintFinding> findings;
     for (const Check& check : kChecks) {

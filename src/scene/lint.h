@@ -80,6 +80,10 @@ class WarningKind {
 /// Warns of coplanar triangles that overlap.
 [[nodiscard]] std::vector<Warning> lint_overlap(const Survey& survey);
 
+/// Warns of sensors inside closed opaque organs, where they receive no light. Scenes and organs
+/// that would take long are not checked.
+[[nodiscard]] std::vector<Warning> lint_sensors(const Survey& survey);
+
 /// Whether the area of a triangle is zero within rounding.
 [[nodiscard]] bool is_degenerate(const Triangle& triangle);
 
