@@ -34,8 +34,12 @@ function until(child, said, find) {
   });
 }
 
-// Coloured, as is an edge that is half of the ground; the ground and the frame are nearly grey.
-const isCovered = (red, green, blue) => Math.max(red, green, blue) - Math.min(red, green, blue) > 10;
+// Covered by half or more, on the side of the light or on that of the plant, whose green is less saturated than colours of
+// light; or covered in part, as at an edge. The ground and the frame are nearly grey.
+const kHalf = [45, 25];
+const kSome = 6;
+const saturation = (color) => Math.max(...color.slice(0, 3)) - Math.min(...color.slice(0, 3));
+const isCovered = (side) => (...color) => saturation(color) > kHalf[side];
 // Leaves of the plant are of one green, darker where they are seen edge-on; of light none has that.
 const isPlantGreen = (red, green, blue) => Math.abs(red / green - 150 / 190) < 0.03 && Math.abs(blue / green - 110 / 190) < 0.03;
 
@@ -43,6 +47,7 @@ const isPlantGreen = (red, green, blue) => Math.abs(red / green - 150 / 190) < 0
 async function canvasPixels(page) {
   const shot = async () => {
     await page.waitForTimeout(300);
+    await page.waitForSelector("#canvas[data-rest=yes]");
     return page.locator("#canvas").screenshot();
   };
   let [before, now] = [await shot(), await shot()];
@@ -53,17 +58,17 @@ async function canvasPixels(page) {
   return { ...pixels, half: await page.evaluate(() => Math.floor(document.querySelector("#canvas").clientWidth / 2)) };
 }
 
-/** Of the pixels covered in one half of the canvas or the other the part that both have, and how many are green on each side. */
+/** Of the pixels covered in one half of the canvas or the other the part that is covered in both, if only in part; and how many are green on each side. */
 function compareHalves({ width, height, half, data }) {
   let [both, any] = [0, 0];
   const green = [0, 0];
   for (let y = 0; y < height - 30; ++y) { // without the words below
     for (let x = 0; x < half; ++x) {
       const colors = [x, x + half].map((place) => [...data.subarray(4 * (y * width + place), 4 * (y * width + place) + 3)]);
-      const [left, right] = colors.map((color) => isCovered(...color));
-      both += left && right ? 1 : 0;
+      const [left, right] = colors.map((color, side) => isCovered(side)(...color));
+      both += (left || right) && colors.every((color) => saturation(color) > kSome) ? 1 : 0;
       any += left || right ? 1 : 0;
-      colors.forEach((color, side) => (green[side] += isCovered(...color) && isPlantGreen(...color) ? 1 : 0));
+      colors.forEach((color, side) => (green[side] += isCovered(side)(...color) && isPlantGreen(...color) ? 1 : 0));
     }
   }
   return { agreement: both / any, any, green };
@@ -80,7 +85,7 @@ async function checkSides(page) {
   const box = await page.locator("#canvas").boundingBox();
   const { width, half, data } = await canvasPixels(page);
   const at = Array.from({ length: data.length / 4 }, (_, i) => i).find((i) => i % width > 5 && i % width < half - 5 &&
-    [i - 3, i, i + 3, i - 3 * width, i + 3 * width].every((j) => isCovered(...data.subarray(4 * j, 4 * j + 3))));
+    [i - 3, i, i + 3, i - 3 * width, i + 3 * width].every((j) => isCovered(0)(...data.subarray(4 * j, 4 * j + 3))));
   const tipAt = async (shift) => {
     await page.mouse.move(2, 2);
     await page.waitForSelector("#tip", { state: "hidden" });
@@ -122,7 +127,8 @@ async function check(browser, child, said) {
   await checkFrame(1);
   await page.keyboard.press("ArrowRight");
   await checkFrame(2);
-  assert.ok(compareHalves(await canvasPixels(page)).agreement > 0.97, "the plant does not follow");
+  const followed = compareHalves(await canvasPixels(page));
+  assert.ok(followed.agreement > 0.97, `the plant does not follow: ${JSON.stringify(followed)}`);
   assert.deepEqual(faults, []);
   child.removeAllListeners("exit");
   child.stdin.end("\n");
