@@ -371,6 +371,7 @@ export class SceneWindow {
 
   /** The position of a point of the scene on the canvas, CSS pixels, in the first view. */
   project(point) {
+    this.camera.updateMatrixWorld(); // it may have moved since the last frame
     const seen = point.clone().project(this.camera);
     return [((seen.x + 1) / 2) * this.#width, ((1 - seen.y) / 2) * this.canvas.clientHeight];
   }
