@@ -229,6 +229,7 @@ const char* quasimc_result_sensor_set_receiver(const quasimc_result* result, con
     });
 }
 
+// NOLINTNEXTLINE(readability-function-size): names and an array, which C has no type to join
 int quasimc_result_get_sensor_set(
     const quasimc_result* result,
     const char* set,
