@@ -104,7 +104,11 @@ async function checkYear(page, address, result) {
   const days = result.points.map(({ total }) => total.groups.find(({ by }) => by === "all").absorbed_flux.PAR);
   const sum = days.reduce((all, { mean }, i) => all + kWeights[i] * mean, 0) / 4e6; // MJ, of 4 square metres
   const headline = async () => Number.parseFloat((await page.locator("#headline .number").textContent()).replace(/,/g, ""));
-  assert.equal(await shown(page), "All days");
+  assert.equal(await shown(page), `${kWeights.reduce((all, weight) => all + weight, 0)} days`);
+  assert.equal(await page.locator("#course-unit").textContent(), "MJ\u00a0m⁻²\u00a0d⁻¹");
+  await page.getByRole("tab", { name: "Run and warnings" }).click();
+  assert.match(await page.locator("#report").textContent(), /points3: 15 January 2023 to 15 November 2023; 256 paths × \d+ replicates eachsite/);
+  await page.getByRole("tab", { name: "Charts" }).click();
   assert.ok(Math.abs((await headline()) - sum) < 0.005 * sum, `${await headline()} for ${sum}`);
   const error = kWeights.reduce((all, weight, i) => all + weight * days[i].standard_error, 0) / 4e6;
   const own = Number.parseFloat((await page.locator("#headline .number .error").textContent()).replace(/[^\d.]/g, ""));

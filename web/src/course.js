@@ -54,7 +54,8 @@ export class Course {
     const hasClock = steps.every(({ start }) => start !== null);
     const at = steps.map(({ start, hours }, i) => (hasClock ? start + hours / 2 : i));
     byId("course-title").textContent = hasClock ? "Through the day" : steps[0].by ? `By ${steps[0].by}` : `Along the ${page.timeline.kindOf(steps)}`;
-    byId("course-unit").textContent = page.unitAt(steps);
+    const isDays = page.timeline.days.includes(steps[0]) && steps[0].isDate;
+    byId("course-unit").textContent = `${page.unitAt(steps)}${isDays ? "\u00a0d⁻¹" : ""}`;
     const isSure = ({ mean, error }) => error > 0 && error < 0.5 * Math.abs(mean); // others would press all together
     const values = [...all, ...pins.flat()].filter(Boolean).flatMap((one) => [one.mean, one.mean + (isSure(one) ? kSure * one.error : 0)]).filter(Number.isFinite);
     if (values.length === 0) {

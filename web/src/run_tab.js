@@ -90,7 +90,8 @@ function named(text, usual) {
   return at > 0 && at < 20 ? [text.slice(0, at), text.slice(at + 2)] : [usual, text];
 }
 
-function aboutRun(run, now) {
+/** @param points  in words, where all of a sweep are shown; empty for one */
+function aboutRun(run, now, points) {
   const { head } = run.json;
   const { organs, triangles, length_unit: unit } = head.scene ?? {};
   const step = (head.time_steps ?? []).reduce((best, one) => ((one.completed?.paths ?? 0) > (best?.completed?.paths ?? 0) ? one : best), undefined);
@@ -99,10 +100,10 @@ function aboutRun(run, now) {
   const rows = [
     ["scene", `${many(organs ?? run.organCount, "organ")}, ${many(triangles ?? run.shape.triangles, "triangle")}${unit ? `, lengths in ${unit}` : ""}`],
     ...sourceWords(head.sources ?? []).map((source) => ["source", source]),
-    ...(head.point ? [["point", words(head.point)]] : []),
+    ...(points ? [["points", `${points}; ${completedWords(head.run_file?.run ?? {})} each`]] : head.point ? [["point", words(head.point)]] : []),
     ...[head.time ?? []].flat().map((text) => named(timeWords(words(text)), "time steps")),
     ...(method ? [["method", methodWords(method)]] : []),
-    ["completed", [completedWords({ paths, replicates, ...(now.completed ?? head.completed) }), head.timing && `${plain(head.timing.total_s)}\u00a0s`].filter(Boolean).join("; ")],
+    ...(points ? [] : [["completed", [completedWords({ paths, replicates, ...(now.completed ?? head.completed) }), head.timing && `${plain(head.timing.total_s)}\u00a0s`].filter(Boolean).join("; ")]]),
     ...(now.audit ? [["audit", `${now.audit.agrees ? "agrees" : "DISAGREES"} with an independent run (p = ${plain(now.audit.p_value)})`]] : []),
     ["program", head.program_version ? `QuasiMC ${head.program_version}` : run.json.program],
     ...(head.run_file_path ? [["run file", head.run_file_path]] : []),
@@ -154,7 +155,7 @@ export class RunTab {
     this.parent.replaceChildren(...[
       ...(warnings.length > 0 ? section(many(warnings.length, "warning"), make("ul", { class: "warnings" },
         warnings.map(({ where, text }) => make("li", {}, where && make("b", {}, `${where}: `), text)))) : []),
-      ...section("How it was computed", aboutRun(run, now)),
+      ...section("How it was computed", aboutRun(run, now, entry.point === -1 ? `${timeline.points.length}: ${timeline.points[0].name} to ${timeline.points.at(-1).name}` : "")),
       ...section(`Where the light goes${when}`, ...this.#lightWords(bands), ...(now.energy ? energyParts(now.energy, now.escaped_by_difference ?? head.escaped_by_difference) : [])),
       ...(now.rounds?.length > 0 ? section(`Convergence${when}`, ...convergenceParts(now.rounds)) : []),
       ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf), missingGroups(run, now.groups)) : []),

@@ -48,7 +48,7 @@ export class SweepView {
   }
 
   timeline() {
-    return Timeline.ofPoints(this.names, this.shown, this.loaded.get(this.shown), this.hasSum);
+    return Timeline.ofPoints(this.names, this.shown, this.loaded.get(this.shown), this.hasSum ? this.weights : null);
   }
 
   /** What is shown first: an entry of the address, or else the sum, or the first point. @returns {run, timeline, key} */

@@ -63,9 +63,9 @@ export class Timeline {
 
   /**
    * The points of a sweep, with the hours of the one that is shown, if it has those of one day.
-   * @param names  see pointNames  @param shown  index of a point  @param run  its RunData  @param hasSum  whether there is a sum of all
+   * @param names  see pointNames  @param shown  index of a point  @param run  its RunData  @param weights  of a sum of all, null for none
    */
-  static ofPoints(names, shown, run, hasSum) {
+  static ofPoints(names, shown, run, weights) {
     const own = Timeline.ofRun(run);
     const hasHours = own.total !== null && own.hasClock && own.dates.length === 1;
     const last = run.json.times.length - 1;
@@ -73,7 +73,10 @@ export class Timeline {
       ...name, label: name.name, date: hasHours && point === shown ? own.dates[0] : null, start: null, hours: 0,
       point, index: point === shown ? last : -1, key: `point-${point + 1}`, isKnown: true,
     }));
-    const total = hasSum ? { point: -1, index: 0, key: "sum", isKnown: true, name: `All ${names.every(({ isDate }) => isDate) ? "days" : "points"}`, note: `weighted ${own.total ? "sum" : "mean"} of ${points.length}` } : null;
+    const kind = names.every(({ isDate }) => isDate) ? "days" : "points";
+    const whole = weights?.reduce((sum, weight) => sum + weight, 0);
+    const name = kind === "days" && own.total && Number.isInteger(whole) ? `${whole} days` : `All ${kind}`; // weights count days
+    const total = weights ? { point: -1, index: 0, key: "sum", isKnown: true, name, note: `weighted ${own.total ? "sum" : "mean"} of ${points.length}` } : null;
     const steps = hasHours ? own.steps.map((step) => ({ ...step, point: shown, key: `${points[shown].key} ${step.label}` })) : points;
     return new Timeline({ steps, days: hasHours ? points : [], total, points });
   }
