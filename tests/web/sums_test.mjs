@@ -119,6 +119,22 @@ ${kDay}
 paths = 64
 ${kCell}${kGround}${twoLeaves()}`;
 
+/** Groups have the unit of their column: energy of a day is in joules, per area in megajoules. */
+async function checkGroups(page, result) {
+  await open(page, `${workshop.address("day")}#tab=run`);
+  const group = result.total.groups.find(({ by }) => by === "all");
+  const table = page.getByRole("region", { name: "PAR: sums over organs" });
+  const units = (await table.locator("th").allTextContents()).slice(3, 5);
+  const numbers = (await table.locator("tbody tr").first().locator("td").allTextContents()).slice(3, 5);
+  const read = (text) => {
+    const [, mean, power = ""] = text.match(/^\(?([\d.,]+).*?(?: × 10(.+))?$/);
+    return Number(mean.replace(/,/g, "")) * 10 ** Number([...power].map((sign) => "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(sign)).join(""));
+  };
+  assert.match(units.join(), /\(J\),.*\(MJ\u00a0m⁻²\)/);
+  [group.absorbed_flux.PAR, group.absorbed_flux_density.PAR].forEach(({ mean, standard_error: error }, i) =>
+    assert.ok(Math.abs(read(numbers[i]) - mean / [1, 1e6][i]) <= error / [1, 1e6][i], `${numbers}: ${mean}`));
+}
+
 workshop.use(async (browser) => {
   const page = await workshop.page(browser);
   const grouped = workshop.compute("grouped", runFile(kCell + kGround, 'groups = ["kind"]'));
@@ -132,5 +148,6 @@ workshop.use(async (browser) => {
   await checkParts(page, alone);
   await checkFractions(page, plain);
   await checkFraction(page, day);
+  await checkGroups(page, day);
   assert.deepEqual(workshop.faults, []);
 });

@@ -45,14 +45,14 @@ function energyParts(energy, isRemainder) {
     ["Band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "ended by chance"], rows)];
 }
 
-function groupTables(groups, bands, unitOf) {
+function groupTables(groups, bands, unitOf, factorOf) {
   const hasSunlit = groups.some(({ sunlit_fraction: fraction }) => fraction);
-  const estimate = estimateIn(1);
+  const estimateOf = (group, quantity, band) => estimateIn(factorOf(quantity, band))(group[quantity]?.[band]);
   return bands.map((band) => table(`${band}: sums over organs ± standard error`,
     ["group", "organs", "area", `absorbed (${unitOf("absorbed_flux", band)})`, `absorbed per area (${unitOf("absorbed_flux_density", band)})`, ...(hasSunlit ? ["sunlit fraction"] : [])],
     groups.map((group) => [
       group.by === "all" ? "all organs" : `${group.by} = ${words(group.value)}`, { number: counted(group.organs) }, { number: plain(group.area) },
-      estimateIn(plainUnit(unitOf("absorbed_flux", band, true)).factor)(group.absorbed_flux?.[band]), estimate(group.absorbed_flux_density?.[band]), ...(hasSunlit ? [estimate(group.sunlit_fraction)] : [])])));
+      estimateOf(group, "absorbed_flux", band), estimateOf(group, "absorbed_flux_density", band), ...(hasSunlit ? [estimateIn(1)(group.sunlit_fraction)] : [])])));
 }
 
 /** Advice on totals of labels without groups in the run: their errors do not follow from those of organs. */
@@ -146,10 +146,9 @@ export class RunTab {
     const { head } = run.json;
     const bands = [...new Set(run.json.columns.map(({ band }) => band).filter(Boolean))];
     const when = entry.name ? `, ${timeline.wordsOf(entry)}` : "";
-    const unitOf = (quantity, band, isRaw) => {
-      const found = run.columnOf(quantity, band);
-      return found < 0 ? "" : isRaw ? run.json.columns[found].unit : run.unit(this.page.time, found);
-    };
+    const columnOf = (quantity, band) => run.columnOf(quantity, band);
+    const unitOf = (quantity, band) => (columnOf(quantity, band) < 0 ? "" : run.unit(this.page.time, columnOf(quantity, band)));
+    const factorOf = (quantity, band) => (columnOf(quantity, band) < 0 ? 1 : run.factorOf(this.page.time, columnOf(quantity, band)));
     const warnings = head.warnings ?? [];
     const section = (title, ...nodes) => [make("h2", {}, title), ...nodes];
     this.parent.replaceChildren(...[
@@ -158,7 +157,7 @@ export class RunTab {
       ...section("How it was computed", aboutRun(run, now, entry.point === -1 ? `${timeline.points.length}: ${timeline.points[0].name} to ${timeline.points.at(-1).name}` : "")),
       ...section(`Where the light goes${when}`, ...this.#lightWords(bands), ...(now.energy ? energyParts(now.energy, now.escaped_by_difference ?? head.escaped_by_difference) : [])),
       ...(now.rounds?.length > 0 ? section(`Convergence${when}`, ...convergenceParts(now.rounds)) : []),
-      ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf), missingGroups(run, now.groups)) : []),
+      ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf, factorOf), missingGroups(run, now.groups)) : []),
       settings(head),
     ].filter(Boolean));
   }
