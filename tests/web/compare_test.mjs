@@ -85,7 +85,7 @@ async function checkDay(page, one, other) {
   const before = await widths();
   await choose(page, file("lowday"));
   let after = await widths();
-  for (let i = 0; i < 30 && !after.every(([wide, drawn]) => wide === drawn); ++i) {
+  for (let i = 0; i < 60 && !(after.length === 2 && after.every(([wide, drawn]) => wide === drawn)); ++i) {
     await page.waitForTimeout(100);
     after = await widths();
   }

@@ -32,7 +32,7 @@ const addressOf = (name, more = "") => `${workshop.address(name)}#directions=fal
 
 /** The picture at rest, without what lies over the scene. */
 async function picture(page) {
-  await page.waitForTimeout(800);
+  await page.waitForTimeout(2000);
   await page.waitForSelector("#canvas[data-rest=yes]");
   await page.evaluate(() => ["legend", "disc", "before", "behind", "badges"].forEach((id) => (document.getElementById(id).style.visibility = "hidden")));
   return pixelsOf(page, await page.locator("#canvas").screenshot());
