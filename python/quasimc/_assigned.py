@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 
 from . import _core
+from ._keys import near
 from ._meshes import input_error
 from ._tables import SCENE_KEYS
 from .scene_sources import Sources, source_tables
@@ -94,5 +94,5 @@ def _instead_of(name, known):
     """What to write instead of a name that does not exist, or ""."""
     if name in _RENAMED:
         return f": {_RENAMED[name]}"
-    near = difflib.get_close_matches(name, [key for key in known if not key.startswith("_")], 1)
-    return f"; did you mean {near[0]!r}?" if near else ""
+    hint = near(name, [key for key in known if not key.startswith("_")])
+    return hint and f"; {hint}"

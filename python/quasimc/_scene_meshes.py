@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import difflib
-
+from ._keys import near
 from ._meshes import digest, input_error, mesh_arrays, owned
 from ._tables import ids_of, marks_of
 
@@ -223,12 +222,11 @@ class SceneMeshes:
     def _check_name(self, name):
         if ("name", name) not in self._marks:
             names = {mark[1] for mark in self._marks if mark[0] == "name"}
-            near = difflib.get_close_matches(str(name), names, 1)
             raise input_error(
                 self._name,
                 f"nothing has the name {name!r}",
                 "" if names else "there are no names",
-                f"did you mean {near[0]!r}?" if near else "",
+                near(name, names),
             )
 
     def _remove(self, name):

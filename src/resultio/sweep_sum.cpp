@@ -26,11 +26,11 @@ namespace {
 
 /// The sunlit areas of rows in each replicate; empty without directional sources.
 CombinedReplicates sunlit_areas(const SeriesSums& sums, std::span<const OrganWeights> rows) {
-    const SummableLight organs = SummableLight::of_sunlit_area(sums.sums, sums.scene, sums.spec);
-    if (organs.size() == 0) {
+    if (!(sums.sums->units.sunlit_area > 0)) {
         return {};
     }
-    const SummableLight areas = organs.combined(rows, sums.spec.threads);
+    const SummableLight areas = SummableLight::of_sunlit_area(sums.sums, sums.scene, sums.spec)
+                                    .combined(rows, sums.spec.threads);
     CombinedReplicates all{{areas.deviations().begin(), areas.deviations().end()}, areas.sizes()};
     for (std::size_t i = 0; i < all.values.size(); ++i) {
         all.values[i] += areas.means()[i % areas.size()];
@@ -76,11 +76,12 @@ SweepSum::SweepSum(const RunFile& first, const TableSpec& table)
     areas_.assign(rows_, 1);
 }
 
+bool SweepSum::is_asked(std::string_view quantity) const {
+    return is_selected(table_.quantities, quantity);
+}
+
 /// Chooses the quantities of which the values of the table are made.
 void SweepSum::choose_quantities() {
-    const auto is_asked = [&](std::string_view name) {
-        return is_selected(table_.quantities, name);
-    };
     const bool has_shares =
         is_of(CsvRows::groups) && std::ranges::any_of(share_table(), [&](const ShareEntry& entry) {
             return is_asked(entry.name);
@@ -105,9 +106,6 @@ void SweepSum::choose_quantities() {
 
 /// Chooses whether sunlit areas and the light of sunlit and shaded parts are summed.
 void SweepSum::choose_parts() {
-    const auto is_asked = [&](std::string_view name) {
-        return is_selected(table_.quantities, name);
-    };
     const bool has_apart = run_->spec.sun_shade == SunShade::apart;
     if (is_of(CsvRows::sensors)) {
         return;
@@ -159,13 +157,12 @@ void SweepSum::add(const SeriesSums& sums) {
         add_canopy(sums, factor);
     }
     if (!is_of_origin) {
-        add_parts(sums, rows);
+        add_parts(sums, rows, factor);
     }
 }
 
 /// Adds sunlit areas and the light of sunlit and shaded parts.
-void SweepSum::add_parts(const SeriesSums& sums, const Rows& rows) {
-    const double light = weight() * (run_->series ? sums.seconds : 1);
+void SweepSum::add_parts(const SeriesSums& sums, const Rows& rows, double light) {
     const double time = weight() * (run_->series ? sums.duration : 1);
     if (has_parts_) {
         sun_shade_.add(
@@ -219,7 +216,6 @@ void SweepSum::end_point(bool is_complete) {
     for (std::size_t i = 0; run_->series && i < run_->series->time_steps.size(); ++i) {
         seconds_ += weight() * run_->series->time_steps[i].seconds;
     }
-    weights_ += weight();
     ++points_;
     is_complete_ = is_complete_ && is_complete;
 }
@@ -232,12 +228,16 @@ void SweepSum::begin_point(const RunFile& run) {
     }
 }
 
-double SweepSum::per_weight() const {
+double SweepSum::all_weights() const {
     double all = 0;
     for (const SweepPoint& point : *run_->sweep) {
         all += point.weight;
     }
-    return run_->series ? 1 : 1 / all;
+    return all;
+}
+
+double SweepSum::per_weight() const {
+    return run_->series ? 1 : 1 / all_weights();
 }
 
 std::vector<Estimate> SweepSum::values_of(const ReplicateSum& light) const {
@@ -333,7 +333,7 @@ SeriesSum SweepSum::sum_of_sensors(SeriesSum light) const {
 void SweepSum::put_parts(SeriesSum& sum) const {
     constexpr double kSecondsPerHour = 3600;
     const bool is_of_groups = is_of(CsvRows::groups);
-    const double whole = run_->series ? seconds_ : weights_;
+    const double whole = run_->series ? seconds_ : all_weights();
     const double of_time = run_->series ? 1 / kSecondsPerHour : per_weight();
     if (has_parts_) {
         (is_of_groups ? sum.groups.sun_shade : sum.sun_shade) =

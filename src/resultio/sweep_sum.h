@@ -58,11 +58,14 @@ class SweepSum {
     [[nodiscard]] bool is_of(CsvRows rows) const { return table_.rows == rows; }
     [[nodiscard]] double weight() const { return (*run_->sweep)[run_->point].weight; }
     /// The factor that makes a mean of a sum; 1 with [time].
+    [[nodiscard]] bool is_asked(std::string_view quantity) const;
+    [[nodiscard]] double all_weights() const;
     [[nodiscard]] double per_weight() const;
     void choose_quantities();
     void add_canopy(const SeriesSums& sums, double weight);
     void choose_parts();
-    void add_parts(const SeriesSums& sums, const Rows& rows);
+    /// @param light  factor on light
+    void add_parts(const SeriesSums& sums, const Rows& rows, double light);
     void put_parts(SeriesSum& sum) const;
     void add_horizontal(const SeriesSums& sums, double weight);
     [[nodiscard]] SeriesSum sum_of_sensors(SeriesSum light) const;
@@ -90,7 +93,6 @@ class SweepSum {
     bool is_incident_known_ = true;
     bool has_transmittance_ = false;  // whether the table needs that of sensors
     std::vector<double> horizontal_;  // for it: light on the horizontal, by band
-    double weights_ = 0;              // sum over points
     double seconds_ = 0;              // sum over points of weight x time
     std::size_t points_ = 0;
     bool is_complete_ = true;

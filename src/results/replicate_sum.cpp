@@ -1,7 +1,5 @@
 #include "results/replicate_sum.h"
 
-#include <cmath>
-
 #include "base/checks.h"
 
 namespace quasimc {
@@ -12,9 +10,7 @@ void ReplicateSum::add(const CombinedReplicates& light, double weight) {
         values_[i] += weight * light.values[i];
     }
     for (std::size_t i = 0; i < amounts_; ++i) {
-        const ContributionSize own = light.sizes[i] * weight;
-        of_point_[i] = {
-            std::hypot(of_point_[i].more, own.more), std::hypot(of_point_[i].less, own.less)};
+        of_point_[i] = both(of_point_[i], light.sizes[i] * weight);
     }
 }
 

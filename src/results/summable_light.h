@@ -53,7 +53,7 @@ class SummableLight {
         const EvaluationSpec& spec,
         Quantity quantity,
         std::size_t band);
-    /// The sunlit area of all organs; no entry without directional sources.
+    /// The sunlit area of all organs, of a run with directional sources.
     [[nodiscard]] static SummableLight of_sunlit_area(
         const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
     /// @param numbers  [column * entries + entry]

@@ -17,12 +17,8 @@ namespace {
 using Part = SunShadePart;
 
 /// Light of a surface in a band, as flux: straight from sources; on sunlit area; on shaded area.
-enum Amount : std::size_t { kDirect, kOnLit, kOnShade, kAmounts };
+constexpr std::size_t kDirect = 0, kOnLit = 1, kOnShade = 2, kAmounts = 3;
 constexpr std::size_t kSurfaceCount = kSunShadeSurfaces.size();
-
-ContributionSize in_quadrature(const ContributionSize& a, const ContributionSize& b) {
-    return {std::hypot(a.more, b.more), std::hypot(a.less, b.less)};
-}
 
 /// The samples of a row on a surface in a band.
 SunShadeSamples samples_of_row(
@@ -57,9 +53,7 @@ std::array<ContributionSize, kAmounts> sizes_of(
     const double lit = mean_of(samples.lit);
     const double fraction = area > 0 ? lit / area : 0;
     const double beam = lit > 0 && !is_flat ? mean_of(samples.beam) / lit : 0;
-    return {
-        direct, in_quadrature(other * fraction, sunlit * beam),
-        other * std::max(0.0, 1 - fraction)};
+    return {direct, both(other * fraction, sunlit * beam), other * std::max(0.0, 1 - fraction)};
 }
 
 }  // namespace

@@ -133,8 +133,7 @@ void check_daylight(const SourceList& lamps, TableReader& table) {
     if (!names.empty()) {
         table.warn(fmt::format(
             "sources are daylight as well: {} (beside the sun and the sky of the times they shine "
-            "at "
-            "every time step, by night too); keep lamps alone, or say on_hours",
+            "at every time step, by night too); keep lamps alone, or say on_hours",
             fmt::join(names, ", ")));
     }
 }

@@ -164,20 +164,19 @@ OnGround read_on_known_ground(TableReader& top, RunFileContext& context, SceneBu
     return read_on_ground(top, read_ground(top, context), context, builder);
 }
 
-/// Reads [time], and the lamps that are controlled at its times.
+/// Reads sources, [time], and the lamps that are controlled at its times.
 /// @param scene  see read_controls()
-std::optional<TimeSeries> read_series(
-    TableReader& top,
-    const RunFileContext& context,
-    const SourceList& sources,
-    const Scene* scene) {
-    std::optional<TimeSeries> series = read_time(top, context, sources);
+void read_light(TableReader& top, RunFileContext& context, const Scene* scene, Sections& sections) {
+    sections.sources = read_sources(top, context);
+    std::optional<TimeSeries>& series = sections.series;
+    series = read_time(top, context, sections.sources);
     std::vector<LampControl> controls =
-        read_controls(top, context, sources, series ? &*series : nullptr, scene);
+        read_controls(top, context, sections.sources, series ? &*series : nullptr, scene);
     if (series) {
         series->controls = std::move(controls);
     }
-    return series;
+    sections.known.sources =
+        sections.known.bands && sections.sources.is_whole && series.has_value() == context.has_time;
 }
 
 /// Reads the keys that all sections need.
@@ -238,16 +237,12 @@ Sections read_sections(
     context.meshes = known.meshes;
     SceneBuilder builder = begin_scene(context);
     const Faults& faults = top.reporter().faults;
-    const bool has_context = faults.empty();
-    sections.known.bands = has_context;
+    sections.known.bands = faults.empty();
     read_run_options(top, sections.options);
     apply_overrides(overrides, sections.options, top.reporter());
     sections.known.unknown_options = sections.options.unknown;
     const bool has_materials = reads_well(faults, [&] { read_materials(top, context, builder); });
-    sections.sources = read_sources(top, context);
-    sections.series = read_series(top, context, sections.sources, nullptr);
-    sections.known.sources =
-        has_context && sections.sources.is_whole && sections.series.has_value() == context.has_time;
+    read_light(top, context, nullptr, sections);
     known.same = known.same != nullptr && can_build_on(builder, *known.same) ? known.same : nullptr;
     if (known.same != nullptr) {
         pass_over(top, {"organ", "geometry", "cell"});
@@ -256,7 +251,7 @@ Sections read_sections(
                                                : read_geometry_sections(top, context, {}, builder);
     sections.gap_fractions = std::move(on_ground.gap_fractions);
     read_detectors(top, builder);
-    sections.known.scene = has_context && has_materials && on_ground.known.scene;
+    sections.known.scene = sections.known.bands && has_materials && on_ground.known.scene;
     sections.known.sensors = sections.known.scene && on_ground.known.sensors;
     sections.output =
         read_output(top, files, context.bands);  // after all sections that it refers to
@@ -286,14 +281,10 @@ Sections read_light_sections(TableReader& top, InputFiles& files, const Scene& s
     RunFileContext context = read_context(top, files);
     Sections sections;
     sections.unit_origin = unit_origin(top);
-    const bool has_context = top.reporter().faults.empty();
-    sections.known.bands = has_context;
+    sections.known.bands = top.reporter().faults.empty();
     read_run_options(top, sections.options);
     sections.known.unknown_options = sections.options.unknown;
-    sections.sources = read_sources(top, context);
-    sections.series = read_series(top, context, sections.sources, &scene);
-    sections.known.sources =
-        has_context && sections.sources.is_whole && sections.series.has_value() == context.has_time;
+    read_light(top, context, &scene, sections);
     top.finish();
     return sections;
 }

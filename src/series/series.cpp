@@ -190,22 +190,19 @@ class SeriesRun final : public SeriesSteps {
 
     /// Reports the sums of a computation, those of each origin apart.
     void report(std::size_t i, const RunSums& run) const {
-        const double seconds = seconds_.at(i), duration = durations_.at(i);
-        const std::size_t origins = run.sums->origins.size();
-        if (origins == 0) {
-            report_sums(
-                in_.control, {run.sums, run.scene, run.spec, seconds, SeriesSums::kAllLight,
-                              run.of_sensors, duration});
-            return;
-        }
-        report_sums(
-            in_.control, {of_all_origins(run.sums), run.scene, run.spec, seconds,
-                          SeriesSums::kAllLight, run.of_sensors, duration});
-        for (std::size_t origin = 0; origin < origins; ++origin) {
+        const auto send = [&](const Sums& sums, const EvaluationSpec& spec, std::size_t origin) {
             report_sums(
                 in_.control,
-                {of_origin(run.sums, origin), run.scene, evaluation_of_origin(run.spec, origin),
-                 seconds, origin, run.of_sensors, duration});
+                {sums, run.scene, spec, seconds_.at(i), origin, run.of_sensors, durations_.at(i)});
+        };
+        const std::size_t origins = run.sums->origins.size();
+        if (origins == 0) {
+            send(run.sums, run.spec, SeriesSums::kAllLight);
+            return;
+        }
+        send(of_all_origins(run.sums), run.spec, SeriesSums::kAllLight);
+        for (std::size_t origin = 0; origin < origins; ++origin) {
+            send(of_origin(run.sums, origin), evaluation_of_origin(run.spec, origin), origin);
         }
     }
 

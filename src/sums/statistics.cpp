@@ -75,6 +75,12 @@ ContributionSize larger(const ContributionSize& a, const ContributionSize& b) {
     return {std::max(a.more, b.more), std::max(a.less, b.less)};
 }
 
+ContributionSize both(const ContributionSize& a, const ContributionSize& b) {
+    // Usually one of the two is zero.
+    const auto sum = [](double x, double y) { return x == 0 ? y : y == 0 ? x : std::hypot(x, y); };
+    return {sum(a.more, b.more), sum(a.less, b.less)};
+}
+
 Estimate estimate_contributions(std::span<const double> values, const ContributionSize& size) {
     const Estimate e =
         estimate_seen_or_bound(values, size.more * static_cast<double>(values.size()));

@@ -53,6 +53,9 @@ struct ContributionSize {
 /// The larger one of each of the two.
 [[nodiscard]] ContributionSize larger(const ContributionSize& a, const ContributionSize& b);
 
+/// The size where either of two contributions may be missing: both in quadrature.
+[[nodiscard]] ContributionSize both(const ContributionSize& a, const ContributionSize& b);
+
 /// The mean of the amounts of independent replicates, which are sums of contributions of known
 /// size. The variance is that of the replicates plus that of one more contribution, for the Poisson
 /// distribution of a low number of contributions (k contributions: (k + 1) squares; the posterior

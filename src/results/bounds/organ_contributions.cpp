@@ -13,13 +13,6 @@ constexpr double kManyContributions = 5;
 /// The probability of another hit from which on light is trapped.
 constexpr double kTrapped = 1 - 1e-6;
 
-/// Size of a contribution where either of two may be missing.
-ContributionSize both(const ContributionSize& a, const ContributionSize& b) {
-    // Usually one of the two is zero.
-    const auto sum = [](double x, double y) { return x == 0 ? y : y == 0 ? x : std::hypot(x, y); };
-    return {sum(a.more, b.more), sum(a.less, b.less)};
-}
-
 /// The light of one strategy, to which contributions of at most `largest` were made.
 struct Counted {
     double number = 0;     ///< in all replicates

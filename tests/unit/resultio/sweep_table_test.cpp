@@ -428,6 +428,21 @@ TEST(SweepTable, OfTimesHasSunlitHoursAndTheLightOfParts) {
     }
 }
 
+/// Nothing is sunlit under a sky alone.
+TEST(SweepTable, HasNoSunlitFractionWithoutASun) {
+    std::string text = stand(
+        "[sweep]\nmaterial.leaf.reflectance = [0.1, 0.2]\n" +
+        table("sum.csv", "per = 'sweep'\nquantities = ['sunlit_fraction']\n" + kMeans));
+    const std::string sun =
+        "type = 'directional'\nname = 'sun'\ndirection = [1, 0, -1]\nirradiance_facing";
+    text.replace(text.find(sun), sun.size(), "type = 'uniform_sky'\nirradiance_horizontal");
+    const Rows sum = fields_of(written(text)[0]);
+    ASSERT_EQ(sum.size(), 4U);
+    for (std::size_t row = 1; row < sum.size(); ++row) {
+        EXPECT_EQ(sum[row].back(), "0");
+    }
+}
+
 TEST(SweepTable, HasRowsByConditionInLongForm) {
     const Rows rows = fields_of(written(stand(
         "[sweep]\npaths = [64, 128]\n" +
