@@ -76,8 +76,8 @@ py::array view_of(const double* first, std::vector<py::ssize_t> shape, const py:
 py::tuple state_of(const SummableLight& light) {
     const SummableColumns& columns = light.columns();
     py::list kinds;
-    for (const Sample kind : columns.kinds) {
-        kinds.append(static_cast<int>(kind));
+    for (const ContributionKind& kind : columns.kinds) {
+        kinds.append(py::make_tuple(static_cast<int>(kind.sample), kind.many));
     }
     return py::make_tuple(
         static_cast<int>(columns.summand), columns.replicates, kinds,
@@ -88,8 +88,8 @@ std::shared_ptr<SummableLight> light_from(const py::tuple& state) {
     SummableColumns columns;
     columns.summand = static_cast<Summand>(state[0].cast<int>());
     columns.replicates = state[1].cast<std::uint32_t>();
-    for (const int kind : state[2].cast<std::vector<int>>()) {
-        columns.kinds.push_back(static_cast<Sample>(kind));
+    for (const auto& [sample, many] : state[2].cast<std::vector<std::pair<int, double>>>()) {
+        columns.kinds.push_back({static_cast<Sample>(sample), many});
     }
     const auto numbers = state[3].cast<Numbers>();
     return std::make_shared<SummableLight>(

@@ -268,17 +268,17 @@ std::vector<Estimate> SweepSum::shares() const {
     for (std::size_t row = 0; row < rows_; ++row) {
         for (std::size_t b = 0; b < bands_; ++b) {
             const std::size_t own = index_of(row, q, b);
-            const auto in = [&](const std::vector<double>& whole) {
-                return share_of(light_.values(own), light_.estimate(own, 1), whole);
-            };
+            const std::vector<double> flux = light_.values(own);
             const auto put = [&](GroupShare share, const Estimate& estimate) {
                 const auto index = static_cast<std::size_t>(share);
                 shares[(row * kGroupShares + index) * bands_ + b] = estimate;
             };
             if (is_incident_known_) {
-                put(GroupShare::incident, in(incident_.values(b)));
+                put(GroupShare::incident,
+                    estimate_share(flux, incident_.values(b), light_.size(own)));
             }
-            put(GroupShare::absorbed, not_above(in(light_.values(index_of(0, q, b))), 1));
+            put(GroupShare::absorbed,
+                share_of_all(flux, light_.values(index_of(0, q, b)), light_.size(own)));
         }
     }
     return shares;
@@ -290,15 +290,8 @@ std::vector<CanopyFractions> SweepSum::canopy() const {
         all[b].incident = incident_.estimate(b, per_weight()).mean;
         for (std::size_t i = 0; i < fraction_table().size(); ++i) {
             const std::size_t own = b * fraction_table().size() + i;
-            const auto part = fraction_table()[i].part;
-            Estimate& fraction = all[b].*part;
-            fraction = share_of(canopy_.values(own), canopy_.estimate(own, 1), incident_.values(b));
-            const bool is_absorbed = part == &CanopyFractions::absorptance ||
-                                     part == &CanopyFractions::ground_absorptance;
-            if (is_absorbed && fraction.mean > 0) {
-                const double incident = estimate_mean(incident_.values(b)).mean;
-                fraction = widened(fraction, canopy_.size(own) * (1 / incident));
-            }
+            all[b].*fraction_table()[i].part =
+                estimate_share(canopy_.values(own), incident_.values(b), canopy_.size(own));
         }
     }
     return all;

@@ -2,41 +2,55 @@
 #include <cmath>
 
 #include "results/flows.h"
+#include "results/totals.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
 namespace {
 
-Estimate estimate_of(const std::vector<Flows>& flows, double Flows::*part) {
+std::vector<double> values_of(const std::vector<Flows>& flows, double Flows::*part) {
     std::vector<double> values;
     values.reserve(flows.size());
     for (const Flows& one : flows) {
         values.push_back(one.*part);
     }
-    return estimate_mean(values);
+    return values;
+}
+
+/// An interval that contains its mean. The means of a budget's parts add up to the emitted flux;
+/// one may exceed its limit by chance, and is reported as it is.
+Estimate with_mean(const Estimate& e) {
+    return {e.mean, e.standard_error, std::min(e.ci95_low, e.mean), std::max(e.ci95_high, e.mean)};
 }
 
 }  // namespace
 
-std::vector<BandBudget> evaluate_budget(const BandFlows& all_flows) {
+std::vector<BandBudget> evaluate_budget(
+    const BandFlows& all_flows,
+    std::span<const TotalSizes> sizes,
+    std::span<const double> emitted) {
     std::vector<BandBudget> budget;
-    for (const std::vector<Flows>& flows : all_flows) {
+    for (std::size_t b = 0; b < all_flows.size(); ++b) {
+        const std::vector<Flows>& flows = all_flows[b];
         double worst = 0;
         for (const Flows& f : flows) {
             const double open =
                 f.emitted + f.imbalance - f.organs - f.ground - f.escaped - f.cut_off;
             worst = std::max(worst, f.emitted > 0 ? std::abs(open) / f.emitted : 0);
         }
-        const auto amount = [&](double Flows::*part) {
-            return not_negative(estimate_of(flows, part));
+        const auto amount = [&](double Flows::*part, const ContributionSize& one = {}) {
+            return estimate_contributions(values_of(flows, part), one);
+        };
+        const auto at_most_emitted = [&](const Estimate& part) {
+            return with_mean(emitted.empty() ? part : not_above(part, emitted[b]));
         };
         budget.push_back(
             {.emitted = amount(&Flows::emitted),
-             .absorbed_by_organs = amount(&Flows::organs),
-             .absorbed_by_ground = amount(&Flows::ground),
-             .escaped = amount(&Flows::escaped),
+             .absorbed_by_organs = at_most_emitted(amount(&Flows::organs, sizes[b].organs)),
+             .absorbed_by_ground = at_most_emitted(amount(&Flows::ground, sizes[b].ground)),
+             .escaped = at_most_emitted(amount(&Flows::escaped)),
              .cut_off = amount(&Flows::cut_off),
-             .imbalance = estimate_of(flows, &Flows::imbalance),
+             .imbalance = estimate_mean(values_of(flows, &Flows::imbalance)),
              .closure_error = worst});
     }
     return budget;

@@ -1,9 +1,6 @@
-#include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 
-#include "results/bounds/organ_reader.h"
 #include "results/flows.h"
 #include "results/fraction_table.h"
 #include "results/groups.h"
@@ -25,73 +22,15 @@ std::array<double Flows::*, fraction_table().size()> parts_of_fractions(const Sc
         &Flows::organs, &Flows::ground};
 }
 
-/// One contribution to the ground: flux on it and absorbed.
-struct GroundContribution {
-    double on_ground = 0, absorbed = 0;
-};
-
-GroundContribution contribution_on_ground(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    const Organ& ground,
-    std::size_t band) {
-    const SumReader sum_reader(sums);
-    const OrganReader reader(sum_reader, scene, spec, ground);
-    const double contribution = reader.largest(sum_reader.direct, band);
-    return {contribution, contribution * reader.largest_absorptance(band)};
+/// One contribution to each fraction, as flux, in the order of fraction_table().
+std::array<ContributionSize, fraction_table().size()> sizes_of_fractions(const TotalSizes& sizes) {
+    return {ContributionSize{}, sizes.on_ground, sizes.organs, sizes.ground};
 }
 
-/// The largest contribution of an organ to the absorbed light of each band.
-std::vector<TotalContribution> total_contributions(
-    const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    std::vector<std::uint32_t> indices(scene.organs().size());
-    std::iota(indices.begin(), indices.end(), 0U);
-    std::vector<OrganWeights> organs;
-    organs.reserve(indices.size());
-    for (const std::uint32_t& index : indices) {
-        organs.push_back({std::span(&index, 1)});
-    }
-    const std::array quantities{Quantity::absorbed_flux};
-    const std::vector<ContributionSize> sizes =
-        combine_replicates(sums, scene, spec, organs, quantities).sizes;
-    std::vector<TotalContribution> all(sums->bands());
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-        const bool is_ground = scene.organs()[i / all.size()].is_ground;
-        all[i % all.size()].include(
-            is_ground ? TotalContribution{{}, sizes[i]} : TotalContribution{sizes[i], {}});
-    }
-    return all;
+bool is_known(std::size_t fraction, const Scene& scene) {
+    return ground_of(scene) != nullptr ||
+           fraction_table()[fraction].part == &CanopyFractions::absorptance;
 }
-
-/// Makes fractions of the flows of one band.
-class FractionMaker {
-  public:
-    /// @param incident  per replicate
-    FractionMaker(const std::vector<Flows>& flows, std::vector<double> incident)
-        : flows_(flows), incident_(std::move(incident)) {}
-
-    /// @param value_per_contribution  flux of a single contribution; 0: zeros are certain
-    [[nodiscard]] Estimate fraction(double Flows::*part, double value_per_contribution = 0) const {
-        std::vector<double> amounts;
-        for (const Flows& flows : flows_) {
-            amounts.push_back(flows.*part);
-        }
-        const bool is_unseen =
-            value_per_contribution > 0 &&
-            std::all_of(amounts.begin(), amounts.end(), [](double x) { return x == 0; });
-        return is_unseen
-                   ? estimate_unseen(
-                         static_cast<double>(amounts.size()), value_per_contribution / incident())
-                   : not_negative(estimate_ratio(amounts, incident_));
-    }
-
-    [[nodiscard]] double incident() const { return estimate_mean(incident_).mean; }
-
-  private:
-    const std::vector<Flows>& flows_;
-    std::vector<double> incident_;
-};
 
 }  // namespace
 
@@ -129,52 +68,48 @@ double Flows::*reflected_flux(const Scene& scene) {
 }
 
 std::vector<CanopyFractions> evaluate_canopy(
-    const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    const Organ* ground = ground_of(scene);
-    const bool infinite = is_infinite(scene);
-    std::vector<std::vector<double>> incident = horizontal_flux(flows, scene, spec);
-    std::vector<CanopyFractions> fractions(incident.size());
-    for (std::size_t b = 0; b < fractions.size(); ++b) {
-        const FractionMaker maker(flows[b], std::move(incident[b]));
-        CanopyFractions& own = fractions[b];
-        own = {
-            infinite ? sums->emitted_flux[b] : maker.incident(), kUnknownEstimate, kUnknownEstimate,
-            maker.fraction(&Flows::organs), kUnknownEstimate};
-        if (ground != nullptr) {
-            const GroundContribution contribution =
-                contribution_on_ground(sums, scene, spec, *ground, b);
-            own.reflectance = maker.fraction(reflected_flux(scene));
-            own.transmittance = maker.fraction(&Flows::on_ground, contribution.on_ground);
-            own.ground_absorptance = maker.fraction(&Flows::ground, contribution.absorbed);
+    const BandFlows& flows,
+    std::span<const TotalSizes> sizes,
+    std::span<const double> emitted,
+    const Scene& scene,
+    const EvaluationSpec& spec) {
+    const std::array parts = parts_of_fractions(scene);
+    const std::vector<std::vector<double>> incident = horizontal_flux(flows, scene, spec);
+    std::vector<CanopyFractions> all(incident.size());
+    for (std::size_t b = 0; b < all.size(); ++b) {
+        const std::array one = sizes_of_fractions(sizes[b]);
+        all[b].incident = is_infinite(scene) ? emitted[b] : mean_of(incident[b]);
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            std::vector<double> amounts;
+            for (const Flows& own : flows[b]) {
+                amounts.push_back(own.*parts[i]);
+            }
+            all[b].*fraction_table()[i].part = is_known(i, scene)
+                                                   ? estimate_share(amounts, incident[b], one[i])
+                                                   : kUnknownEstimate;
         }
     }
-    return fractions;
+    return all;
 }
 
 CombinedReplicates canopy_replicates(
     const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
-    const Organ* ground = ground_of(scene);
     const std::array parts = parts_of_fractions(scene);
     CombinedReplicates all;
     for (std::size_t r = 0; r < sums->replicates.size(); ++r) {
         for (const std::vector<Flows>& band : flows) {
-            for (const auto part : parts) {
-                const bool is_known = ground != nullptr || part == &Flows::organs;
-                all.values.push_back(is_known ? band[r].*part : kUnknownEstimate.mean);
+            for (std::size_t i = 0; i < parts.size(); ++i) {
+                all.values.push_back(
+                    is_known(i, scene) ? band[r].*parts[i] : kUnknownEstimate.mean);
             }
         }
     }
-    const std::vector<TotalContribution> absorbed = total_contributions(sums, scene, spec);
-    const auto replicates = static_cast<double>(sums->replicates.size());
+    const std::vector<TotalContributions> contributions =
+        contributions_to_totals(sums, scene, spec);
     for (std::size_t b = 0; b < flows.size(); ++b) {
-        const double on_ground =
-            ground != nullptr ? contribution_on_ground(sums, scene, spec, *ground, b).on_ground : 0;
-        for (const auto part : parts) {
-            all.sizes.push_back(
-                part == &Flows::organs      ? absorbed[b].organs
-                : part == &Flows::ground    ? absorbed[b].ground
-                : part == &Flows::on_ground ? ContributionSize{on_ground / replicates, 0}
-                                            : ContributionSize{});
+        for (const ContributionSize& one :
+             sizes_of_fractions(sizes_of(contributions[b], flows[b]))) {
+            all.sizes.push_back(one);
         }
     }
     return all;

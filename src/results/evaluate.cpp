@@ -13,7 +13,6 @@
 #include "results/cut_intervals.h"
 #include "results/flows.h"
 #include "results/groups.h"
-#include "results/organ_blocks.h"
 #include "results/sun_shade.h"
 #include "results/totals.h"
 #include "sums/origin_sums.h"
@@ -45,8 +44,8 @@ class OrganEvaluator {
     }
 
     /// Fills in all values of an organ.
-    /// @param contributions  per band: gets one contribution to its absorbed light, if it matters
-    void evaluate(std::size_t index, Result& result, std::span<TotalContribution> contributions) {
+    /// @param totals  by band: get its contributions
+    void evaluate(std::size_t index, Result& result, std::vector<TotalContributions>& totals) {
         const Organ& organ = scene_.organs()[index];
         const OrganReader reader(reader_, scene_, spec_, organ);
         const auto& ratios = spec_.ratios;
@@ -56,10 +55,8 @@ class OrganEvaluator {
         }
         read(reader, result.bands);
         for (std::size_t b = 0; b < result.bands; ++b) {
-            const ContributionSize contribution = evaluate_band(reader, organ, index, b, result);
-            contributions[b].include(
-                organ.is_ground ? TotalContribution{{}, contribution}
-                                : TotalContribution{contribution, {}});
+            evaluate_band(reader, organ, index, b, result);
+            totals[b].include(contributions_[b], scene_, organ);
         }
         for (std::size_t i = 0; i < ratios.size(); ++i) {
             const auto [above, below] = ratios[i];
@@ -103,8 +100,7 @@ class OrganEvaluator {
         }
     }
 
-    /// @returns one contribution to its absorbed light
-    ContributionSize evaluate_band(
+    void evaluate_band(
         const OrganReader& reader,
         const Organ& organ,
         std::size_t index,
@@ -127,7 +123,6 @@ class OrganEvaluator {
             result.values[(index * kQuantities + q) * result.bands + band] =
                 contributions_[band].estimate(entry, per_area, samples_[q]);
         }
-        return contributions_[band].size(parts_of(Quantity::absorbed_flux));
     }
 
     std::vector<double>& sample_of(Quantity q) { return samples_[static_cast<std::size_t>(q)]; }
@@ -154,10 +149,10 @@ class OrganEvaluator {
 
 /// Fills in all organs.
 /// @param is_done  called with (first, last) when the sums of these organs are not needed any more
-/// @param contributions  gets one contribution to the totals
+/// @returns the contributions to the totals, by band
 template <typename IsDone>
-void evaluate_organs(
-    const Given& given, const IsDone& is_done, TotalContributions& contributions, Result& result) {
+std::vector<TotalContributions> evaluate_organs(
+    const Given& given, const IsDone& is_done, Result& result) {
     constexpr std::size_t kMaxPerStep = 1 << 15, kMinPerStep = 1 << 12;
     const std::size_t step = std::max(kMaxPerStep / result.bands, kMinPerStep);
     const std::size_t organs = given.scene.organs().size();
@@ -168,22 +163,25 @@ void evaluate_organs(
     result.values.reserve(organs * values);
     result.ratio_values.reserve(organs * result.ratios);
     result.sunlit_fraction.reserve(has_sun ? organs : 0);
+    std::vector<TotalContributions> totals(result.bands);
     for (std::size_t begin = 0; begin < organs; begin += step) {
         const std::size_t end = std::min(organs, begin + step);
         result.values.resize(end * values);
         result.ratio_values.resize(end * result.ratios);
         result.sunlit_fraction.resize(has_sun ? end : 0);
         result.sun_shade.values.resize(has_parts ? end * result.sun_shade.values_per_row() : 0);
-        for_each_block(begin, end, given.spec.threads, [&](std::size_t first, std::size_t last) {
-            OrganEvaluator evaluator(given);
-            std::vector<TotalContribution> own(result.bands);
-            for (std::size_t i = first; i < last; ++i) {
-                evaluator.evaluate(i, result, own);
-            }
-            contributions.include(own);
-        });
+        gather_contributions(
+            begin, end, given.spec.threads,
+            [&](std::size_t first, std::size_t last, std::vector<TotalContributions>& own) {
+                OrganEvaluator evaluator(given);
+                for (std::size_t i = first; i < last; ++i) {
+                    evaluator.evaluate(i, result, own);
+                }
+            },
+            totals);
         is_done(begin, end);
     }
+    return totals;
 }
 
 /// Evaluates sums, and reports which sums are not needed any more.
@@ -201,13 +199,16 @@ Result evaluate_sums(
     if (spec.sun_shade == SunShade::apart) {
         result.groups.sun_shade = evaluate_sun_shade(sums, scene, spec, result.groups.groups);
     }
-    result.budget = evaluate_budget(flows);
-    result.canopy = evaluate_canopy(flows, sums, scene, spec);
     result.detectors = evaluate_detectors(sums, scene);
     result.rays = sums.rays();
-    TotalContributions contributions(result.bands);
-    evaluate_organs({sums, scene, spec}, is_done, contributions, result);
-    report_errors_of_totals(sums, scene, contributions, result);
+    const std::vector<TotalContributions> totals =
+        evaluate_organs({sums, scene, spec}, is_done, result);
+    std::vector<TotalSizes> sizes;
+    for (std::size_t b = 0; b < result.bands; ++b) {
+        sizes.push_back(sizes_of(totals[b], flows[b]));
+    }
+    result.budget = evaluate_budget(flows, sizes, sums->emitted_flux);
+    result.canopy = evaluate_canopy(flows, sizes, sums->emitted_flux, scene, spec);
     result.escaped_by_difference = sums->escaped == EscapedLight::remainder;
     result.paths = sums.paths();
     result.replicates = static_cast<std::uint32_t>(sums->replicates.size());

@@ -80,16 +80,18 @@ class GroupEvaluator {
 
     /// Shares of a band, replicate by replicate. @param flux  that the group absorbs
     void evaluate_shares(
-        std::size_t group, std::size_t band, const std::vector<double>& flux) const {
-        const Estimate estimate = results_.at(group, Quantity::absorbed_flux, band);
-        const auto put = [&](GroupShare share, const std::vector<double>& whole) {
+        std::size_t group,
+        std::size_t band,
+        const std::vector<double>& flux,
+        const ContributionSize& one) const {
+        const auto put = [&](GroupShare share, const Estimate& estimate) {
             const auto index = static_cast<std::size_t>(share);
-            results_.shares[(group * kGroupShares + index) * results_.bands + band] =
-                share == GroupShare::absorbed ? not_above(share_of(flux, estimate, whole), 1)
-                                              : share_of(flux, estimate, whole);
+            results_.shares[(group * kGroupShares + index) * results_.bands + band] = estimate;
         };
-        put(GroupShare::incident, incident_.empty() ? std::vector<double>() : incident_[band]);
-        put(GroupShare::absorbed, absorbed_by_all_[band]);
+        if (!incident_.empty()) {
+            put(GroupShare::incident, estimate_share(flux, incident_[band], one));
+        }
+        put(GroupShare::absorbed, share_of_all(flux, absorbed_by_all_[band], one));
     }
 
     /// @returns the light that falls on both sides, per replicate
@@ -110,7 +112,8 @@ class GroupEvaluator {
             results_.values[(group * kQuantities + q) * results_.bands + band] =
                 contributions.estimate(entry, per_area, samples[q]);
         }
-        evaluate_shares(group, band, samples[static_cast<std::size_t>(Quantity::absorbed_flux)]);
+        const auto& flux = samples[static_cast<std::size_t>(Quantity::absorbed_flux)];
+        evaluate_shares(group, band, flux, contributions.size(Quantity::absorbed_flux, flux));
         return incident;
     }
 
@@ -136,14 +139,10 @@ GroupResults empty_groups(const Scene& scene, const GroupSpec& spec, std::size_t
 
 }  // namespace
 
-Estimate share_of(
-    std::span<const double> flux, const Estimate& estimate, std::span<const double> whole) {
-    const double mean = whole.empty() ? 0 : estimate_mean(whole).mean;
-    if (!(mean > 0)) {
-        return kUnknownEstimate;
-    }
-    const bool is_zero = std::all_of(flux.begin(), flux.end(), [](double x) { return x == 0; });
-    return is_zero ? scaled(estimate, 1 / mean) : not_negative(estimate_ratio(flux, whole));
+Estimate share_of_all(
+    std::span<const double> flux, std::span<const double> all, const ContributionSize& one) {
+    const double whole = mean_of(all), rest = whole > 0 ? 1 - mean_of(flux) / whole : 1;
+    return not_above(estimate_share(flux, all, one * std::max(0.0, rest)), 1);
 }
 
 GroupResults evaluate_groups(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "quasimc/result.h"
@@ -21,8 +22,13 @@ using BandFlows = std::vector<std::vector<Flows>>;
 
 [[nodiscard]] BandFlows read_flows(const Sums& sums, const Scene& scene);
 
+struct TotalSizes;
+
 /// The energy budget of each band.
-[[nodiscard]] std::vector<BandBudget> evaluate_budget(const BandFlows& flows);
+/// @param sizes  by band
+/// @param emitted  by band: the most that any part can be; empty if not all of it is counted
+[[nodiscard]] std::vector<BandBudget> evaluate_budget(
+    const BandFlows& flows, std::span<const TotalSizes> sizes, std::span<const double> emitted);
 
 /// Flux on the horizontal area of the cell or ground, [band][replicate]: what an infinite scene
 /// emits, or the irradiance of the sources; empty if it is unknown.
@@ -39,8 +45,13 @@ using BandFlows = std::vector<std::vector<Flows>>;
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 
 /// The fractions of each band (Result::canopy).
+/// @param sizes, emitted  as those of evaluate_budget()
 [[nodiscard]] std::vector<CanopyFractions> evaluate_canopy(
-    const BandFlows& flows, const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
+    const BandFlows& flows,
+    std::span<const TotalSizes> sizes,
+    std::span<const double> emitted,
+    const Scene& scene,
+    const EvaluationSpec& spec);
 /// The fluxes of the fractions of a canopy, replicate by replicate, for arithmetic beyond sums:
 /// bands in place of sums, fractions (fraction_table()) in place of quantities and bands. NaN where
 /// they are unknown.

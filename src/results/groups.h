@@ -8,6 +8,7 @@
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
 #include "scene/scene.h"
+#include "sums/statistics.h"
 
 namespace quasimc {
 
@@ -31,11 +32,10 @@ void check_layer_heights(const GroupSpec& spec, Faults& faults);
     const Scene& scene,
     const EvaluationSpec& spec,
     const std::vector<std::vector<double>>& incident);
-/// The share of a flux in a whole, both per replicate; unknown without a whole. A flux without
-/// contributions has the limits of its estimate.
-[[nodiscard]] Estimate share_of(
-    std::span<const double> flux, const Estimate& estimate, std::span<const double> whole);
-
+/// The share of a flux in that of all organs, of which it is a part: one contribution more is one
+/// to both. @param flux, all  per replicate
+[[nodiscard]] Estimate share_of_all(
+    std::span<const double> flux, std::span<const double> all, const ContributionSize& one);
 /// Groups of a scene without light: zeros, and ratios that are NaN.
 [[nodiscard]] GroupResults zero_groups(
     const Scene& scene, const GroupSpec& spec, std::size_t ratios);

@@ -15,14 +15,41 @@
 namespace quasimc {
 namespace {
 
-// Columns: the mean, a deviation of each replicate, these, and three of each kind of contribution.
+// Columns: the mean, a deviation of each replicate, these, and those of each kind of contribution.
 constexpr std::size_t kArea = 0;
 constexpr std::size_t kLimit = 1;        // of the light
 constexpr std::size_t kEmitted = 2;      // also a limit: all light may fall on one organ
 constexpr std::size_t kAbsorptance = 3;  // by which contributions are multiplied
 constexpr std::size_t kBound = 4;        // largest contribution, where only this is known
 constexpr std::size_t kFixedColumns = 5;
-constexpr std::size_t kMore = 0, kLess = 1, kUnseen = 2, kColumnsOfKind = 3;
+// Of a kind that is counted, and of one that is not.
+constexpr std::size_t kLight = 0, kRoot = 1, kLargest = 2, kUnseen = 3, kVaries = 4, kCounted = 5;
+constexpr std::size_t kMore = 0, kLess = 1, kUncounted = 2;
+
+std::size_t columns_of(const ContributionKind& kind) {
+    return kind.is_counted() ? kCounted : kUncounted;
+}
+
+/// How a column of a kind is summed: Contributions::include().
+SumRule rule_of(const ContributionKind& kind, std::size_t column) {
+    const SumRule of_sizes =
+        kind.sample == Sample::ray ? SumRule::root_of_squares : SumRule::largest;
+    if (!kind.is_counted()) {
+        return of_sizes;
+    }
+    switch (column) {
+        case kRoot:
+            return SumRule::root_of_squares;
+        case kLargest:
+            return of_sizes;
+        case kUnseen:
+            return kind.sample == Sample::ray ? SumRule::sum : SumRule::largest;
+        case kVaries:
+            return SumRule::largest_of_all;
+        default:
+            return SumRule::sum;
+    }
+}
 
 std::size_t first_fixed(const SummableColumns& columns) {
     return 1 + std::size_t{columns.replicates};
@@ -35,7 +62,7 @@ std::size_t first_of_kinds(const SummableColumns& columns) {
 struct OrganNumbers {
     std::vector<double> values;  // per replicate
     double area = 0, limit = 0, emitted = 0, absorptance = 1, bound = 0;
-    std::vector<SampledContribution> kinds = {};
+    std::vector<SampledContributions> kinds = {};
 };
 
 /// Puts the numbers of an entry into the columns. @param entries  their length
@@ -58,19 +85,22 @@ void put_numbers(
          {organ.area, organ.limit, organ.emitted, organ.absorptance, organ.bound}) {
         put(x);
     }
-    for (const SampledContribution& kind : organ.kinds) {
-        put(kind.size.more);
-        put(kind.size.less);
-        put(kind.unseen);
+    for (const auto& [kind, all] : organ.kinds) {
+        if (kind.is_counted()) {
+            put(all.light), put(all.root), put(all.largest), put(all.unseen);
+            put(all.varies ? 1 : 0);
+        } else {
+            put(all.uncounted.more), put(all.uncounted.less);
+        }
     }
 }
 
-std::vector<Sample> samples_of(const OrganNumbers& organ) {
-    std::vector<Sample> samples;
-    for (const SampledContribution& kind : organ.kinds) {
-        samples.push_back(kind.sample);
+std::vector<ContributionKind> kinds_of(const OrganNumbers& organ) {
+    std::vector<ContributionKind> kinds;
+    for (const SampledContributions& sampled : organ.kinds) {
+        kinds.push_back(sampled.kind);
     }
-    return samples;
+    return kinds;
 }
 
 /// The light of all organs. @param read  makes the OrganNumbers of a reader and its organ
@@ -88,7 +118,7 @@ SummableLight read_organs(
     };
     SummableColumns columns{summand, static_cast<std::uint32_t>(sums->replicates.size()), {}};
     if (!organs.empty()) {
-        columns.kinds = samples_of(numbers_of(0));
+        columns.kinds = kinds_of(numbers_of(0));
     }
     std::vector<double> numbers(
         columns.size() * organs.size(), std::numeric_limits<double>::quiet_NaN());
@@ -129,7 +159,11 @@ double folded(SumRule rule, const OrganWeights& of, const Number& number) {
 }  // namespace
 
 std::size_t SummableColumns::size() const {
-    return first_of_kinds(*this) + kColumnsOfKind * kinds.size();
+    std::size_t all = first_of_kinds(*this);
+    for (const ContributionKind& kind : kinds) {
+        all += columns_of(kind);
+    }
+    return all;
 }
 
 SumRule SummableColumns::rule(std::size_t column) const {
@@ -140,12 +174,12 @@ SumRule SummableColumns::rule(std::size_t column) const {
     if (column < of_kinds) {
         return column == fixed + kAbsorptance ? SumRule::largest_of_all : SumRule::largest;
     }
-    const std::size_t index = column - of_kinds;
-    if (index % kColumnsOfKind == kUnseen) {
-        return SumRule::sum;
+    std::size_t index = column - of_kinds;
+    auto kind = kinds.begin();
+    for (; index >= columns_of(*kind); ++kind) {
+        index -= columns_of(*kind);
     }
-    return kinds[index / kColumnsOfKind] == Sample::ray ? SumRule::root_of_squares
-                                                        : SumRule::largest;
+    return rule_of(*kind, index);
 }
 
 SummableLight SummableLight::of_flux(
@@ -210,19 +244,31 @@ SummableLight::SummableLight(SummableColumns columns, std::vector<double> number
     }
 }
 
+Contributions SummableLight::contributions(
+    std::size_t first, const ContributionKind& kind, std::size_t entry) const {
+    const auto number = [&](std::size_t column) { return at(first + column, entry); };
+    if (!kind.is_counted()) {
+        return {.uncounted = {number(kMore), number(kLess)}};
+    }
+    return {
+        .light = number(kLight),
+        .root = number(kRoot),
+        .largest = number(kLargest),
+        .unseen = number(kUnseen),
+        .varies = number(kVaries) > 0};
+}
+
 ContributionSize SummableLight::size_of(std::size_t entry) const {
     const std::size_t fixed = first_fixed(columns_);
     const double absorptance = at(fixed + kAbsorptance, entry);
     if (const double bound = at(fixed + kBound, entry); bound > 0) {
         return {at(0, entry) == 0 ? bound * absorptance : 0, 0};
     }
-    std::vector<SampledContribution> kinds(columns_.kinds.size());
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        const std::size_t first = first_of_kinds(columns_) + kColumnsOfKind * i;
-        kinds[i] = {
-            columns_.kinds[i],
-            {at(first + kMore, entry), at(first + kLess, entry)},
-            at(first + kUnseen, entry)};
+    std::vector<SampledContributions> kinds;
+    std::size_t first = first_of_kinds(columns_);
+    for (const ContributionKind& kind : columns_.kinds) {
+        kinds.push_back({kind, contributions(first, kind, entry)});
+        first += columns_of(kind);
     }
     return one_contribution(kinds) * absorptance;
 }

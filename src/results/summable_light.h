@@ -34,7 +34,7 @@ enum class Summand : std::uint8_t {
 struct SummableColumns {
     Summand summand = Summand::flux;
     std::uint32_t replicates = 0;
-    std::vector<Sample> kinds;  ///< the contributions are these
+    std::vector<ContributionKind> kinds;
 
     [[nodiscard]] std::size_t size() const;
     [[nodiscard]] SumRule rule(std::size_t column) const;
@@ -89,6 +89,9 @@ class SummableLight {
     [[nodiscard]] double at(std::size_t column, std::size_t entry) const {
         return numbers_[column * size() + entry];
     }
+    /// @param first  column of the kind
+    [[nodiscard]] Contributions contributions(
+        std::size_t first, const ContributionKind& kind, std::size_t entry) const;
     [[nodiscard]] ContributionSize size_of(std::size_t entry) const;
     [[nodiscard]] Estimate estimate(std::size_t entry, std::span<const double> values) const;
 

@@ -153,11 +153,7 @@ Estimate SunShadeReplicateSum::quotient(
     if (!exists) {
         return kUnknownEstimate;
     }
-    const std::vector<double> flux = light_.values(light);
-    const bool is_dark = std::ranges::all_of(flux, [](double x) { return x == 0; });
-    return is_dark
-               ? light_.estimate(light, 1 / area)
-               : widened(not_negative(estimate_ratio(flux, lit)), light_.size(light) * (1 / area));
+    return estimate_share(light_.values(light), lit, light_.size(light));
 }
 
 SunShadeLight SunShadeReplicateSum::estimates(

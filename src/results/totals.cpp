@@ -1,7 +1,6 @@
 #include "results/totals.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "results/bounds/organ_contributions.h"
@@ -13,61 +12,6 @@
 
 namespace quasimc {
 namespace {
-
-/// Upper bound of the total absorbed by organs, or by the ground, with zero contributions: the
-/// largest bound of one organ, for a sample contributes to at most one of them.
-void bound_unseen_totals(const Scene& scene, Result& result) {
-    for (std::size_t b = 0; b < result.bands; ++b) {
-        double organs = 0, ground = 0;
-        for (std::size_t i = 0; i < scene.organs().size(); ++i) {
-            double& most = scene.organs()[i].is_ground ? ground : organs;
-            most = std::max(most, result.at(i, Quantity::absorbed_flux, b).ci95_high);
-        }
-        const auto bound = [](Estimate& total, double high) {
-            if (total.mean == 0 && high > 0) {
-                total = {0, std::numeric_limits<double>::quiet_NaN(), 0, high};
-            }
-        };
-        bound(result.budget[b].absorbed_by_organs, organs);
-        bound(result.budget[b].absorbed_by_ground, ground);
-    }
-}
-
-/// Widens a total with contributions. @param per_flux  its unit
-void widen(Estimate& total, const ContributionSize& contribution, double per_flux = 1) {
-    if (total.mean > 0) {
-        total = widened(total, {contribution.more * per_flux, contribution.less * per_flux});
-    }
-}
-
-/// An interval that contains its mean. The means of a budget's parts add up to the emitted flux;
-/// one may exceed its limit by chance, and is reported as it is.
-Estimate with_mean(const Estimate& e) {
-    return {e.mean, e.standard_error, std::min(e.ci95_low, e.mean), std::max(e.ci95_high, e.mean)};
-}
-
-/// Includes one contribution to each organ in those to the totals.
-void include_organs(
-    const Sums& sums,
-    const Scene& scene,
-    const EvaluationSpec& spec,
-    TotalContributions& contributions) {
-    const SumReader reader(sums);
-    for_each_block(scene, spec.threads, [&](std::size_t first, std::size_t last) {
-        std::vector<TotalContribution> own(sums->bands());
-        for (std::size_t i = first; i < last; ++i) {
-            const Organ& organ = scene.organs()[i];
-            for (std::size_t b = 0; is_measured(sums, organ) && b < own.size(); ++b) {
-                const ContributionSize size =
-                    OrganContributions(OrganReader(reader, scene, spec, organ), b)
-                        .size(parts_of(Quantity::absorbed_flux));
-                own[b].include(
-                    organ.is_ground ? TotalContribution{{}, size} : TotalContribution{size, {}});
-            }
-        }
-        contributions.include(own);
-    });
-}
 
 /// A part of the flows: [band][replicate].
 std::vector<std::vector<double>> values_of(const BandFlows& flows, double Flows::*part) {
@@ -101,11 +45,12 @@ std::vector<TotalReplicates> replicates_of_totals(
     };
     TotalReplicates organs = part("absorbed_by_organs", &Flows::organs);
     TotalReplicates ground = part("absorbed_by_ground", &Flows::ground);
-    TotalContributions contributions(sums->bands());
-    include_organs(sums, scene, spec, contributions);
+    const std::vector<TotalContributions> contributions =
+        contributions_to_totals(sums, scene, spec);
     for (std::size_t b = 0; b < flows.size(); ++b) {
-        organs.sizes[b] = contributions.of(b).organs;
-        ground.sizes[b] = contributions.of(b).ground;
+        const TotalSizes sizes = sizes_of(contributions[b], flows[b]);
+        organs.sizes[b] = sizes.organs;
+        ground.sizes[b] = sizes.ground;
     }
     std::vector<TotalReplicates> all{
         part("emitted", &Flows::emitted),
@@ -125,38 +70,53 @@ std::vector<TotalReplicates> replicates_of_totals(
     return all;
 }
 
-void TotalContribution::include(const TotalContribution& other) {
-    organs = larger(organs, other.organs);
-    ground = larger(ground, other.ground);
-}
-
-void TotalContributions::include(std::span<const TotalContribution> some) {
-    const std::lock_guard lock(mutex_);
-    for (std::size_t b = 0; b < bands_.size(); ++b) {
-        bands_[b].include(some[b]);
+void TotalContributions::include(
+    const OrganContributions& contributions, const Scene& scene, const Organ& organ) {
+    if (organ.is_ground) {
+        ground.include(contributions);
+    } else if (!is_sensor(scene, organ)) {
+        organs.include(contributions);
     }
 }
 
-void report_errors_of_totals(
-    const Sums& sums, const Scene& scene, const TotalContributions& contributions, Result& result) {
-    bound_unseen_totals(scene, result);
-    for (std::size_t b = 0; b < result.bands; ++b) {
-        const TotalContribution& contribution = contributions.of(b);
-        BandBudget& budget = result.budget[b];
-        widen(budget.absorbed_by_organs, contribution.organs);
-        widen(budget.absorbed_by_ground, contribution.ground);
-        if (!result.canopy.empty() && result.canopy[b].incident > 0) {
-            CanopyFractions& canopy = result.canopy[b];
-            widen(canopy.absorptance, contribution.organs, 1 / canopy.incident);
-            widen(canopy.ground_absorptance, contribution.ground, 1 / canopy.incident);
+void TotalContributions::include(const TotalContributions& other) {
+    organs.include(other.organs);
+    ground.include(other.ground);
+}
+
+TotalSizes sizes_of(const TotalContributions& all, const std::vector<Flows>& flows) {
+    const auto size = [&](const OrganContributions& of, const LightParts& parts,
+                          double Flows::*part) {
+        std::vector<double> values;
+        for (const Flows& one : flows) {
+            values.push_back(one.*part);
         }
-        // Where all emitted light is counted, no part exceeds it.
-        for (Estimate* part :
-             {&budget.absorbed_by_organs, &budget.absorbed_by_ground, &budget.escaped}) {
-            *part = with_mean(
-                sums->emitted_flux.empty() ? *part : not_above(*part, sums->emitted_flux[b]));
-        }
-    }
+        return of.size(parts, values);
+    };
+    const LightParts absorbed = parts_of(Quantity::absorbed_flux);
+    return {
+        size(all.organs, absorbed, &Flows::organs), size(all.ground, absorbed, &Flows::ground),
+        size(all.ground, kIncidentLight, &Flows::on_ground)};
+}
+
+std::vector<TotalContributions> contributions_to_totals(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
+    const SumReader reader(sums);
+    std::vector<TotalContributions> all(sums->bands());
+    gather_contributions(
+        0, scene.organs().size(), spec.threads,
+        [&](std::size_t first, std::size_t last, std::vector<TotalContributions>& own) {
+            for (std::size_t i = first; i < last; ++i) {
+                const Organ& organ = scene.organs()[i];
+                for (std::size_t b = 0; is_measured(sums, organ) && b < own.size(); ++b) {
+                    own[b].include(
+                        OrganContributions(OrganReader(reader, scene, spec, organ), b), scene,
+                        organ);
+                }
+            }
+        },
+        all);
+    return all;
 }
 
 }  // namespace quasimc

@@ -1,44 +1,58 @@
 #pragma once
 
-#include <mutex>
-#include <span>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 
 #include "quasimc/result.h"
 #include "quasimc/sums.h"
+#include "results/bounds/organ_contributions.h"
+#include "results/flows.h"
+#include "results/organ_blocks.h"
 #include "scene/scene.h"
 #include "sums/statistics.h"
 
 namespace quasimc {
 
-/// The largest contribution of an organ to the totals of organs and ground: with many contributions
-/// the spread of the replicates covers the others.
-struct TotalContribution {
-    ContributionSize organs, ground;
+/// The contributions to the totals of organs and ground, in a band.
+struct TotalContributions {
+    OrganContributions organs, ground;
 
-    void include(const TotalContribution& other);
+    void include(const OrganContributions& contributions, const Scene& scene, const Organ& organ);
+    void include(const TotalContributions& other);
 };
 
-/// The largest contributions of each band, gathered on many threads.
-class TotalContributions {
-  public:
-    explicit TotalContributions(std::size_t bands) : bands_(bands) {}
-
-    /// Includes the contributions of some organs.
-    void include(std::span<const TotalContribution> some);
-    [[nodiscard]] const TotalContribution& of(std::size_t band) const { return bands_[band]; }
-
-  private:
-    std::mutex mutex_;
-    std::vector<TotalContribution> bands_;
+/// One contribution to the totals of a band, as flux.
+struct TotalSizes {
+    ContributionSize organs, ground;  ///< absorbed light
+    ContributionSize on_ground;       ///< light on the ground
 };
+[[nodiscard]] TotalSizes sizes_of(const TotalContributions& all, const std::vector<Flows>& flows);
 
-/// Completes the errors of the totals of organs and ground, in the budget and as fractions of the
-/// canopy, by what replicates do not show: upper bounds where no light was sampled, the size of one
-/// contribution, and the emitted flux as a limit.
-void report_errors_of_totals(
-    const Sums& sums, const Scene& scene, const TotalContributions& contributions, Result& result);
+/// Runs work(first, last, own) for some organs at a time, on all threads, and adds up the
+/// contributions by band that it puts into `own`, in the order of organs.
+template <typename Work>
+void gather_contributions(
+    std::size_t begin,
+    std::size_t end,
+    unsigned threads,
+    const Work& work,
+    std::vector<TotalContributions>& all) {
+    std::vector<std::vector<TotalContributions>> of_blocks(
+        blocks_for(end - begin), std::vector<TotalContributions>(all.size()));
+    for_each_block(begin, end, threads, [&](std::size_t first, std::size_t last) {
+        work(first, last, of_blocks[(first - begin) / kOrgansPerBlock]);
+    });
+    for (const std::vector<TotalContributions>& own : of_blocks) {
+        for (std::size_t b = 0; b < all.size(); ++b) {
+            all[b].include(own[b]);
+        }
+    }
+}
+
+/// The contributions of all measured organs. @returns by band
+[[nodiscard]] std::vector<TotalContributions> contributions_to_totals(
+    const Sums& sums, const Scene& scene, const EvaluationSpec& spec);
 
 /// The light of the whole scene, replicate by replicate, for arithmetic beyond the budget and the
 /// fractions of the canopy.

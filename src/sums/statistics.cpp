@@ -94,6 +94,18 @@ Estimate widened(const Estimate& e, const ContributionSize& size) {
     return not_negative(reaching(e, size));
 }
 
+Estimate estimate_share(
+    std::span<const double> amount, std::span<const double> whole, const ContributionSize& one) {
+    const double mean = whole.empty() ? 0 : mean_of(whole);
+    if (!(mean > 0)) {
+        return kUnknownEstimate;
+    }
+    const ContributionSize size = one * (1 / mean);
+    const bool is_dark = std::ranges::all_of(amount, [](double x) { return x == 0; });
+    return is_dark ? estimate_contributions(amount, size)
+                   : widened(not_negative(estimate_ratio(amount, whole)), size);
+}
+
 std::vector<Estimate> estimate_signed(const SignedNumbers& numbers, unsigned threads) {
     const std::size_t count = numbers.means.size();
     EXPECT(count > 0 && numbers.deviations.size() % count == 0 && numbers.sizes.size() == count);

@@ -69,6 +69,13 @@ struct ContributionSize {
 /// both widened as in estimate_contributions().
 [[nodiscard]] Estimate widened(const Estimate& e, const ContributionSize& size);
 
+/// The ratio of an amount, the sum of contributions of known size, and a whole, from the same
+/// replicates: the error of estimate_ratio(), widened as in estimate_contributions(). Unknown if
+/// the whole is not above 0.
+/// @param one  a contribution to the amount changes the ratio by one / the mean of the whole
+[[nodiscard]] Estimate estimate_share(
+    std::span<const double> amount, std::span<const double> whole, const ContributionSize& one);
+
 /// Numbers of any sign, with their deviations in each replicate.
 struct SignedNumbers {
     std::span<const double> means;

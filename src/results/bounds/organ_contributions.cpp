@@ -13,30 +13,41 @@ constexpr double kManyContributions = 5;
 /// The probability of another hit from which on light is trapped.
 constexpr double kTrapped = 1 - 1e-6;
 
-/// The light of one strategy, to which contributions of at most `largest` were made.
-struct Counted {
-    double number = 0;     ///< in all replicates
-    double mean_size = 0;  ///< change of the mean by one
-    double largest = 0;
-    double many = 0;        ///< number from which on replicates suffice
-    bool is_alike = false;  ///< whether their spread does not show the error
-};
-
-ContributionSize one_of(const Counted& light) {
-    const double few = light.is_alike ? 1 : std::max(0.0, 1 - light.number / light.many);
-    const double more = std::max(light.mean_size, light.largest / (light.number + 1));
-    return light.number == 0 ? ContributionSize{light.largest, 0}
-                             : ContributionSize{few * more, few * light.mean_size};
+/// Contributions to one organ.
+/// @param number  in all replicates
+/// @param size  the change of the mean by one; with number 0 any
+/// @param largest  the largest change
+Contributions counted(double number, double size, double largest, bool varies) {
+    return {
+        .light = number * size,
+        .root = std::sqrt(number) * size,
+        .largest = number > 0 ? largest : 0,
+        .unseen = number > 0 ? 0 : largest,
+        .varies = varies};
 }
 
-/// The counted light of a strategy. Paths of a point set are so evenly distributed that with 4.96
-/// expected nearly all replicates have 5; then their spread does not show how often one has another
-/// number.
-Counted counted_by(const SamplingStrategy& strategy, const CountedLight& light, double replicates) {
+/// The kind of the contributions of a strategy.
+ContributionKind kind_of(const SamplingStrategy& strategy, double replicates) {
     return {
-        .number = light.number(),
-        .many = strategy.many * replicates,
-        .is_alike = strategy.by == SampledBy::paths && light.is_alike};
+        strategy.by == SampledBy::paths ? Sample::path : Sample::ray,
+        strategy.spectra.empty() ? 0 : strategy.many * replicates};
+}
+
+/// The contributions of a strategy to the light of an organ.
+/// @param size, largest  of one
+Contributions of_strategy(
+    const SamplingStrategy& strategy,
+    const ContributionKind& kind,
+    const CountedLight& found,
+    double size,
+    double largest) {
+    if (!kind.is_counted()) {
+        return {.uncounted = {largest, largest}};
+    }
+    // Paths of a point set are so evenly distributed that with 4.96 expected nearly all replicates
+    // have 5; then their spread does not show how often one has another number.
+    const bool varies = strategy.by != SampledBy::paths || !found.is_alike;
+    return counted(found.number(), size, largest, varies);
 }
 
 /// The contributions to both sides.
@@ -62,12 +73,37 @@ ContributionSize one_of_kinds(std::size_t kinds, const SampleOf& sample_of, cons
 
 }  // namespace
 
-ContributionSize one_contribution(std::span<const SampledContribution> kinds) {
+void Contributions::include(const Contributions& other, Sample sample, double weight) {
+    const bool is_ray = sample == Sample::ray;
+    const ContributionSize not_counted = other.uncounted * weight;
+    const double most = other.largest * weight, most_unseen = other.unseen * weight;
+    light += other.light * weight;
+    root = std::hypot(root, other.root * weight);
+    largest = is_ray ? std::hypot(largest, most) : std::max(largest, most);
+    unseen = is_ray ? unseen + most_unseen : std::max(unseen, most_unseen);
+    varies = varies || other.varies;
+    uncounted = is_ray ? both(uncounted, not_counted) : larger(uncounted, not_counted);
+}
+
+ContributionSize SampledContributions::one() const {
+    if (!kind.is_counted()) {
+        return all.uncounted;
+    }
+    const ContributionSize unseen{all.unseen, 0};
+    if (all.light == 0) {
+        return unseen;
+    }
+    const double number = all.light / all.root * (all.light / all.root);
+    const double size = all.root * (all.root / all.light);
+    const double few = all.varies ? std::max(0.0, 1 - number / kind.many) : 1;
+    const ContributionSize seen{few * std::max(size, all.largest / (number + 1)), few * size};
+    return kind.sample == Sample::ray ? both(seen, unseen) : larger(seen, unseen);
+}
+
+ContributionSize one_contribution(std::span<const SampledContributions> kinds) {
     return one_of_kinds(
-        kinds.size(), [&](std::size_t i) { return kinds[i].sample; },
-        [&](std::size_t i) {
-            return both(kinds[i].size, {kinds[i].unseen, 0});
-        });
+        kinds.size(), [&](std::size_t i) { return kinds[i].kind.sample; },
+        [&](std::size_t i) { return kinds[i].one(); });
 }
 
 Estimate estimate_sunlit_fraction(
@@ -117,11 +153,16 @@ void OrganContributions::read_points(
              true,
              false,
              sums.data().spectra.size() == 1,
-             Sample::point,
-             {all > 0 && found == all ? on_triangle : direct, found > 0 ? direct : 0}});
+             {{Sample::point},
+              {.uncounted = {
+                   all > 0 && found == all ? on_triangle : direct, found > 0 ? direct : 0}}}});
         const bool is_lit = (is_upper ? sum.scattered_upper : sum.scattered_lower) > 0;
         kinds_.push_back(
-            {side, false, false, false, Sample::path, {scattered, is_lit ? scattered : 0}});
+            {side,
+             false,
+             false,
+             false,
+             {{Sample::path}, {.uncounted = {scattered, is_lit ? scattered : 0}}}});
     }
 }
 
@@ -131,20 +172,19 @@ void OrganContributions::read_strategies(
     kinds_.reserve(2 * reader.sums().data().strategies.size() + 2);
     for (std::size_t i = 0; i < reader.sums().data().strategies.size(); ++i) {
         const SamplingStrategy& strategy = reader.sums().data().strategies[i];
-        const bool is_path = strategy.by == SampledBy::paths;
+        const ContributionKind kind = kind_of(strategy, count);
         const double flux = reader.flux_per_unit(i, band) / count;
         for (const SurfaceSide side : kSurfaceSides) {
             const CountedLight found = reader.counted(i, side);
-            Counted light = counted_by(strategy, found, count);
-            light.mean_size = found.units > 0 ? found.units * flux / light.number : 0;
-            light.largest = reader.units_per_contribution(i, side, found.units > 0) * flux;
-            ContributionSize size = one_of(light);
-            size.less = strategy.spectra.empty() ? size.more : size.less;
-            const bool is_unseen = !is_path && size.less == 0;
+            const bool is_seen = found.units > 0;
+            const double size = is_seen ? found.units * flux / found.number() : 0;
+            const double largest = reader.units_per_contribution(i, side, is_seen) * flux;
             kinds_.push_back(
-                {side, true, strategy.has_suns, strategy.spectra.size() == 1,
-                 is_path ? Sample::path : Sample::ray, is_unseen ? ContributionSize{} : size,
-                 is_unseen ? size.more : 0});
+                {side,
+                 true,
+                 strategy.has_suns,
+                 strategy.spectra.size() == 1,
+                 {kind, of_strategy(strategy, kind, found, size, largest)}});
         }
     }
     const double once = reader.may_scatter(band) ? reader.largest_scattered(band) / count : 0;
@@ -158,9 +198,13 @@ void OrganContributions::read_strategies(
                 ? 0
                 : reader.largest_reflectance(band, side) * reader.self_view_factor(side, band);
         const double size = again < kTrapped ? once * (1 + again) / (1 - again) : once;
+        const ContributionKind kind{Sample::path, kManyContributions * count};
         kinds_.push_back(
-            {side, false, false, false, Sample::path,
-             one_of({size > 0 ? mean / size : 0, size, size, kManyContributions * count})});
+            {side,
+             false,
+             false,
+             false,
+             {kind, counted(size > 0 ? std::max(0.0, mean / size) : 0, size, size, true)}});
     }
 }
 
@@ -172,7 +216,7 @@ OrganContributions OrganContributions::sunlit(
     const double count = reader.replicates();
     const double one = reader.largest_sunlit() / count;
     if (all.has_points_) {
-        all.kinds_ = {{.sample = Sample::point, .size = {one, one}}};
+        all.kinds_ = {{.sampled = {{Sample::point}, {.uncounted = {one, one}}}}};
     }
     all.bound_ = !all.has_points_ && strategies.empty() ? one : 0;
     double area = 0;
@@ -187,61 +231,57 @@ OrganContributions OrganContributions::sunlit(
                                         : together(
                                               reader.counted(i, SurfaceSide::upper),
                                               reader.counted(i, SurfaceSide::lower));
-        const bool is_known = !strategies[i].spectra.empty();
-        Counted light = counted_by(strategies[i], found, count);
-        light.largest = one * reader.sunlit_per_contribution(i, found.units > 0);
+        const double largest = one * reader.sunlit_per_contribution(i, found.units > 0);
         // Light of other suns counts in the area too.
-        light.mean_size =
-            found.units > 0 ? std::min(area / light.number, light.largest) : light.largest;
-        ContributionSize size = one_of(light);
-        size.less = is_known ? size.less : size.more;
-        const Sample sample = strategies[i].by == SampledBy::paths ? Sample::path : Sample::ray;
-        all.kinds_.push_back({.sample = sample, .size = size});
+        const double size = found.units > 0 ? std::min(area / found.number(), largest) : 0;
+        const ContributionKind kind = kind_of(strategies[i], count);
+        all.kinds_.push_back(
+            {.sampled = {kind, of_strategy(strategies[i], kind, found, size, largest)}});
     }
     return all;
 }
 
 void OrganContributions::include(const OrganContributions& organ, double weight) {
-    kinds_.resize(organ.kinds_.size());
-    for (std::size_t i = 0; i < kinds_.size(); ++i) {
-        const Kind& other = organ.kinds_[i];
-        const Kind own = kinds_[i];
-        const bool is_ray = other.sample == Sample::ray;
-        kinds_[i] = other;
-        const ContributionSize size = other.size * weight;
-        kinds_[i].size = is_ray ? both(own.size, size) : larger(own.size, size);
-        kinds_[i].unseen = own.unseen + other.unseen * weight;
+    if (kinds_.empty()) {
+        kinds_ = organ.kinds_;
+        for (Kind& kind : kinds_) {
+            kind.sampled.all = {};
+        }
+    }
+    for (std::size_t i = 0; i < organ.kinds_.size(); ++i) {
+        const SampledContributions& other = organ.kinds_[i].sampled;
+        kinds_[i].sampled.all.include(other.all, other.kind.sample, weight);
     }
     absorptance_ = std::max(absorptance_, organ.absorptance_);
     bound_ = std::max(bound_, organ.bound_ * weight);
-    has_points_ = organ.has_points_;
+    has_points_ = has_points_ || organ.has_points_;
 }
 
 template <typename SizeOf>
 ContributionSize OrganContributions::combined(const SizeOf& size_of) const {
     return one_of_kinds(
-        kinds_.size(), [&](std::size_t i) { return kinds_[i].sample; },
+        kinds_.size(), [&](std::size_t i) { return kinds_[i].sampled.kind.sample; },
         [&](std::size_t i) { return size_of(kinds_[i], i); });
 }
 
-bool OrganContributions::is_counted(const Kind& kind, const LightParts& parts) {
+bool OrganContributions::includes(const LightParts& parts, const Kind& kind) {
     return (kind.is_direct ? parts.direct : parts.scattered) && (parts.suns || !kind.has_suns) &&
            (kind.side == SurfaceSide::upper ? parts.upper : parts.lower);
 }
 
-std::vector<SampledContribution> OrganContributions::kinds(const LightParts& parts) const {
-    std::vector<SampledContribution> counted;
+std::vector<SampledContributions> OrganContributions::kinds(const LightParts& parts) const {
+    std::vector<SampledContributions> included;
     for (const Kind& kind : kinds_) {
-        if (is_counted(kind, parts)) {
-            counted.push_back({kind.sample, kind.size, kind.unseen});
+        if (includes(parts, kind)) {
+            included.push_back(kind.sampled);
         }
     }
-    return counted;
+    return included;
 }
 
 ContributionSize OrganContributions::size(const LightParts& parts) const {
     const ContributionSize one = combined([&](const Kind& kind, std::size_t) {
-        return is_counted(kind, parts) ? both(kind.size, {kind.unseen, 0}) : ContributionSize{};
+        return includes(parts, kind) ? kind.sampled.one() : ContributionSize{};
     });
     return parts.is_absorbed ? one * absorptance_ : one;
 }
@@ -291,9 +331,8 @@ Estimate OrganContributions::estimate_ratio(
         return ratio;
     }
     return widened(ratio, above.combined([&](const Kind& kind, std::size_t i) {
-        const Kind& other = below.kinds_[i];
-        const ContributionSize one = both(kind.size, {kind.unseen, 0});
-        const ContributionSize of_b = both(other.size, {other.unseen, 0}) * ratio.mean;
+        const ContributionSize one = kind.sampled.one();
+        const ContributionSize of_b = below.kinds_[i].sampled.one() * ratio.mean;
         if (!kind.has_one_spectrum) {  // a contribution may have light of one band alone
             return ContributionSize{std::max(one.more, of_b.less), std::max(one.less, of_b.more)} *
                    (1 / light);

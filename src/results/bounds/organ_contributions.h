@@ -14,16 +14,42 @@ namespace quasimc {
 /// or a line, which may contribute to several organs.
 enum class Sample : std::uint8_t { path, point, ray };
 
-/// The change of light by one contribution of a kind more or less.
-struct SampledContribution {
+/// A kind of contributions.
+struct ContributionKind {
     Sample sample = Sample::path;
-    ContributionSize size = {};
-    double unseen = 0;  ///< in addition: to organs without contributions, from one ray
+    /// With this many in all replicates, their scatter shows the error; 0: they are not counted.
+    double many = 0;
+
+    [[nodiscard]] bool is_counted() const { return many > 0; }
+    friend bool operator==(const ContributionKind&, const ContributionKind&) = default;
+};
+
+/// The contributions of a kind to the light of an organ, or of several: as changes of the mean of
+/// the replicates.
+struct Contributions {
+    double light = 0;                 ///< their sum
+    double root = 0;                  ///< of the sum of their squares
+    double largest = 0;               ///< one to organs that have some
+    double unseen = 0;                ///< one to organs that have none, from one ray
+    bool varies = false;              ///< replicates differ, and show how often they do
+    ContributionSize uncounted = {};  ///< one, if they are not counted
+
+    /// Includes those to another organ. @param weight  of its light, above 0
+    void include(const Contributions& other, Sample sample, double weight);
+};
+
+/// The contributions of one kind.
+struct SampledContributions {
+    ContributionKind kind;
+    Contributions all;
+
+    /// The change by one contribution more or less.
+    [[nodiscard]] ContributionSize one() const;
 };
 
 /// The change by one contribution of any kind: a path more is of one kind, other samples may be
 /// missing of each.
-[[nodiscard]] ContributionSize one_contribution(std::span<const SampledContribution> kinds);
+[[nodiscard]] ContributionSize one_contribution(std::span<const SampledContributions> kinds);
 
 /// Estimates the sunlit fraction from contributions to it.
 /// @param lit  the fraction, per replicate
@@ -58,7 +84,7 @@ class OrganContributions {
     /// @param values  the quantity, per replicate
     [[nodiscard]] ContributionSize size(Quantity quantity, std::span<const double> values) const;
     /// The kinds of contributions to the given parts of light, as many for all organs.
-    [[nodiscard]] std::vector<SampledContribution> kinds(const LightParts& parts) const;
+    [[nodiscard]] std::vector<SampledContributions> kinds(const LightParts& parts) const;
     /// The largest fraction of light that a side absorbs.
     [[nodiscard]] double absorptance() const { return absorptance_; }
     /// The largest contribution, where only this is known, as flux; else 0.
@@ -91,15 +117,13 @@ class OrganContributions {
         bool is_direct = true;
         bool has_suns = false;          ///< direct light of suns alone
         bool has_one_spectrum = false;  ///< a contribution has the same colour as all others
-        Sample sample = Sample::path;
-        ContributionSize size = {};
-        double unseen = 0;  ///< in addition: to organs without contributions, from one ray
+        SampledContributions sampled = {};
     };
     /// Combines the kinds: see one_contribution().
     /// @param size_of  of a kind and its index
     template <typename SizeOf>
     [[nodiscard]] ContributionSize combined(const SizeOf& size_of) const;
-    static bool is_counted(const Kind& kind, const LightParts& parts);
+    static bool includes(const LightParts& parts, const Kind& kind);
     void read_strategies(const OrganReader& reader, std::size_t band, const Incident& light);
     void read_points(const OrganReader& reader, std::size_t band, const Incident& light);
 

@@ -70,6 +70,20 @@ TEST_P(Fractions, AddUpToOneButForTheRoulette) {
     EXPECT_NEAR(open, 0, 1e-12);
 }
 
+/// One number has one error, whether it is called a fraction of the canopy or of all organs.
+TEST_P(Fractions, OfAllOrgansAreTheSharesOfTheirGroup) {
+    for (const std::uint64_t paths : {1U << 5, 1U << 10}) {
+        const Result result = trace(make_sheets_over_soil(3), {sun(30, {1}), sky({2})}, paths);
+        const Estimate& fraction = result.canopy.at(0).absorptance;
+        const Estimate& share = result.groups.share(0, GroupShare::incident, 0);
+        EXPECT_GT(fraction.standard_error, 0);
+        EXPECT_NEAR(fraction.mean, share.mean, 1e-12);
+        EXPECT_NEAR(fraction.standard_error, share.standard_error, 1e-9 * share.standard_error);
+        EXPECT_NEAR(fraction.ci95_low, share.ci95_low, 1e-12);
+        EXPECT_NEAR(fraction.ci95_high, share.ci95_high, 1e-12);
+    }
+}
+
 /// Errors of complementary fractions have opposite signs.
 TEST_P(Fractions, HaveErrorsOfTheirOwn) {
     const Result result = trace(make_sheets_over_soil(1), {sky({1})}, 1 << 10);
