@@ -320,6 +320,8 @@ const char* quasimc_result_sensor_label(
  *  @param count  quasimc_result_sensor_count() */
 int quasimc_result_sensor_positions(const quasimc_result* result, double* positions, int64_t count);
 /** A number of every sensor, as quasimc_result_get; the light on a sphere is its incident_upper.
+ *  "transmittance": incident_upper over the light on the horizontal above the canopy. NaN of sensors
+ *  that do not face up, and where no light comes in or the light on the horizontal is unknown.
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_sensor_count() */
 int quasimc_result_get_sensors(
@@ -340,8 +342,8 @@ const char* quasimc_result_sensor_set_name(const quasimc_result* result, int64_t
 int64_t quasimc_result_sensor_set_size(const quasimc_result* result, const char* set);
 /** "cosine" or "sphere". NULL and an error if there is no set of the name. */
 const char* quasimc_result_sensor_set_receiver(const quasimc_result* result, const char* set);
-/** A number of every sensor of a set, as quasimc_result_get. Spheres have "fluence_rate" instead of
- *  the two sides.
+/** A number of every sensor of a set, as quasimc_result_get_sensors. Spheres have "fluence_rate"
+ *  instead of the two sides.
  *  @param set  its name
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_sensor_set_size() */

@@ -49,7 +49,7 @@ class Sensors:
         self._quantities = _SPHERE if own["is_sphere"] else _FLAT
         self._units = tuple(_core.summed_unit(unit) if is_sum else unit for unit in organs.units)
         self._values = light["values"][rows]
-        self._horizontal = _horizontal_light(own, light)
+        self._per_horizontal = _per_horizontal(own, light)
         self._origins = {name: part["values"][rows] for name, part in light["origins"].items()}
         sunlit = light.get("sunlit_fraction", ())
         self._sunlit = sunlit[rows].reshape(*self.shape, 4) if len(sunlit) else None
@@ -58,7 +58,7 @@ class Sensors:
         """Names of the quantities; with directional sources also sunlit_fraction (not for sums)."""
         return [
             *self._quantities,
-            *(() if self._horizontal is None else ("transmittance",)),
+            *(() if self._per_horizontal is None else ("transmittance",)),
             *(() if self._sunlit is None else ("sunlit_fraction",)),
         ]
 
@@ -100,7 +100,7 @@ class Sensors:
 
     def _transmittance(self):
         number = list(_core.quantities()).index("incident_upper")
-        values = self._values[:, number] / self._horizontal[:, np.newaxis]
+        values = self._values[:, number] * self._per_horizontal[:, np.newaxis]
         units = ("",) * len(self._units)
         return Estimates(
             self._shaped(values), "transmittance", units, self._of.bands, extensive=False
@@ -119,12 +119,12 @@ class Sensors:
         return f"<Sensors {self.name!r}: {shape}>"
 
 
-def _horizontal_light(own, light):
-    """The irradiance on the horizontal by band, of sensors that would receive it; or None."""
+def _per_horizontal(own, light):
+    """1 / the irradiance on the horizontal by band, of sensors that would receive it; or None."""
     incident = np.asarray(light["incident"])
     if own["horizontal_area"] is None or not len(incident):
         return None
-    return np.where(incident > 0, incident, np.nan) / own["horizontal_area"]
+    return own["horizontal_area"] / np.where(incident > 0, incident, np.nan)
 
 
 def sensor_variables(sensors, prefix=""):

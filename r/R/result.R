@@ -24,7 +24,9 @@ groups <- function(result, quantities = NULL) {
 
 # A row for each sensor: set, name, x, y, z, and for each quantity and band a column of values and one
 # of standard errors: incident_upper_PAR, incident_upper_PAR_se. Flat sensors have no fluence_rate,
-# spheres no sides: NA. quantities: NULL: all; labels: keys of labels to add.
+# spheres no sides: NA. transmittance is the light from above over that on the horizontal above the
+# canopy; NaN of sensors that do not face up, and where no light comes in or that light is unknown.
+# quantities: NULL: all; labels: keys of labels to add.
 sensors <- function(result, quantities = NULL, labels = character()) {
     sets <- .Call(C_set_names, result$handle)
     positions <- .Call(C_sensor_positions, result$handle)
@@ -37,7 +39,7 @@ sensors <- function(result, quantities = NULL, labels = character()) {
     }
     if (is.null(quantities)) {
         quantities <- c("incident_upper", "incident_lower", "incident_direct", "incident_scattered",
-                        "fluence_rate")
+                        "fluence_rate", "transmittance")
     }
     with_quantities(table, result, quantities, function(handle, ...) {
         as.numeric(unlist(lapply(sets, function(set) of_sensor_set(handle, set, ...))))

@@ -58,11 +58,14 @@ stopifnot(
     abs(at$incident_upper_PAR[1] - 400) < 5 * at$incident_upper_PAR_se[1],
     at$incident_upper_PAR_se[1] < 8,
     at$incident_upper_PAR[2] < 100,
+    all.equal(at$transmittance_PAR, at$incident_upper_PAR / 400),
+    all.equal(at$transmittance_NIR_se, at$incident_upper_NIR_se / 300),
+    identical(is.nan(at$transmittance_PAR), at$sensors == "ball"),
     identical(is.na(at$fluence_rate_NIR), at$sensors != "ball"),
     identical(is.na(at$incident_upper_NIR), at$sensors == "ball"),
     abs(at$fluence_rate_PAR[3] - 800) < 5 * at$fluence_rate_PAR_se[3],
     all.equal(sensors(measured, "incident_direct_from_sky")$incident_direct_from_sky_PAR, at$incident_direct_PAR),
-    identical(dim(sensors(result)), c(0L, 5L + 2L * 2L * 5L)))
+    identical(dim(sensors(result)), c(0L, 5L + 2L * 2L * 6L)))
 
 message_of <- function(expression) tryCatch({ expression; "" }, error = conditionMessage)
 stopifnot(

@@ -104,7 +104,7 @@ void check_count(std::int64_t count, std::size_t rows) {
 }
 
 void copy_rows(
-    const Column& column,
+    FunctionRef<Estimate(std::size_t)> estimate_of,
     std::size_t rows,
     const char* statistic,
     double* values,
@@ -113,7 +113,7 @@ void copy_rows(
     double Estimate::*member = statistic_of(text_of(statistic, "statistic"));
     double* out = &deref(values, "values");
     for (std::size_t i = 0; i < rows; ++i) {
-        out[i] = reported(column.first[i * column.stride]).*member;
+        out[i] = reported(estimate_of(i)).*member;
     }
 }
 

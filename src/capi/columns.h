@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/function_ref.h"
 #include "capi/guard.h"
 #include "capi/handles.h"
 
@@ -44,6 +45,8 @@ struct Rows {
 struct Column {
     const Estimate* first;
     std::size_t stride;
+
+    const Estimate& operator()(std::size_t row) const { return first[row * stride]; }
 };
 
 /// A quantity of every row, with the names of quasimc_result_get().
@@ -60,10 +63,11 @@ struct Column {
 /// @throws Misuse  if an array has not room for a number of every row
 void check_count(std::int64_t count, std::size_t rows);
 
-/// Copies a statistic of every row. @param count  capacity of `values`
+/// Copies a statistic of every row. @param estimate_of  a row: a Column
+/// @param count  capacity of `values`
 /// @throws Misuse  if that is not the number of rows
 void copy_rows(
-    const Column& column,
+    FunctionRef<Estimate(std::size_t)> estimate_of,
     std::size_t rows,
     const char* statistic,
     double* values,

@@ -16,6 +16,7 @@
 #include "capi/guard.h"
 #include "capi/handles.h"
 #include "quasimc/error.h"
+#include "results/sensor_transmittance.h"
 
 namespace quasimc::capi {
 namespace {
@@ -90,13 +91,27 @@ std::string stored_quantity(const SensorSet& set, std::string name) {
     return name;
 }
 
+/// An estimate of a sensor, by its index in a set or among those of all sets.
+using EstimateOfSensor = std::function<Estimate(std::size_t)>;
+
+/// A quantity of the results of all sets.
+EstimateOfSensor quantity_of(
+    const quasimc_result* result, const std::string& name, const char* band) {
+    const Result& sensors = sensors_of(result);
+    if (name != kTransmittance) {
+        return column_of(*result, sensors, rows_of_organs, name.c_str(), band);
+    }
+    return [&light = result->result, fraction = SensorTransmittance(*result->scene),
+            b = band_of(*result, band)](std::size_t row) { return fraction.at(light, row, b); };
+}
+
 /// A quantity of the results of a set.
-Column column_of_set(
+EstimateOfSensor quantity_of_set(
     const quasimc_result* result, const SetRows& rows, const char* quantity, const char* band) {
     const std::string name = stored_quantity(rows.set, text_of(quantity, "quantity"));
-    Column column = column_of(*result, sensors_of(result), rows_of_organs, name.c_str(), band);
-    column.first += rows.first * column.stride;
-    return column;
+    return [of_all = quantity_of(result, name, band), first = rows.first](std::size_t index) {
+        return of_all(first + index);
+    };
 }
 
 }  // namespace
@@ -198,9 +213,8 @@ int quasimc_result_get_sensors(
     double* values,
     int64_t count) {
     return guarded([&] {
-        const quasimc::Result& sensors = sensors_of(result);
         copy_rows(
-            column_of(*result, sensors, rows_of_organs, quantity, band), sensors.organs(),
+            quantity_of(result, text_of(quantity, "quantity"), band), sensors_of(result).organs(),
             statistic, values, count);
     });
 }
@@ -241,7 +255,8 @@ int quasimc_result_get_sensor_set(
     return guarded([&] {
         const SetRows rows = set_of(result, set);
         copy_rows(
-            column_of_set(result, rows, quantity, band), rows.set.rows(), statistic, values, count);
+            quantity_of_set(result, rows, quantity, band), rows.set.rows(), statistic, values,
+            count);
     });
 }
 
@@ -259,7 +274,7 @@ int quasimc_result_get_sensor(
                 "there is no sensor {} of '{}': there are {}", index, rows.set.name,
                 rows.set.rows()));
         }
-        const Column column = column_of_set(result, rows, quantity, band);
-        copy_estimate(column.first[static_cast<std::size_t>(index) * column.stride], values);
+        const auto estimate_of = quantity_of_set(result, rows, quantity, band);
+        copy_estimate(estimate_of(static_cast<std::size_t>(index)), values);
     });
 }

@@ -62,6 +62,18 @@ void LightVariables::define_traits() {
     }
 }
 
+std::vector<NetcdfEstimates> LightVariables::add_fractions(
+    const std::string& name, const std::string& summary, CsvTimes times) {
+    const bool is_daily = times == CsvTimes::days;
+    const Axis& axis = is_daily ? axes_.day() : axes_.time();
+    const char* ending = is_daily ? "_day_mean" : "";
+    std::vector<NetcdfEstimates> variables;
+    for (const NetcdfBands& list : axes_.bands) {
+        variables.push_back(add(name + list.suffix + ending, "1", summary, {axis, axes_.band()}));
+    }
+    return variables;
+}
+
 std::vector<std::size_t> LightVariables::sizes(std::size_t bands) const {
     std::vector<std::size_t> all;
     if (bands > 0) {
@@ -81,9 +93,8 @@ void LightVariables::put_light(
     const Light& light) {
     std::size_t number = 0;
     for (const NetcdfBands& list : axes_.bands) {
-        const std::size_t bands = list.suffix.empty() ? list.bands.size() : 0;
         for (const QuantityEntry& entry : rows_.quantities) {
-            axes_.put(variables[number++], start, sizes(bands), [&](std::size_t i) {
+            axes_.put(variables[number++], start, sizes_in(list), [&](std::size_t i) {
                 return light.at(
                     rows_.first + i % rows_.count, entry.quantity, list.bands[i / rows_.count]);
             });

@@ -31,6 +31,26 @@ class LightVariables {
     /// Writes the sum of a day, which is in the units of sums (in_summed_units).
     void put_day(const std::vector<std::size_t>& start, const SeriesSum& sum);
 
+    /// Defines fractions of the rows by band, without origins, of time steps or of days.
+    /// @returns one for each list of bands
+    [[nodiscard]] std::vector<NetcdfEstimates> add_fractions(
+        const std::string& name, const std::string& summary, CsvTimes times);
+    /// Writes `estimate(row of the result, band of the scene)`.
+    /// @param variables  those of add_fractions()
+    template <typename GetEstimate>
+    void put_fractions(
+        const std::vector<NetcdfEstimates>& variables,
+        const std::vector<std::size_t>& start,
+        const GetEstimate& estimate) {
+        for (std::size_t number = 0; number < variables.size(); ++number) {
+            const NetcdfBands& list = axes_.bands[number];
+            axes_.put(variables[number], start, sizes_in(list), [&](std::size_t i) {
+                return estimate(rows_.first + i % rows_.count, list.bands[i / rows_.count]);
+            });
+        }
+    }
+    [[nodiscard]] std::size_t first_row() const { return rows_.first; }
+
     /// Sizes of a block of rows, in some of the bands.
     /// @param bands  their number; 0: without an axis of bands
     [[nodiscard]] std::vector<std::size_t> sizes(std::size_t bands = 0) const;
@@ -38,6 +58,9 @@ class LightVariables {
   private:
     using Axis = NetcdfAxes::Axis;
 
+    [[nodiscard]] std::vector<std::size_t> sizes_in(const NetcdfBands& list) const {
+        return sizes(list.suffix.empty() ? list.bands.size() : 0);
+    }
     void define(const RunFile& run);
     void define_traits();
     NetcdfEstimates add(

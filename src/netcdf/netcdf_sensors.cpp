@@ -1,10 +1,12 @@
 #include "netcdf/netcdf_sensors.h"
 
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "results/sensor_transmittance.h"
 #include "runfile/table_rows.h"
 #include "scene/sensors.h"
 
@@ -82,7 +84,7 @@ void NetcdfSensors::define(const RunFile& run) {
     SensorAxes own(run, axes_, file_);
     std::size_t first = 0;
     for (const SensorSet& set : run.scene.sensors()) {
-        sets_.emplace_back(run, axes_, own.add(set, first));
+        sets_.push_back({LightVariables(run, axes_, own.add(set, first))});
         first += set.rows();
     }
 }
@@ -93,9 +95,10 @@ void NetcdfSensors::put(
         return;
     }
     define(run);
-    for (LightVariables& set : sets_) {
-        set.put(start, *result.sensors);
+    for (Set& set : sets_) {
+        set.light.put(start, *result.sensors);
     }
+    put_transmittance(run, start, result);
 }
 
 void NetcdfSensors::put_day(
@@ -104,8 +107,31 @@ void NetcdfSensors::put_day(
         return;
     }
     define(run);
-    for (LightVariables& set : sets_) {
-        set.put_day(start, *sum.sensors);
+    for (Set& set : sets_) {
+        set.light.put_day(start, *sum.sensors);
+    }
+    put_transmittance(run, start, sum);
+}
+
+/// @param light  a Result or a SeriesSum, with sensors
+template <typename Light>
+void NetcdfSensors::put_transmittance(
+    const RunFile& run, const std::vector<std::size_t>& start, const Light& light) {
+    constexpr bool kIsDay = std::is_same_v<Light, SeriesSum>;
+    const SensorTransmittance fraction(run.scene);
+    for (Set& set : sets_) {
+        if (!fraction.has(set.light.first_row())) {
+            continue;
+        }
+        std::vector<NetcdfEstimates>& variables = kIsDay ? set.of_days : set.transmittance;
+        if (variables.empty()) {
+            variables = set.light.add_fractions(
+                std::string(kTransmittance), "light from above / light on the horizontal",
+                kIsDay ? CsvTimes::days : CsvTimes::time_steps);
+        }
+        set.light.put_fractions(variables, start, [&](std::size_t row, std::size_t band) {
+            return fraction.at(light, row, band);
+        });
     }
 }
 

@@ -23,13 +23,22 @@ class NetcdfSensors {
     void put_day(const RunFile& run, const std::vector<std::size_t>& start, const SeriesSum& sum);
 
   private:
+    /// A set, with the variables of its transmittance once it has some.
+    struct Set {
+        LightVariables light;
+        std::vector<NetcdfEstimates> transmittance = {}, of_days = {};
+    };
+
     /// Defines the variables and writes names and positions, with the first light: a run that was
     /// stopped has none.
     void define(const RunFile& run);
+    template <typename Light>
+    void put_transmittance(
+        const RunFile& run, const std::vector<std::size_t>& start, const Light& light);
 
     NetcdfAxes& axes_;
     NetcdfFile& file_;
-    std::vector<LightVariables> sets_;
+    std::vector<Set> sets_;
 };
 
 }  // namespace quasimc

@@ -102,12 +102,9 @@ class SensorColumns {
                 !is_selected(table_.quantities, kTransmittance)) {
                 continue;
             }
-            const SensorValue upper{Quantity::incident_upper, b, kAllLight};
-            const auto at = [fraction, upper, b](const RowLight& light, std::size_t row) {
-                const auto& canopy =
-                    light.sum != nullptr ? light.sum->canopy : light.result->canopy;
-                return fraction->has(row) ? fraction->of(upper.at(light, row), canopy, b)
-                                          : kUnknownEstimate;
+            const auto at = [fraction, b](const RowLight& light, std::size_t row) {
+                return light.sum != nullptr ? fraction->at(*light.sum, row, b)
+                                            : fraction->at(*light.result, row, b);
             };
             columns_.push_back(
                 {std::string(kTransmittance), bands[b].name, "1",

@@ -91,8 +91,7 @@ void write_sensors(JsonLines& json, const RunFile& run, const Light& light) {
             const Vec3 position = run.scene.orientation().outward(positions[i]);
             SensorRow row{rows.organs()[i], position, set.receiver};
             for (std::size_t b = 0; fraction.has(i) && b < sensors.bands; ++b) {
-                row.transmittance.push_back(
-                    fraction.of(sensors.at(i, Quantity::incident_upper, b), light.canopy, b));
+                row.transmittance.push_back(fraction.at(light, i, b));
             }
             json.line(json_sensor(row, sensors, i, names));
         }

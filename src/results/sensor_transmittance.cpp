@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "results/groups.h"
-#include "sums/statistics.h"
 
 namespace quasimc {
 
@@ -22,12 +21,6 @@ SensorTransmittance::SensorTransmittance(const Scene& scene) {
     const bool has_one = std::ranges::find(rows_, true) != rows_.end();
     const double area = has_one ? horizontal_area(scene) : 0;
     area_ = std::isnan(area) ? 0 : area;
-}
-
-Estimate SensorTransmittance::of(
-    const Estimate& upper, const std::vector<CanopyFractions>& canopy, std::size_t band) const {
-    const bool is_known = area_ > 0 && !canopy.empty() && canopy[band].incident > 0;
-    return is_known ? scaled(upper, area_ / canopy[band].incident) : kUnknownEstimate;
 }
 
 }  // namespace quasimc

@@ -25,12 +25,17 @@ class SensorTransmittance {
     /// Whether some sensor may have one.
     [[nodiscard]] bool exists() const { return area_ > 0; }
     [[nodiscard]] bool has(std::size_t row) const { return area_ > 0 && rows_[row]; }
-    /// @param upper  the light on the upper side of the sensor
-    /// @param canopy  by band, of the same result or sum
-    /// @returns a quotient of means, or of sums; unknown where the light on the horizontal is
-    /// unknown or 0
-    [[nodiscard]] Estimate of(
-        const Estimate& upper, const std::vector<CanopyFractions>& canopy, std::size_t band) const;
+    /// @param light  a Result or a SeriesSum with sensors
+    /// @returns a quotient of means, or of sums; unknown where the sensor has none, or the light on
+    /// the horizontal is unknown or 0
+    template <typename Light>
+    [[nodiscard]] Estimate at(const Light& light, std::size_t row, std::size_t band) const {
+        const bool is_known = has(row) && !light.canopy.empty() && light.canopy[band].incident > 0;
+        return is_known ? scaled(
+                              light.sensors->at(row, Quantity::incident_upper, band),
+                              area_ / light.canopy[band].incident)
+                        : kUnknownEstimate;
+    }
 
   private:
     double area_ = 0;         // horizontal; 0: no sensor has one

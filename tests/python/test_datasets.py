@@ -66,6 +66,7 @@ def test_a_series_has_days(series, data):
         "absorbed_flux_day_sum": day["absorbed_flux"],
         "group_absorbed_flux_day_sum": day.groups["absorbed_flux"],
         "bench_incident_upper_day_sum": day.sensors["bench"]["incident_upper"],
+        "bench_transmittance_day_mean": day.sensors["bench"]["transmittance"],
         "incident_upper_sunlit_day_mean": day.sun_shade["incident_upper_sunlit"],
         "incident_upper_direct_day_sum": day.sun_shade["incident_upper_direct"],
     }
@@ -83,6 +84,7 @@ def test_names_and_numbers_are_those_of_netcdf(series, data, tmp_path):
         ours = data.isel(time=slice(1, None)).sel(statistic="mean")  # without the night
         assert ours.time.values.tolist() == its.time.values.tolist()
         assert ours.time_text.values.tolist() == its.time_text.values.tolist()
+        assert "bench_transmittance_NIR_day_mean" in its
         compared = 0
         for name, variable in ours.data_vars.items():
             by_band = "band" in variable.dims

@@ -76,6 +76,7 @@ name = "mean"
 average = true
 at = [[0, 0, 2], [20, 4, 2]]
 """
+GROUND = '[ground]\nmaterial = "leaf"\n'
 ONE_UNIT = 'bands = ["PAR", "NIR"]'
 TWO_UNITS = """
 [[band]]
@@ -230,10 +231,11 @@ def compare_sensors(data, where, rows, bands, suffixed, extra="", origin=None):
     compared = 0
     for (name, index), row in zip(positions, rows):
         light = row["origins"][origin[1]] if origin else row
-        for quantity in (key for key in light if key.startswith(("incident", "fluence"))):
+        for quantity in (key for key in light if key.startswith(("incident", "fluence", "transmittance"))):
+            of_quantity = "_day_mean" if extra == "_day_sum" and quantity == "transmittance" else extra
             for b, band in enumerate(bands):
                 for suffix, part in PARTS.items():
-                    variable = f"{name}_{quantity}" + (f"_{band}" if suffixed else "") + extra + suffix
+                    variable = f"{name}_{quantity}" + (f"_{band}" if suffixed else "") + of_quantity + suffix
                     at = where + ((origin[0],) if origin else ()) + (() if suffixed else (b,)) + index
                     theirs = estimate(light[quantity][band])[part]
                     ours = data[variable].values[at]
@@ -260,7 +262,7 @@ def check_sensors(program, folder):
     sweep = '[sweep]\n"material.leaf.reflectance" = [0.1, 0.4]\n'
     head = HEAD.format(bands=ONE_UNIT).replace("[run]\n", options)
     sun = SUN.replace("type", 'name = "sun"\ntype', 1)
-    case = Case(program, folder, head + sweep + sun + sky + SCENE.format() + SENSORS)
+    case = Case(program, folder, head + sweep + sun + sky + SCENE.format() + GROUND + SENSORS)
     data = case.data
     check_sensor_coordinates(data, case.json["points"][0]["sensors"])
     for name, axes in SENSOR_AXES.items():
@@ -270,6 +272,9 @@ def check_sensors(program, folder):
         by_origin = data[f"{name}_incident_direct_by_origin"]
         assert by_origin.dims == ("material_leaf_reflectance", "origin", "band") + axes
     assert "two_balls_incident_upper" not in data and "bench_absorbed_flux" not in data
+    fraction = data.bench_transmittance
+    assert fraction.attrs["units"] == "1" and fraction.dims == data.bench_incident_upper.dims
+    assert np.all(fraction > 0) and "two_balls_transmittance" not in data
     for row, point in enumerate(case.json["points"]):
         sensors = point["sensors"]
         assert compare_sensors(data, (row,), sensors, ["PAR", "NIR"], False) > 200
@@ -283,11 +288,14 @@ def check_sensors(program, folder):
 
 
 def check_sensors_in_time(program, folder):
-    case = Case(program, folder, HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format() + SENSORS)
+    text = HEAD.format(bands=TWO_UNITS) + TIME + SCENE.format() + GROUND + SENSORS
+    case = Case(program, folder, text)
     data = case.data
     assert data.bench_incident_upper_PAR.dims == ("time", "bench_j", "bench_i")
     assert data.mean_incident_upper_NIR_day_sum.dims == ("day",)
     assert data.bench_incident_upper_PAR_day_sum.attrs["units"] == "mol m-2"
+    assert data.mean_transmittance_NIR_day_mean.dims == ("day",)
+    assert np.all(data.bench_transmittance_PAR_day_mean > 0)
     for row, step in enumerate(case.json["time_steps"]):
         assert compare_sensors(data, (row,), step["sensors"], ["PAR", "NIR"], True) > 50
     for row, day in enumerate(case.json["days"]):

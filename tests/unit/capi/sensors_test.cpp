@@ -128,6 +128,41 @@ TEST(CSensors, OriginsAddUpToTheWholeAboveTheCanopy) {
     }
 }
 
+TEST(CSensors, ThatFaceUpHaveATransmittance) {
+    const SceneHandle scene = canopy_with_sensors();
+    const double at[] = {0, 0, 50};
+    ASSERT_EQ(quasimc_scene_add_sensors(scene.get(), "down", at, 1), QUASIMC_DONE);
+    ASSERT_EQ(quasimc_scene_set_sensors(scene.get(), "down", "facing", "down"), QUASIMC_DONE);
+    const ResultHandle result = run(*scene);
+    ASSERT_TRUE(result) << quasimc_last_error();
+    const auto fraction = of_set(*result, "list", "transmittance");
+    const auto light = of_set(*result, "list", "incident_upper");
+    const auto error = of_set(*result, "list", "transmittance", "standard_error");
+    const double horizontal = 400 * std::sin(50 * std::acos(-1.0) / 180) + 80;
+    EXPECT_GT(error[2], 0);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(fraction[i], light[i] / horizontal, 1e-12);
+    }
+    for (const char* set : {"ball", "down"}) {
+        EXPECT_TRUE(std::isnan(of_set(*result, set, "transmittance")[0])) << set;
+    }
+    double four[4];
+    ASSERT_EQ(
+        quasimc_result_get_sensor(result.get(), "list", 2, "transmittance", "PAR", four),
+        QUASIMC_DONE);
+    EXPECT_EQ(four[0], fraction[2]);
+    EXPECT_EQ(four[1], error[2]);
+    EXPECT_LE(four[2], four[0]);
+    EXPECT_GE(four[3], four[0]);
+    std::array<double, 12> all{};
+    ASSERT_EQ(
+        quasimc_result_get_sensors(
+            result.get(), "transmittance", "PAR", "mean", all.data(), all.size()),
+        QUASIMC_DONE);
+    EXPECT_EQ(all[2], fraction[2]);
+    EXPECT_TRUE(std::isnan(all[9])) << "a sphere";
+}
+
 TEST(CSensors, HavePositionsAndLabels) {
     const ResultHandle result = run(*canopy_with_sensors());
     ASSERT_TRUE(result) << quasimc_last_error();
