@@ -38,9 +38,9 @@ struct SeriesSum {
     /// Sums of groups of organs, without ratios. With RunSpec::sun_shade: sunlit fractions x hours,
     /// and sunlit areas x hours.
     GroupResults groups = {};
-    /// With RunSpec::sun_shade: sunlit fractions of organs x hours; and the light of parts. There,
-    /// direct light is summed, fractions are multiplied by hours, and light per sunlit or shaded
-    /// area is its mean over area and time.
+    /// With RunSpec::sun_shade: sunlit fractions of organs or sensors x hours; and the light of
+    /// parts of organs. There, direct light is summed, fractions are multiplied by hours, and light
+    /// per sunlit or shaded area is its mean over area and time.
     std::vector<Estimate> sunlit_hours = {};
     SunShadeLight sun_shade = {};
     /// As Result::canopy: flux x s on the horizontal, and fractions that are quotients of sums.

@@ -75,10 +75,13 @@ template <typename Light>
         incident.append(of_band.incident);
     }
     light["incident"] = incident;
+    const auto put = [&](const char* name, const std::vector<Estimate>& values) {
+        light[name] = estimates_view(values, {static_cast<py::ssize_t>(values.size())}, owner);
+    };
     if constexpr (requires { sensors->sunlit_fraction; }) {
-        light["sunlit_fraction"] = estimates_view(
-            sensors->sunlit_fraction, {static_cast<py::ssize_t>(sensors->sunlit_fraction.size())},
-            owner);
+        put("sunlit_fraction", sensors->sunlit_fraction);
+    } else {
+        put("sunlit_hours", sensors->sunlit_hours);
     }
     return light;
 }

@@ -137,6 +137,8 @@ def _day_dataset(sums):
 def _name_of_day(name):
     if name.endswith("_transmittance"):
         return f"{name}_day_mean"  # a quotient of sums
+    if name.endswith("_sunlit_hours"):
+        return name
     end = "_by_origin" if name.endswith("_by_origin") else ""
     return f"{name.removesuffix(end)}_day_sum{end}"
 

@@ -51,15 +51,20 @@ class Sensors:
         self._values = light["values"][rows]
         self._per_horizontal = _per_horizontal(own, light)
         self._origins = {name: part["values"][rows] for name, part in light["origins"].items()}
-        sunlit = light.get("sunlit_fraction", ())
+        self._sunlit_name = "sunlit_hours" if is_sum else "sunlit_fraction"
+        sunlit = light[self._sunlit_name]
         self._sunlit = sunlit[rows].reshape(*self.shape, 4) if len(sunlit) else None
 
     def keys(self):
-        """Names of the quantities; with directional sources also sunlit_fraction (not for sums)."""
+        """Names of the quantities.
+
+        With directional sources there is sunlit_fraction, in sums of runs with sun_shade="apart"
+        sunlit_hours.
+        """
         return [
             *self._quantities,
             *(() if self._per_horizontal is None else ("transmittance",)),
-            *(() if self._sunlit is None else ("sunlit_fraction",)),
+            *(() if self._sunlit is None else (self._sunlit_name,)),
         ]
 
     def __iter__(self):
@@ -72,8 +77,9 @@ class Sensors:
         if quantity not in self.keys():
             known = ", ".join(self.keys())
             raise KeyError(f"there is no quantity {quantity!r}; there are: {known}")
-        if quantity == "sunlit_fraction":
-            return Estimates(self._sunlit, quantity, "", extensive=False)
+        if quantity == self._sunlit_name:
+            unit = "h" if quantity == "sunlit_hours" else ""
+            return Estimates(self._sunlit, quantity, unit, extensive=False)
         if quantity == "transmittance":
             return self._transmittance()
         number = list(_core.quantities()).index(self._quantities[quantity])
@@ -151,11 +157,8 @@ def sensor_variables(sensors, prefix=""):
     variables = {}
     for quantity in sensors.keys():
         light = sensors[quantity]
-        if quantity == "sunlit_fraction":
-            variables[prefix + quantity] = ((*axes, "statistic"), light._values, {"units": "1"})
-            continue
         attributes = {"units": ", ".join(dict.fromkeys(light._units)) or "1"}
-        dimensions = (*axes, "band", "statistic")
+        dimensions = (*axes, *(("band",) if light.bands else ()), "statistic")
         variables[prefix + quantity] = (dimensions, light._values, attributes)
         if light.origins:
             coordinates["origin"] = list(light.origins)

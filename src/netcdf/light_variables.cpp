@@ -9,7 +9,7 @@ namespace quasimc {
 LightVariables::LightVariables(const RunFile& run, NetcdfAxes& axes, NetcdfRows rows)
     : axes_(axes), rows_(std::move(rows)) {
     define(run);
-    define_traits();
+    define_traits(run.series.has_value());
 }
 
 NetcdfEstimates LightVariables::add(
@@ -50,10 +50,14 @@ void LightVariables::define(const RunFile& run) {
     }
 }
 
-void LightVariables::define_traits() {
+void LightVariables::define_traits(bool has_days) {
     if (axes_.columns.has_sunlit) {
         sunlit_ = add(
             "sunlit_fraction", "1", "fraction lit directly by directional sources", {axes_.time()});
+    }
+    if (axes_.columns.has_sunlit_hours && has_days) {
+        sunlit_hours_ =
+            add("sunlit_hours", "h", "sunlit fraction of the area x time", {axes_.day()});
     }
     if (axes_.ratio().first) {
         ratios_ =
@@ -133,6 +137,11 @@ void LightVariables::put(const std::vector<std::size_t>& start, const Result& re
 void LightVariables::put_day(const std::vector<std::size_t>& start, const SeriesSum& sum) {
     put_light(days_, start, sum);
     put_origins(days_by_origin_, start, sum);
+    if (sunlit_hours_ && !sum.sunlit_hours.empty()) {
+        axes_.put(*sunlit_hours_, start, sizes(), [&](std::size_t i) {
+            return sum.sunlit_hours[rows_.first + i];
+        });
+    }
 }
 
 }  // namespace quasimc

@@ -62,7 +62,7 @@ class LightVariables {
         return sizes(list.suffix.empty() ? list.bands.size() : 0);
     }
     void define(const RunFile& run);
-    void define_traits();
+    void define_traits(bool has_days);
     NetcdfEstimates add(
         const std::string& name,
         const std::string& unit,
@@ -85,7 +85,7 @@ class LightVariables {
     std::vector<NetcdfEstimates> days_;   // daily sums, same order; empty without [time]
     // The same with an axis of origins; empty if light is not kept apart.
     std::vector<NetcdfEstimates> light_by_origin_, days_by_origin_;
-    std::optional<NetcdfEstimates> sunlit_, ratios_;
+    std::optional<NetcdfEstimates> sunlit_, sunlit_hours_, ratios_;
 };
 
 }  // namespace quasimc

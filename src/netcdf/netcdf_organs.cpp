@@ -22,11 +22,6 @@ NetcdfOrgans::NetcdfOrgans(const RunFile& run, NetcdfAxes& axes, NetcdfFile& fil
     light_.emplace(
         run, axes,
         NetcdfRows{"", {organ_axis()}, coordinates_, 0, count_, axes.columns.quantities});
-    if (axes.columns.has_sunlit_hours && run.series) {
-        sunlit_hours_ = axes.add_estimates(
-            {"sunlit_hours", "h", "sunlit fraction of the area x time", coordinates_},
-            {axes.day(), organ_axis()});
-    }
     define_parts();
 }
 
@@ -112,11 +107,10 @@ void NetcdfOrgans::define_part(NetcdfPart part, const std::string& suffix) {
     const auto define = [&](const std::string& name, CsvTimes times) {
         const PartColumn column{part.entry, part.bands.front()};
         const bool is_daily = times == CsvTimes::days;
-        std::vector<Axis> axes{is_daily ? axes_.day() : axes_.time()};
-        if (part.has_axis) {
-            axes.push_back(axes_.band());
-        }
-        axes.push_back(organ_axis());
+        const Axis& time = is_daily ? axes_.day() : axes_.time();
+        const std::vector<Axis> axes = part.has_axis
+                                           ? std::vector<Axis>{time, axes_.band(), organ_axis()}
+                                           : std::vector<Axis>{time, organ_axis()};
         const std::string summary =
             is_daily ? summary_of(column, times) : std::string(part.entry.summary);
         return axes_.add_estimates(
@@ -156,11 +150,6 @@ void NetcdfOrgans::put_day(const std::vector<std::size_t>& start, const SeriesSu
     light_->put_day(start, sum);
     for (const NetcdfPart& part : parts_) {
         put_part(part, *part.days, start, sum.sun_shade);
-    }
-    if (sunlit_hours_ && !sum.sunlit_hours.empty()) {
-        axes_.put(*sunlit_hours_, start, light_->sizes(), [&](std::size_t organ) {
-            return sum.sunlit_hours[organ];
-        });
     }
 }
 

@@ -58,7 +58,6 @@ class NetcdfOrgans {
     int organ_ = 0, area_ = 0;
     std::optional<LightVariables> light_;
     std::vector<NetcdfPart> parts_;
-    std::optional<NetcdfEstimates> sunlit_hours_;
 };
 
 }  // namespace quasimc

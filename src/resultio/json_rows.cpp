@@ -131,6 +131,14 @@ void append_shares(
     }
 }
 
+/// Sunlit hours, if they are written and known.
+void append_hours(
+    std::string& row, const SeriesSum& sum, std::size_t index, const JsonNames& names) {
+    if (names.columns.has_sunlit_hours && !sum.sunlit_hours.empty()) {
+        append_estimate(row, R"("sunlit_hours")", sum.sunlit_hours[index]);
+    }
+}
+
 /// The text of an object to which members are added.
 std::string begin_row(const Json& object) {
     std::string row = json_text(object);
@@ -194,9 +202,7 @@ std::string json_organ(
     std::string row = begin_organ(organ);
     append_quantities(row, sum, index, names);
     append_parts(row, sum.sun_shade, index, names, CsvTimes::days);
-    if (names.columns.has_sunlit_hours && !sum.sunlit_hours.empty()) {
-        append_estimate(row, R"("sunlit_hours")", sum.sunlit_hours[index]);
-    }
+    append_hours(row, sum, index, names);
     append_origins(
         row, sum.origins, [](const OriginSum& o) -> const SeriesSum& { return o.light; }, index,
         names);
@@ -257,6 +263,7 @@ std::string json_sensor(
     std::string text = begin_sensor(row);
     append_quantities(text, sensors, index, own);
     append_transmittance(text, row, own);
+    append_hours(text, sensors, index, own);
     append_origins(
         text, sensors.origins, [](const OriginSum& o) -> const SeriesSum& { return o.light; },
         index, own);

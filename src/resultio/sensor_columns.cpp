@@ -46,8 +46,9 @@ class SensorColumns {
                 add_light(i);
             }
         }
+        add_sunlit();
         if (!is_summed(table_.times)) {
-            add_traits();
+            add_ratios();
         }
         return std::move(columns_);
     }
@@ -112,15 +113,29 @@ class SensorColumns {
         }
     }
 
-    void add_traits() {
-        if (is_selected(table_.quantities, "sunlit_fraction")) {
+    /// Adds sunlit fractions, or in sums over time sunlit hours.
+    void add_sunlit() {
+        const auto value_at = [](const std::vector<Estimate>& values, std::size_t row) {
+            return values.empty() ? kUnknownEstimate : values[row];
+        };
+        const auto at = [value_at](const RowLight& light, std::size_t row) {
+            return light.sum != nullptr ? value_at(light.sum->sensors->sunlit_hours, row)
+                                        : value_at(light.result->sensors->sunlit_fraction, row);
+        };
+        const bool is_over_time = is_summed(table_.times) && run_.series;
+        if (!is_over_time && is_selected(table_.quantities, "sunlit_fraction")) {
             columns_.push_back(
-                {"sunlit_fraction", "", "1", "fraction lit directly by directional sources",
-                 [](const RowLight& light, std::size_t row) {
-                     const auto& values = light.result->sensors->sunlit_fraction;
-                     return values.empty() ? kUnknownEstimate : values[row];
-                 }});
+                {"sunlit_fraction", "", "1", "fraction lit directly by directional sources", at});
         }
+        if (is_over_time && run_.spec.sun_shade == SunShade::apart &&
+            is_selected(table_.quantities, kSunlitHours)) {
+            columns_.push_back(
+                {std::string(kSunlitHours), "", table_.times == CsvTimes::days ? "h d-1" : "h",
+                 "sunlit fraction x time", at});
+        }
+    }
+
+    void add_ratios() {
         for (std::size_t i = 0;
              is_selected(table_.quantities, "ratios") && i < run_.spec.ratios.size(); ++i) {
             columns_.push_back(

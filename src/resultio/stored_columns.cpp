@@ -124,9 +124,6 @@ Result StoredColumns::result(const RowColumns& columns) const {
 SeriesSum StoredColumns::sum(const RowColumns& columns) const {
     SeriesSum sum = sum_of_rows(columns, organs_);
     sum.sun_shade = parts(columns, organs_, CsvTimes::days);
-    if (written_.has_sunlit_hours) {
-        sum.sunlit_hours = whole_column(columns[hours_], organs_);
-    }
     return sum;
 }
 
@@ -225,6 +222,9 @@ SeriesSum StoredColumns::sum_of_rows(const RowColumns& columns, std::size_t rows
     SeriesSum sum;
     sum.bands = bands_;
     sum.values = light(columns, rows);
+    if (written_.has_sunlit_hours) {
+        sum.sunlit_hours = whole_column(columns[hours_], rows);
+    }
     add_origins(columns, rows, sum.origins);
     return sum;
 }

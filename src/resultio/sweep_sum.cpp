@@ -107,10 +107,8 @@ void SweepSum::choose_quantities() {
 /// Chooses whether sunlit areas and the light of sunlit and shaded parts are summed.
 void SweepSum::choose_parts() {
     const bool has_apart = run_->spec.sun_shade == SunShade::apart;
-    if (is_of(CsvRows::sensors)) {
-        return;
-    }
-    has_parts_ = has_apart && std::ranges::any_of(sun_shade_table(), [&](const auto& entry) {
+    has_parts_ = has_apart && !is_of(CsvRows::sensors) &&
+                 std::ranges::any_of(sun_shade_table(), [&](const auto& entry) {
                      return is_asked(run_->series ? entry.of_sums : entry.name);
                  });
     has_sunlit_ = run_->series ? has_apart && (is_asked(kSunlitHours) || is_asked(kSunlitAreaHours))

@@ -408,6 +408,10 @@ std::unique_ptr<OutputWriter> make_table_of_sensors(const OutputInput& input, Cs
         [&](const std::string& name) {
             return std::find(known.begin(), known.end(), name) != known.end();
         });
+    if (!table.quantities.empty() && is_summed(times) &&
+        written_columns(input.run).has_sunlit_hours) {
+        table.quantities.emplace_back(kSunlitHours);
+    }
     table.bands = output.bands;
     return std::make_unique<TableWriter>(input.run, table, input.sink);
 }

@@ -141,9 +141,11 @@ std::vector<std::string_view> table_quantities(CsvRows rows, CsvTimes times, boo
         }
     }
     if (rows == CsvRows::sensors) {
-        names.insert(names.end(), {kFluenceRate, kTransmittance});
+        names.insert(
+            names.end(),
+            {kFluenceRate, kTransmittance, is_over_time ? kSunlitHours : "sunlit_fraction"});
         if (!is_summed(times)) {
-            names.insert(names.end(), {"sunlit_fraction", "ratios"});
+            names.emplace_back("ratios");
         }
         return names;
     }

@@ -242,7 +242,9 @@ class SeriesRun final : public SeriesSteps {
     [[nodiscard]] SeriesAdder no_light() const {
         SeriesAdder adder(in_.spec.origins);
         if (in_.spec.sun_shade == SunShade::apart) {
-            adder.add_parts(in_.scene.organs().size(), groups_.groups.size(), groups_.bands);
+            adder.add_parts(
+                in_.scene.organs().size(), groups_.groups.size(), sensor_rows(in_.scene),
+                groups_.bands);
         }
         return adder;
     }

@@ -56,6 +56,9 @@ void SeriesAdder::add(const Result& result, double weight, double seconds) {
         organ_parts_.add(result.sun_shade, result.sunlit_fraction, times, freedom_of(result));
         group_parts_.add(
             result.groups.sun_shade, result.groups.sunlit_fraction, times, freedom_of(result));
+        if (sensors != nullptr) {
+            sensor_hours_.add({}, sensors->sunlit_fraction, times, freedom_of(result));
+        }
     }
 }
 
@@ -139,10 +142,11 @@ SeriesSum SeriesAdder::sum(
             return share.estimate();
         });
     }
+    SeriesSum sensors = sensors_of(all_);
     if (has_parts_) {
         put_parts(sum);
+        sensors.sunlit_hours = sensor_hours_.sunlit_hours();
     }
-    SeriesSum sensors = sensors_of(all_);
     for (const Part& part : origins_) {
         sum.origins.push_back({part.name, sum_of(part)});
         sensors.origins.push_back({part.name, sensors_of(part)});

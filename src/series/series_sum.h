@@ -21,11 +21,13 @@ class SeriesAdder {
             origins_.push_back({origin});
         }
     }
-    /// Sums light of sunlit and shaded parts too. @param groups  number of groups
-    void add_parts(std::size_t organs, std::size_t groups, std::size_t bands) {
+    /// Sums light of sunlit and shaded parts too, and the sunlit hours of sensors.
+    /// @param organs, groups, sensors  their numbers
+    void add_parts(std::size_t organs, std::size_t groups, std::size_t sensors, std::size_t bands) {
         has_parts_ = true;
         organ_parts_ = {organs, bands};
         group_parts_ = {groups, bands};
+        sensor_hours_ = {sensors, 0};
     }
 
     /// Adds `weight` times a result. Results of one trace are added once, with the sum of their
@@ -66,6 +68,7 @@ class SeriesAdder {
     bool lacks_sensors_ = false;  // whether a result lacks its sensors
     bool has_parts_ = false;
     SunShadeAdder organ_parts_, group_parts_;
+    SunShadeAdder sensor_hours_;  // without light
     double seconds_ = 0;
 };
 

@@ -73,6 +73,11 @@ def test_a_series_has_days(series, data):
     for name, own in same.items():
         np.testing.assert_array_equal(values_of(now[name]), own._values)
     np.testing.assert_array_equal(now.sunlit_hours.values, day.sun_shade["sunlit_hours"]._values)
+    hours = day.sensors["bench"]["sunlit_hours"]
+    np.testing.assert_array_equal(now.bench_sunlit_hours.values, hours._values)
+    fractions = [step.sensors["bench"]["sunlit_fraction"].values for step in series[1:]]
+    np.testing.assert_allclose(hours.values, 2 * np.sum(fractions, axis=0), rtol=2e-3)  # fractions end at 1
+    assert hours.unit == "h" and now.bench_sunlit_hours.attrs["units"] == "h"
     assert now.absorbed_flux_day_sum.attrs["units"] == "mol, J"
 
 
@@ -84,7 +89,7 @@ def test_names_and_numbers_are_those_of_netcdf(series, data, tmp_path):
         ours = data.isel(time=slice(1, None)).sel(statistic="mean")  # without the night
         assert ours.time.values.tolist() == its.time.values.tolist()
         assert ours.time_text.values.tolist() == its.time_text.values.tolist()
-        assert "bench_transmittance_NIR_day_mean" in its
+        assert "bench_transmittance_NIR_day_mean" in its and "bench_sunlit_hours" in its
         compared = 0
         for name, variable in ours.data_vars.items():
             by_band = "band" in variable.dims

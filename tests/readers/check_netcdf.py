@@ -184,7 +184,7 @@ def check_series(program, folder):
 
 def check_parts_and_origins(program, folder):
     options = '[run]\nsun_shade = "apart"\norigins = ["sun", "sky"]\n'
-    text = HEAD.format(bands=TWO_UNITS).replace("[run]\n", options) + TIME + SCENE.format()
+    text = HEAD.format(bands=TWO_UNITS).replace("[run]\n", options) + TIME + SCENE.format() + SENSORS
     case = Case(program, folder, text)
     data = case.data
     assert data.incident_upper_sunlit_PAR.dims == ("time", "organ")
@@ -207,6 +207,8 @@ def check_parts_and_origins(program, folder):
         assert list(data.sunlit_hours.values[row]) == hours and 10 < hours[0] < 17
         upper = [organ["sunlit_hours_upper"]["mean"] for organ in day["organs"]]
         assert list(data.sunlit_hours_upper.values[row]) == upper
+        hours = [sensor["sunlit_hours"]["mean"] for sensor in day["sensors"]]
+        assert list(data.two_balls_sunlit_hours.values[row]) == hours[6:8] and 10 < min(hours) < 17
 
 
 def check_detector(data, where, detector, suffixed):

@@ -146,6 +146,7 @@ void expect_read(const std::vector<Estimate>& read, const std::vector<Estimate>&
 TEST(SunShadeOutput, IsReadFromJson) {
     RunText text = half_shaded_day();
     text.run += "sun_shade = 'apart'\n";
+    text.rest += "[[sensors]]\nat = [[0.25, 0.5, 1.5], [0.75, 0.5, 1.5]]\n";
     const RunFile run = read_text(text.text());
     std::string json;
     JsonWriter writer(run, [&](std::string_view piece) { json += piece; });
@@ -169,6 +170,8 @@ TEST(SunShadeOutput, IsReadFromJson) {
         ++days_read;
         expect_read(read.sun_shade.values, days.at(day).sun_shade.values);
         expect_read(read.sunlit_hours, days.at(day).sunlit_hours);
+        expect_read(read.sensors->sunlit_hours, days.at(day).sensors->sunlit_hours);
+        EXPECT_NEAR(read.sensors->sunlit_hours.at(0).mean, 2, .02) << "beside the upper leaf";
     };
     replay(json, text.text(), reader);
     EXPECT_EQ(days_read, 1U);

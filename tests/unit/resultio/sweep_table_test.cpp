@@ -1,7 +1,9 @@
 // Tables of the sum over the points of a sweep.
 
+#include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -426,6 +428,95 @@ TEST(SweepTable, OfTimesHasSunlitHoursAndTheLightOfParts) {
         }
         EXPECT_GT(partly_lit, 0);
     }
+}
+
+/// A mean over points below the leaves, some of which are sunlit, and a point above them.
+const std::string kPartlyLit =
+    "[[sensors]]\nname = 'below'\naverage = true\n"
+    "at = { start = [0, 0, 0.2], along = [2, 0, 0], across = [0, 2, 0], counts = [8, 8] }\n"
+    "[[sensors]]\nname = 'above'\nat = [[0.5, 0.5, 5]]\n";
+
+/// Means of equal points are one of them, with its error.
+TEST(SweepTable, OfEqualPointsHasTheSunlitFractionOfSensors) {
+    const std::string keys = "rows = 'sensors'\nquantities = ['sunlit_fraction']\n";
+    const auto texts = written(stand(
+        kPartlyLit +
+        "[sweep]\nmaterial.leaf.reflectance = [[0.1, 0.4], [0.1, 0.4]]\nweights = [1, 3]\n" +
+        table("sum.csv", keys + "per = 'sweep'\n") + table("each.csv", keys)));
+    const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+    ASSERT_EQ(sum.size(), 3U);
+    for (const std::size_t row : {1, 2}) {
+        const auto found = numbers_from(sum[row], sum[row].size() - 3);
+        const auto one = numbers_from(each[row], each[row].size() - 3);
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            expect_near(found[i], one[i], sum[row][1]);
+        }
+        EXPECT_EQ(row == 1, found[0] > 0.1 && found[0] < 0.9 && found[1] > 1e-3);
+    }
+}
+
+/// Fractions are averaged by the weights of points, hours add up.
+TEST(SweepTable, WeighsTheSunlitFractionsAndHoursOfSensors) {
+    const auto check = [](const std::string& rest, const std::string& quantity,
+                          const std::string& per, std::array<double, 2> weights, double hours) {
+        const std::string keys = "rows = 'sensors'\nquantities = ['" + quantity + "']\n" + kMeans;
+        const auto texts = written(stand(
+            kPartlyLit + rest + table("sum.csv", keys + "per = 'sweep'\n") +
+            table("each.csv", keys + per)));
+        const Rows sum = fields_of(texts[0]), each = fields_of(texts[1]);
+        ASSERT_EQ(sum.size(), 3U);
+        ASSERT_EQ(each.size(), 5U);
+        const double a = std::stod(each[1].back()), b = std::stod(each[3].back());
+        expect_near(std::stod(sum[1].back()), weights[0] * a + weights[1] * b, quantity);
+        EXPECT_GT(std::abs(a - b), 1e-2);
+        const double all = std::accumulate(weights.begin(), weights.end(), 0.0) * hours;
+        EXPECT_NEAR(std::stod(sum[2].back()), all, 1e-2 * all) << "above the leaves";
+    };
+    check(
+        "[sweep]\nsource.sun.direction = [[1, 0, -1], [0, 0.2, -1]]\nweights = [1, 3]\n",
+        "sunlit_fraction", "", {.25, .75}, 1);
+    check(
+        kHours + "[sweep]\ntime.day = ['2024-01-15', '2024-06-15']\nweights = [31, 30]\n",
+        "sunlit_hours", "per = 'period'\n", {31, 30}, 3);
+    EXPECT_TRUE(mentions(
+        faults_of(stand(
+            kPartlyLit + "[sweep]\npaths = [64, 128]\n" +
+            table("sum.csv", "rows = 'sensors'\nper = 'sweep'\nquantities = ['sunlit_hours']\n"))),
+        "quantities"));
+}
+
+/// Points share their random numbers: intervals over many seeds hold the mean of many paths.
+TEST(SweepTable, HoldsTheSunlitFractionOfSensors) {
+    constexpr int kSeeds = 200;
+    const auto fraction = [](int paths, int seed) {
+        std::string text = stand(
+            kPartlyLit +
+            "[sweep]\nsource.sun.direction = [[1, 0, -1], [1, 0.1, -1], [0, 0.8, -1], [0.2, 0.3, "
+            "-1]]\nweights = [1, 2, 1, 3]\n" +
+            table(
+                "sum.csv",
+                "rows = 'sensors'\nper = 'sweep'\nquantities = ['sunlit_fraction']\n"
+                "where = \"name == 'below'\"\nstatistics = ['mean', 'se', 'ci95_low', "
+                "'ci95_high']\n"));
+        const std::string few = "paths = 256\n";
+        text.replace(
+            text.find(few), few.size(),
+            "paths = " + std::to_string(paths) + "\nseed = " + std::to_string(seed) + "\n");
+        const Rows sum = fields_of(written(text)[0]);
+        return numbers_from(sum.at(1), sum[0].size() - 4);
+    };
+    const double truth = fraction(1 << 15, 12345)[0];
+    int right = 0;
+    double scatter = 0, variance = 0;
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+        const auto found = fraction(64, seed);
+        right += found[2] <= truth && truth <= found[3] ? 1 : 0;
+        scatter += (found[0] - truth) * (found[0] - truth);
+        variance += found[1] * found[1];
+    }
+    EXPECT_GT(right, .9 * kSeeds);
+    EXPECT_GT(std::sqrt(variance / scatter), .8);
+    EXPECT_LT(std::sqrt(variance / scatter), 2);
 }
 
 /// Nothing is sunlit under a sky alone.
