@@ -117,18 +117,30 @@ py::list times_of(const RunRecord& all) {
     return times;
 }
 
+/// For each result the index of that from which it is scaled, or its own, and the factor on its
+/// light; none without replicates.
+std::vector<std::pair<std::size_t, double>> scaled_from(const RunRecord& all) {
+    const bool has_replicates =
+        std::ranges::any_of(all.replicates, [](const auto& kept) { return kept != nullptr; });
+    const std::vector<TimeStepPlan> plans =
+        has_replicates ? plan_series(all.series->time_steps) : std::vector<TimeStepPlan>{};
+    std::vector<std::pair<std::size_t, double>> from;
+    for (std::size_t i = 0; has_replicates && i < all.results.size(); ++i) {
+        from.emplace_back(plans[i].traced, plans[i].factor);
+    }
+    return from;
+}
+
 /// The results that are summed over a day (or over all days), and their weights: indices of those
 /// that were computed, and (results, bands) seconds in the units of sums. None without replicates.
 py::tuple weights_of(const RunRecord& all, std::optional<std::size_t> day) {
     const std::vector<TimeStep>& steps = all.series->time_steps;
-    const bool has_replicates =
-        std::ranges::any_of(all.replicates, [](const auto& kept) { return kept != nullptr; });
-    const std::vector<TimeStepPlan> plans =
-        has_replicates ? plan_series(steps) : std::vector<TimeStepPlan>{};
+    const auto from = scaled_from(all);
     std::map<std::size_t, double> seconds;
-    for (std::size_t i = 0; has_replicates && i < all.time_steps.size(); ++i) {
-        if (steps[i].day == day.value_or(steps[i].day) && plans[i].factor * steps[i].seconds > 0) {
-            seconds[plans[i].traced] += plans[i].factor * steps[i].seconds;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const auto [traced, factor] = from[i];
+        if (steps[i].day == day.value_or(steps[i].day) && factor * steps[i].seconds > 0) {
+            seconds[traced] += factor * steps[i].seconds;
         }
     }
     const std::vector<Band>& bands = all.scene->bands();
@@ -205,6 +217,7 @@ void bind_series(py::module_& module) {
     py::class_<RunRecord, std::shared_ptr<RunRecord>>(module, "Series")
         .def_property_readonly("results", [](const RunRecord& all) { return all.results; })
         .def_property_readonly("replicates", [](const RunRecord& all) { return all.replicates; })
+        .def_property_readonly("scaled_from", &scaled_from)
         .def_property_readonly("times", &times_of)
         .def_property_readonly("days", &days_of)
         .def_property_readonly(

@@ -45,10 +45,17 @@ class Stack:
             return rows if axes == (1,) else rows.summed(np.ones(len(factors)))
         spreads = self._spreads()
         means = sum(factor * spread.means for factor, spread in zip(factors, spreads))
+        if not self._is_shared:
+            return self._sum(means, factors)
         total = linear(means, list(zip(spreads, factors)))
-        if self._is_shared:
-            total.sizes = shared_sizes(spreads, factors)
+        total.sizes = shared_sizes(spreads, factors)
         return total
+
+    def _sum(self, means, factors):
+        """A sum of runs, of which some are the same computation, scaled: its contributions add up."""
+        from ._first_order import FirstOrder
+
+        return FirstOrder.of_terms(list(zip(self._parts, factors)), means).spread()
 
     def _spreads(self):
         paired(self._parts)

@@ -67,8 +67,8 @@ class ControlledLight(Control):
 
     ``controlled["absorbed_flux"]`` are the `Estimates` of a quantity at all times, of shape (times,
     organs, bands). An instant's light is linear in the flux of the lamps: all light times `factor`, and
-    that of all other origins times 1 - `factor`. It has errors at times whose replicates were kept:
-    ``keep="replicates"``, and not those whose light is that of another time, scaled.
+    that of all other origins times 1 - `factor`. Errors are for the given factors; where several
+    origins are dimmed or off in part, they need the replicates: ``keep="replicates"``.
     """
 
     def __init__(self, own, times, series):
@@ -77,24 +77,27 @@ class ControlledLight(Control):
         self._origin = own["origin"]
 
     def __getitem__(self, quantity):
-        light = self._series[quantity]
-        if not light.origins:
-            return light  # the suns of the time alone decide it
-        rows = {time: row for row, time in enumerate(self._times)}
-        factor = self.factor[[rows[step["time"]] for step in self._series.times]][:, None, None]
-        mixed = _weighted(light, factor, light)
-        for name in light.origins:
-            if name != self._origin:
-                mixed = mixed + _weighted(light.origin(name), 1 - factor, light)
-        return mixed
+        factors = dict(zip(self._times, self.factor))
+        lights = self._series._lights(quantity)
+        return self._series._stacked(
+            [self._dimmed(light, factors[step["time"]]) for light, step in zip(lights, self._series.times)]
+        )
+
+    def _dimmed(self, light, factor):
+        """The light of a time, whose lamps are dimmed. One part alone keeps its interval."""
+        if factor == 1 or not light.origins or _is_dark(light.origin(self._origin)):
+            return light
+        others = [light.origin(name) for name in light.origins if name != self._origin]
+        others = [part for part in others if not _is_dark(part)]
+        if not others:
+            return light * factor
+        parts = [part * (1 - factor) for part in others]
+        return sum(parts[1:], parts[0]) if factor == 0 else sum(parts, light * factor)
 
 
-def _weighted(part, factors, light):
-    """Light times factors, with the name, the units and the kind of other light."""
-    result = part * factors
-    result.name, result.extensive = light.name, light.extensive
-    result._set_units(light._units)
-    return result
+def _is_dark(light):
+    """Whether light is certainly 0."""
+    return not np.any(light.values) and not np.any(light.standard_error) and not np.any(light.ci95_high)
 
 
 class ControlDay:

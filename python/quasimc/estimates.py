@@ -190,6 +190,17 @@ class Estimates(Selectable, Summable, np.lib.mixins.NDArrayOperatorsMixin):
             index=index, source=source, extensive=self.extensive,
         )  # fmt: skip
 
+    def _with_source_of(self, other, factor):
+        """The same numbers, which are others times a factor above 0, with their replicates."""
+        if self is other or not hasattr(other._source, "scaled"):
+            return self
+        result = self._like(self._values, other._source.scaled(factor))
+        result._origins = {
+            name: lambda name=name: self.origin(name)._with_source_of(other.origin(name), factor)
+            for name in self.origins
+        }
+        return result
+
     def _mapped(self, values, source, index, to_part):
         """A selection or sum, also of the parts by origin."""
         origins = {

@@ -13,7 +13,7 @@ from ._light import Light, label_columns, origins_of
 from ._meshes import plain
 from ._optional import needed
 from ._rows import Rows
-from ._stacked_light import StackedLight
+from ._stacked_light import stacked
 from ._time_sum import TimeLights
 from .control import Control
 from .groups import Groups
@@ -175,12 +175,25 @@ class Series:
         return self._results
 
     def __getitem__(self, index):
-        results = self._results_of_times()
         if not isinstance(index, str):
-            return results[index]
+            return self._results_of_times()[index]
+        return self._stacked(self._lights(index))
+
+    def _lights(self, quantity):
+        """The light of each time step; of those that are scaled from others with the replicates of these."""
+        results = self._results_of_times()
         if not results:
             raise ValueError("there is no time step")
-        return StackedLight(results, RunIndex("time", ["time"], self._time_names()))[index]
+        lights = [result[quantity] for result in results]
+        if quantity in _core.quantities():
+            for row, (other, factor) in enumerate(self._core.scaled_from):
+                if factor > 0:
+                    lights[row] = lights[row]._with_source_of(lights[other], factor)
+        return lights
+
+    def _stacked(self, lights):
+        """The light of all time steps as one, from that of each."""
+        return stacked(lights, RunIndex("time", ["time"], self._time_names()))
 
     def _time_names(self):
         return [step["time"] for step in self.times]

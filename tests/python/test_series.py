@@ -78,15 +78,21 @@ def test_weighted_sums_over_times_keep_their_origins(scene):
         assert energy.origin(origin).values == pytest.approx(day.values, rel=1e-9)
 
 
-def test_errors_of_times_without_replicates_alone_are_unknown():
+def test_times_that_share_a_computation_share_its_replicates():
     scene = quasimc.Scene("PAR", site=quasimc.Site(52, 5.7))
     scene.add_material("leaf", reflectance=0.5)
     scene.add_mesh(*leaves(10)[:2], organ=leaves(10)[2], material="leaf")
     lamp = quasimc.uniform_sky(irradiance_horizontal=10)  # at night it shines alone, and is computed once
     night = quasimc.day("2024-06-21", utc_offset_hours=1, hours=[1, 7])
-    sums = scene.series(night, lamp, keep="replicates", **FEW)["absorbed_flux"]["PAR"].sum(axis="organ")
-    known = np.isfinite(sums.standard_error)
-    assert known.any() and not known.all() and np.isfinite(sums.values).all()
+    series = scene.series(night, lamp, keep="replicates", **FEW)
+    sums = series["absorbed_flux"]["PAR"].sum(axis="organ")
+    is_shared = [not result.has_replicates for result in series]
+    assert any(is_shared) and not all(is_shared) and np.all(sums.standard_error > 0)
+    first = is_shared.index(True)
+    assert sums[first - 1].standard_error == sums[first].standard_error
+    both = sums[first - 1 : first + 1].sum(axis="time", weights=[1, 1])
+    assert both.standard_error == pytest.approx(2 * sums[first].standard_error)
+    assert float((sums[first] - sums[first - 1]).standard_error) == pytest.approx(0, abs=1e-12)
 
 
 def test_tables_have_a_row_for_each_time_and_organ(series):
