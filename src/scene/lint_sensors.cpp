@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "geometry/mesh/closed_surface.h"
 #include "scene/lint.h"
 #include "scene/scene.h"
 
@@ -36,27 +35,6 @@ bool is_opaque(const Scene& scene, const Organ& organ) {
         }
     }
     return true;
-}
-
-/// Whether every edge is passed as often in one direction as in the other: the surface has no rim.
-/// Corners that differ by rounding are the same.
-bool is_closed(const std::vector<Triangle>& triangles, const Bounds& bounds) {
-    using Corner = std::tuple<double, double, double>;
-    constexpr double kSteps = 1e7;
-    const Vec3 origin = bounds.center();
-    const double scale = kSteps / bounds.radius();
-    const auto corner = [&](const Vec3& p) {
-        const Vec3 local = scale * (p - origin);
-        return Corner{std::round(local.x), std::round(local.y), std::round(local.z)};
-    };
-    std::map<std::pair<Corner, Corner>, int> edges;
-    for (const Triangle& t : triangles) {
-        for (std::size_t i = 0; i < t.size(); ++i) {
-            const Corner from = corner(t[i]), to = corner(t[(i + 1) % t.size()]);
-            edges[std::minmax(from, to)] += from < to ? 1 : to < from ? -1 : 0;
-        }
-    }
-    return std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 0; });
 }
 
 /// The number of times that a surface without a rim goes round a point: the sum of the solid angles
@@ -103,7 +81,7 @@ class HiddenPoints {
             return;
         }
         const std::vector<Triangle> triangles = survey_.scene.triangles_of(own);
-        if (!is_closed(triangles, survey_.organ_bounds[organ])) {
+        if (!is_closed(triangles)) {
             return;
         }
         for (const Candidate& candidate : inside) {

@@ -1,10 +1,10 @@
 #include "solvers/ray_bundles/long_patches.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
 #include <utility>
+
+#include "geometry/mesh/closed_surface.h"
 
 namespace quasimc {
 namespace {
@@ -21,31 +21,6 @@ constexpr double kMaxOfOrgan = 0.05, kMaxOfScene = 0.15, kMaxClosed = 0.25;
 /// Mean resultant length of the normals from which on an organ is flat: its self view factor is
 /// small.
 constexpr double kFlat = 0.9;
-
-using Edge = std::pair<std::array<double, 3>, std::array<double, 3>>;
-
-Edge edge_of(const Vec3& a, const Vec3& b) {
-    return {{a.x, a.y, a.z}, {b.x, b.y, b.z}};
-}
-
-/// Whether two triangles of opposite orientation share every edge: no light gets in.
-bool is_closed(const Scene& scene, const Organ& organ) {
-    std::map<Edge, int> open;
-    for (std::size_t i = 0; i < organ.triangle_count; ++i) {
-        const Triangle t = data_of(scene).triangles()[organ.first_triangle + i];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Vec3& a = t[k];
-            const Vec3& b = t[(k + 1) % 3];
-            const auto other = open.find(edge_of(b, a));
-            if (other == open.end()) {
-                ++open[edge_of(a, b)];
-            } else if (--other->second == 0) {
-                open.erase(other);
-            }
-        }
-    }
-    return open.empty();
-}
 
 double longest_edge(const Triangle& t) {
     return std::max({length(t[1] - t[0]), length(t[2] - t[1]), length(t[0] - t[2])});
@@ -105,7 +80,7 @@ LongPatches find_long_patches(const Scene& scene, const PatchSize& size) {
         if (shape.is_flat()) {
             flat.push_back(&organ);
             in_flat += organ.area;
-        } else if (is_closed(scene, organ)) {
+        } else if (is_closed(scene.triangles_of(organ))) {
             closed.push_back(&organ);
             in_closed += organ.area;
         } else {
