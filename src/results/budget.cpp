@@ -8,15 +8,6 @@
 namespace quasimc {
 namespace {
 
-std::vector<double> values_of(const std::vector<Flows>& flows, double Flows::*part) {
-    std::vector<double> values;
-    values.reserve(flows.size());
-    for (const Flows& one : flows) {
-        values.push_back(one.*part);
-    }
-    return values;
-}
-
 /// An interval that contains its mean. The means of a budget's parts add up to the emitted flux;
 /// one may exceed its limit by chance, and is reported as it is.
 Estimate with_mean(const Estimate& e) {

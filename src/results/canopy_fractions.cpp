@@ -80,13 +80,10 @@ std::vector<CanopyFractions> evaluate_canopy(
         const std::array one = sizes_of_fractions(sizes[b]);
         all[b].incident = is_infinite(scene) ? emitted[b] : mean_of(incident[b]);
         for (std::size_t i = 0; i < parts.size(); ++i) {
-            std::vector<double> amounts;
-            for (const Flows& own : flows[b]) {
-                amounts.push_back(own.*parts[i]);
-            }
-            all[b].*fraction_table()[i].part = is_known(i, scene)
-                                                   ? estimate_share(amounts, incident[b], one[i])
-                                                   : kUnknownEstimate;
+            all[b].*fraction_table()[i].part =
+                is_known(i, scene)
+                    ? estimate_share(values_of(flows[b], parts[i]), incident[b], one[i])
+                    : kUnknownEstimate;
         }
     }
     return all;

@@ -125,4 +125,13 @@ BandFlows read_flows(const Sums& sums, const Scene& scene) {
     return FlowReader(sums, scene).flows();
 }
 
+std::vector<double> values_of(const std::vector<Flows>& flows, double Flows::*part) {
+    std::vector<double> values;
+    values.reserve(flows.size());
+    for (const Flows& one : flows) {
+        values.push_back(one.*part);
+    }
+    return values;
+}
+
 }  // namespace quasimc

@@ -22,6 +22,9 @@ using BandFlows = std::vector<std::vector<Flows>>;
 
 [[nodiscard]] BandFlows read_flows(const Sums& sums, const Scene& scene);
 
+/// A part, per replicate.
+[[nodiscard]] std::vector<double> values_of(const std::vector<Flows>& flows, double Flows::*part);
+
 struct TotalSizes;
 
 /// The energy budget of each band.

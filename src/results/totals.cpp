@@ -13,17 +13,6 @@
 namespace quasimc {
 namespace {
 
-/// A part of the flows: [band][replicate].
-std::vector<std::vector<double>> values_of(const BandFlows& flows, double Flows::*part) {
-    std::vector<std::vector<double>> values(flows.size());
-    for (std::size_t b = 0; b < flows.size(); ++b) {
-        for (const Flows& one : flows[b]) {
-            values[b].push_back(one.*part);
-        }
-    }
-    return values;
-}
-
 /// A total without the size of a contribution. @param values  [band][replicate]
 TotalReplicates total_of(std::string_view name, const std::vector<std::vector<double>>& values) {
     TotalReplicates total{name, {}, std::vector<ContributionSize>(values.size())};
@@ -41,16 +30,22 @@ std::vector<TotalReplicates> replicates_of_totals(
     const Sums& sums, const Scene& scene, const EvaluationSpec& spec) {
     const BandFlows flows = read_flows(sums, scene);
     const auto part = [&](std::string_view name, double Flows::*of) {
-        return total_of(name, values_of(flows, of));
+        std::vector<std::vector<double>> values;
+        for (const std::vector<Flows>& band : flows) {
+            values.push_back(values_of(band, of));
+        }
+        return total_of(name, values);
     };
     TotalReplicates organs = part("absorbed_by_organs", &Flows::organs);
     TotalReplicates ground = part("absorbed_by_ground", &Flows::ground);
     const std::vector<TotalContributions> contributions =
         contributions_to_totals(sums, scene, spec);
+    TotalReplicates transmitted = part("transmitted", &Flows::on_ground);
     for (std::size_t b = 0; b < flows.size(); ++b) {
         const TotalSizes sizes = sizes_of(contributions[b], flows[b]);
         organs.sizes[b] = sizes.organs;
         ground.sizes[b] = sizes.ground;
+        transmitted.sizes[b] = sizes.on_ground;
     }
     std::vector<TotalReplicates> all{
         part("emitted", &Flows::emitted),
@@ -65,7 +60,7 @@ std::vector<TotalReplicates> replicates_of_totals(
     }
     if (!incident.empty() && ground_of(scene) != nullptr) {
         all.push_back(part("reflected", reflected_flux(scene)));
-        all.push_back(part("transmitted", &Flows::on_ground));
+        all.push_back(std::move(transmitted));
     }
     return all;
 }
@@ -86,13 +81,7 @@ void TotalContributions::include(const TotalContributions& other) {
 
 TotalSizes sizes_of(const TotalContributions& all, const std::vector<Flows>& flows) {
     const auto size = [&](const OrganContributions& of, const LightParts& parts,
-                          double Flows::*part) {
-        std::vector<double> values;
-        for (const Flows& one : flows) {
-            values.push_back(one.*part);
-        }
-        return of.size(parts, values);
-    };
+                          double Flows::*part) { return of.size(parts, values_of(flows, part)); };
     const LightParts absorbed = parts_of(Quantity::absorbed_flux);
     return {
         size(all.organs, absorbed, &Flows::organs), size(all.ground, absorbed, &Flows::ground),
