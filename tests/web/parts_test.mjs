@@ -7,12 +7,12 @@
 import assert from "node:assert/strict";
 import { isOfSensors, weightsOf } from "../../web/src/filters.js";
 import { scaleOf } from "../../web/src/numbers.js";
-import { evenly } from "../../web/src/format.js";
 import { classCounts, highestKnown } from "../../web/src/legend.js";
 import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
 import { Timeline } from "../../web/src/timeline.js";
 import { firstColumn } from "../../web/src/page.js";
 import { methodWords, sourceWords, timeWords } from "../../web/src/run_text.js";
+import { placesOf } from "../../web/src/course.js";
 import { pointNames } from "../../web/src/point_names.js";
 import { sunPaths } from "../../web/src/sun_paths.js";
 
@@ -71,16 +71,41 @@ function checkPaths() {
   assert.equal(sunPaths([[0, 0, 1]]).length, 0);
 }
 
+/** A page that shows organs of one value each. */
+function pageOf({ mean, error, show = "value", kinds }) {
+  const n = mean.length;
+  const ones = new Float32Array(n).fill(1);
+  const values = { mean: Float32Array.from(mean), error: Float32Array.from(error), low: mean.map((m, i) => m - 2 * error[i]), high: mean.map((m, i) => m + 2 * error[i]) };
+  const json = { unit: "m", low: [0, 0, 0], high: [1, 1, 1], organs: { labels: kinds ? { kind: {} } : {} } };
+  const run = { json, shape: { areas: ones, heights: ones }, organCount: n, count: n, columnName: () => "light", kindOf: (i) => kinds[i], isSensor: new Uint8Array(n), isPlant: ones };
+  return { run, values, isShown: new Uint8Array(n).fill(1), total: mean.reduce((a, b) => a + (b || 0), 0), column: 0, unit: "W", state: { show } };
+}
+
 /** What is known to no better than 50 % comes last, however high its mean, and is not what the scale goes up to. */
 function checkUnknown() {
-  const values = { mean: Float32Array.of(5, 900, 7, NaN, 8), error: Float32Array.of(0.1, 800, NaN, NaN, 3), low: [], high: [] };
-  const json = { unit: "m", organs: { labels: {} } };
-  const shape = { areas: Float32Array.of(1, 1, 1, 1, 1), heights: Float32Array.of(1, 1, 1, 1, 1) };
-  const run = { json, shape, organCount: 5, count: 5, columnName: () => "light" };
-  const orderOf = (show) => organsInOrder(Uint8Array.of(1, 1, 1, 1, 1), columnsOf({ run, values, total: 1, column: 0, unit: "", state: { show } }).value);
+  const [mean, error] = [[5, 900, 7, NaN, 8], [0.1, 800, NaN, NaN, 3]];
+  const orderOf = (show, isReversed) => {
+    const page = pageOf({ mean, error, show });
+    return organsInOrder(page.isShown, columnsOf(page).value, isReversed);
+  };
   assert.deepEqual(orderOf("value"), [4, 2, 0, 1, 3]);
+  assert.deepEqual(orderOf("value", true), [0, 2, 4, 1, 3]);
   assert.deepEqual(orderOf("difference"), [1, 4, 2, 0, 3]);
-  assert.equal(highestKnown(values), 8);
+  assert.equal(highestKnown(pageOf({ mean, error }).values), 8);
+  const page = pageOf({ mean: [1, 1, 1], error: [0, 0, 0], kinds: ["stem", "", "leaf"] });
+  assert.deepEqual(organsInOrder(page.isShown, columnsOf(page).kind), [2, 0, 1]);
+}
+
+/** Heads have the units, cells the same decimals, and bounds are those of intervals. */
+function checkCells() {
+  const page = pageOf({ mean: [36.8, 35.2, 0.81, 4], error: [1.7, 2.04, 0.09, 3.9] });
+  const { area, value, interval, error, share } = columnsOf(page);
+  const textsOf = ({ text }) => [0, 1, 2, 3].map(text);
+  assert.deepEqual([area.unit, value.unit, error.unit, share.unit], ["m²", "W", "%", "%"]);
+  assert.deepEqual(textsOf(value), ["36.8 ± 1.7", "35.2 ± 2.0", "0.8 ± 0.1", "below 11.8"]);
+  assert.deepEqual(textsOf(interval), ["33.4 – 40.2", "31.1 – 39.3", "0.6 – 1.0", "−3.8 – 11.8"]);
+  assert.deepEqual(textsOf(error), ["4.6", "5.8", "11.1", "> 50"]);
+  assert.deepEqual(textsOf(share), ["48", "46", "1", ""]);
 }
 
 /** Classes count plants alone: not the ground, nor a sensor, nor what is hidden. */
@@ -118,7 +143,20 @@ function checkPoints() {
     [["15 January 2023", "15 Jan"], ["15 February 2023", "15 Feb"]]);
   assert.equal(pointNames([{ "time.day": "2023-01-15" }, { "time.day": "2024-01-15" }])[1].short, "15 Jan 2024");
   const [sun] = pointNames([{ "source.sun.elevation_deg": "20" }]);
+  assert.equal(sun.value, 20);
+  const days = pointNames([{ "time.day": "2023-01-15" }, { "time.day": "2023-02-15" }]).map(({ value }) => value);
+  assert.equal(days[1] - days[0], 31);
+  assert.ok(Number.isNaN(pointNames([{ "run.method": "first_hits" }])[0].value));
   assert.deepEqual([sun.name, sun.short, sun.by, sun.isDate], ["elevation 20°", "20°", "elevation", false]);
+}
+
+/** Steps stand at their true distances where they are numbers. */
+function checkPlaces() {
+  const places = (values) => placesOf(values.map((value) => ({ start: null, hours: 0, value })));
+  assert.deepEqual(places([40, 10, 20]), { order: [1, 2, 0], at: [10, 20, 40], isTrue: true });
+  assert.deepEqual(places([40, NaN, 20]), { order: [0, 1, 2], at: [0, 1, 2], isTrue: false });
+  assert.deepEqual(places([1, 1]), { order: [0, 1], at: [0, 1], isTrue: false });
+  assert.deepEqual(placesOf([{ start: 12, hours: 1 }, { start: 13, hours: 1 }]).at, [12.5, 13.5]);
 }
 
 /** What a result says of a run is in words, and twelve lamps are one row. */
@@ -135,20 +173,15 @@ function checkWords() {
   assert.equal(methodWords({ used: "first_hits", reason: "" }), "first hits");
 }
 
-/** Numbers of a column have the same decimals. */
-function checkEven() {
-  assert.deepEqual([1.1, 1.05, 0.984].map((height) => evenly(height, 1.2)), ["1.10", "1.05", "0.98"]);
-  assert.equal(evenly(123.4, 150), "123");
-}
-
 checkSeason();
 checkPoints();
+checkPlaces();
 checkWords();
-checkEven();
 checkFirst();
 checkScale();
 checkCounts();
 checkUnknown();
+checkCells();
 checkDays();
 checkHours();
 checkPaths();

@@ -2,6 +2,7 @@
 
 import { plainUnit, unitText } from "./format.js";
 import { isOfSensors, weightsOf } from "./filters.js";
+import { LayerAreas } from "./layer_areas.js";
 import { shapeOf } from "./sensors.js";
 
 /** The bytes of a base64 text. */
@@ -42,6 +43,7 @@ async function readBytes(name) {
 }
 
 const shapes = new Map(); // promises, by name
+const layers = new WeakMap(); // by shape
 
 /** A shape that is read once: points of a sweep in a report share it. @param json  promise of its result */
 function sharedShape(name, json) {
@@ -124,6 +126,14 @@ export class RunData {
   /** How much each organ counts in scales, see weightsOf. */
   get weights() {
     return weightsOf(this, this.shape.areas);
+  }
+
+  /** The areas of organs in layers of height. What is at a limit but for rounding is above it. */
+  get layers() {
+    if (!layers.has(this.shape)) {
+      layers.set(this.shape, new LayerAreas(this.shape, this.json.middle[2] + 1e-6 * (this.json.high[2] - this.json.low[2])));
+    }
+    return layers.get(this.shape);
   }
 
   /** Whether the page has the other points of its sweep. */

@@ -128,3 +128,9 @@ export function weightedQuantile(numbers, weights, fraction) {
   }
   return NaN;
 }
+
+/** The number that half of some positive numbers do not exceed; NaN without any. */
+export function lowerMedian(numbers) {
+  const known = [...numbers].filter((number) => number > 0).sort((a, b) => a - b);
+  return known[(known.length - 1) >> 1] ?? NaN;
+}

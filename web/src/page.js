@@ -5,7 +5,7 @@ import { Comparison, givenDifference } from "./comparison.js";
 import { byId } from "./dom.js";
 import { noFilters, organsPassing } from "./filters.js";
 import { allPlants, plantLight } from "./energy.js";
-import { counted, many, withError, withUnit } from "./format.js";
+import { counted, kSigned, many, withError, withUnit } from "./format.js";
 import { colorsOf, kSure, packed, scaleOf, weightedQuantile } from "./numbers.js";
 import { AddressKeeper, addressOf, startOf } from "./state.js";
 
@@ -92,17 +92,23 @@ export class Page {
   /** Estimates of all plants of the shown column at entries of the timeline, null where there are none. A promise. */
   async meansOf(entries) {
     const { quantity, band } = this.run.json.columns[this.column];
-    const found = entries.map((entry) => allPlants(this.headOf(entry), quantity, band));
+    const factor = this.run.factorOf(this.#timeAt(entries), this.column);
+    const found = entries.map((entry) => allPlants(this.headOf(entry), quantity, band, factor));
     if (found.some(Boolean) || !this.run.json.grows || !this.live?.allValues) {
       return found;
     }
     return (await this.live.allValues(this.column)).map(({ values, areas }) => values && { mean: areaMean(values.mean, areas), error: NaN });
   }
 
-  /** The unit of the shown column at entries of the timeline, of which some may be of other results. */
-  unitAt(entries) {
+  /** The time of the result that has the unit of entries of the timeline, of which some may be of other results. */
+  #timeAt(entries) {
     const index = entries.find((entry) => entry.index >= 0)?.index ?? 0;
-    return this.run.unit(this.run.json.times.length > 1 ? index : 0, this.column);
+    return this.run.json.times.length > 1 ? index : 0;
+  }
+
+  /** The unit of the shown column at entries of the timeline. */
+  unitAt(entries) {
+    return this.run.unit(this.#timeAt(entries), this.column);
   }
 
   /** The band by which light is counted. */
@@ -346,7 +352,7 @@ export class Page {
   /** The estimate of an organ with its unit, as text. */
   describe(organ) {
     const { mean, error, high } = this.values;
-    return withUnit(withError(mean[organ], error[organ], this.state.show === "difference" ? undefined : high[organ]), this.unit);
+    return withUnit(withError(mean[organ], error[organ], this.state.show === "difference" ? kSigned : high[organ]), this.unit);
   }
 
   clearFilters() {

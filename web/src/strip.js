@@ -119,8 +119,8 @@ export class Strip {
     const { page, strip } = this;
     const { timeline, entry } = page;
     const { quantity, band } = page.run.json.columns[page.column];
-    const all = allPlants(page.head, quantity, band);
-    const mean = all && page.state.show !== "difference" ? `, mean ${withUnit(withError(all.mean, all.error), page.unit)}` : "";
+    const all = allPlants(page.head, quantity, band, page.run.factorOf(page.time, page.column));
+    const mean = all && page.state.show !== "difference" ? `, mean ${withUnit(withError(all.mean, all.error, all.high), page.unit)}` : "";
     const at = Math.max(0, timeline.all.indexOf(entry));
     strip.setAttribute("aria-valuemin", "0");
     strip.setAttribute("aria-valuemax", String(timeline.all.length - 1));
