@@ -12,7 +12,7 @@ import { columnsOf, organsInOrder } from "../../web/src/organ_table.js";
 import { Timeline } from "../../web/src/timeline.js";
 import { firstColumn } from "../../web/src/page.js";
 import { methodWords, sourceWords, timeWords } from "../../web/src/run_text.js";
-import { placesOf } from "../../web/src/course.js";
+import { positionsOf } from "../../web/src/course.js";
 import { pointNames } from "../../web/src/point_names.js";
 import { sunPaths } from "../../web/src/sun_paths.js";
 
@@ -150,13 +150,13 @@ function checkPoints() {
   assert.deepEqual([sun.name, sun.short, sun.by, sun.isDate], ["elevation 20°", "20°", "elevation", false]);
 }
 
-/** Steps stand at their true distances where they are numbers. */
-function checkPlaces() {
-  const places = (values) => placesOf(values.map((value) => ({ start: null, hours: 0, value })));
-  assert.deepEqual(places([40, 10, 20]), { order: [1, 2, 0], at: [10, 20, 40], isTrue: true });
-  assert.deepEqual(places([40, NaN, 20]), { order: [0, 1, 2], at: [0, 1, 2], isTrue: false });
-  assert.deepEqual(places([1, 1]), { order: [0, 1], at: [0, 1], isTrue: false });
-  assert.deepEqual(placesOf([{ start: 12, hours: 1 }, { start: 13, hours: 1 }]).at, [12.5, 13.5]);
+/** Steps are at their true distances where they are numbers. */
+function checkPositions() {
+  const axisOf = (values) => positionsOf(values.map((value) => ({ start: null, hours: 0, value })));
+  assert.deepEqual(axisOf([40, 10, 20]), { order: [1, 2, 0], at: [10, 20, 40], isTrue: true });
+  assert.deepEqual(axisOf([40, NaN, 20]), { order: [0, 1, 2], at: [0, 1, 2], isTrue: false });
+  assert.deepEqual(axisOf([1, 1]), { order: [0, 1], at: [0, 1], isTrue: false });
+  assert.deepEqual(positionsOf([{ start: 12, hours: 1 }, { start: 13, hours: 1 }]).at, [12.5, 13.5]);
 }
 
 /** What a result says of a run is in words, and twelve lamps are one row. */
@@ -175,7 +175,7 @@ function checkWords() {
 
 checkSeason();
 checkPoints();
-checkPlaces();
+checkPositions();
 checkWords();
 checkFirst();
 checkScale();

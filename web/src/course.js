@@ -24,10 +24,10 @@ function rangeOf(estimates) {
 }
 
 /**
- * Where steps stand: hours and numbers at their true distances, others one by one.
- * @returns {order, at, isTrue}: steps in the order of their places
+ * Where steps are on the axis: hours and numbers at their true distances, others one by one.
+ * @returns {order, at, isTrue}: steps in their order on the axis
  */
-export function placesOf(steps) {
+export function positionsOf(steps) {
   const hasClock = steps.every(({ start }) => start !== null);
   const values = steps.map(({ start, hours, value }) => (hasClock ? start + hours / 2 : value));
   const isTrue = values.every(Number.isFinite) && new Set(values).size === values.length;
@@ -45,7 +45,7 @@ function runsOf(list, passes) {
 /**
  * A course: a line with its band, or points with error bars. What is known to no better than 50 % has a bar alone.
  * @param shift  of bars without a value, which would cover each other, in pixels
- * @returns where its letter stands: at its maximum; undefined for none
+ * @returns the pixel of its letter, at its maximum; undefined for none
  */
 function addCourse(plot, at, course, { isPoints, hasLine, color, shift = 0 }) {
   const { node, x, y, box } = plot;
@@ -53,17 +53,22 @@ function addCourse(plot, at, course, { isPoints, hasLine, color, shift = 0 }) {
   const known = course.map((one, i) => (one && Number.isFinite(one.mean) ? { ...one, ...endsOf(one), x: x(at[i]), y: y(one.mean) } : null));
   for (const run of runsOf(known, isSure)) {
     const edge = (key) => (one) => `${one.x},${inside(y(one[key]))}`;
-    if (!isPoints) {
+    const hasDots = isPoints || run.length === 1;
+    if (!hasDots) {
       node.append(svg("polygon", { class: "band", points: [...run.map(edge("high")), ...run.map(edge("low")).reverse()].join(" "), fill: color, "pointer-events": "none" }));
     }
     if (hasLine) {
       node.append(svg("polyline", { class: color === kOfText ? "mean" : "line", stroke: color, points: run.map((one) => `${one.x},${one.y}`).join(" "), "pointer-events": "none" }));
     }
+    for (const one of hasDots ? run : []) {
+      if (one.high > one.low) {
+        addUpright(plot, one, one.x, color);
+      }
+      node.append(svg("circle", { class: "point", cx: one.x, cy: one.y, r: 3, fill: color }));
+    }
   }
-  const sure = known.filter(isSure);
-  known.filter((one) => one && one.high > one.low && (isPoints || !isSure(one))).forEach((one) => addUpright(plot, one, one.x + (isSure(one) ? 0 : shift), color, !isSure(one)));
-  sure.filter((one) => isPoints || sure.length === 1).forEach((one) => node.append(svg("circle", { class: "point", cx: one.x, cy: one.y, r: 3, fill: color })));
-  const found = (sure.length > 0 ? sure : known.filter(Boolean)).sort((one, other) => other.mean - one.mean)[0];
+  known.filter((one) => one && !isSure(one)).forEach((one) => addUpright(plot, one, one.x + shift, color, true));
+  const found = (known.some(isSure) ? known.filter(isSure) : known.filter(Boolean)).sort((one, other) => other.mean - one.mean)[0];
   return found && [found.x + (isSure(found) ? 0 : shift), inside(found.y)];
 }
 
@@ -111,7 +116,7 @@ export class Course {
 
   #show(given, { pins: givenPins, all: givenAll }) {
     const { page } = this;
-    const { order, at, isTrue } = placesOf(given);
+    const { order, at, isTrue } = positionsOf(given);
     const [steps, all] = [given, givenAll].map((list) => order.map((i) => list[i]));
     const pins = givenPins.map((course) => order.map((i) => course?.[i] ?? null));
     const hasClock = steps[0].start !== null;
@@ -142,7 +147,7 @@ export class Course {
     const [low, high] = [Math.min(...at), Math.max(...at)];
     const beside = 0.04 * (high - low);
     return hasClock ? { low: Math.floor(low - 0.5), high: Math.ceil(high + 0.5), format: clockText, ticks: this.#hours(low, high) }
-      : { low: low - beside, high: high + beside, format: (place) => steps[at.indexOf(place)].short, ticks: at };
+      : { low: low - beside, high: high + beside, format: (x) => steps[at.indexOf(x)].short, ticks: at };
   }
 
   #hours(low, high) {

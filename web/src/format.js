@@ -67,8 +67,8 @@ const kExact = 1e-7; // relative error below which a number is exact: the page's
 export const kSigned = null;
 
 /**
- * What is said of a positive number that is known to no better than 50 %, or is 0 because no light was found: it is
- * below the end of its interval. undefined: its value is said
+ * The bound of a positive number that is known to no better than 50 %, or is 0 because no light was found: the end
+ * of its interval; undefined for others, which have a value
  * @param high  that end; undefined: it follows from the error
  */
 function boundOf(mean, error, high) {
@@ -114,7 +114,7 @@ function errorText(error, { power, digit }) {
 /**
  * A value with as many digits as its error supports.
  * @param high  end of its interval, which replaces a value that is known to no better than 50 %; kSigned: none does
- * @param column  see columnStyle; undefined: the number stands alone
+ * @param column  see columnStyle; undefined: the number is alone
  * @returns {value, error}: texts; error is empty if it is unknown or 0
  */
 export function estimate(mean, error, high, column) {

@@ -92,7 +92,7 @@ const kStops = {
 function completedWords({ paths, replicates, time_steps: steps, time_steps_requested: requested, computed, stop }) {
   return [
     ...(paths === undefined ? [] : [`${counted(paths)} paths × ${replicates} replicates`]),
-    ...(steps === undefined ? [] : [`${steps} of ${many(requested, "time step")}, ${computed} computed, others dark or scaled copies`]),
+    ...(steps === undefined ? [] : [`${steps} of ${many(requested, "time step")}${computed < steps ? `, ${computed} computed, others dark or scaled copies` : ""}`]),
     ...(stop === undefined ? [] : [kStops[stop] ?? `stopped: ${stop.replaceAll("_", " ")}`]),
   ].join("; ");
 }
