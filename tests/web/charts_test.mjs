@@ -65,6 +65,10 @@ async function checkNarrow(page) {
     assert.ok(await node.isVisible() && (await node.textContent()).length > 0, id);
   }
   assert.deepEqual(await crowded(page), []);
+  await open(page, `${workshop.address("day")}#${kPins}&show=error`);
+  await page.waitForFunction(() => document.querySelectorAll("#cards article").length === 2);
+  assert.deepEqual(await crowded(page), []);
+  await open(page, `${workshop.address("day")}#${kPins}`);
   if (pictures) {
     await page.screenshot({ path: path.join(pictures, "charts.png") });
   }

@@ -116,7 +116,7 @@ export class Cards {
       : relative > 0.5 ? "known to no better than 50 %" : `known to ${percent(relative)}`;
     const of = Object.fromEntries(Object.entries(values).map(([key, numbers]) => [key, numbers[organ]]));
     const ends = Number.isFinite(of.low) ? `95 %: ${interval({ ...of, isSigned: this.#isDifference })}` : "";
-    return make("p", { class: "sure" }, swatch, make("span", {}, ends ? `${words} ·` : words), ends && make("span", {}, ends));
+    return make("p", { class: "sure" }, swatch, make("span", {}, words), ends && make("span", {}, ends));
   }
 
   /** All quantities and bands, read when they are asked for. */

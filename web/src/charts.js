@@ -83,7 +83,7 @@ export class Charts {
     const byArea = page.state.by === "area" && !isMeasured; // sensors have none
     byId("by").hidden = isMeasured;
     byId("histogram-title").textContent = byArea ? "Organ area by value" : `${countedNoun[0].toUpperCase()}${countedNoun.slice(1)}s by value`;
-    byId("histogram-unit").textContent = isError ? "class of error" : page.unit;
+    byId("histogram-unit").textContent = isError ? "error, %" : page.unit;
     const { areas } = page.run.shape;
     const isIn = (i) => page.run.isCounted[i] === 1;
     const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, isIn, scale: page.usual };
@@ -97,13 +97,11 @@ export class Charts {
     const { unit, factor } = byArea ? this.#areaUnit : { unit: `${countedNoun}s`, factor: 1 };
     const high = most * factor || 1;
     return keepingFocus(byId("histogram"), () => {
-      const x = isError ? { low: 0, high: kClasses.length, ticks: [] }
+      const x = isError ? { low: 0, high: kClasses.length, ticks: kClasses.slice(1).map((_, i) => i + 1), format: (i) => plain(100 * kClasses[i - 1].below) }
         : { low: found.low, high: found.high, last: found.hasMore ? this.#lastNumber(found) : undefined };
       const plot = startPlot(byId("histogram"), byId("histogram-title").textContent, { x, y: { low: 0, high, unit, grid: true, ticks: byArea ? undefined : Math.min(3, high) } });
-      byId("histogram-unit").textContent = isError ? "class of error" : unitOfColumn(page.unit, { power: plot.power.x });
-      if (isError) {
-        kClasses.forEach(({ short }, i) => plot.node.append(svg("text", { x: plot.x(i + 0.5), y: plot.box.bottom + 14, "text-anchor": "middle" }, short)));
-      } else if (found.hasMore) {
+      byId("histogram-unit").textContent = isError ? "error, %" : unitOfColumn(page.unit, { power: plot.power.x });
+      if (found.hasMore) {
         plot.node.append(svg("text", { x: plot.box.right, y: plot.box.bottom + 14, "text-anchor": "end" }, "more"));
       }
       const bars = found.bins.flatMap((bin, i) => this.#valueBar(plot, bin, i, { part, factor, isError, found }));

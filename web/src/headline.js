@@ -98,7 +98,7 @@ export class Headline {
     const column = run.columnOf("absorbed_flux_density", band);
     const found = parts.length > 0 || subject || column < 0 ? null : allPlants(page.headOf(entry), "absorbed_flux_density", band);
     const factor = column < 0 ? 1 : run.factorOf(page.time, column);
-    return found && `mean per area ${withUnit(withError(found.mean * factor, found.error * factor, found.high * factor), run.unit(page.time, column))}`;
+    return found && `mean per area ${withUnit(withError(found.mean * factor, found.error * factor, found.high * factor), run.unit(page.time, column)).replaceAll(" ", "\u00a0")}`;
   }
 
   /** Where the light goes: its parts, or what is known of the rest. */
