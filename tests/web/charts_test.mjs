@@ -123,6 +123,17 @@ async function checkDays(page, result) {
   assert.ok(unit && Math.abs((1e6 * mean) / allPlants(result.points[1].total).mean - 1) < 0.03, label);
 }
 
+/** Shares of the light of all organs are the same, whether it is shown per area or by organ. */
+async function checkShares(page, result) {
+  const lights = result.total.organs.map(({ absorbed_flux: flux }) => flux.PAR.mean);
+  const all = lights.reduce((sum, light) => sum + light, 0);
+  for (const quantity of ["absorbed_flux_density", "absorbed_flux"]) {
+    await open(page, `${workshop.address("day")}#tab=table&quantity=${quantity}`);
+    const shares = await page.locator("#table tbody tr").evaluateAll((rows) => rows.map((row) => [Number(row.dataset.organ), Number(row.lastElementChild.textContent)]));
+    shares.forEach(([organ, share]) => assert.ok(Math.abs(share - (100 * lights[organ]) / all) < 0.6, `${quantity}: ${shares} of ${lights}`));
+  }
+}
+
 async function checkTable(page) {
   await open(page, `${workshop.address("day")}#tab=table`);
   const names = () => page.locator("#table .link").allTextContents();
@@ -154,6 +165,7 @@ await workshop.use(async (browser) => {
   await checkArea(page, day);
   await checkSuns(page, suns);
   await checkDays(page, days);
+  await checkShares(page, day);
   await checkTable(page);
   assert.deepEqual(workshop.faults, []);
 });

@@ -77,7 +77,7 @@ function pageOf({ mean, error, show = "value", kinds }) {
   const ones = new Float32Array(n).fill(1);
   const values = { mean: Float32Array.from(mean), error: Float32Array.from(error), low: mean.map((m, i) => m - 2 * error[i]), high: mean.map((m, i) => m + 2 * error[i]) };
   const json = { unit: "m", low: [0, 0, 0], high: [1, 1, 1], organs: { labels: kinds ? { kind: {} } : {} } };
-  const run = { json, shape: { areas: ones, heights: ones }, organCount: n, count: n, columnName: () => "light", kindOf: (i) => kinds[i], isSensor: new Uint8Array(n), isPlant: ones };
+  const run = { json, shape: { areas: ones, heights: ones }, organCount: n, count: n, columnName: () => "light", kindOf: (i) => kinds[i], isSensor: new Uint8Array(n), isPlant: ones, weightOf: () => 1 };
   return { run, values, isShown: new Uint8Array(n).fill(1), total: mean.reduce((a, b) => a + (b || 0), 0), column: 0, unit: "W", state: { show } };
 }
 

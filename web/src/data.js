@@ -141,6 +141,11 @@ export class RunData {
     return this.json.sweep?.points.length > 1;
   }
 
+  /** By what the number of an organ is multiplied to add up over organs: its area, but 1 for flux and sensors. */
+  weightOf(column, organ) {
+    return this.isMeasured || this.json.columns[column].quantity === "absorbed_flux" ? 1 : this.shape.areas[organ];
+  }
+
   has(time, column) {
     return this.json.times[time].values[column] >= 0;
   }

@@ -47,7 +47,6 @@ function areaColumn({ json, isSensor, shape: { areas } }, organs) {
 /** The value with its error, its interval and what follows from it. */
 function valueColumns({ run, values, total, page, organs }) {
   const { mean, error, low, high } = values;
-  const { areas } = run.shape;
   const { show } = page.state;
   const isDifference = show === "difference";
   const style = columnStyle(values, organs, isDifference);
@@ -56,15 +55,15 @@ function valueColumns({ run, values, total, page, organs }) {
   const relative = (i) => error[i] / Math.abs(mean[i]);
   const percents = evenOf((i) => 100 * relative(i), organs.filter((i) => isKnown(mean[i], error[i])), 2);
   const isClear = (i) => (Number.isFinite(mean[i]) ? Math.abs(mean[i]) >= kSure * error[i] ? "clear" : "not clear" : "");
-  const light = (i) => mean[i] * areas[i];
+  const weight = (i) => run.weightOf(page.column, i);
   return {
     value: { title: run.columnName(page.column), unit, of: sure((i) => mean[i]), text: (i) => withError(mean[i], error[i], isDifference ? kSigned : high[i], style), isNumber: true },
     interval: { title: "95 % interval", unit, text: (i) => interval({ mean: mean[i], error: error[i], low: low[i], high: high[i], isSigned: isDifference }, style), isNumber: true },
     ...(isDifference ? { clear: { title: "Difference is", of: (i) => Math.abs(mean[i]) / error[i], text: isClear } } : {
       error: { title: "Error", unit: "%", of: relative, text: (i) => (relative(i) > 0.5 ? "> 50" : mean[i] === 0 ? "" : percents(i)), isNumber: true },
-      share: partColumn("Share of all", sure((i) => light(i) / total), organs, (i) => run.isPlant[i]),
+      share: partColumn("Share of all", sure((i) => (mean[i] * weight(i)) / total), organs, (i) => run.isPlant[i]),
     }),
-    ...(show === "error" && { cost: partColumn("Costs precision", (i) => (error[i] * areas[i]) / Math.abs(total), organs, (i) => run.isPlant[i]) }),
+    ...(show === "error" && { cost: partColumn("Costs precision", (i) => (error[i] * weight(i)) / Math.abs(total), organs, (i) => run.isPlant[i]) }),
   };
 }
 
@@ -118,8 +117,7 @@ export class OrganTable {
   #build(most) {
     const { page } = this;
     this.most = most;
-    const { areas } = page.run.shape;
-    page.total = page.values.mean.reduce((sum, mean, i) => sum + (Number.isFinite(mean) && page.run.isPlant[i] ? mean * areas[i] : 0), 0);
+    page.total = page.values.mean.reduce((sum, mean, i) => sum + (Number.isFinite(mean) && page.run.isPlant[i] ? mean * page.run.weightOf(page.column, i) : 0), 0);
     const columns = isPhone() ? valueFirst(columnsOf(page)) : columnsOf(page);
     const [, minus, asked] = /^(-?)(.*)$/.exec(page.state.sort);
     const key = columns[asked] ? asked : page.state.show === "error" ? "cost" : "value";

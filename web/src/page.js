@@ -366,11 +366,11 @@ export class Page {
 }
 
 /** The parts of the absorbed light that organs of each class of error take, without grey ones. */
-export function qualityOf({ classes, values, run, isShown }) {
+export function qualityOf({ classes, values, run, isShown, column }) {
   const sums = new Float64Array(kClasses.length);
   classes.forEach((number, i) => {
     if (number < kClasses.length && isShown[i] && run.isCounted[i]) {
-      sums[number] += Math.abs(values.mean[i]) * (run.isMeasured ? 1 : run.shape.areas[i]);
+      sums[number] += Math.abs(values.mean[i]) * run.weightOf(column, i);
     }
   });
   const total = sums.reduce((a, b) => a + b, 0);

@@ -54,7 +54,7 @@ function energyParts(energy, isRemainder) {
     ["Band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "ended by chance"], rows)];
 }
 
-function groupTables(groups, bands, unitOf, factorOf) {
+function groupTables(groups, bands, unitOf, factorOf, length) {
   const hasSunlit = groups.some(({ sunlit_fraction: fraction }) => fraction);
   const areas = lowerMedian(groups.map(({ area }) => area));
   const nameOf = ({ by, value }) => (by === "all" ? "all organs" : `${by} = ${words(value)}`);
@@ -63,7 +63,7 @@ function groupTables(groups, bands, unitOf, factorOf) {
   return bands.map((band) => {
     const columns = [["absorbed", "absorbed_flux"], ["absorbed per area", "absorbed_flux_density"]].map(columnIn(band));
     const all = hasSunlit ? [...columns, estimateColumn(groups.map((group) => group.sunlit_fraction), 1, () => "sunlit fraction")] : columns;
-    return table(`${band}: sums over organs ± standard error`, ["group", "organs", "area", ...all.map(({ head }) => head)],
+    return table(`${band}: sums over organs ± standard error`, ["group", "organs", length ? `area (${unitText(length)}²)` : "area", ...all.map(({ head }) => head)],
       groups.map((group, i) => [nameOf(group), { number: counted(group.organs) }, { number: evenly(group.area, areas) }, ...all.map(({ cells }) => cells[i])]));
   });
 }
@@ -170,7 +170,7 @@ export class RunTab {
       ...section("How it was computed", aboutRun(run, now, entry.point === -1 ? `${timeline.points.length}: ${timeline.points[0].name} to ${timeline.points.at(-1).name}` : "")),
       ...section(`Where the light goes${when}`, ...this.#lightWords(bands), ...(now.energy ? energyParts(now.energy, now.escaped_by_difference ?? head.escaped_by_difference) : [])),
       ...(now.rounds?.length > 0 ? section(`Convergence${when}`, ...convergenceParts(now.rounds)) : []),
-      ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf, factorOf), missingGroups(run, now.groups)) : []),
+      ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf, factorOf, run.json.unit), missingGroups(run, now.groups)) : []),
       settings(head),
     ].filter(Boolean));
   }
