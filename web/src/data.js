@@ -1,5 +1,6 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
+import { kShares } from "./energy.js";
 import { plainUnit, unitText } from "./format.js";
 import { isOfSensors, weightsOf } from "./filters.js";
 import { shapeOf } from "./sensors.js";
@@ -181,7 +182,8 @@ export class RunData {
 
   /** The unit of a column at a time: sums over days have another one. */
   unit(time, column) {
-    return unitText(this.#unitOf(time, column).unit);
+    const { unit } = this.#unitOf(time, column);
+    return this.json.grows && this.json.columns[column].band ? kShares[unit] ?? unitText(unit) : unitText(unit);
   }
 
   /** The number of a column. -1: there is none */

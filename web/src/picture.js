@@ -8,6 +8,9 @@ const kCoarse = 0.5;
 /** Pixels of the picture at rest to one of CSS, so that leaves thinner than a pixel do not break into dots. */
 const kFine = 2;
 
+/** From one stripe of unknown organs to the next, along the axes, pixels of CSS. */
+const kStripes = 7;
+
 /** Side by side: the light, and the plant in its own colours. */
 const kLight = { angle: 0.06 };
 const kPlant = { angle: 0.3 };
@@ -76,6 +79,7 @@ export class ScenePicture {
     if (renderer.getPixelRatio() !== this.pixels) {
       renderer.setPixelRatio(this.pixels);
     }
+    passes.uniforms.stripes.value = kStripes * this.pixels;
     passes.setSize(Math.floor(canvas.clientWidth * this.pixels), Math.floor(canvas.clientHeight * this.pixels));
   }
 

@@ -5,11 +5,12 @@ import { clockText } from "./format.js";
 import { kPins } from "./page.js";
 
 const kMaxBars = 200; // then an area
-const kMaxWide = 64; // of bars without hours, pixels
+const kMaxWide = 32; // of bars without hours, pixels
+const kMaxApart = 96; // of their middles
 
 /** {from, to}: the span of each step on the axis, from 0 to 1. */
-function spansOf(steps, hasClock) {
-  const n = steps.length;
+function spansOf(steps, hasClock, width) {
+  const n = Math.max(steps.length, width / kMaxApart);
   return steps.map(({ start, hours }, i) => (hasClock ? { from: start / 24, to: Math.min(1, (start + Math.max(hours, 0.25)) / 24) } : { from: i / n, to: (i + 1) / n }));
 }
 
@@ -107,12 +108,12 @@ export function stripPicture(page, steps, width, high) {
   const lights = steps.map((step) => page.lightOf(step));
   const most = Math.max(...lights.filter(Number.isFinite), 1e-30);
   const node = svg("svg", { width, height: bottom + 18, "aria-hidden": "true" });
-  const picture = { page, steps, hasClock, node, spans: spansOf(steps, hasClock), lights, width, top, bottom, y: (light) => bottom - Math.max(1, (high * light) / most) };
+  const picture = { page, steps, hasClock, node, spans: spansOf(steps, hasClock, width), lights, width, top, bottom, y: (light) => bottom - Math.max(1, (high * light) / most) };
   if (hasClock) {
     addNight(picture);
   }
   steps.length > kMaxBars ? addArea(picture) : addSteps(picture);
-  node.append(svg("line", { class: "base", x1: 0, x2: width, y1: bottom, y2: bottom }));
+  node.append(svg("line", { class: "base", x1: 0, x2: hasClock ? width : width * picture.spans.at(-1).to, y1: bottom, y2: bottom }));
   addTicks(picture);
   if (hasDays) {
     addDays(picture);
