@@ -65,7 +65,7 @@ export function quantityName({ quantity, name }) {
 }
 
 /** A band in words: names that are wavelengths have their unit. */
-export const bandName = (band) => (/^\d{3,4}(\.\d+)?$/.test(band) ? `${band}\u00a0nm` : band);
+export const bandName = (band) => (/^(\d+: )?\d{3,4}(\.\d+)?$/.test(band) ? `${band}\u00a0nm` : band);
 
 /** Means, standard errors, low and high ends from the bytes of all organs. */
 function partsOf(bytes, n, factor) {

@@ -139,7 +139,7 @@ export class Legend {
     const signed = (value) => (page.state.show === "difference" && value > 0 ? `+${plain(value)}` : plain(value));
     const marks = marksOf(scale, 4).map((value, i, all) =>
       position(make("span", { class: `tick${i === 0 ? " first" : i === all.length - 1 ? " last" : ""}` }, signed(value)), value));
-    const over = highest > scale.high * (1 + 1e-6) && make("span", { class: "over" }, `▲ up to ${plain(highest, 2)}`);
+    const over = highest > scale.high && plain(highest) !== plain(scale.high) && make("span", { class: "over" }, `▲ up to ${plain(highest)}`);
     return make("div", { id: "legend-scale" }, bar, marks, over, this.arrows, page.state.show === "value" && [this.#end(1), this.#end(0)]);
   }
 

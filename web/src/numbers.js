@@ -92,7 +92,7 @@ function paletteOf(map, count) {
   });
 }
 
-const kUnknown = 0xc8c8c8; // the colour of organs without a value
+const kUnknown = 0xa9afab; // the colour of organs without a value
 
 /** A number on a scale, from 0 to 1. @param scale  {low, high, isLog} */
 export function partOf(number, { low, high, isLog }) {

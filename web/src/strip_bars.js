@@ -29,7 +29,7 @@ function addNight({ page, node, spans, width, top, bottom }) {
   }
 }
 
-function addSteps({ page: { entry }, steps, hasClock, node, spans, lights, width, bottom, y }) {
+function addSteps({ page: { entry }, steps, hasClock, node, spans, lights, width, top, bottom, y }) {
   steps.forEach((step, i) => {
     const whole = Math.max(1.5, (spans[i].to - spans[i].from) * width - 1);
     const wide = hasClock ? whole : Math.min(whole, kMaxWide);
@@ -37,19 +37,19 @@ function addSteps({ page: { entry }, steps, hasClock, node, spans, lights, width
     const isKnown = Number.isFinite(lights[i]);
     const isChosen = step.key === entry.key;
     if (isChosen) {
-      node.append(svg("rect", { class: "frame", x: x - 1, width: wide + 2, y: 1, height: bottom, rx: 3 }));
+      node.append(svg("rect", { class: "frame", x: x - 1, width: wide + 2, y: top - 1, height: bottom - top + 1, rx: 3 }));
     }
-    const top = isKnown ? y(lights[i]) : bottom - 5;
-    node.append(svg("rect", { class: `${isKnown ? "step" : "unknown"}${isChosen ? " chosen" : ""}`, x, width: wide, y: top, height: bottom - top, rx: 1 }));
+    const end = isKnown ? y(lights[i]) : bottom - 5;
+    node.append(svg("rect", { class: `${isKnown ? "step" : "unknown"}${isChosen ? " chosen" : ""}`, x, width: wide, y: end, height: bottom - end, rx: 1 }));
   });
 }
 
-function addArea({ page, steps, node, spans, lights, width, bottom, y }) {
+function addArea({ page, steps, node, spans, lights, width, top, bottom, y }) {
   const points = steps.flatMap((_, i) => [`${spans[i].from * width},${y(lights[i] || 0)}`, `${spans[i].to * width},${y(lights[i] || 0)}`]);
   node.append(svg("polygon", { class: "step", points: [`0,${bottom}`, ...points, `${width},${bottom}`].join(" ") }));
   const at = steps.indexOf(page.entry);
   if (at >= 0) {
-    node.append(svg("rect", { class: "frame", x: spans[at].from * width - 2, width: 4, y: 1, height: bottom }));
+    node.append(svg("rect", { class: "frame", x: spans[at].from * width - 2, width: 4, y: top - 1, height: bottom - top + 1 }));
   }
 }
 
