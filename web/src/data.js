@@ -90,7 +90,7 @@ export class RunData {
   static async load(prefix = "", announce = () => {}) {
     const reading = readJson(`${prefix}data`);
     const shape = sharedShape(`${prefix}shape`, reading);
-    const colorMaps = readJson("colors");
+    const colorMaps = (RunData.colorMaps ??= readJson("colors")); // points of a sweep share them
     const json = await reading;
     announce(json);
     const run = new RunData(json, await colorMaps, null, (blob) => readBytes(`${prefix}values-${blob}`));
