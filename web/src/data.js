@@ -1,5 +1,6 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
+import { kShares } from "./energy.js";
 import { plainUnit, unitText } from "./format.js";
 import { isOfSensors, weightsOf } from "./filters.js";
 import { LayerAreas } from "./layer_areas.js";
@@ -66,7 +67,7 @@ export function quantityName({ quantity, name }) {
 }
 
 /** A band in words: names that are wavelengths have their unit. */
-export const bandName = (band) => (/^\d{3,4}(\.\d+)?$/.test(band) ? `${band}\u00a0nm` : band);
+export const bandName = (band) => (/^(\d+: )?\d{3,4}(\.\d+)?$/.test(band) ? `${band}\u00a0nm` : band);
 
 /** Means, standard errors, low and high ends from the bytes of all organs. */
 function partsOf(bytes, n, factor) {
@@ -91,7 +92,7 @@ export class RunData {
   static async load(prefix = "", announce = () => {}) {
     const reading = readJson(`${prefix}data`);
     const shape = sharedShape(`${prefix}shape`, reading);
-    const colorMaps = readJson("colors");
+    const colorMaps = (RunData.colorMaps ??= readJson("colors")); // points of a sweep share them
     const json = await reading;
     announce(json);
     const run = new RunData(json, await colorMaps, null, (blob) => readBytes(`${prefix}values-${blob}`));
@@ -196,7 +197,8 @@ export class RunData {
 
   /** The unit of a column at a time: sums over days have another one. */
   unit(time, column) {
-    return unitText(this.#unitOf(time, column).unit);
+    const { unit } = this.#unitOf(time, column);
+    return this.json.grows && this.json.columns[column].band ? kShares[unit] ?? unitText(unit) : unitText(unit);
   }
 
   /** The number of a column. -1: there is none */

@@ -2,6 +2,9 @@
 
 import { plainUnit, unitText } from "./format.js";
 
+/** Units of growing plants, whose light is a part of what all sources send. */
+export const kShares = { 1: "of full light", "": "full-light areas" };
+
 /** The parts of light at one time, in its own unit; null without an energy budget. */
 export function budgetOf(head, band) {
   const energy = head?.energy?.[band];
@@ -118,7 +121,7 @@ export function lightBudget(page, entry, band) {
   const rest = restOf(found, isCell && run.json.organs.ground.length > 0);
   const perGround = { "umol s-1": "umol m-2 s-1" }[own] ?? `${own} m-2`;
   return {
-    plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
+    plants: found.plants * by, error: found.plantsError * by, unit: run.json.grows && own in kShares ? kShares[own] : unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
     parts: isCell ? partsOf(found, rest, page.headOf(entry)?.canopy?.[band]) : [], rest: isCell ? [] : rest.map((one) => ({ ...one, light: one.light * by, error: one.error * by })),
   };
 }
