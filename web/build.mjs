@@ -17,6 +17,7 @@ await esbuild.build({
   outdir: target,
   bundle: true,
   minify: true,
+  pure: ["console.warn"], // advice of three.js to programmers
   legalComments: "inline",
   format: "iife",
   target: ["chrome100", "firefox100", "safari15"],

@@ -151,7 +151,7 @@ void print_summary(const Growth& growth, GrownPlant& plant, double seconds) {
         fmt::print(
             stderr, "light of step {}, {}: organs absorb {:.6g}{}\n",
             growth.environment->pass_step(), bands[b].name, absorbed[b].mean,
-            std::isfinite(error) ? ", standard error " + quasimc::two_digits(error) : "");
+            std::isfinite(error) ? ", standard error " + quasimc::error_text(error) : "");
     }
 }
 

@@ -55,15 +55,6 @@ Flag minus_flag(std::string& target) {
 /// The largest report. Browsers open no more, in base64, than some 350 MB.
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20U;
 
-/// The number of points of a sweep that the page shows; 0 for a single result or point.
-std::size_t shown_points(const WindowArguments& arguments) {
-    if (arguments.point > 0 || !arguments.minus.empty()) {
-        return 0;
-    }
-    const ShownRun shown = read_result(arguments.file, 0);
-    return shown.run.sweep ? shown.run.sweep->size() : 0;
-}
-
 WindowRun read_single(const WindowArguments& arguments) {
     ShownRun shown = read_result(arguments.file, arguments.point);
     const quasimc::ReadResult result{shown.run, shown.result_text, arguments.file};
@@ -90,7 +81,7 @@ void check_size(const WindowRun& run, const std::string& file) {
     }
 }
 
-/// Everything that a report shows.
+/// Everything that a page shows.
 WindowRun read_window_run(const WindowArguments& arguments) {
     if (arguments.point > 0 || !arguments.minus.empty()) {
         return read_single(arguments);
@@ -119,26 +110,12 @@ Exit report(const WindowArguments& arguments) {
     return Exit::done;
 }
 
-/// The files of a result, or of all points of a sweep, which are read on request.
-quasimc::WindowFiles files_to_view(const WindowArguments& arguments) {
-    const std::size_t points = shown_points(arguments);
-    if (points == 0) {
-        return quasimc::files_of(std::move(read_single(arguments).points.front()));
-    }
-    const auto read = [file = arguments.file](std::size_t point) {
-        const ShownRun shown = read_result(file, point + 1);
-        return quasimc::make_window_data(
-            {.run = shown.run, .text = shown.result_text, .path = file, .has_all_points = true});
-    };
-    (void)read(0);  // whose faults are reported before the page is served
-    return quasimc::files_of_sweep(points, 0, read);
-}
-
 Exit view(const WindowArguments& arguments) {
     quasimc::require_page("view");
     const InterruptWatch interrupt([] {});
     const quasimc::HttpServer server(
-        quasimc::ViewerRoutes(files_to_view(arguments), quasimc::random_token()),
+        quasimc::ViewerRoutes(
+            quasimc::files_of_sweep(read_window_run(arguments).points), quasimc::random_token()),
         static_cast<int>(arguments.port));
     fmt::print("{}\n", server.address());
     std::fflush(stdout);

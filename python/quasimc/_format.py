@@ -6,10 +6,9 @@ import math
 
 
 def digits_after_point(error):
-    """Digits that show an error in one digit, or two if it begins with 1."""
+    """Digits that show an error in one digit, or two if it begins with 1 or 2."""
     power = math.floor(math.log10(error))
-    first = math.floor(round(error / 10**power, 9))
-    return (1 if first == 1 else 0) - power
+    return (1 if error / 10**power < 2.95 else 0) - power
 
 
 def number(value):

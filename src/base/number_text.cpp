@@ -1,5 +1,7 @@
 #include "base/number_text.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 namespace quasimc {
@@ -11,9 +13,11 @@ std::string counted(std::uint64_t count, std::string_view noun, std::string_view
     return fmt::format("{} {}", count, plural);
 }
 
-std::string two_digits(double error) {
-    constexpr double kFrom = 99.5, kTo = 1e6;  // where {:.2g} has an exponent that is not needed
-    std::string text = fmt::format("{:.2g}", error);
+std::string error_text(double error) {
+    constexpr double kFrom = 9.5, kTo = 1e6;  // where {:.1g} has an exponent that is not needed
+    constexpr double kTwoDigits = 2.95;       // rounds to 3, of which one digit is enough
+    const double front = error / std::pow(10, std::floor(std::log10(error)));
+    std::string text = fmt::format("{:.{}g}", error, front < kTwoDigits ? 2 : 1);
     return error >= kFrom && error < kTo ? fmt::format("{:.0f}", std::stod(text)) : text;
 }
 

@@ -27,7 +27,7 @@ std::string band_line(const BandAudit& audit, const Band& band, const std::strin
         text += fmt::format(
             "; organs absorb {:.4g} +- {} {} {} than in the audit",
             unit.factor * std::abs(audit.difference),
-            two_digits(unit.factor * audit.standard_error), unit.name,
+            error_text(unit.factor * audit.standard_error), unit.name,
             audit.difference < 0 ? "less" : "more");
     }
     return text;

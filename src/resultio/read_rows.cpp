@@ -256,8 +256,8 @@ std::string text_in(const Node& table, std::string_view key) {
     return text == nullptr ? "" : *text;
 }
 
-Node only_point(Node document, std::optional<std::size_t> point, const std::string& path) {
-    auto* members = std::get_if<Node::Table>(&document.value);
+Node only_point(const Node& document, std::optional<std::size_t> point, const std::string& path) {
+    const auto* members = document.as<Node::Table>();
     if (members == nullptr) {
         refuse_json(path, "is not a result");
     }
@@ -269,16 +269,17 @@ Node only_point(Node document, std::optional<std::size_t> point, const std::stri
     if (points == nullptr || *point >= points->size()) {
         refuse_json(path, "it does not contain this point of the sweep");
     }
-    const Node one = (*points)[*point];
-    const auto erase = [&](std::string_view key) {
-        std::erase_if(*members, [&](const Member& member) { return member.key == key; });
-    };
-    erase("points");
-    for (const Member& member : one.as<Node::Table>() ? *one.as<Node::Table>() : Node::Table()) {
-        erase(member.key);
-        members->push_back(member);
+    const Node& one = (*points)[*point];
+    Node::Table all;
+    for (const Member& member : *members) {  // the points are not copied: there may be many
+        if (member.key != "points" && one.find(member.key) == nullptr) {
+            all.push_back(member);
+        }
     }
-    return document;
+    if (const auto* own = one.as<Node::Table>()) {
+        all.insert(all.end(), own->begin(), own->end());
+    }
+    return {.value = std::move(all), .line = document.line};
 }
 
 }  // namespace quasimc

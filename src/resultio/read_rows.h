@@ -78,7 +78,7 @@ Node read_light_rows(
 /// A result without its rows; for a point of a sweep, as if it were the only one.
 /// @throws InputError  if it is no object, or lacks the point
 [[nodiscard]] Node only_point(
-    Node document, std::optional<std::size_t> point, const std::string& path);
+    const Node& document, std::optional<std::size_t> point, const std::string& path);
 
 /// A text in a table; "" if there is none of the name.
 [[nodiscard]] std::string text_in(const Node& table, std::string_view key);

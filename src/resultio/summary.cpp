@@ -346,7 +346,7 @@ std::string sum_lines(const RunFile& run, const SweepSum* sum) {
             "sweep",
             fmt::format(
                 "{} of all points: {} organs absorb {:.4g}{} {}", run.series ? "sum" : "mean",
-                band.name, absorbed.mean, std::isfinite(error) ? " +- " + two_digits(error) : "",
+                band.name, absorbed.mean, std::isfinite(error) ? " +- " + error_text(error) : "",
                 column_unit(run, CsvTimes::sweep, flux_unit(band.unit, run.scene.length_unit()))));
     }
     return text;

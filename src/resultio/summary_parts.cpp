@@ -37,7 +37,7 @@ class PartFormat {
         const bool has_error = std::isfinite(part.standard_error) &&
                                part.standard_error > kRounding * std::abs(part.mean);
         return (*this)(part.mean) +
-               (has_error ? " +- " + two_digits(part.standard_error) : std::string());
+               (has_error ? " +- " + error_text(part.standard_error) : std::string());
     }
 
   private:

@@ -111,7 +111,7 @@ class WindowDataBuilder {
     }
 
     /// @param rest  the result without its rows
-    /// @param has_all_points  see ReadResult
+    /// @param has_all_points  whether the page also has the other points of its sweep
     [[nodiscard]] WindowData data(const Node& rest, bool has_all_points) {
         check();
         Json all = json_window_scene(run_.scene, organs_, columns_);
@@ -196,7 +196,7 @@ WindowData make_window_data(const ReadResult& result, const ReadResult* minus) {
     const Node rest = read_window_rows(
         result.text, result.path, builder.query(), builder.organs(),
         [&](const PlacedRows& rows) { builder.add(rows); });
-    return builder.data(rest, result.has_all_points);
+    return builder.data(rest, false);
 }
 
 std::vector<WindowData> make_window_data(

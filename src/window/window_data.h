@@ -30,8 +30,6 @@ struct ReadResult {
     const RunFile& run;
     const std::string& text;  ///< JSON
     const std::string& path;  ///< for messages
-    /// Whether the page also has the other points of its sweep.
-    bool has_all_points = false;
 };
 
 /// @param minus  a result that is subtracted in the mode "difference" of the page; null: none.

@@ -1,14 +1,9 @@
 #include "window/window_sweep.h"
 
-#include <algorithm>
 #include <charconv>
-#include <deque>
-#include <memory>
 #include <optional>
 #include <string_view>
 #include <utility>
-
-#include "quasimc/error.h"
 
 namespace quasimc {
 namespace {
@@ -30,44 +25,16 @@ std::optional<std::size_t> take_point(std::string_view& name) {
     return number;
 }
 
-/// The points that were read last.
-class PointCache {
-  public:
-    explicit PointCache(ReadPoint read) : read_(std::move(read)) {}
-
-    const WindowFiles& files(std::size_t point) {
-        const auto found = std::ranges::find(cached_, point, &Entry::first);
-        if (found != cached_.end()) {
-            return found->second;
-        }
-        constexpr std::size_t kMaxCached = 8;
-        if (cached_.size() == kMaxCached) {
-            cached_.pop_front();
-        }
-        cached_.emplace_back(point, files_of(read_(point)));
-        return cached_.back().second;
-    }
-
-  private:
-    using Entry = std::pair<std::size_t, WindowFiles>;
-    ReadPoint read_;
-    std::deque<Entry> cached_;
-};
-
 }  // namespace
 
-WindowFiles files_of_sweep(std::size_t points, std::size_t shown, ReadPoint read) {
-    const auto cache = std::make_shared<PointCache>(std::move(read));
-    return [=](std::string_view name) -> std::optional<WindowFile> {
-        const std::size_t point = take_point(name).value_or(shown);
-        if (point >= points) {
-            return std::nullopt;
-        }
-        try {
-            return cache->files(point)(name);
-        } catch (const InputError&) {
-            return std::nullopt;  // the file was changed
-        }
+WindowFiles files_of_sweep(std::vector<WindowData> points) {
+    std::vector<WindowFiles> all;
+    for (WindowData& point : points) {
+        all.push_back(files_of(std::move(point)));
+    }
+    return [all = std::move(all)](std::string_view name) -> std::optional<WindowFile> {
+        const std::size_t point = take_point(name).value_or(0);
+        return point < all.size() ? all[point](name) : std::nullopt;
     };
 }
 

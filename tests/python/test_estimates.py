@@ -1,6 +1,7 @@
 """Estimates as arrays: sums, differences and functions with their errors."""
 
 import copy
+import math
 import pickle
 import warnings
 
@@ -9,6 +10,7 @@ import pytest
 
 import quasimc
 from canopies import FEW, canopy
+from quasimc._format import pair
 
 METHODS = ("light_tracing", "from_organs", "ray_bundles", "first_hits")
 
@@ -370,3 +372,14 @@ def test_masks_are_no_ids_and_labels_exist():
 def test_groups_are_found_by_numbers_too():
     groups = canopy().run(**FEW).by("plant")["absorbed_flux"]["PAR"]
     assert float(groups.at(1)) == float(groups.at("1"))
+
+
+KNOWN = [
+    (0.0213, "12.346 ± 0.021"), (0.0294, "12.346 ± 0.029"), (0.0296, "12.35 ± 0.03"), (2.9, "12.3 ± 2.9"),
+    (3, "12 ± 3"), (math.nan, "12.35 ± ?"),
+]
+
+
+@pytest.mark.parametrize(("error", "text"), KNOWN)
+def test_errors_have_two_digits_if_they_begin_with_1_or_2(error, text):
+    assert pair(12.3456, error) == text

@@ -25,7 +25,7 @@ export const faintTexts = () => {
 /** Controls that keys do not reach: neither by Tab, nor by arrows in a group of which Tab reaches one. */
 export const unreachable = () => {
   const kControls = "button, select, input, summary, a[href], [role=button], [role=tab], [role=radio], [role=slider], [role=application]";
-  const kGroups = "[role=radiogroup], [role=tablist], [role=menu], .plot";
+  const kGroups = "[role=radiogroup], [role=tablist], [role=menu], .plot, #table tbody";
   const isSeen = (element) => element.checkVisibility({ visibilityProperty: true }) && element.getClientRects().length > 0;
   return [...document.querySelectorAll(kControls)].filter((element) => isSeen(element) && !element.disabled).filter((element) => {
     const group = element.closest(kGroups);

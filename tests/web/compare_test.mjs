@@ -73,7 +73,7 @@ async function checkHeadline(page, one, other, plantsOf) {
   const expected = Math.hypot(a.standard_error, b.standard_error);
   assert.ok(Math.abs(mean - (a.mean - b.mean)) <= expected, `${text}: ${a.mean} - ${b.mean} ± ${expected}`);
   assert.ok(Math.abs(error - expected) <= 0.51 * 10 ** Math.floor(Math.log10(expected)), text);
-  const [, part, word] = text.match(/([\d.]+) % (more|less) than “Low sun”$/);
+  const [, part, word] = text.match(/([\d.]+) ± [\d.]+ % (more|less) than “Low sun”$/);
   assert.ok(Math.abs(Number(part) / ((100 * Math.abs(a.mean - b.mean)) / b.mean) - 1) < 0.02, text);
   assert.equal(word, a.mean > b.mean ? "more" : "less");
 }

@@ -2,7 +2,7 @@
 //
 // Rationale: errors of layers do not follow from those of organs, which depend on each other, so only the run has
 // them.
-// Expected behaviour: in a result with layers the bars are those layers, with 95 % intervals as long as their errors;
+// Expected behaviour: in a result with layers the bars are those layers, with the 95 % intervals of the result;
 // without layers, of other organs than all, and of flux, which layers sum, there are none. Differences of results with
 // the same layers have the errors of independent results; of others none, and the chart says so.
 
@@ -50,8 +50,8 @@ async function checkLayers(page, result) {
     assert.ok(Math.abs(error / estimates[i].standard_error - 1) < 0.3, label);
   });
   const { bars, errors } = await lengthsOf(page);
-  estimates.forEach(({ mean, standard_error: error }, i) =>
-    assert.ok(Math.abs(errors[i] / bars[i] - (2 * 1.96 * error) / mean) < 0.02, `${errors} of ${bars}`));
+  estimates.forEach(({ mean, ci95_low: low, ci95_high: high }, i) =>
+    assert.ok(Math.abs(errors[i] / bars[i] - (high - low) / mean) < 0.02, `${errors} of ${bars}`));
   if (pictures) {
     await page.screenshot({ path: path.join(pictures, "layers.png") });
   }

@@ -57,6 +57,8 @@ async function checkPoints(page, address, result) {
   const heights = await page.locator("#strip .step").evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("height"))));
   const lights = result.points.map(({ energy }) => energy.PAR.absorbed_by_organs.mean);
   heights.forEach((height, i) => assert.ok(Math.abs(height / heights[2] - lights[i] / lights[2]) < 0.03, `${heights} for ${lights}`));
+  const left = await page.locator("#strip .step").evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("x"))));
+  assert.ok(left[1] - left[0] < 100, "few points stand together");
   await page.keyboard.press("]");
   await page.waitForFunction(() => document.getElementById("time-title").textContent === "elevation 45°");
   await page.keyboard.press("/");
@@ -97,6 +99,16 @@ async function checkDifference(page, result) {
 const crowded = (page) => page.locator("#strip text").evaluateAll((texts) => texts.map((text) => text.getBoundingClientRect())
   .filter((box, i, all) => i > 0 && box.left < all[i - 1].right).length);
 
+/** The names of the values that a page requests while an action is done. */
+async function readDuring(page, act) {
+  const names = new Set();
+  const note = (request) => /values-/.test(request.url()) && names.add(request.url());
+  page.on("request", note);
+  await act();
+  page.off("request", note);
+  return names.size;
+}
+
 /** The sum with the given weights is the first entry; each day has its own name, bar and hours. */
 async function checkYear(page, address, result) {
   await open(page, address);
@@ -120,9 +132,12 @@ async function checkYear(page, address, result) {
   assert.equal(await crowded(page), 0);
   await page.setViewportSize({ width: 1280, height: 800 });
   assert.equal(await crowded(page), 0);
-  await page.getByRole("radio", { name: "Hours" }).click();
-  await page.waitForFunction(() => /^\d\d:00$/.test(document.getElementById("time-title").textContent));
+  const read = await readDuring(page, async () => {
+    await page.getByRole("radio", { name: "Hours" }).click();
+    await page.waitForFunction(() => /^\d\d:00$/.test(document.getElementById("time-title").textContent));
+  });
   const hours = result.points[1].time_steps.filter(({ energy }) => energy.PAR.absorbed_by_organs.mean > 0).length;
+  assert.ok(read <= result.points[1].time_steps.length, `${read} times were read for the scale of the hours of the brightest day`);
   assert.ok(Math.abs((await page.locator("#strip .step:not(.day)").count()) - hours) <= 1, "bars of hours");
   await page.waitForFunction(() => location.hash.includes("point-2%20"));
   const end = await page.locator("#legend-scale .tick.last").textContent();

@@ -81,7 +81,7 @@ async function checkMarks(page) {
   const box = await page.locator("#canvas").boundingBox();
   await page.mouse.click(box.x + found.x, box.y + found.y);
   await page.waitForSelector("#cards article");
-  assert.match(await page.locator("#cards article").textContent(), /high.*sensor 3 · 1\.5.m high/);
+  assert.match(await page.locator("#cards article").textContent(), /high.*sensor 3 · 1\.50*.m high/);
   await open(page, `${workshop.address("sensed")}#quantity=incident_upper`);
   assert.ok(await isColouredAt(page, found), "the mark is where it was alone");
   if (pictures) {

@@ -50,12 +50,18 @@ async function checkHint(browser, address) {
   }
 }
 
-/** The letters of the winds are before the scene from everywhere: no plant cuts one into pieces. */
+/** The letters of the winds are before the scene, and seen from everywhere: no plant cuts one into pieces. */
 async function checkWinds(page, address) {
   for (const azimuth of [20, 110, 200, 290]) {
     await open(page, `${address}#view=${encodeURIComponent(JSON.stringify({ azimuth, elevation: 14, distance: 6, target: [0, 0, 0] }))}`);
     const letters = await page.locator("#before .wind").allTextContents();
-    assert.ok(letters.length >= 3 && await page.locator("#behind .wind").count() === 0, `${azimuth}: ${letters}`);
+    assert.ok(letters.length === 4 && await page.locator("#behind .wind").count() === 0, `${azimuth}: ${letters}`);
+    const outside = await page.evaluate(() => {
+      const [stage, legend] = ["stage", "legend"].map((id) => document.getElementById(id).getBoundingClientRect());
+      return [...document.querySelectorAll("#before .wind")].map((text) => text.getBoundingClientRect()).filter(({ left, right, top, bottom }) =>
+        left < stage.left || right > stage.right || top < stage.top || bottom > stage.bottom || (left < legend.right && top < legend.bottom)).length;
+    });
+    assert.equal(outside, 0, `${azimuth}: letters are hidden`);
   }
 }
 
@@ -123,6 +129,23 @@ async function checkFollowed(browser) {
   await page.context().close();
 }
 
+/** A model that grows without light is seen in its own colours, without scales and units. */
+async function checkBare(browser) {
+  writeFileSync(workshop.inFolder("bare.l"), "Lsystem: 1\nderivation length: 3\nAxiom: A\nA --> F(9)[+(30)F(5)]A\nendlsystem\n");
+  const { program, address, ended } = await workshop.watch("grow", "bare.l");
+  const page = await workshop.page(browser);
+  await open(page, address);
+  await page.waitForSelector("html[data-ended]");
+  assert.equal(await page.locator("#legend-title").textContent(), "No light was computed");
+  assert.equal(await page.locator("#quantity:visible, #beside:visible, #sides:visible").count(), 0);
+  assert.equal(await page.locator("#histogram-unit").textContent(), "");
+  const stage = await page.locator("#stage").boundingBox();
+  assert.ok(await colouredIn(page, { x: 0, y: 0, width: stage.width, height: stage.height }) > 3000, "no plant is seen");
+  program.kill("SIGINT");
+  await ended;
+  await page.context().close();
+}
+
 workshop.compute("day", kRunFile);
 const address = workshop.report("day");
 await workshop.use(async (browser) => {
@@ -133,5 +156,6 @@ await workshop.use(async (browser) => {
   await checkWinds(page, address);
   await checkLoading(browser, await workshop.view("day"));
   await checkFollowed(browser);
+  await checkBare(browser);
   assert.deepEqual(workshop.faults, []);
 });

@@ -52,8 +52,13 @@ export class Workshop {
   }
 
   /** Runs NAME.toml with a page that follows it. @returns {program, address, ended} */
-  async follow(name, ...words) {
-    const program = spawn(this.quasimc, ["run", `${name}.toml`, "--view", ...words], { cwd: this.folder, stdio: ["ignore", "ignore", "pipe"] });
+  follow(name, ...words) {
+    return this.watch("run", `${name}.toml`, ...words);
+  }
+
+  /** Starts a command with a page that follows it. @returns {program, address, ended} */
+  async watch(...words) {
+    const program = spawn(this.quasimc, [...words, "--view"], { cwd: this.folder, stdio: ["ignore", "ignore", "pipe"] });
     this.programs.push(program);
     const lines = createInterface({ input: program.stderr });
     for await (const line of lines) {
@@ -63,7 +68,7 @@ export class Workshop {
         return { program, address, ended: once(program, "exit") };
       }
     }
-    throw new Error(`${name}: no page`);
+    throw new Error(`${words.join(" ")}: no page`);
   }
 
   /** A browser that draws on the processor. */

@@ -52,53 +52,52 @@ export function valueBins({ mean, areas, isShown, isIn, scale }) {
     const isMore = hasMore && i === count - 1;
     return { ...bin, from: isMore ? span.high : span.low + i * width, to: isMore ? ends.high : span.low + (i + 1) * width, isMore };
   });
-  return { bins, binOf, low: span.low, high: span.low + count * width, hasMore, highest: ends.high, last: span.high };
+  return { bins, has: (i, bin) => binOf[i] === bin, binOf, low: span.low, high: span.low + count * width, hasMore, highest: ends.high, last: span.high };
 }
 
 /** Organs by class of error. */
 export function classBins({ classes, areas, isShown, isIn }) {
   const binOf = Int16Array.from(classes, (number, i) => (number < kClasses.length && isIn(i) ? number : -1));
-  return { binOf, bins: filled(binOf, kClasses.length, { areas, isShown }) };
-}
-
-/** Layers of height of shown organs, without the ground: area-weighted means, or medians. */
-export function layersOf({ numbers, areas, heights, isShown, isMedian }, count = 10) {
-  const isIn = (i) => areas[i] > 0 && isShown[i] === 1;
-  const known = endsOf(heights.map((height, i) => (isIn(i) ? height : NaN)));
-  if (!(known.high >= known.low)) {
-    return null;
-  }
-  const ends = known.high > known.low ? known : widened(known.low, known.high);
-  const layers = known.high > known.low ? count : 1;
-  const thick = (ends.high - ends.low) / layers;
-  const binOf = binsOf(heights, layers, ends, isIn);
-  const bins = Array.from({ length: layers }, (_, k) => ({ from: ends.low + k * thick, to: ends.low + (k + 1) * thick, area: 0, count: 0, sum: 0, valued: 0, members: [] }));
-  binOf.forEach((bin, i) => {
-    if (bin < 0) {
-      return;
-    }
-    bins[bin].area += areas[i];
-    ++bins[bin].count;
-    if (Number.isFinite(numbers[i])) {
-      bins[bin].sum += areas[i] * numbers[i];
-      bins[bin].valued += areas[i];
-      bins[bin].members.push(i);
-    }
-  });
-  const meanOf = (bin) => (bin.valued > 0 ? bin.sum / bin.valued : NaN);
-  const medianOf = ({ members }) => weightedQuantile(members.map((i) => numbers[i]), members.map((i) => areas[i]), 0.5);
-  return { binOf, low: ends.low, high: ends.high, bins: bins.map((bin) => ({ ...bin, mean: isMedian ? medianOf(bin) : meanOf(bin) })) };
+  return { binOf, has: (i, bin) => binOf[i] === bin, bins: filled(binOf, kClasses.length, { areas, isShown }) };
 }
 
 /**
- * Layers of a result, whose means have errors of their own.
- * @param layers  [{height_min, height_max, area, organs, mean, error}], from the lowest one up
- * @returns  as layersOf(), with the `error` of each
+ * Layers of height of shown organs, without the ground: each part of an organ has its value.
+ * @param layers  see LayerAreas
+ * @param isMedian  medians over area instead of means
+ * @returns {bins, low, high, has}: has(organ, bin) says whether an organ has a part in a layer; null without organs
+ */
+export function layersOf({ numbers, areas, layers, isShown, isMedian }) {
+  const isIn = (i) => areas[i] > 0 && isShown[i] === 1;
+  const found = layers.of(isIn);
+  if (!found) {
+    return null;
+  }
+  const { limits, areas: parts } = found;
+  const count = limits.length - 1;
+  const partOf = (i, bin) => (isIn(i) ? parts[i * count + bin] : 0);
+  const organs = [...areas.keys()].filter(isIn);
+  const bins = Array.from({ length: count }, (_, bin) => {
+    const members = organs.filter((i) => partOf(i, bin) > 0);
+    const known = members.filter((i) => Number.isFinite(numbers[i]));
+    const sumOf = (of, some) => some.reduce((sum, i) => sum + of(i), 0);
+    const meanOf = () => sumOf((i) => partOf(i, bin) * numbers[i], known) / sumOf((i) => partOf(i, bin), known);
+    const medianOf = () => weightedQuantile(known.map((i) => numbers[i]), known.map((i) => partOf(i, bin)), 0.5);
+    const mean = known.length === 0 ? NaN : isMedian ? medianOf() : meanOf();
+    return { from: limits[bin], to: limits[bin + 1], area: sumOf((i) => partOf(i, bin), members), count: members.length, mean };
+  });
+  return { bins, low: limits[0], high: limits.at(-1), has: (i, bin) => partOf(i, bin) > 0 };
+}
+
+/**
+ * Layers of a result, whose means have errors of their own. Organs belong to the layer of their middle.
+ * @param layers  [{height_min, height_max, area, organs, mean, error, low, high}], from the lowest one up
+ * @returns  as layersOf(), with the `error` and the interval of each
  */
 export function givenLayers({ layers, heights, isShown }) {
-  const bins = layers.map(({ height_min: from, height_max: to, area, organs: count, mean, error }) => ({ from, to, area, count, mean: count > 0 ? mean : NaN, error }));
-  const high = bins.at(-1).to;
-  const binOf = Int16Array.from(heights, (height, i) =>
-    (isShown[i] ? bins.findIndex(({ from, to }) => height >= from && (height < to || (height === high && to === high))) : -1));
-  return { binOf, low: bins[0].from, high, bins };
+  const bins = layers.map(({ height_min: from, height_max: to, area, organs: count, mean, error, low, high }) =>
+    ({ from, to, area, count, mean: count > 0 ? mean : NaN, error, low, high }));
+  const top = bins.at(-1).to;
+  const isWithin = (height, { from, to }) => height >= from && (height < to || (height === top && to === top));
+  return { bins, low: bins[0].from, high: top, has: (i, bin) => isShown[i] === 1 && isWithin(heights[i], bins[bin]) };
 }

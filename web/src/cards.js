@@ -2,9 +2,9 @@
 
 import { classColor, kClasses, kDark, kFaint } from "./classes.js";
 import { make, svg } from "./dom.js";
-import { areaText, counted, estimate, interval, percent, plain, withError, withUnit } from "./format.js";
+import { areaText, columnStyle, counted, estimate, evenly, interval, kSigned, percent, plain, unitOfColumn, withError, withUnit } from "./format.js";
 import { numberNode } from "./headline.js";
-import { cssOf, kSure } from "./numbers.js";
+import { cssOf, isKnown, kSure } from "./numbers.js";
 import { kPins, pinLetter } from "./page.js";
 
 const kMaxColumns = 60; // in "All numbers"
@@ -24,15 +24,16 @@ const letterBadge = (i) => {
 /** Numbers of many digits with a few of them. */
 const shortLabel = (value) => (value.length > 6 && Number.isFinite(Number(value)) ? plain(Number(value)) : value);
 
-/** "A to B: +170 %", or that there is no clear difference. */
+/** "+170 ± 9 %" against the first one, or that there is no clear difference. */
 function comparedWords(one, other) {
   const difference = other.mean - one.mean;
   const error = Math.hypot(one.error || 0, other.error || 0);
   if (!(Math.abs(difference) >= kSure * error) || difference === 0) {
     return "no clear difference";
   }
-  const part = (100 * difference) / Math.abs(one.mean);
-  return one.mean === 0 ? "" : `${difference > 0 ? "+" : "−"}${plain(Math.abs(part), Math.abs(part) < 100 ? 2 : 3)} %`;
+  const part = Math.abs(100 * difference / one.mean);
+  const own = Math.abs(100 * other.mean / one.mean) * Math.hypot(one.error / one.mean, other.error / other.mean);
+  return isKnown(part, own) ? `${difference > 0 ? "+" : "−"}${withError(part, own)} %` : difference > 0 ? "more" : "less";
 }
 
 export class Cards {
@@ -71,19 +72,23 @@ export class Cards {
     const { run, values } = page;
     const { unit } = run.json;
     const labels = Object.entries(run.json.organs.labels).filter(([, { of }]) => of[organ] >= 0).map(([key, { values: all, of }]) => `${key} ${shortLabel(all[of[organ]])}`);
-    const about = [run.isSensor[organ] ? run.idOf(organ) : `id ${run.idOf(organ)}`, run.isSensor[organ] ? "" : areaText(run.shape.areas[organ], unit), `${withUnit(plain(run.shape.heights[organ]), unit)} high`, this.#rank(organ), ...labels.slice(0, 4)];
+    const about = [run.isSensor[organ] ? run.idOf(organ) : `id ${run.idOf(organ)}`, run.isSensor[organ] ? "" : areaText(run.shape.areas[organ], unit), `${withUnit(evenly(run.shape.heights[organ], run.json.high[2] - run.json.low[2]), unit)} high`, this.#rank(organ), ...labels.slice(0, 4)];
     const text = () => `${run.organName(organ)} (id ${run.idOf(organ)}): ${page.describe(organ)}, ${run.columnName(page.column)}`;
     return make("article", { class: "card", "aria-label": run.organName(organ) },
       make("div", { class: "name" }, letterBadge(i), make("h3", {}, run.organName(organ)),
         iconButton("Zoom to it", kTarget, () => this.zoom(organ)), iconButton("Copy", kCopy, () => this.#copy(text())), iconButton(`Unpin ${run.organName(organ)}`, kCross, () => page.pin(organ))),
       make("p", { class: "about" }, about.filter(Boolean).join(" · ")),
-      numberNode(values.mean[organ], values.error[organ], page.unit, page.state.show === "difference" ? undefined : values.high[organ]),
+      numberNode(values.mean[organ], values.error[organ], page.unit, this.#highOf(organ)),
       this.#sure(organ), this.#all(organ, open));
   }
 
   async #copy(text) {
     await navigator.clipboard?.writeText(text).catch(() => {});
     this.page.say("Copied");
+  }
+
+  #highOf(organ) {
+    return this.#isDifference ? kSigned : this.page.values.high[organ];
   }
 
   get #isDifference() {
@@ -109,8 +114,9 @@ export class Cards {
     const relative = values.error[organ] / Math.abs(values.mean[organ]);
     const words = this.#isDifference ? isClear ? "a clear difference" : "no clear difference" : number === kDark ? "no light found" : number === kFaint ? "too faint to matter" : number >= kClasses.length ? "error not known"
       : relative > 0.5 ? "known to no better than 50 %" : `known to ${percent(relative)}`;
-    const ends = Number.isFinite(values.low[organ]) ? ` · 95 %: ${interval(values.low[organ], values.high[organ], values.error[organ])}` : "";
-    return make("p", { class: "sure" }, swatch, words + ends);
+    const of = Object.fromEntries(Object.entries(values).map(([key, numbers]) => [key, numbers[organ]]));
+    const ends = Number.isFinite(of.low) ? `95 %: ${interval({ ...of, isSigned: this.#isDifference })}` : "";
+    return make("p", { class: "sure" }, swatch, make("span", {}, words), ends && make("span", {}, ends));
   }
 
   /** All quantities and bands, read when they are asked for. */
@@ -120,7 +126,7 @@ export class Cards {
     const key = page.run.idOf(organ);
     const fill = async () => {
       const { run, time } = page;
-            const columns = run.columns.length <= kMaxColumns ? run.columns : run.columns.filter(({ band }) => !band || band === page.state.band);
+      const columns = run.columns.length <= kMaxColumns ? run.columns : run.columns.filter(({ band }) => !band || band === page.state.band);
       const found = await Promise.all(columns.map(({ number }) => run.values(time, number)));
       box.replaceChildren(make("table", {}, make("tbody", {}, columns.flatMap(({ number }, i) => (found[i] ? [make("tr", {},
         make("th", { scope: "row" }, run.columnName(number)),
@@ -133,16 +139,17 @@ export class Cards {
   #compared(pins) {
     const { mean, error } = this.page.values;
     const of = (organ) => ({ mean: mean[organ], error: error[organ] });
+    const style = columnStyle(this.page.values, pins, this.#isDifference);
     const rows = pins.map((organ, i) => make("tr", {}, make("th", { scope: "row" }, letterBadge(i)),
-      make("td", { class: "number" }, this.#valueText(organ)),
+      make("td", { class: "number" }, this.#valueText(organ, style)),
       !this.#isDifference && make("td", { class: "number" }, i === 0 ? "" : comparedWords(of(pins[0]), of(organ)))));
     return make("section", { class: "card compared" }, make("h3", {}, "Compared"),
-      make("table", {}, make("thead", {}, make("tr", {}, make("th", {}), make("th", { class: "number", scope: "col" }, this.page.unit || "value"), !this.#isDifference && make("th", { class: "number", scope: "col" }, "against A"))), make("tbody", {}, rows)));
+      make("table", {}, make("thead", {}, make("tr", {}, make("th", {}), make("th", { class: "number", scope: "col" }, unitOfColumn(this.page.unit, style) || "value"), !this.#isDifference && make("th", { class: "number", scope: "col" }, "against A"))), make("tbody", {}, rows)));
   }
 
-  #valueText(organ) {
-    const { mean, error, high } = this.page.values;
-    const { value, error: own } = estimate(mean[organ], error[organ], this.#isDifference ? undefined : high[organ]);
+  #valueText(organ, style) {
+    const { mean, error } = this.page.values;
+    const { value, error: own } = estimate(mean[organ], error[organ], this.#highOf(organ), style);
     return [value, own && make("span", { class: "error" }, ` ± ${own}`)];
   }
 }

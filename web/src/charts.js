@@ -6,10 +6,21 @@ import { Choice } from "./choice.js";
 import { differenceOfLayers } from "./comparison.js";
 import { byId, svg } from "./dom.js";
 import { layersOfResult } from "./energy.js";
-import { areaText, many, plain, unitText, withError, withUnit } from "./format.js";
+import { areaText, kSigned, many, plain, unitOfColumn, unitText, withError, withUnit } from "./format.js";
 import { colorsOf, cssOf, kSure } from "./numbers.js";
 import { kPins } from "./page.js";
 import { addBars, addWhisker, keepingFocus, startPlot } from "./plot.js";
+
+/** The 95 % interval of a layer, that of the result if it has one; empty where it is not known. */
+function whiskerOf({ mean, error, low, high }) {
+  const ends = Number.isFinite(low) ? [low, high] : [mean - kSure * error, mean + kSure * error];
+  return error > 0 && Number.isFinite(mean) ? ends : [];
+}
+
+/** The unit of areas of a whole, and by what they are multiplied: those of small plants are in square centimetres. */
+function areaUnit(whole, unit) {
+  return unit === "m" && whole < 1 ? { unit: "cm²", factor: 1e4 } : { unit: unit && `${unitText(unit)}²`, factor: 1 };
+}
 
 export class Charts {
   constructor(page) {
@@ -41,7 +52,7 @@ export class Charts {
     this.marks.forEach((mark) => mark(this.page.hovered ?? this.page.pins.at(-1) ?? null));
   }
 
-  #point(binOf, bar) {
+  #point(has, bar) {
     const { page } = this;
     if (bar === null) {
       page.point(null);
@@ -49,7 +60,7 @@ export class Charts {
       return;
     }
     const organs = [];
-    binOf.forEach((bin, i) => bin === bar.bin && page.isShown[i] && organs.push(i));
+    page.isShown.forEach((shown, i) => shown && has(i, bar.bin) && organs.push(i));
     page.point(organs);
     byId("shown").textContent = `${bar.label}, marked in the scene`;
   }
@@ -60,6 +71,11 @@ export class Charts {
     return cssOf(colorsOf([number], page.scale, page.map)[0]);
   }
 
+  get #areaUnit() {
+    const { json, shape, isPlant } = this.page.run;
+    return areaUnit(shape.areas.reduce((sum, area, i) => sum + (isPlant[i] ? area : 0), 0), json.unit);
+  }
+
   #drawValues() {
     const { page } = this;
     const isError = page.state.show === "error";
@@ -67,7 +83,7 @@ export class Charts {
     const byArea = page.state.by === "area" && !isMeasured; // sensors have none
     byId("by").hidden = isMeasured;
     byId("histogram-title").textContent = byArea ? "Organ area by value" : `${countedNoun[0].toUpperCase()}${countedNoun.slice(1)}s by value`;
-    byId("histogram-unit").textContent = isError ? "class of error" : page.unit;
+    byId("histogram-unit").textContent = isError ? "error, %" : page.unit;
     const { areas } = page.run.shape;
     const isIn = (i) => page.run.isCounted[i] === 1;
     const data = { mean: page.values.mean, classes: page.classes, areas, isShown: page.isShown, isIn, scale: page.usual };
@@ -77,26 +93,31 @@ export class Charts {
       return () => {};
     }
     const part = byArea ? "area" : "count";
-    const factor = byArea && page.run.json.unit === "m" && Math.max(...found.bins.map(({ all }) => all.area)) < 0.01 ? 1e4 : 1;
-    const unit = byArea ? factor === 1e4 ? "cm²" : page.run.json.unit && `${unitText(page.run.json.unit)}²` : `${countedNoun}s`;
-    const high = Math.max(...found.bins.map(({ all }) => all[part])) * factor || 1;
+    const most = Math.max(...found.bins.map(({ all }) => all[part]));
+    const { unit, factor } = byArea ? this.#areaUnit : { unit: `${countedNoun}s`, factor: 1 };
+    const high = most * factor || 1;
     return keepingFocus(byId("histogram"), () => {
-      const x = isError ? { low: 0, high: kClasses.length, ticks: [] }
-        : { low: found.low, high: found.high, ...(found.hasMore ? { ticks: undefined } : {}), format: (v) => (v > found.last * (1 + 1e-9) && found.hasMore ? "" : plain(v)) };
+      const x = isError ? { low: 0, high: kClasses.length, ticks: kClasses.slice(1).map((_, i) => i + 1), format: (i) => plain(100 * kClasses[i - 1].below) }
+        : { low: found.low, high: found.high, last: found.hasMore ? this.#lastNumber(found) : undefined };
       const plot = startPlot(byId("histogram"), byId("histogram-title").textContent, { x, y: { low: 0, high, unit, grid: true, ticks: byArea ? undefined : Math.min(3, high) } });
-      if (isError) {
-        kClasses.forEach(({ short }, i) => plot.node.append(svg("text", { x: plot.x(i + 0.5), y: plot.box.bottom + 14, "text-anchor": "middle" }, short)));
-      } else if (found.hasMore) {
+      byId("histogram-unit").textContent = isError ? "error, %" : unitOfColumn(page.unit, { power: plot.power.x });
+      if (found.hasMore) {
         plot.node.append(svg("text", { x: plot.box.right, y: plot.box.bottom + 14, "text-anchor": "end" }, "more"));
       }
       const bars = found.bins.flatMap((bin, i) => this.#valueBar(plot, bin, i, { part, factor, isError, found }));
       const mark = addBars(plot.node, bars, {
-        onPoint: (bar) => this.#point(found.binOf, bar),
+        onPoint: (bar) => this.#point(found.has, bar),
         onPress: (bar) => this.#press(isError ? "errorClass" : "values", isError ? bar.bin : [bar.from, bar.to]),
       });
       this.#addPins(plot, found, isError);
-      return (organ) => mark(organ === null ? -1 : found.binOf[organ]);
+      return (organ) => mark((bin) => organ !== null && found.has(organ, bin));
     });
+  }
+
+  /** The greatest number that does not cover "more", at the right end of the axis. */
+  #lastNumber({ low, high, last }) {
+    const kMore = 40; // pixels
+    return Math.min(last, high - ((high - low) * kMore) / Math.max(kMore, byId("histogram").clientWidth));
   }
 
   #valueBar({ node, x, y }, bin, i, { part, factor, isError, found }) {
@@ -152,18 +173,30 @@ export class Charts {
       byId("profile").textContent = page.absent || "No organ shown has a value.";
       return () => {};
     }
-    const ends = found.bins.flatMap(({ mean, error }) => (error > 0 ? [mean - kSure * error, mean + kSure * error] : [mean])).filter(Number.isFinite);
+    const whiskers = found.bins.map(whiskerOf);
+    const ends = [...known, ...whiskers.flat()];
+    const most = Math.max(...found.bins.map(({ area }) => area));
+    const ofAreas = this.#areaUnit;
     return keepingFocus(byId("profile"), () => {
       const plot = startPlot(byId("profile"), "Mean by height", {
-        x: { low: Math.min(0, ...ends), high: Math.max(0, ...ends) || 1, grid: true }, y: { low: found.low, high: found.high, unit, ticks: 4 } });
+        x: { low: Math.min(0, ...ends), high: Math.max(0, ...ends) || 1, grid: true }, y: { low: found.low, high: found.high, unit, ticks: 4 },
+        top: hasArea && { low: 0, high: most * ofAreas.factor } });
+      byId("profile-unit").textContent = isError ? "%" : unitOfColumn(page.unit, { power: plot.power.x });
       const bars = found.bins.flatMap((bin, i) => (Number.isFinite(bin.mean) ? [this.#layerBar(plot, bin, i, isError)] : []));
-      const mark = addBars(plot.node, bars, { onPoint: (bar) => this.#point(found.binOf, bar), onPress: (bar) => this.#press("layer", [bar.from, bar.to]) });
-      found.bins.forEach(({ mean, error, from, to }) => error > 0 && addWhisker(plot, [mean - kSure * error, mean + kSure * error], (from + to) / 2));
+      const mark = addBars(plot.node, bars, { onPoint: (bar) => this.#point(found.has, bar), onPress: (bar) => this.#press("layer", [bar.from, bar.to]) });
+      found.bins.forEach(({ from, to }, i) => whiskers[i].length > 0 && addWhisker(plot, whiskers[i], (from + to) / 2));
       if (hasArea) {
-        this.#addArea(plot, found.bins);
+        this.#addArea(plot, found.bins, ofAreas);
       }
-      return (organ) => mark(organ === null ? -1 : found.binOf[organ]);
+      return (organ) => mark((bin) => organ !== null && found.has(organ, bin));
     });
+  }
+
+  /** Area in each layer, as a dotted outline on the upper axis. */
+  #addArea({ node, y, top, power }, bins, { unit, factor }) {
+    byId("profile-area").textContent = `organ area${unit && `, ${unitOfColumn(unit, { power: power.top })}`}`;
+    const points = bins.flatMap(({ from, to, area }) => [from, to].map((height) => `${top(area * factor)},${y(height)}`));
+    node.append(svg("polyline", { class: "area", points: points.join(" "), "pointer-events": "none" }));
   }
 
   /** The layers of the result while all plants are shown, as only they have errors; else those of the shown organs. */
@@ -178,7 +211,7 @@ export class Charts {
       return givenLayers({ layers, heights, isShown });
     }
     const numbers = isError ? values.mean.map((mean, i) => (page.classes[i] < kClasses.length ? (100 * values.error[i]) / Math.abs(mean) : NaN)) : values.mean;
-    return layersOf({ numbers, areas, heights, isShown, isMedian: isError });
+    return layersOf({ numbers, areas, layers: run.layers, isShown, isMedian: isError });
   }
 
   /** The layers that the result has, or the differences of those that both results have; null for none. */
@@ -205,24 +238,16 @@ export class Charts {
 
   #layerBar({ x, y, box }, bin, i, isError) {
     const top = y(bin.to);
-    const high = Math.max(2, y(bin.from) - top - 1.5);
-    const mean = isError ? `median error ${plain(bin.mean, 2)} %` : `mean ${withUnit(bin.error > 0 ? withError(bin.mean, bin.error) : plain(bin.mean), this.page.unit)}`;
+    const tall = Math.max(2, y(bin.from) - top - 1.5);
+    const high = this.page.state.show === "difference" ? kSigned : bin.high;
+    const mean = isError ? `median error ${plain(bin.mean, 2)} %` : `mean ${withUnit(withError(bin.mean, bin.error, high), this.page.unit)}${bin.error >= 0 ? "" : " (error not known)"}`;
     const { unit } = this.page.run.json;
     const color = isError ? kClasses.find(({ below }) => bin.mean < 100 * below).color : this.#colorOf(bin.mean);
     return {
       bin: i, color, from: bin.from, to: bin.to,
-      box: { x: Math.min(x(0), x(bin.mean)), width: Math.max(2, Math.abs(x(bin.mean) - x(0))), y: top, height: high },
-      hit: { x: box.left, width: box.right - box.left, y: top, height: high },
+      box: { x: Math.min(x(0), x(bin.mean)), width: Math.max(2, Math.abs(x(bin.mean) - x(0))), y: top, height: tall },
+      hit: { x: box.left, width: box.right - box.left, y: top, height: tall },
       label: `height ${plain(bin.from)} to ${withUnit(plain(bin.to), unit)}: ${mean}, ${many(bin.count, "organ")}, ${areaText(bin.area, unit)}`,
     };
-  }
-
-  /** Area in each layer, as a dotted outline over the width. */
-  #addArea({ node, y, box }, bins) {
-    const most = Math.max(...bins.map(({ area }) => area));
-    byId("profile-area").textContent = `leaf area ≤ ${areaText(most, this.page.run.json.unit)}`;
-    const x = (area) => box.left + 0.92 * (area / most) * (box.right - box.left);
-    const points = bins.flatMap(({ from, to, area }) => [`${x(area)},${y(from)}`, `${x(area)},${y(to)}`]);
-    node.append(svg("polyline", { class: "area", points: points.join(" "), "pointer-events": "none" }));
   }
 }

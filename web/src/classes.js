@@ -9,7 +9,7 @@ export const kClasses = [
   { name: "20 – 50 %", short: "20–50", color: "#de3f25", below: 0.5 },
   { name: "over 50 %", short: "> 50", color: "#8a085a", below: Infinity },
 ];
-export const kFaint = 7; // less than a thousandth of the mean: the error does not matter
+export const kFaint = 7; // 0, or less than a thousandth of the mean: the error does not matter
 export const kDark = 8; // no light was found
 const kNoClass = 9; // no value, or no error
 export const kGreys = [
@@ -34,10 +34,10 @@ function classOf(mean, error, usual) {
   if (!Number.isFinite(mean)) {
     return kNoClass;
   }
-  if (mean === 0) {
+  if (mean === 0 && error !== 0) {
     return kDark;
   }
-  if (Math.abs(mean) < 1e-3 * Math.abs(usual)) {
+  if (mean === 0 || Math.abs(mean) < 1e-3 * Math.abs(usual)) {
     return kFaint;
   }
   return Number.isFinite(error) ? kClasses.findIndex(({ below }) => error < below * Math.abs(mean)) : kNoClass;

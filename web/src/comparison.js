@@ -20,7 +20,7 @@ function differenceOf(own, other, index) {
 export function differenceOfLayers(own, other) {
   const isSame = (layer, i) => ["height_min", "height_max", "organs"].every((key) => layer[key] === other[i][key]);
   return own && other && own.length === other.length && own.every(isSame)
-    ? own.map((layer, i) => ({ ...layer, mean: layer.mean - other[i].mean, error: Math.hypot(layer.error, other[i].error) })) : null;
+    ? own.map((layer, i) => ({ ...layer, mean: layer.mean - other[i].mean, error: Math.hypot(layer.error, other[i].error), low: undefined, high: undefined })) : null;
 }
 
 /** A run, and another result that is taken away from it. */

@@ -1,7 +1,9 @@
 // The data of a run: elements of the page in a report, requests to the server otherwise.
 
+import { kShares } from "./energy.js";
 import { plainUnit, unitText } from "./format.js";
 import { isOfSensors, weightsOf } from "./filters.js";
+import { LayerAreas } from "./layer_areas.js";
 import { shapeOf } from "./sensors.js";
 
 /** The bytes of a base64 text. */
@@ -42,6 +44,7 @@ async function readBytes(name) {
 }
 
 const shapes = new Map(); // promises, by name
+const layers = new WeakMap(); // by shape
 
 /** A shape that is read once: points of a sweep in a report share it. @param json  promise of its result */
 function sharedShape(name, json) {
@@ -64,7 +67,7 @@ export function quantityName({ quantity, name }) {
 }
 
 /** A band in words: names that are wavelengths have their unit. */
-export const bandName = (band) => (/^\d{3,4}(\.\d+)?$/.test(band) ? `${band}\u00a0nm` : band);
+export const bandName = (band) => (/^(\d+: )?\d{3,4}(\.\d+)?$/.test(band) ? `${band}\u00a0nm` : band);
 
 /** Means, standard errors, low and high ends from the bytes of all organs. */
 function partsOf(bytes, n, factor) {
@@ -89,7 +92,7 @@ export class RunData {
   static async load(prefix = "", announce = () => {}) {
     const reading = readJson(`${prefix}data`);
     const shape = sharedShape(`${prefix}shape`, reading);
-    const colorMaps = readJson("colors");
+    const colorMaps = (RunData.colorMaps ??= readJson("colors")); // points of a sweep share them
     const json = await reading;
     announce(json);
     const run = new RunData(json, await colorMaps, null, (blob) => readBytes(`${prefix}values-${blob}`));
@@ -126,9 +129,22 @@ export class RunData {
     return weightsOf(this, this.shape.areas);
   }
 
+  /** The areas of organs in layers of height. What is at a limit but for rounding is above it. */
+  get layers() {
+    if (!layers.has(this.shape)) {
+      layers.set(this.shape, new LayerAreas(this.shape, this.json.middle[2] + 1e-6 * (this.json.high[2] - this.json.low[2])));
+    }
+    return layers.get(this.shape);
+  }
+
   /** Whether the page has the other points of its sweep. */
   get hasPoints() {
     return this.json.sweep?.points.length > 1;
+  }
+
+  /** By what the number of an organ is multiplied to add up over organs: its area, but 1 for flux and sensors. */
+  weightOf(column, organ) {
+    return this.isMeasured || this.json.columns[column].quantity === "absorbed_flux" ? 1 : this.shape.areas[organ];
   }
 
   has(time, column) {
@@ -181,7 +197,8 @@ export class RunData {
 
   /** The unit of a column at a time: sums over days have another one. */
   unit(time, column) {
-    return unitText(this.#unitOf(time, column).unit);
+    const { unit } = this.#unitOf(time, column);
+    return this.json.grows && this.json.columns[column].band ? kShares[unit] ?? unitText(unit) : unitText(unit);
   }
 
   /** The number of a column. -1: there is none */

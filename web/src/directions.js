@@ -5,19 +5,12 @@ import { Vector3 } from "three";
 import { svg } from "./dom.js";
 
 const kSteps = 96; // of the horizon
+const kMargin = 10; // of what is seen, pixels
 
-/** The mean of unit vectors as a unit vector; null for none. */
-export function meanDirection(vectors) {
-  const sum = vectors.reduce((all, v) => all.map((x, k) => x + v[k]), [0, 0, 0]);
-  const length = Math.hypot(...sum);
-  return length > 0 ? sum.map((x) => x / length) : null;
-}
-
-/** The frame of what is drawn: the middle of the ground below the plants, and a radius around it. */
-function frameOf({ bounds, low }) {
-  const { low: from, high: to } = bounds;
-  const wide = Math.max(to.x - from.x, to.y - from.y, 0.7 * (to.z - from.z));
-  return { base: new Vector3((from.x + to.x) / 2, (from.y + to.y) / 2, low.z), radius: 0.68 * Math.max(wide, 1e-30) };
+/** The frame of what is drawn: the middle of the ground below the plants, and the radius of the hemisphere around them. */
+function frameOf({ bounds: { low: from, high: to }, points, low }) {
+  const base = new Vector3((from.x + to.x) / 2, (from.y + to.y) / 2, low.z);
+  return { base, radius: points.plants.reduce((most, point) => Math.max(most, point.distanceTo(base)), 1e-30) };
 }
 
 export class Directions {
@@ -34,9 +27,9 @@ export class Directions {
    * @param window  the SceneWindow
    * @param paths  unit vectors towards the sun through days  @param hours  of each time step
    * @param covered  {left, bottom}: the lower right corner of the legend
-   * @param sun  of the shown time, null for none  @param lamps  positions
+   * @param suns  of the shown time  @param lamps  positions
    */
-  draw(window, { paths, hours, sun, lamps }, covered) {
+  draw(window, { paths, hours, suns, lamps }, covered) {
     this.clear();
     const { base, radius } = frameOf(window);
     const back = window.camera.position.clone().sub(base).setZ(0);
@@ -49,9 +42,10 @@ export class Directions {
     if (paths.length > 0) {
       hours.forEach((v) => this.#disc(layerOf(at(v)), window.project(at(v)), 2, "dot"));
     }
-    if (sun) {
-      line([at(sun, 0.72), at(sun, 0.94)], "ray");
-      this.#disc(layerOf(at(sun)), window.project(at(sun)), 9, "sun");
+    for (const sun of suns) {
+      const far = this.#seenFrom(1, sun, window, at, covered);
+      line([at(sun, 0.72 * far), at(sun, 0.94 * far)], "ray");
+      this.#disc(layerOf(at(sun)), window.project(at(sun, far)), suns.length > 1 ? 6 : 9, "sun");
     }
     for (const lamp of lamps.slice(0, 100)) {
       const point = new Vector3(...lamp);
@@ -64,14 +58,22 @@ export class Directions {
 
   /** Letters before the scene, as pieces of hidden ones would be seen, but for those behind the legend. */
   #winds(window, at, covered) {
-    const [x, y] = window.run.json.north;
-    for (const [letter, v] of [["N", [x, y, 0]], ["E", [y, -x, 0]], ["S", [-x, -y, 0]], ["W", [-y, x, 0]]]) {
-      const point = at(v, 1.1);
-      const [left, top] = window.project(point);
-      if (left > covered.left || top > covered.bottom) {
-        this.layers[1].append(svg("text", { x: left, y: top, class: letter === "N" ? "wind north" : "wind" }, letter));
-      }
+    const [nx, ny] = window.run.json.north;
+    for (const [letter, v] of [["N", [nx, ny, 0]], ["E", [ny, -nx, 0]], ["S", [-nx, -ny, 0]], ["W", [-ny, nx, 0]]]) {
+      const [x, y] = window.project(at(v, this.#seenFrom(1.1, v, window, at, covered)));
+      this.layers[1].append(svg("text", { x, y, class: letter === "N" ? "wind north" : "wind" }, letter));
     }
+  }
+
+  /** How far out a mark in a direction is seen, beside the legend: from the middle it is in the same direction. @param most  of the radius */
+  #seenFrom(most, v, window, at, covered) {
+    const { clientWidth: width, clientHeight: height } = window.canvas;
+    const isSeen = ([x, y]) => x > kMargin && x < width - kMargin && y > kMargin && y < height - kMargin && (x > covered.left + kMargin || y > covered.bottom + kMargin);
+    let far = most;
+    while (far > 0 && !isSeen(window.project(at(v, far)))) {
+      far -= 0.02;
+    }
+    return Math.max(0, far);
   }
 
   /** Pieces of a line go to the layer of their first point. */

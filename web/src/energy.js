@@ -2,6 +2,9 @@
 
 import { plainUnit, unitText } from "./format.js";
 
+/** Units of growing plants, whose light is a part of what all sources send. */
+export const kShares = { 1: "of full light", "": "full-light areas" };
+
 /** The parts of light at one time, in its own unit; null without an energy budget. */
 export function budgetOf(head, band) {
   const energy = head?.energy?.[band];
@@ -9,25 +12,29 @@ export function budgetOf(head, band) {
     return null;
   }
   const mean = (part) => energy[part]?.mean ?? 0;
+  const error = (part) => (energy[part] ? energy[part].standard_error ?? NaN : 0);
   return {
-    unit: energy.unit, plants: mean("absorbed_by_organs"), plantsError: energy.absorbed_by_organs?.standard_error ?? NaN,
-    ground: mean("absorbed_by_ground"), sky: mean("escaped") + mean("cut_off"),
+    unit: energy.unit, plants: mean("absorbed_by_organs"), plantsError: error("absorbed_by_organs"), ground: mean("absorbed_by_ground"),
+    groundError: error("absorbed_by_ground"), sky: mean("escaped") + mean("cut_off"), skyError: error("escaped") + error("cut_off"),
   };
 }
 
+const kParts = ["plants", "plantsError", "ground", "groundError", "sky", "skyError"];
+
 /**
- * The budget of a sum over times: of its plants the error is known, as the sum has them as a group.
+ * The budget of a sum over times: of its plants the error is known, as the sum has them as a group; others are upper
+ * bounds.
  * @param head  of the sum  @param steps  heads of its times  @param units  `sum_units` of the result
  */
 export function summedBudget(head, steps, units, band) {
   const all = head?.groups?.find(({ by }) => by === "all")?.absorbed_flux?.[band];
-  const sum = { plants: 0, ground: 0, sky: 0 };
+  const sum = Object.fromEntries(kParts.map((key) => [key, 0]));
   for (const step of steps ?? []) {
     const own = budgetOf(step, band);
     if (!own || !(step.seconds > 0)) {
       return null;
     }
-    Object.keys(sum).forEach((key) => (sum[key] += own[key] * step.seconds));
+    kParts.forEach((key) => (sum[key] += own[key] * step.seconds));
   }
   if (!all || all.mean === null) {
     return null;
@@ -35,18 +42,18 @@ export function summedBudget(head, steps, units, band) {
   const factor = sum.plants > 0 ? all.mean / sum.plants : 0;
   return {
     unit: units?.[band]?.flux ?? "", plants: all.mean, plantsError: all.standard_error ?? NaN,
-    ground: sum.ground * factor, sky: sum.sky * factor,
+    ground: sum.ground * factor, groundError: sum.groundError * factor, sky: sum.sky * factor, skyError: sum.skyError * factor,
   };
 }
 
-/** The weighted sum of budgets, their mean if they are not of times; null while one is not known. Its error is an upper bound. */
+/** The weighted sum of budgets, their mean if they are not of times; null while one is not known. Its errors are upper bounds. */
 export function weightedBudget(budgets, weights, isOfTimes) {
   if (budgets.some((budget) => budget === null)) {
     return null;
   }
   const whole = isOfTimes ? 1 : weights.reduce((sum, weight) => sum + weight, 0);
   const sum = (key) => budgets.reduce((all, budget, i) => all + (weights[i] / whole) * budget[key], 0);
-  return { unit: budgets[0].unit, ...Object.fromEntries(["plants", "plantsError", "ground", "sky"].map((key) => [key, sum(key)])) };
+  return { unit: budgets[0].unit, ...Object.fromEntries(kParts.map((key) => [key, sum(key)])) };
 }
 
 /** The budget of an entry of a result or a run in progress. */
@@ -71,8 +78,9 @@ function cellArea(result) {
 }
 
 /** What is known of the light that no organ absorbs. Only in a cell with a ground it has nowhere to go but up. */
-function restOf({ ground, sky }, isClosed) {
-  return [{ key: "ground", name: "Ground", light: ground }, { key: "sky", name: isClosed ? "Back to the sky" : "Passes or leaves", light: sky }]
+function restOf({ ground, groundError, sky, skyError }, isClosed) {
+  return [{ key: "ground", name: "Ground", light: ground, error: groundError },
+    { key: "sky", name: isClosed ? "Back to the sky" : "Passes or leaves", light: sky, error: skyError }]
     .filter(({ key, light }) => key !== "ground" || light > 0);
 }
 
@@ -82,17 +90,17 @@ const kFractions = { plants: "absorptance", ground: "ground_absorptance", sky: "
  * The parts of the light that enters a cell, with the errors of the result where it has its canopy's.
  * @param canopy  of the result at that time  @param rest  see restOf
  */
-function partsOf(plants, rest, canopy) {
-  const all = [{ key: "plants", name: "Organs", light: plants }, ...rest];
+function partsOf({ plants, plantsError }, rest, canopy) {
+  const all = [{ key: "plants", name: "Organs", light: plants, error: plantsError }, ...rest];
   const incoming = all.reduce((sum, { light }) => sum + light, 0);
   const given = (key) => canopy?.[kFractions[key]];
-  return incoming > 0 ? all.map(({ key, name, light }) => (Number.isFinite(given(key)?.mean) ? { key, name, part: given(key).mean, error: given(key).standard_error ?? NaN }
-    : { key, name, part: Math.max(0, light) / incoming, error: NaN })) : [];
+  return incoming > 0 ? all.map(({ key, name, light, error }) => (Number.isFinite(given(key)?.mean) ? { key, name, part: given(key).mean, error: given(key).standard_error ?? NaN }
+    : { key, name, part: Math.max(0, light) / incoming, error: error / incoming })) : [];
 }
 
 /**
  * The light of a band at an entry of the timeline.
- * @returns {plants, error, unit, isPerGround, given, byOf, parts: [{key, name, part, error}], rest: [{key, name, light}]}:
+ * @returns {plants, error, unit, isPerGround, given, byOf, parts: [{key, name, part, error}], rest: [{key, name, light, error}]}:
  *   `given` is the unit in the result, `byOf` returns what its numbers are multiplied by, for the area of a cell, and
  *   `rest`, in `unit`, is where there are no parts; null if the result does not have it
  */
@@ -113,8 +121,8 @@ export function lightBudget(page, entry, band) {
   const rest = restOf(found, isCell && run.json.organs.ground.length > 0);
   const perGround = { "umol s-1": "umol m-2 s-1" }[own] ?? `${own} m-2`;
   return {
-    plants: found.plants * by, error: found.plantsError * by, unit: unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
-    parts: isCell ? partsOf(found.plants, rest, page.headOf(entry)?.canopy?.[band]) : [], rest: isCell ? [] : rest.map((one) => ({ ...one, light: one.light * by })),
+    plants: found.plants * by, error: found.plantsError * by, unit: run.json.grows && own in kShares ? kShares[own] : unitText(isPerGround ? perGround : own), isPerGround, given: found.unit, byOf,
+    parts: isCell ? partsOf(found, rest, page.headOf(entry)?.canopy?.[band]) : [], rest: isCell ? [] : rest.map((one) => ({ ...one, light: one.light * by, error: one.error * by })),
   };
 }
 
@@ -130,7 +138,7 @@ function plantsOf(result, { part, label }, band) {
 /**
  * The light of all plants minus that of another result, with the error of independent results.
  * @param budget  see lightBudget  @param other  the other result  @param time  {part, label}
- * @returns {mean, error, part}: `part` of the other one; null if the two can't be compared
+ * @returns {mean, error, part, partError}: `part` of the other one; null if the two can't be compared
  */
 export function lightDifference(budget, other, time, band) {
   const found = other && plantsOf(other, time, band);
@@ -139,7 +147,7 @@ export function lightDifference(budget, other, time, band) {
   }
   const by = budget.byOf(cellArea(other));
   const mean = budget.plants - found.mean * by;
-  return Number.isFinite(mean) ? { mean, error: Math.hypot(budget.error, found.error * by), part: mean / (found.mean * by) } : null;
+  return Number.isFinite(mean) ? { mean, error: Math.hypot(budget.error, found.error * by), part: mean / (found.mean * by), partError: Math.hypot(budget.error, found.error * by) / Math.abs(found.mean * by) } : null;
 }
 
 /** The light that all plants take of a band at a time, for the bars of the strip. */
@@ -156,11 +164,15 @@ export const estimateOf = (row, { quantity, band }) =>
 export const headAt = (head, part, label) =>
   (part === "" ? head : part === "total" ? head.total : head[part]?.find(({ time, date }) => (time ?? date) === label));
 
-/** The estimate of all organs together of a quantity: {mean, error}; null if it is not known. */
-export function allPlants(head, quantity, band) {
+/** Numbers of an estimate of a result, in another unit: {mean, error, low, high}. */
+const numbersOf = ({ mean, standard_error: error, ci95_low: low, ci95_high: high }, factor = 1) =>
+  Object.fromEntries(Object.entries({ mean, error, low, high }).map(([key, number]) => [key, (number ?? NaN) * factor]));
+
+/** The estimate of all organs together of a quantity, in another unit: {mean, error, low, high}; null if it is not known. */
+export function allPlants(head, quantity, band, factor = 1) {
   const found = head?.groups?.find(({ by }) => by === "all");
   const estimate = found && estimateOf(found, { quantity, band });
-  return estimate && estimate.mean !== null ? { mean: estimate.mean, error: estimate.standard_error ?? NaN } : null;
+  return estimate && estimate.mean !== null ? numbersOf(estimate, factor) : null;
 }
 
 /**
@@ -171,5 +183,5 @@ export function layersOfResult(head, kind, factor) {
   const rows = head?.groups?.filter(({ by }) => by === "layer") ?? [];
   const layers = rows.map((row) => ({ row, estimate: estimateOf(row, kind) }));
   const isKnown = rows.length > 0 && kind.quantity !== "absorbed_flux" && layers.every(({ estimate }) => estimate);
-  return isKnown ? layers.map(({ row, estimate }) => ({ ...row, mean: (estimate.mean ?? NaN) * factor, error: (estimate.standard_error ?? NaN) * factor })) : null;
+  return isKnown ? layers.map(({ row, estimate }) => ({ ...row, ...numbersOf(estimate, factor) })) : null;
 }

@@ -31,12 +31,11 @@ const isWithin = (number, ends) => ends === null || (number >= ends[0] && number
 /** For each organ 1 if it passes the filters of the state, else 0. */
 export function organsPassing(run, numbers, classes, state) {
   const tests = labelTests(run.json.organs.labels, state);
-  const { heights } = run.shape;
   const shown = new Uint8Array(run.count);
   for (let organ = 0; organ < run.count; ++organ) {
     const isKnown = state.show !== "difference" || Number.isFinite(numbers[organ]);
     shown[organ] = isKnown && (state.ground || !run.isGround[organ]) && (state.sensors || !run.isSensor[organ]) && tests.every((passes) => passes(organ)) &&
-      isWithin(heights[organ], state.layer) && isWithin(numbers[organ], state.values) &&
+      (state.layer === null || run.layers.reaches(organ, state.layer)) && isWithin(numbers[organ], state.values) &&
       (state.errorClass === null || classes[organ] === state.errorClass) ? 1 : 0;
   }
   return shown;

@@ -1,5 +1,7 @@
 // Numbers, units and times as text.
 
+import { isKnown, kSure, lowerMedian } from "./numbers.js";
+
 export const kUnknownText = "–";
 const kSigns = { "-": "⁻", 0: "⁰", 1: "¹", 2: "²", 3: "³", 4: "⁴", 5: "⁵", 6: "⁶", 7: "⁷", 8: "⁸", 9: "⁹" };
 const raised = (number) => [...String(number)].map((sign) => kSigns[sign]).join("");
@@ -14,11 +16,15 @@ function grouped(text) {
 
 /** A number rounded to a power of ten. */
 function rounded(value, digit) {
-  return grouped(digit >= 0 ? String(Math.round(value / 10 ** digit) * 10 ** digit) : value.toFixed(-digit));
+  const text = grouped(digit >= 0 ? String(Math.round(value / 10 ** digit) * 10 ** digit) : value.toFixed(Math.min(100, -digit)));
+  return /[1-9]/.test(text) ? text : text.replace("−", "");
 }
 
 /** Whether a number is written with a power of ten. */
 const isFar = (size) => size !== 0 && (size < 1e-3 || size >= 1e7);
+
+/** The power of ten by which a number is divided where it is written; 0 for those that are written as they are. */
+export const powerOf = (size) => (isFar(size) ? Math.floor(Math.log10(size)) : 0);
 
 /** A number with at most `digits` significant digits. */
 export function plain(value, digits = 3) {
@@ -33,8 +39,15 @@ export function plain(value, digits = 3) {
   return grouped(String(Number(value.toPrecision(digits))));
 }
 
-/** A number with the digits that a list of numbers up to a size has. */
-export const evenly = (value, size) => (size > 0 && !isFar(size) ? rounded(value, Math.max(-6, Math.floor(Math.log10(size)) - 2)) : plain(value));
+/** A number with the digits that a list of numbers of a size has: `digits` of that size. */
+export function evenly(value, size, digits = 3) {
+  if (!(size > 0) || !Number.isFinite(value)) {
+    return plain(value, digits);
+  }
+  const digit = Math.floor(Math.log10(size)) + 1 - digits;
+  const text = rounded(value, digit);
+  return value > 0 && Number(text) === 0 ? `<${rounded(10 ** digit, digit)}` : text;
+}
 
 /** A whole number, with commas. */
 export const counted = (count) => String(Math.round(count)).replace(/\B(?=(\d{3})+$)/g, ",");
@@ -42,57 +55,107 @@ export const counted = (count) => String(Math.round(count)).replace(/\B(?=(\d{3}
 /** "1 organ", "12 organs" */
 export const many = (count, noun) => `${counted(count)} ${noun}${count === 1 ? "" : "s"}`;
 
-/** The power of ten of the last digit that an error supports: two digits if it begins with 1. */
+/** The power of ten of the last digit that an error supports: two digits if it begins with 1 or 2. */
 function lastDigit(error) {
   const power = Math.floor(Math.log10(error));
-  return error / 10 ** power < 1.95 ? power - 1 : power;
+  return error / 10 ** power < 2.95 ? power - 1 : power;
 }
 
-/** Two numbers to the same digit, as texts. */
-function alike(mean, error) {
-  const size = Math.abs(mean);
-  if (!isFar(size)) {
-    const digit = Math.max(lastDigit(error), -9);
-    return [rounded(mean, digit), rounded(error, digit)];
-  }
-  const power = Math.floor(Math.log10(size));
-  const digit = Math.min(0, lastDigit(error) - power);
-  const [one, other] = [mean, error].map((x) => rounded(x / 10 ** power, digit));
-  return [`(${one}`, `${other}) × 10${raised(power)}`];
+const kExact = 1e-7; // relative error below which a number is exact: the page's have 24 bits
+
+/** For the end of the interval of a number that may be negative, as differences are. */
+export const kSigned = null;
+
+/**
+ * The bound of a positive number that is known to no better than 50 %, or is 0 because no light was found: the end
+ * of its interval; undefined for others, which have a value
+ * @param high  that end; undefined: it follows from the error
+ */
+function boundOf(mean, error, high) {
+  const end = Number.isFinite(high) ? high : mean + kSure * error;
+  const isUnknown = error > 0.5 * mean || (mean === 0 && Number.isNaN(error));
+  return high !== kSigned && mean >= 0 && isUnknown && end > 0 ? end : undefined;
+}
+
+/** A number rounded up, so that it remains a bound. */
+const upTo = (digit, value) => Math.ceil(value / 10 ** digit - 1e-6) * 10 ** digit;
+
+/** The power of ten by which a number is divided, and the power of its last digit. */
+function styleOf(mean, error, bound) {
+  const size = Math.max(Math.abs(mean), error || 0, bound ?? 0);
+  return { power: powerOf(size), digit: bound === undefined ? lastDigit(error) : Math.floor(Math.log10(bound)) - 1 };
+}
+
+const powerText = (power) => `10${raised(power)}`;
+
+/**
+ * How a column of estimates is written: all with the last digit of the usual error, and with one power of ten, which
+ * belongs into its head.
+ * @param indices  of rows in mean and error  @param isSigned  whether they may be negative, as differences are
+ * @returns {power, digit}
+ */
+export function columnStyle({ mean, error }, indices = [...mean.keys()], isSigned = false) {
+  const rows = indices.filter((i) => (isSigned ? Number.isFinite(mean[i]) : isKnown(mean[i], error[i])) && mean[i] !== 0);
+  const size = rows.reduce((most, i) => Math.max(most, Math.abs(mean[i])), 0);
+  const usual = lowerMedian(rows.map((i) => (error[i] > kExact * Math.abs(mean[i]) ? error[i] : NaN)));
+  const digit = usual > 0 ? lastDigit(usual) : size > 0 ? Math.floor(Math.log10(size)) - 2 : 0;
+  return { power: powerOf(size), digit };
+}
+
+/** "10⁻⁵ mol" */
+export const unitOfColumn = (unit, { power }) => (power === 0 ? unit : `${powerText(power)}${unit && `\u00a0${unit}`}`);
+
+/** A positive number that is not 0 but would be written so is below the last digit. */
+function errorText(error, { power, digit }) {
+  const text = rounded(error / 10 ** power, digit - power);
+  return Number(text) === 0 ? `<${rounded(10 ** (digit - power), digit - power)}` : text;
 }
 
 /**
  * A value with as many digits as its error supports.
- * @param high  end of its interval, which replaces a value that is known to no better than 50 %
+ * @param high  end of its interval, which replaces a value that is known to no better than 50 %; kSigned: none does
+ * @param column  see columnStyle; undefined: the number is alone
  * @returns {value, error}: texts; error is empty if it is unknown or 0
  */
-export function estimate(mean, error, high) {
+export function estimate(mean, error, high, column) {
   if (!Number.isFinite(mean)) {
     return { value: kUnknownText, error: "" };
   }
-  if (!Number.isFinite(error) || error === 0) {
-    return { value: mean === 0 && Number.isNaN(error) ? "0 (no light found)" : plain(mean, 4), error: "" };
+  const isSmall = column && mean > 0 && mean < 0.5 * 10 ** column.digit && error > 0;
+  const bound = boundOf(mean, isSmall ? Math.max(error, mean) : error, high);
+  if (bound === undefined && !(error > kExact * Math.abs(mean))) {
+    const isDark = mean === 0 && Number.isNaN(error);
+    const text = column ? rounded(mean / 10 ** column.power, column.digit - column.power) : plain(mean, error >= 0 ? 4 : 3);
+    return { value: isDark ? "0 (no light found)" : text, error: "" };
   }
-  if (high !== undefined && error > 0.5 * Math.abs(mean)) {
-    return { value: `below ${plain(high, 2)}`, error: "" };
+  const style = column ?? styleOf(mean, error, bound);
+  const { power, digit } = style;
+  const write = (number) => rounded(number / 10 ** power, digit - power);
+  const isRaised = power !== 0 && !column;
+  if (bound !== undefined) {
+    return { value: `below ${write(upTo(digit, bound))}${isRaised ? ` × ${powerText(power)}` : ""}`, error: "" };
   }
-  const [value, own] = alike(mean, error);
-  return { value, error: own };
+  const own = errorText(error, style);
+  return isRaised ? { value: `(${write(mean)}`, error: `${own}) × ${powerText(power)}` } : { value: write(mean), error: own };
 }
 
-/** The ends of an interval with the digits of its estimate. */
-export function interval(low, high, error) {
+/** The ends of an interval with the digits of its estimate. @param isSigned  see kSigned  @param column  see estimate */
+export function interval({ mean, error, low, high, isSigned }, column) {
   if (!Number.isFinite(low)) {
     return "";
   }
-  const digit = error > 0 ? lastDigit(error) : 0;
-  const isPlain = error > 0 && digit > -9 && !isFar(Math.abs(low)) && !isFar(Math.abs(high));
-  return [low, high].map((end) => (isPlain ? rounded(end, digit) : plain(end, 3))).join(" – ");
+  const bound = boundOf(mean, error, isSigned ? kSigned : high);
+  if (bound === undefined && !(error > 0)) {
+    return [low, high].map((end) => plain(end, 3)).join(" – ");
+  }
+  const { power, digit } = column ?? styleOf(mean, error, bound);
+  const ends = [low, bound === undefined ? high : upTo(digit, high)].map((end) => rounded(end / 10 ** power, digit - power)).join(" – ");
+  return power !== 0 && !column ? `(${ends}) × ${powerText(power)}` : ends;
 }
 
 /** "32.75 ± 0.02" */
-export function withError(mean, error, high) {
-  const { value, error: own } = estimate(mean, error, high);
+export function withError(mean, error, high, column) {
+  const { value, error: own } = estimate(mean, error, high, column);
   return own ? `${value} ± ${own}` : value;
 }
 

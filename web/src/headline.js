@@ -4,8 +4,8 @@ import { bandName } from "./data.js";
 import { make } from "./dom.js";
 import { allPlants, lightBudget, lightDifference } from "./energy.js";
 import { isPart, lightOfShown } from "./shown_light.js";
-import { estimate, kUnknownText, many, percent, percentWithError, plain, withError, withUnit } from "./format.js";
-import { endsOf, kSure } from "./numbers.js";
+import { estimate, kSigned, kUnknownText, many, percentWithError, withError, withUnit } from "./format.js";
+import { kSure } from "./numbers.js";
 
 /** "32.75 ± 0.02 mol m⁻²" in sizes */
 export function numberNode(mean, error, unit, high) {
@@ -61,25 +61,27 @@ export class Headline {
   /** The mean, the least and the greatest of what sensors measure; null if they do not measure what is shown. */
   #measured() {
     const { page } = this;
-    const { values: { mean }, run: { isSensor }, timeline, entry, unit } = page;
-    const known = [...mean].filter((value, i) => isSensor[i] && page.isShown[i] && Number.isFinite(value));
+    const { values: { mean, error, high }, run: { isSensor }, timeline, entry, unit } = page;
+    const known = [...mean.keys()].filter((i) => isSensor[i] && page.isShown[i] && Number.isFinite(mean[i]));
     if (known.length === 0) {
       return null;
     }
-    const middle = known.reduce((sum, value) => sum + value, 0) / known.length;
-    const { low, high } = endsOf(known);
-    return [make("p", { class: "what" }, `${many(known.length, "sensor")}, mean${entry.name ? `, ${timeline.wordsOf(entry)}` : ""}`),
-      make("p", { class: "number" }, plain(middle), unit && make("span", { class: "unit" }, ` ${unit}`)),
-      make("p", { class: "of" }, `from ${plain(low)} to ${withUnit(plain(high), unit)}`)];
+    const meanOf = (numbers) => known.reduce((sum, i) => sum + numbers[i], 0) / known.length;
+    const inOrder = known.sort((a, b) => mean[a] - mean[b]);
+    const [low, most] = [inOrder[0], inOrder.at(-1)].map((i) => estimate(mean[i], error[i], high[i]).value);
+    const number = numberNode(meanOf(mean), meanOf(error), unit);
+    number.title = "The error is an upper bound: the mean of those of the sensors.";
+    return [make("p", { class: "what" }, `${many(known.length, "sensor")}, mean${entry.name ? `, ${timeline.wordsOf(entry)}` : ""}`), number,
+      make("p", { class: "of" }, `from ${low} to ${withUnit(most, unit)}`)];
   }
 
   /** "−6.15 ± 0.08 mol m⁻² of ground · 12 % less than “Maize”" */
-  #difference({ unit, isPerGround }, { mean, error, part }, time) {
+  #difference({ unit, isPerGround }, { mean, error, part, partError }, time) {
     const title = `“${this.page.minus.title}”`;
     const isClear = Math.abs(mean) >= kSure * (error || 0) && mean !== 0;
-    const size = Number.isFinite(part) ? `${percent(Math.abs(part), Math.abs(part) < 1 ? 2 : 3)} ` : "";
+    const size = Number.isFinite(part) ? `${percentWithError(Math.abs(part), partError)} ` : "";
     const words = isClear ? `${size}${mean > 0 ? "more" : "less"} than ${title}` : `no clear difference from ${title}`;
-    return [make("p", { class: "what" }, `All organs absorb, difference${time}`), numberNode(mean, error, unit),
+    return [make("p", { class: "what" }, `All organs absorb, difference${time}`), numberNode(mean, error, unit, kSigned),
       make("p", { class: "of" }, `${isPerGround ? "of ground · " : ""}${words}`)];
   }
 
@@ -96,14 +98,14 @@ export class Headline {
     const column = run.columnOf("absorbed_flux_density", band);
     const found = parts.length > 0 || subject || column < 0 ? null : allPlants(page.headOf(entry), "absorbed_flux_density", band);
     const factor = column < 0 ? 1 : run.factorOf(page.time, column);
-    return found && `mean per area ${withUnit(withError(found.mean * factor, found.error * factor), run.unit(page.time, column))}`;
+    return found && `mean per area ${withUnit(withError(found.mean * factor, found.error * factor, found.high * factor), run.unit(page.time, column)).replaceAll(" ", "\u00a0")}`;
   }
 
   /** Where the light goes: its parts, or what is known of the rest. */
   #rest({ parts, rest, unit }) {
     return parts.length > 0 ? [this.#bar(parts), this.#list(parts)]
-      : [make("div", { class: "light-parts" }, rest.map(({ key, name, light }) =>
-        [make("i", { class: `swatch part-${key}` }), make("span", {}, name), make("span", {}, withUnit(plain(light), unit))]))];
+      : [make("div", { class: "light-parts" }, rest.map(({ key, name, light, error }) =>
+        [make("i", { class: `swatch part-${key}` }), make("span", {}, name), make("span", {}, withUnit(withError(light, error), unit))]))];
   }
 
   #bar(parts) {

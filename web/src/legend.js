@@ -2,9 +2,10 @@
 
 import { kClasses, kGreys, kDark, kGrey } from "./classes.js";
 import { byId, make } from "./dom.js";
-import { percent, plain } from "./format.js";
+import { many, percent, plain } from "./format.js";
 import { endsOf, isKnown, partOf, ticks, weightedQuantile } from "./numbers.js";
-import { kPins, qualityOf } from "./page.js";
+import { isUnknown } from "./organ_colors.js";
+import { kPins } from "./page.js";
 
 const kApart = 0.12; // least distance of two marks, of the length of the scale
 
@@ -56,6 +57,32 @@ export function classCounts({ classes, isShown, run }) {
   return counts;
 }
 
+/** How many of the shown parts of plants nothing is known of. */
+export const countUnknown = ({ values: { mean, error }, isShown, run }) =>
+  mean.reduce((sum, value, i) => sum + (isShown[i] && run.isCounted[i] && isUnknown(value, error[i]) ? 1 : 0), 0);
+
+/** "12 organs unknown", with their stripes, and how many have no value; nothing, where there are none. */
+function unknownWords(page) {
+  const { values: { mean }, isShown, run } = page;
+  const row = (count, kind, words, title) => count > 0 && page.state.show !== "difference" &&
+    make("p", { class: "unknown", title }, make("i", { class: `swatch ${kind}` }), `${many(count, run.countedNoun)} ${words}`);
+  const missing = mean.reduce((sum, value, i) => sum + (isShown[i] && run.isCounted[i] && Number.isNaN(value) ? 1 : 0), 0);
+  return [row(countUnknown(page), "hatched", "unknown", "The error is larger than the value, or no light was found"),
+    row(missing, "missing", "without a value")].filter(Boolean);
+}
+
+/** The parts of the absorbed light that organs of each class of error take, without grey ones. */
+function qualityOf({ classes, values, run, isShown, column }) {
+  const sums = new Float64Array(kClasses.length);
+  classes.forEach((number, i) => {
+    if (number < kClasses.length && isShown[i] && run.isCounted[i]) {
+      sums[number] += Math.abs(values.mean[i]) * run.weightOf(column, i);
+    }
+  });
+  const total = sums.reduce((a, b) => a + b, 0);
+  return total > 0 ? [...sums].map((sum) => sum / total) : [];
+}
+
 export class Legend {
   constructor(page, parent) {
     Object.assign(this, { page, parent, isFlat: matchMedia("(max-width: 640px) and (min-height: 480px)") });
@@ -67,16 +94,21 @@ export class Legend {
   draw() {
     const { page } = this;
     const { state, run, timeline, entry } = page;
+    if (!page.hasLight) {
+      this.parent.replaceChildren(make("h2", { id: "legend-title" }, "No light was computed"), make("p", { class: "note", id: "legend-note" }, entry.name), this.hint);
+      page.notify("legend");
+      return;
+    }
     const time = entry.name ? ` · ${timeline.wordsOf(entry)}` : "";
     const isError = state.show === "error";
     const column = run.columnName(page.column);
     const isDifference = state.show === "difference";
     const title = isError ? "How well it is known" : isDifference ? `${page.shownTitle === page.minus.title ? "This result" : page.shownTitle} − ${page.minus.title}` : column;
-    const note = isError ? `standard error, % of the value${time}` : [isDifference && column, page.unit, time.replace(" · ", "")].filter(Boolean).join(" · ");
+    const note = isError ? `standard error, % of the value${time}` : [isDifference && column, page.unit.replace(/^of /, "share of "), time.replace(" · ", "")].filter(Boolean).join(" · ");
     this.arrows = make("div");
     this.parent.replaceChildren(
       make("h2", { id: "legend-title", title: run.json.columns[page.column].quantity }, title), make("p", { class: "note", id: "legend-note" }, note),
-      ...(isError ? [this.#classes()] : [this.#scale(), ...this.#quality()]), this.hint);
+      ...(isError ? [this.#classes()] : [this.#scale(), ...this.#quality()]), ...unknownWords(page), this.hint);
     this.mark();
     page.notify("legend");
   }
@@ -107,7 +139,7 @@ export class Legend {
     const signed = (value) => (page.state.show === "difference" && value > 0 ? `+${plain(value)}` : plain(value));
     const marks = marksOf(scale, 4).map((value, i, all) =>
       position(make("span", { class: `tick${i === 0 ? " first" : i === all.length - 1 ? " last" : ""}` }, signed(value)), value));
-    const over = highest > scale.high * (1 + 1e-6) && make("span", { class: "over" }, `▲ up to ${plain(highest, 2)}`);
+    const over = highest > scale.high && plain(highest) !== plain(scale.high) && make("span", { class: "over" }, `▲ up to ${plain(highest)}`);
     return make("div", { id: "legend-scale" }, bar, marks, over, this.arrows, page.state.show === "value" && [this.#end(1), this.#end(0)]);
   }
 
@@ -161,7 +193,7 @@ export class Legend {
   /** Arrows at the values of organs that are pinned or pointed at. */
   mark() {
     const { page } = this;
-    this.hint.hidden = page.pins.length > 0 || page.state.beside;
+    this.hint.hidden = page.pins.length > 0 || page.isBeside;
     if (page.state.show === "error" || !page.values || !this.position) {
       return;
     }

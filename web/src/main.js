@@ -8,13 +8,13 @@ import { Find } from "./find.js";
 import { many } from "./format.js";
 import { listenToKeys } from "./keys.js";
 import { Legend } from "./legend.js";
-import { announce, prepare, showTitle } from "./loading.js";
 import { isLive } from "./live.js";
 import { followRun } from "./live_page.js";
+import { announce, prepare, showTitle } from "./loading.js";
 import { Page } from "./page.js";
 import { Panel } from "./panel.js";
-import { SaveMenu, scenePicture } from "./save.js";
-import { makeRenderer } from "./scene.js";
+import { makeRenderer } from "./renderer.js";
+import { SaveMenu } from "./save.js";
 import { SkyDisc } from "./sky_disc.js";
 import { Stage } from "./stage.js";
 import { readAddress } from "./state.js";
@@ -97,7 +97,7 @@ function listen(page, stage, strip, find) {
   } });
   addEventListener("beforeprint", () => {
     if (stage) {
-      byId("printed").src = stage.window.picture(1).toDataURL(); // the canvas is cleared by then
+      byId("printed").src = stage.window.copy(1).toDataURL(); // the canvas is cleared by then
     }
     page.notify("print");
   });

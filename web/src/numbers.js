@@ -63,8 +63,9 @@ function exceededBy(numbers, areas, part, { low, high }) {
 }
 
 /**
- * Ends of a colour scale: from 0, unless some numbers are negative, to the value that 0.5 % of the area
- * exceeds, so that single organs do not darken all others. Numbers without an area count only where there are no others.
+ * Ends of a colour scale: from 0, unless some numbers are negative, to the value that 0.5 % of the area and 0.5 % of the
+ * organs exceed, so that neither a large organ nor many small ones darken all others. Numbers without an area count only
+ * where there are no others.
  */
 export function scaleOf(all, areas) {
   const numbers = all.map((number, i) => (areas[i] > 0 ? number : NaN));
@@ -76,7 +77,7 @@ export function scaleOf(all, areas) {
     return { low: 0, high: 1 };
   }
   const low = Math.min(0, ends.low);
-  const usual = ends.high > ends.low ? exceededBy(numbers, areas, 1 / 200, ends) : ends.high;
+  const usual = ends.high > ends.low ? Math.min(...[areas, areas.map(Math.sign)].map((weights) => exceededBy(numbers, weights, 1 / 200, ends))) : ends.high;
   const high = usual > low ? usual : ends.high;
   return { low, high: high > low ? high : low + 1 };
 }
@@ -91,7 +92,7 @@ function paletteOf(map, count) {
   });
 }
 
-const kUnknown = 0xc8c8c8; // the colour of organs without a value
+const kUnknown = 0xa9afab; // the colour of organs without a value
 
 /** A number on a scale, from 0 to 1. @param scale  {low, high, isLog} */
 export function partOf(number, { low, high, isLog }) {
@@ -127,4 +128,10 @@ export function weightedQuantile(numbers, weights, fraction) {
     }
   }
   return NaN;
+}
+
+/** The number that half of some positive numbers do not exceed; NaN without any. */
+export function lowerMedian(numbers) {
+  const known = [...numbers].filter((number) => number > 0).sort((a, b) => a - b);
+  return known[(known.length - 1) >> 1] ?? NaN;
 }

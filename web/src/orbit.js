@@ -8,7 +8,7 @@ const kOpening = 35; // degrees, upward
 const kRadians = Math.PI / 180;
 const kMinFree = 0.35; // of the canvas; with less, what covers it is ignored
 
-/** A camera around a scene; see SceneExtent in scene.js. */
+/** A camera around a scene; see SceneWindow. */
 export class Orbit {
   /** @param extent  {points, low, high, radius, north} of the scene  @param onMove  called after movements */
   constructor(canvas, extent, onMove) {

@@ -1,23 +1,20 @@
 // What the page shows: the choices of the user, the numbers that follow from them, and the parts that draw them.
 
-import { areaMean, kClasses, classColor, classesOf } from "./classes.js";
+import { areaMean, classesOf } from "./classes.js";
+import { ColorScale } from "./color_scale.js";
 import { Comparison, givenDifference } from "./comparison.js";
 import { byId } from "./dom.js";
 import { noFilters, organsPassing } from "./filters.js";
 import { allPlants, plantLight } from "./energy.js";
-import { counted, many, withError, withUnit } from "./format.js";
-import { colorsOf, kSure, packed, scaleOf, weightedQuantile } from "./numbers.js";
+import { counted, kSigned, many, withError, withUnit } from "./format.js";
+import { colorMapOf, organColors } from "./organ_colors.js";
+import { plantColors } from "./plant.js";
 import { AddressKeeper, addressOf, startOf } from "./state.js";
 
 export const kPins = ["#cf318e", "#bf5400", "#1b73d5", "#148460", "#8f54dd", "#7d7617"];
 export const pinLetter = (i) => "ABCDEF"[i];
-const kDifference = ["#2166ac", "#4393c3", "#92c5de", "#d1e5f0", "#f4f1ec", "#fddbc7", "#f4a582", "#d6604d", "#b2182b"];
-const kSmaller = packed("#c4c9c6"); // of differences smaller than their errors
 
 const nothing = (n) => () => new Float32Array(n).fill(NaN);
-
-/** The reds, greens and blues of a list of "#rrggbb". */
-const mapOf = (colors) => colors.map((color) => [1, 3, 5].map((at) => parseInt(color.slice(at, at + 2), 16)));
 
 /** What is shown first: what sensors measure, if the result is about them; undefined without columns. */
 export const firstColumn = ({ columns, isMeasured }) =>
@@ -27,11 +24,11 @@ export class Page {
   /** @param run  RunData  @param timeline  see timeline.js  @param live  of a run in progress or a sweep, see live_page.js and sweep.js */
   constructor(run, timeline, chosen, live = null) {
     Object.assign(this, { run, timeline, live, other: null, hovered: null, pointed: null, parts: [], absent: "" });
+    this.colorScale = new ColorScale(this);
     const grows = run.json.grows === true;
     const start = { ...startOf(innerWidth, innerHeight), beside: grows, sameScale: grows || timeline.points.length > 0 };
     this.state = { ...structuredClone(start), ...chosen };
     this.address = new AddressKeeper(() => addressOf(this.state, start));
-    this.colorMaps = { ...run.colorMaps, difference: mapOf(kDifference) };
     this.#checkChoices();
   }
 
@@ -86,23 +83,29 @@ export class Page {
   }
 
   get unit() {
-    return this.run.unit(this.time, this.column);
+    return this.hasLight ? this.run.unit(this.time, this.column) : "";
   }
 
   /** Estimates of all plants of the shown column at entries of the timeline, null where there are none. A promise. */
   async meansOf(entries) {
     const { quantity, band } = this.run.json.columns[this.column];
-    const found = entries.map((entry) => allPlants(this.headOf(entry), quantity, band));
+    const factor = this.run.factorOf(this.#timeAt(entries), this.column);
+    const found = entries.map((entry) => allPlants(this.headOf(entry), quantity, band, factor));
     if (found.some(Boolean) || !this.run.json.grows || !this.live?.allValues) {
       return found;
     }
     return (await this.live.allValues(this.column)).map(({ values, areas }) => values && { mean: areaMean(values.mean, areas), error: NaN });
   }
 
-  /** The unit of the shown column at entries of the timeline, of which some may be of other results. */
-  unitAt(entries) {
+  /** The time of the result that has the unit of entries of the timeline, of which some may be of other results. */
+  #timeAt(entries) {
     const index = entries.find((entry) => entry.index >= 0)?.index ?? 0;
-    return this.run.unit(this.run.json.times.length > 1 ? index : 0, this.column);
+    return this.run.json.times.length > 1 ? index : 0;
+  }
+
+  /** The unit of the shown column at entries of the timeline. */
+  unitAt(entries) {
+    return this.hasLight ? this.run.unit(this.#timeAt(entries), this.column) : "";
   }
 
   /** The band by which light is counted. */
@@ -155,6 +158,16 @@ export class Page {
     const sensors = run.organCount < run.count ? `, ${counted(shown(1))} of ${many(run.count - run.organCount, "sensor")}` : "";
     const alone = this.state.show === "difference" ? this.minus.onlyFirst + this.minus.onlyOther : 0;
     return `${counted(count)} of ${many(run.organCount, "organ")}${sensors} shown${alone > 0 ? `, ${counted(alone)} in one result only` : ""}`;
+  }
+
+  /** Whether light was computed: models grow without it, too. */
+  get hasLight() {
+    return this.run.columns.length > 0;
+  }
+
+  /** Whether the plant in its own colours is beside its light. */
+  get isBeside() {
+    return this.state.beside && this.hasLight;
   }
 
   get pins() {
@@ -220,53 +233,21 @@ export class Page {
     }
     const [values, difference] = await Promise.all([
       run.values(time, column), state.show === "difference" ? this.minus.values(time, column) : null]);
-    if (time !== this.time || column !== this.column || run !== this.run) {
-      return; // the choice has changed in the meantime
+    const isLate = () => time !== this.time || column !== this.column || run !== this.run; // the choice has changed in the meantime
+    if (isLate()) {
+      return;
     }
     this.absent = values === null && run.has(time, column) ? "The program ended before this page had loaded these values."
       : state.show === "difference" && difference === null ? `“${this.minus.title}” has no such values.` : "";
     const none = nothing(run.count);
-    this.values = (state.show === "difference" ? difference : values) ?? { mean: none(), error: none(), low: none(), high: none() };
-    await this.#findScale();
+    const found = (state.show === "difference" ? difference : values) ?? { mean: none(), error: none(), low: none(), high: none() };
+    await this.colorScale.find(found);
+    if (isLate()) {
+      return;
+    }
+    this.values = found;
     this.paint();
     this.notify("time");
-  }
-
-  /** What the scale spans: one time, or all of them. */
-  async #findScale() {
-    const { run, state, column } = this;
-    const areas = run.weights;
-    const what = `${column} ${state.show} ${this.unit}`;
-    if (state.show === "difference") {
-      const size = scaleOf(this.values.mean.map(Math.abs), areas).high;
-      this.usual = { low: -size, high: size };
-    } else if (!state.sameScale) {
-      this.usual = scaleOf(this.values.mean, areas);
-    } else if (this.usualIsOf !== `${what} all` || this.usualOf !== this.#scaleOwner) {
-      const scales = (await this.#allValues()).filter(({ values }) => values).map(({ values: { mean }, areas: own }) => scaleOf(mean, own));
-      this.usual = scales.reduce((a, b) => ({ low: Math.min(a.low, b.low), high: Math.max(a.high, b.high) }), { low: 0, high: 0 });
-      this.usual.high = this.usual.high > this.usual.low ? this.usual.high : this.usual.low + 1;
-      this.usualOf = this.#scaleOwner;
-    }
-    this.usualIsOf = `${what}${state.sameScale ? " all" : ""}`;
-    this.spread = state.show === "value" ? [0.05, 0.95].map((part) => weightedQuantile(this.values.mean, areas, part)) : [NaN, NaN];
-  }
-
-  /** Of what a common scale is: points of a sweep or frames have one together, and times of one result. */
-  get #scaleOwner() {
-    return this.live?.allValues && this.entry !== this.timeline.total ? this.live : this.run;
-  }
-
-  /** The values of all times that have a common scale: [{values, areas}]; null values where there are none. */
-  async #allValues() {
-    const { run, column } = this;
-    if (this.#scaleOwner === this.live) {
-      return this.live.allValues(column, this.entry);
-    }
-    const isOne = run.json.times.length === 1;
-    const steps = this.timeline.steps.includes(this.entry) && !isOne ? this.timeline.steps : [this.entry];
-    const all = await Promise.all(steps.map(({ index }) => run.values(isOne ? 0 : index, column)));
-    return all.map((values) => ({ values, areas: run.weights }));
   }
 
   /** Whether any organ has an error. */
@@ -276,14 +257,12 @@ export class Page {
 
   /** Whether a logarithmic scale shows more. */
   get suitsLog() {
-    return this.spread[0] > 0 && this.spread[1] > 100 * this.spread[0];
+    return this.colorScale.suitsLog;
   }
 
-  #scale() {
-    const { state, usual } = this;
-    const [low, high] = state.ends ?? [usual.low, usual.high];
-    const isLog = state.isLog && this.suitsLog;
-    return { low: isLog ? Math.max(low, this.spread[0] / 2) : low, high: high > low ? high : low + 1, isLog };
+  /** The ends of the scale, unless the user has set others. */
+  get usual() {
+    return this.colorScale.usual;
   }
 
   /** Shows the organs that pass the filters. */
@@ -292,27 +271,16 @@ export class Page {
     if (!values) {
       return;
     }
-    this.scale = this.#scale();
+    this.scale = this.colorScale.shown;
     this.classes = classesOf(values, run.shape.areas);
     this.isShown = organsPassing(run, values.mean, this.classes, state);
-    this.colors = this.#colors();
+    this.colors = this.hasLight ? organColors(this) : plantColors(run);
     this.notify("draw");
     this.mark();
   }
 
   get map() {
-    return this.state.show === "difference" ? this.colorMaps.difference : this.colorMaps[this.state.map];
-  }
-
-  /** The colour of each organ, whether it is shown or not. */
-  #colors() {
-    const { mean, error } = this.values;
-    if (this.state.show === "error") {
-      return Int32Array.from(this.classes, (number) => packed(classColor(number)));
-    }
-    const colors = colorsOf(mean, this.scale, this.map);
-    return this.state.show === "difference"
-      ? colors.map((color, i) => (Math.abs(mean[i]) < kSure * error[i] ? kSmaller : color)) : colors;
+    return colorMapOf(this.state, this.run.colorMaps);
   }
 
   /** Shows what is pinned and pointed at. */
@@ -346,7 +314,7 @@ export class Page {
   /** The estimate of an organ with its unit, as text. */
   describe(organ) {
     const { mean, error, high } = this.values;
-    return withUnit(withError(mean[organ], error[organ], this.state.show === "difference" ? undefined : high[organ]), this.unit);
+    return withUnit(withError(mean[organ], error[organ], this.state.show === "difference" ? kSigned : high[organ]), this.unit);
   }
 
   clearFilters() {
@@ -357,16 +325,4 @@ export class Page {
   say(text) {
     byId("said").textContent = text;
   }
-}
-
-/** The parts of the absorbed light that organs of each class of error take, without grey ones. */
-export function qualityOf({ classes, values, run, isShown }) {
-  const sums = new Float64Array(kClasses.length);
-  classes.forEach((number, i) => {
-    if (number < kClasses.length && isShown[i] && run.isCounted[i]) {
-      sums[number] += Math.abs(values.mean[i]) * (run.isMeasured ? 1 : run.shape.areas[i]);
-    }
-  });
-  const total = sums.reduce((a, b) => a + b, 0);
-  return total > 0 ? [...sums].map((sum) => sum / total) : [];
 }

@@ -47,7 +47,9 @@ export class Panel {
   scene() {
     const top = make("section", { id: "headline", "aria-label": "Result" });
     this.headline = new Headline(this.page, top);
-    this.parent.replaceChildren(top, this.#colourSection(), this.filters.build(), this.#viewSection());
+    this.colour = this.#colourSection();
+    this.colour.hidden = !this.page.hasLight;
+    this.parent.replaceChildren(top, this.colour, this.filters.build(), this.#viewSection());
   }
 
   #colourSection() {
@@ -97,7 +99,9 @@ export class Panel {
       }
       this.bandBox.replaceChildren(field("Band", this.bands.node));
     }
-    this.bands.set(page.state.band);
+    if (page.hasLight) {
+      this.bands.set(page.state.band);
+    }
   }
 
   #viewSection() {
@@ -116,7 +120,7 @@ export class Panel {
       directions: check("directions", "Sun path and directions", "S"),
       ...(hasSky ? { dome: check("dome", "Sky dome") } : {}),
       shading: check("shading", "Depth shading"),
-      beside: check("beside", "Plant beside its light"),
+      ...(this.page.hasLight ? { beside: check("beside", "Plant beside its light") } : {}),
       ...(run.json.periods?.length > 0 ? { neighbours: check("neighbours", "Neighbours of the cell, pale") } : {}),
     };
     return section("View", true, views, field("Cut along", this.cut.node), this.cutAt, this.cutText,

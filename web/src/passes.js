@@ -6,6 +6,7 @@ import {
   CustomBlending, BufferGeometry, BufferAttribute, OrthographicCamera, RawShaderMaterial, RGBAFormat, Scene, UnsignedByteType, UnsignedIntType, Vector2, Vector3, Vector4,
   WebGLRenderTarget,
 } from "three";
+import { kStriped } from "./organ_colors.js";
 
 const kWidth = 1024; // of textures with a texel for each organ
 export const kMaxMarks = 8; // maximum number of outlined organs
@@ -23,7 +24,7 @@ in uint organ;
 in vec3 shift;
 uniform vec4 veil;
 #endif
-flat out vec3 color;
+flat out vec4 color;
 flat out uint number;
 out vec3 seen;
 #ifdef CUT
@@ -31,13 +32,13 @@ out float beyond;
 #endif
 void main() {
   vec4 own = texelFetch(palette, ivec2(int(organ) % ${kWidth}, int(organ) / ${kWidth}), 0);
-  color = own.rgb;
+  color = own;
   number = organ + 1u;
 #ifdef CUT
   beyond = dot(cut.xyz, position) - cut.w;
 #endif
 #ifdef COPY
-  color = mix(color, veil.rgb, veil.a);
+  color.rgb = mix(color.rgb, veil.rgb, veil.a);
   vec4 view = modelViewMatrix * vec4(position + shift, 1.0);
 #else
   vec4 view = modelViewMatrix * vec4(position, 1.0);
@@ -51,8 +52,9 @@ void main() {
 const kOrganFragment = `
 precision highp float;
 precision highp int;
-uniform float angle;
-flat in vec3 color;
+const float kBright = 1.3; // of stripes, to what is between them
+uniform float angle, stripes;
+flat in vec4 color;
 flat in uint number;
 in vec3 seen;
 #ifdef CUT
@@ -68,7 +70,8 @@ void main() {
 #endif
   vec3 normal = cross(dFdx(seen), dFdy(seen));
   float facing = abs(dot(normal, seen)) / max(length(normal) * length(seen), 1e-30);
-  shown = vec4(color * (1.0 - angle * (1.0 - facing)), 1.0);
+  float bright = color.a < 1.0 && fract((gl_FragCoord.x + gl_FragCoord.y) / stripes) > 0.4 ? kBright : 1.0;
+  shown = vec4(min(color.rgb * bright, 1.0) * (1.0 - angle * (1.0 - facing)), 1.0);
 #ifndef QUICK
   organ = vec4(uvec4(number, number >> 8, number >> 16, 255u) & 255u) / 255.0;
 #endif
@@ -154,7 +157,7 @@ void main() {
   result = color;
 }`;
 
-/** A texture with a colour for each organ: red in the lowest of three bytes; negative hides it. */
+/** A texture with a colour for each organ: red in the lowest of three bytes, and kStriped; negative hides it. */
 export class OrganColors {
   constructor(count) {
     const rows = Math.max(1, Math.ceil(count / kWidth));
@@ -165,7 +168,7 @@ export class OrganColors {
 
   write(colors) {
     colors.forEach((color, organ) => {
-      this.words[organ] = color < 0 ? 0 : (0xff000000 | color) >>> 0;
+      this.words[organ] = color < 0 ? 0 : ((color & kStriped ? 0x80000000 : 0xff000000) | (color & 0xffffff)) >>> 0;
     });
     this.texture.needsUpdate = true;
   }
@@ -192,7 +195,7 @@ export class Passes {
   constructor(renderer) {
     this.renderer = renderer;
     this.uniforms = {
-      cut: { value: new Vector4(0, 0, 0, 1) }, palette: { value: null }, angle: { value: 0 }, veil: { value: new Vector4() },
+      cut: { value: new Vector4(0, 0, 0, 1) }, palette: { value: null }, angle: { value: 0 }, stripes: { value: 0 }, veil: { value: new Vector4() },
     };
     this.full = organMaterial({}, this.uniforms);
     this.quick = organMaterial({ QUICK: "" }, this.uniforms);

@@ -23,7 +23,10 @@ function shortValue(key, text, isOneYear) {
   return date ? shortDate(date, !isOneYear) : key.endsWith("_deg") ? `${text}°` : text;
 }
 
-/** The names of points: {name, short, by, isDate}: `by` is the name of a single key. @param points  texts of their values by key */
+/** The number of a value, of dates that of the day; NaN for other texts. */
+const numberOf = (text) => (dateOf(text) ? Date.parse(dateOf(text)) / 864e5 : text.trim() === "" ? NaN : Number(text));
+
+/** The names of points: {name, short, by, value, isDate}: of a single key its name and number. @param points  texts of their values by key */
 export function pointNames(points) {
   const years = new Set(points.flatMap((values) => Object.values(values).map(dateOf).filter(Boolean).map((date) => date.slice(0, -6))));
   return points.map((values) => {
@@ -31,7 +34,7 @@ export function pointNames(points) {
     return {
       name: pairs.map((pair) => valueName(...pair)).join(", "), short: pairs.map(([key, text]) => shortValue(key, text, years.size === 1)).join(", "),
       by: pairs.length === 1 ? pairs[0][0].split(".").at(-1).replace(/_deg$/, "").replaceAll("_", " ") : "",
-      isDate: pairs.length === 1 && dateOf(pairs[0][1]) !== null,
+      value: pairs.length === 1 ? numberOf(pairs[0][1]) : NaN, isDate: pairs.length === 1 && dateOf(pairs[0][1]) !== null,
     };
   });
 }

@@ -4,7 +4,8 @@ import { drawConvergence } from "./convergence.js";
 import { make } from "./dom.js";
 import { lightBudget } from "./energy.js";
 import { methodWords, sourceWords, timeWords } from "./run_text.js";
-import { counted, kUnknownText, many, percent, percentWithError, plain, unitText, plainUnit, withError, withUnit } from "./format.js";
+import { columnStyle, counted, evenly, kSigned, kUnknownText, many, percent, percentWithError, plain, unitOfColumn, unitText, plainUnit, withError, withUnit } from "./format.js";
+import { lowerMedian } from "./numbers.js";
 
 /** @param rows  lists of texts, numbers as {number: text}, or nodes */
 export function table(caption, heads, rows) {
@@ -23,9 +24,17 @@ function words(value) {
   return value === null || value === undefined ? kUnknownText : typeof value === "object" ? JSON.stringify(value) : String(value);
 }
 
-/** An estimate in a unit, converted to one that does not mix lengths. */
-function estimateIn(factor) {
-  return (e) => ({ number: e && e.mean !== null ? withError(e.mean * factor, (e.standard_error ?? NaN) * factor) : kUnknownText });
+/** An estimate in a unit, converted to one that does not mix lengths. @param isSigned  see kSigned */
+function estimateIn(factor, isSigned = false) {
+  return (e) => ({ number: e && e.mean !== null ? withError(e.mean * factor, (e.standard_error ?? NaN) * factor, isSigned ? kSigned : (e.ci95_high ?? NaN) * factor) : kUnknownText });
+}
+
+/** A column of estimates, some of which may be missing: its head, and a cell for each. @param head  of a unit */
+function estimateColumn(estimates, factor, head) {
+  const numbersOf = (key) => estimates.map((e) => (e?.[key] ?? NaN) * factor);
+  const [mean, error, high] = ["mean", "standard_error", "ci95_high"].map(numbersOf);
+  const style = columnStyle({ mean, error });
+  return { head: head(style), cells: mean.map((one, i) => ({ number: withError(one, error[i], high[i], style) })) };
 }
 
 /** All parts add up to what is emitted: paths that chance prolongs are a surplus of the others. */
@@ -37,7 +46,7 @@ function energyParts(energy, isRemainder) {
     const estimate = estimateIn(factor);
     const isExact = e.emitted_standard_error === 0;
     return [band, unitText(unit), isExact ? { number: plain(e.emitted * factor, 5) } : estimate({ mean: e.emitted, standard_error: e.emitted_standard_error }), estimate(e.absorbed_by_organs),
-      estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off), estimate(negative(e.imbalance))];
+      estimate(e.absorbed_by_ground), estimate(e.escaped), estimate(e.cut_off), estimateIn(factor, true)(negative(e.imbalance))];
   });
   const worst = Math.max(...Object.values(energy).map(({ closure_error: error }) => error ?? 0));
   const closes = worst > 0 ? `The budget adds up to 1 part in ${plain(1 / worst, 1)}.` : "The budget adds up exactly.";
@@ -45,14 +54,18 @@ function energyParts(energy, isRemainder) {
     ["Band", "unit", "emitted", "absorbed by organs", "by the ground", "escaped", "cut off", "ended by chance"], rows)];
 }
 
-function groupTables(groups, bands, unitOf, factorOf) {
+function groupTables(groups, bands, unitOf, factorOf, length) {
   const hasSunlit = groups.some(({ sunlit_fraction: fraction }) => fraction);
-  const estimateOf = (group, quantity, band) => estimateIn(factorOf(quantity, band))(group[quantity]?.[band]);
-  return bands.map((band) => table(`${band}: sums over organs ± standard error`,
-    ["group", "organs", "area", `absorbed (${unitOf("absorbed_flux", band)})`, `absorbed per area (${unitOf("absorbed_flux_density", band)})`, ...(hasSunlit ? ["sunlit fraction"] : [])],
-    groups.map((group) => [
-      group.by === "all" ? "all organs" : `${group.by} = ${words(group.value)}`, { number: counted(group.organs) }, { number: plain(group.area) },
-      estimateOf(group, "absorbed_flux", band), estimateOf(group, "absorbed_flux_density", band), ...(hasSunlit ? [estimateIn(1)(group.sunlit_fraction)] : [])])));
+  const areas = lowerMedian(groups.map(({ area }) => area));
+  const nameOf = ({ by, value }) => (by === "all" ? "all organs" : `${by} = ${words(value)}`);
+  const columnIn = (band) => ([name, quantity]) => estimateColumn(groups.map((group) => group[quantity]?.[band]), factorOf(quantity, band),
+    (style) => `${name} (${unitOfColumn(unitOf(quantity, band), style)})`);
+  return bands.map((band) => {
+    const columns = [["absorbed", "absorbed_flux"], ["absorbed per area", "absorbed_flux_density"]].map(columnIn(band));
+    const all = hasSunlit ? [...columns, estimateColumn(groups.map((group) => group.sunlit_fraction), 1, () => "sunlit fraction")] : columns;
+    return table(`${band}: sums over organs ± standard error`, ["group", "organs", length ? `area (${unitText(length)}²)` : "area", ...all.map(({ head }) => head)],
+      groups.map((group, i) => [nameOf(group), { number: counted(group.organs) }, { number: evenly(group.area, areas) }, ...all.map(({ cells }) => cells[i])]));
+  });
 }
 
 /** Advice on totals of labels without groups in the run: their errors do not follow from those of organs. */
@@ -79,7 +92,7 @@ const kStops = {
 function completedWords({ paths, replicates, time_steps: steps, time_steps_requested: requested, computed, stop }) {
   return [
     ...(paths === undefined ? [] : [`${counted(paths)} paths × ${replicates} replicates`]),
-    ...(steps === undefined ? [] : [`${steps} of ${many(requested, "time step")}, ${computed} computed, others dark or scaled copies`]),
+    ...(steps === undefined ? [] : [`${steps} of ${many(requested, "time step")}${computed < steps ? `, ${computed} computed, others dark or scaled copies` : ""}`]),
     ...(stop === undefined ? [] : [kStops[stop] ?? `stopped: ${stop.replaceAll("_", " ")}`]),
   ].join("; ");
 }
@@ -157,7 +170,7 @@ export class RunTab {
       ...section("How it was computed", aboutRun(run, now, entry.point === -1 ? `${timeline.points.length}: ${timeline.points[0].name} to ${timeline.points.at(-1).name}` : "")),
       ...section(`Where the light goes${when}`, ...this.#lightWords(bands), ...(now.energy ? energyParts(now.energy, now.escaped_by_difference ?? head.escaped_by_difference) : [])),
       ...(now.rounds?.length > 0 ? section(`Convergence${when}`, ...convergenceParts(now.rounds)) : []),
-      ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf, factorOf), missingGroups(run, now.groups)) : []),
+      ...(now.groups?.length > 0 ? section(`Groups of organs${when}`, ...groupTables(now.groups, bands, unitOf, factorOf, run.json.unit), missingGroups(run, now.groups)) : []),
       settings(head),
     ].filter(Boolean));
   }

@@ -77,7 +77,7 @@ function drawBadges(pen) {
 
 /** What is seen of the scene, with its legend, as a canvas. @param window  the SceneWindow */
 export async function scenePicture(page, window, scale = kScale) {
-  const scene = window.picture(scale);
+  const scene = window.copy(scale);
   const canvas = make("canvas", { width: scene.width, height: scene.height });
   const pen = canvas.getContext("2d");
   const ratio = scene.width / byId("canvas").clientWidth;

@@ -2,7 +2,8 @@
 
 import { byId, make, svg } from "./dom.js";
 import { kRings, kSectors, skyColor } from "./dome.js";
-import { lightsOf } from "./stage.js";
+import { many } from "./format.js";
+import { lightsOf } from "./lights.js";
 
 const kSize = 132;
 const kRadius = 50;
@@ -40,9 +41,9 @@ export class SkyDisc {
   draw() {
     const { page, parent } = this;
     const lights = lightsOf(page);
-    const hasSun = lights.sun || lights.paths.length > 0;
+    const hasSun = lights.suns.length > 0 || lights.paths.length > 0;
     parent.dataset.sky = lights.cells ? "yes" : "no";
-    parent.hidden = page.state.beside || (!lights.cells && !hasSun);
+    parent.hidden = page.isBeside || (!lights.cells && !hasSun);
     if (parent.hidden) {
       return;
     }
@@ -51,13 +52,12 @@ export class SkyDisc {
       this.#drawSky(lights.cells);
     }
     const paths = lights.paths.map((path) => svg("polyline", { class: "path", points: path.filter(([, , z]) => z > 0).map((v) => this.#at(v).join()).join(" ") }));
-    const [cx, cy] = lights.sun ? this.#at(lights.sun) : [];
-    const sun = lights.sun?.[2] > 0 && svg("circle", { class: "sun", cx, cy, r: 4.5 });
+    const suns = lights.suns.filter(([, , z]) => z > 0).map((sun) => this.#at(sun)).map(([cx, cy]) => svg("circle", { class: "sun", cx, cy, r: 4.5 }));
     const rim = !lights.cells && svg("circle", { class: "rim", cx: kMiddle, cy: kMiddle, r: kRadius - 0.5 });
     const winds = [["N", 0, -1], ["E", 1, 0], ["S", 0, 1], ["W", -1, 0]].map(([letter, x, y]) => svg("text", { x: kMiddle + 59 * x, y: kMiddle + 59 * y }, letter));
     this.eye = svg("path", { class: "eye", d: "M0 -50l5 -8h-10z" });
     const words = this.#words(lights);
-    this.svg.replaceChildren(...[svg("title", {}, words), rim, ...paths, sun, ...winds, this.eye].filter(Boolean));
+    this.svg.replaceChildren(...[svg("title", {}, words), rim, ...paths, ...suns, ...winds, this.eye].filter(Boolean));
     this.text.textContent = words;
     this.turned();
   }
@@ -66,7 +66,11 @@ export class SkyDisc {
     this.draw();
   }
 
-  #words({ sun, paths, cells }) {
+  #words({ suns, paths, cells }) {
+    const [sun] = suns;
+    if (suns.length > 1) {
+      return many(suns.length, "sun");
+    }
     if (!sun) {
       const way = paths.length > 1 ? "lowest, middle and highest path of the sun" : "sun’s path";
       const words = [...(cells ? [paths.length > 0 ? "mean sky" : "sky"] : []), ...(paths.length > 0 ? [way] : [])].join(", ");

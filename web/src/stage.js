@@ -2,15 +2,16 @@
 
 import { Vector3 } from "three";
 import { byId, make } from "./dom.js";
-import { Directions, meanDirection } from "./directions.js";
-import { disposeDome, makeDome, meanSky, skyCells } from "./dome.js";
+import { Directions } from "./directions.js";
+import { disposeDome, makeDome } from "./dome.js";
 import { percent } from "./format.js";
+import { lightsOf } from "./lights.js";
 import { packed } from "./numbers.js";
+import { kStriped } from "./organ_colors.js";
 import { kPins, pinLetter } from "./page.js";
 import { cutEnds } from "./panel.js";
 import { plantColors } from "./plant.js";
 import { SceneWindow } from "./scene.js";
-import { sunPaths } from "./sun_paths.js";
 import { kMaxMarks } from "./passes.js";
 
 const kGround = 0.45; // of the colour of the ground, so that leaves stand out
@@ -21,20 +22,6 @@ const isDark = () => document.documentElement.dataset.theme === "dark";
 /** The ground behind the scene, into which what is not meant fades. */
 const groundColor = () => getComputedStyle(byId("stage")).getPropertyValue("--stage").trim();
 
-/** The lights of what is shown: {paths, hours, sun, lamps, cells}; the path of the sun has its directions of each hour. */
-export function lightsOf({ run, timeline, entry, time }) {
-  const times = run.json.times;
-  const own = times[time];
-  const isSum = entry === timeline.total || timeline.days.includes(entry);
-  const beside = times.length > 1 ? timeline.stepsOf(entry) : [];
-  const hasHours = timeline.dates.length === 1 || (timeline.dates.length > 1 && entry !== timeline.total);
-  const suns = beside.flatMap(({ index }) => times[index].suns);
-  const paths = own.paths ? sunPaths(own.paths.flat()) : timeline.hasPeriods ? sunPaths(suns) : hasHours && suns.length > 1 ? [suns] : [];
-  const hours = hasHours ? beside.map(({ index }) => meanDirection(times[index].suns)).filter(Boolean) : [];
-  const skies = isSum ? beside.map(({ index }) => times[index].sky).filter(Boolean) : own.sky ? [own.sky] : [];
-  return { paths, hours, sun: isSum || timeline.hasPeriods ? null : meanDirection(own.suns), lamps: own.lamps, cells: skies.length === 0 ? null : skies.length === 1 ? skyCells(skies[0]) : meanSky(skies) };
-}
-
 export class Stage {
   /** @param renderer  see makeRenderer */
   constructor(page, renderer) {
@@ -42,7 +29,7 @@ export class Stage {
     this.window = new SceneWindow(renderer, page.run, () => this.#moved(), page.extent);
     this.directions = new Directions(byId("behind"), byId("before"));
     this.covered = { left: 0, bottom: 0 };
-    this.lights = { paths: [], hours: [], sun: null, lamps: [] };
+    this.lights = { paths: [], hours: [], suns: [], lamps: [] };
     this.#listen();
     if (page.state.view) {
       this.window.orbit.view = page.state.view;
@@ -63,11 +50,12 @@ export class Stage {
 
   /** Choices of the view. */
   options() {
-    const { state, run } = this.page;
-    if (this.besideShown !== state.beside) {
-      this.besideShown = state.beside;
-      byId("sides").hidden = !state.beside;
-      this.window.paintPlant(state.beside ? this.#hide(plantColors(run)) : null);
+    const { page } = this;
+    const { state, run } = page;
+    if (this.besideShown !== page.isBeside) {
+      this.besideShown = page.isBeside;
+      byId("sides").hidden = !page.isBeside;
+      this.window.paintPlant(page.isBeside ? this.#hide(plantColors(run)) : null);
     }
     if (this.cutShown !== `${state.cut} ${state.cutAt}`) {
       this.cutShown = `${state.cut} ${state.cutAt}`;
@@ -110,7 +98,7 @@ export class Stage {
     const mix = (color, own) => [0, 8, 16].reduce((sum, shift) =>
       sum | (Math.round(own * ((color >> shift) & 255) + (1 - own) * ((behind >> shift) & 255)) << shift), 0);
     const own = (i) => (dimmed && !dimmed.has(i) ? 0.15 : run.isGround[i] && hasOthers && !dimmed ? kGround : 1);
-    return colors.map((color, i) => (isShown[i] ? mix(color, own(i)) : -1));
+    return colors.map((color, i) => (isShown[i] ? mix(color, own(i)) | (color & kStriped) : -1));
   }
 
   mark() {
@@ -119,7 +107,7 @@ export class Stage {
     if (this.painted !== page.colors || this.behind !== behind || this.dimmed !== page.pointed || this.besideShown !== this.besidePainted) {
       Object.assign(this, { behind, painted: page.colors, dimmed: page.pointed, besidePainted: this.besideShown });
       this.window.paint(this.#hide(page.colors, page.pointed));
-      if (page.state.beside) {
+      if (page.isBeside) {
         this.window.paintPlant(this.#hide(plantColors(page.run), page.pointed));
       }
     }
@@ -156,7 +144,7 @@ export class Stage {
     if (!this.window) {
       return;
     }
-    if (this.page.state.directions && !this.page.state.beside) {
+    if (this.page.state.directions && !this.page.isBeside) {
       this.directions.draw(this.window, this.lights, this.covered);
     } else {
       this.directions.clear();
@@ -167,7 +155,7 @@ export class Stage {
 
   #placeBadges() {
     const { page, window } = this;
-    const badges = page.state.beside ? [] : page.pins.map((organ, i) => {
+    const badges = page.isBeside ? [] : page.pins.map((organ, i) => {
       const badge = make("span", { class: "badge" }, pinLetter(i));
       const [x, y] = window.project(this.#middleOf(organ));
       Object.assign(badge.style, { left: `${x}px`, top: `${y}px`, backgroundColor: kPins[i] });

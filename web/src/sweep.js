@@ -3,7 +3,7 @@
 
 import { runAsOther } from "./comparison.js";
 import { RunData, readJson } from "./data.js";
-import { budgetOf, summedBudget, weightedBudget } from "./energy.js";
+import { allPlants, budgetOf, summedBudget, weightedBudget } from "./energy.js";
 import { pointNames } from "./point_names.js";
 import { Timeline } from "./timeline.js";
 import { sumOfPoints } from "./sweep_sum.js";
@@ -115,24 +115,37 @@ export class SweepView {
     }));
   }
 
-  /** Values of all organs at all points, or at all of their hours if an entry is one, for a common scale. A promise. */
+  /** Values of all organs for a common scale: at all points, or at the hours of the point of most light, if an entry is one. A promise. */
   async allValues(column, { start }) {
-    const all = await Promise.all(this.names.map(async (_, point) => {
+    const isOfHours = start !== null;
+    const points = isOfHours ? [await this.#brightest(column)] : [...this.names.keys()];
+    const all = await Promise.all(points.map(async (point) => {
       const run = await this.run(point);
       const { times } = run.json;
-      const wanted = [...times.keys()].filter((time) => (start === null ? time === times.length - 1 : times[time].part === "time_steps"));
+      const wanted = isOfHours ? [...times.keys()].filter((time) => times[time].part === "time_steps") : [times.length - 1];
       return Promise.all(wanted.map(async (time) => ({ values: await run.values(time, column), areas: run.weights })));
     }));
     return all.flat();
   }
 
+  /** The point at which all organs together have most of a quantity. A promise. */
+  async #brightest(column) {
+    await this.readLight();
+    const { quantity, band } = this.loaded.get(this.shown).json.columns[column];
+    const meanAt = (point) => allPlants(this.heads.get(point).last, quantity, band)?.mean ?? 0;
+    return [...this.names.keys()].reduce((best, point) => (meanAt(point) > meanAt(best) ? point : best));
+  }
+
   /** Reads the light of all other points, for the heights of their bars. */
-  async readLight() {
-    for (const point of this.names.keys()) {
-      if (!this.heads.has(point)) {
-        this.#keepHead(point, await readJson(`point-${point}-data`));
-        this.page.notify("time");
+  readLight() {
+    this.reading ??= (async () => {
+      for (const point of this.names.keys()) {
+        if (!this.heads.has(point)) {
+          this.#keepHead(point, await readJson(`point-${point}-data`));
+          this.page?.notify("time");
+        }
       }
-    }
+    })();
+    return this.reading;
   }
 }

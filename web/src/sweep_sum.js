@@ -44,7 +44,7 @@ export function sumOfPoints(runs, weights) {
   const common = { ...first.json.head, point: `all ${runs.length}`, completed: undefined, method: undefined, timing: undefined };
   const json = {
     ...first.json, head: isOfTimes ? { ...common, time_steps: undefined, days: undefined, total: head } : { ...common, energy: undefined, ...head },
-    times: [{ part: isOfTimes ? "total" : "", index: 0, label: "", suns: [], lamps: [], sky: null, values: first.json.columns.map((column, i) => (known(column) ? i : -1)),
+    times: [{ part: isOfTimes ? "total" : "", index: 0, label: "", suns: isOfTimes ? [] : runs.flatMap((run) => run.json.times.at(-1).suns), lamps: [], sky: null, values: first.json.columns.map((column, i) => (known(column) ? i : -1)),
       paths: runs.map((run) => run.json.times.filter(({ part }) => part === "time_steps").flatMap(({ suns }) => suns)).filter((suns) => suns.length > 1) }],
   };
   return new RunData(json, first.colorMaps, first.shape, async (column) => {

@@ -15,7 +15,7 @@ function describePeriod(label, date, hours) {
 function describe(label, seconds) {
   const time = readTime(label);
   if (!time || time.hour === null) {
-    return { label, name: label, short: label, date: time?.date ?? null, start: null, hours: 0 };
+    return { label, name: label, short: label.replace(/^step /, ""), date: time?.date ?? null, start: null, hours: 0 };
   }
   const hours = seconds / 3600;
   if (hours >= 24) {

@@ -89,13 +89,21 @@ TEST(Counted, IsSingularOfOneAlone) {
     EXPECT_EQ(counted(2, "organ"), "2 organs");
 }
 
-TEST(TwoDigits, HasNoExponentWhereTheNumberIsShort) {
-    EXPECT_EQ(two_digits(0.0224), "0.022");
-    EXPECT_EQ(two_digits(8.6), "8.6");
-    EXPECT_EQ(two_digits(99.9), "100");
-    EXPECT_EQ(two_digits(432), "430");
-    EXPECT_EQ(two_digits(98765), "99000");
-    EXPECT_EQ(two_digits(1.23e7), "1.2e+07");
+TEST(ErrorText, HasTwoDigitsOnlyIfItBeginsWithOneOrTwo) {
+    EXPECT_EQ(error_text(0.0224), "0.022");
+    EXPECT_EQ(error_text(0.0294), "0.029");
+    EXPECT_EQ(error_text(0.0296), "0.03");
+    EXPECT_EQ(error_text(8.6), "9");
+    EXPECT_EQ(error_text(0), "0");
+}
+
+TEST(ErrorText, HasNoExponentWhereTheNumberIsShort) {
+    EXPECT_EQ(error_text(12.3), "12");
+    EXPECT_EQ(error_text(43.2), "40");
+    EXPECT_EQ(error_text(99.9), "100");
+    EXPECT_EQ(error_text(432), "400");
+    EXPECT_EQ(error_text(23765), "24000");
+    EXPECT_EQ(error_text(1.23e7), "1.2e+07");
 }
 
 TEST(Trimmed, TakesBlanksFromBothEndsOnly) {
