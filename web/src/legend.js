@@ -67,7 +67,7 @@ function unknownWords(page) {
   const row = (count, kind, words, title) => count > 0 && page.state.show !== "difference" &&
     make("p", { class: "unknown", title }, make("i", { class: `swatch ${kind}` }), `${many(count, run.countedNoun)} ${words}`);
   const missing = mean.reduce((sum, value, i) => sum + (isShown[i] && run.isCounted[i] && Number.isNaN(value) ? 1 : 0), 0);
-  return [row(countUnknown(page), "hatched", "unknown", "The error is larger than the value, or no light was found"),
+  return [row(countUnknown(page), "hatched", page.state.show === "error" ? "of these unknown" : "unknown", "The error is larger than the value, or no light was found"),
     row(missing, "missing", "without a value")].filter(Boolean);
 }
 
