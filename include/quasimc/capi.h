@@ -320,8 +320,8 @@ const char* quasimc_result_sensor_label(
  *  @param count  quasimc_result_sensor_count() */
 int quasimc_result_sensor_positions(const quasimc_result* result, double* positions, int64_t count);
 /** A number of every sensor, as quasimc_result_get; the light on a sphere is its incident_upper.
- *  "transmittance": incident_upper over the light on the horizontal above the canopy. NaN of sensors
- *  that do not face up, and where no light comes in or the light on the horizontal is unknown.
+ *  "transmittance": incident_upper over the light on the horizontal above the canopy. NaN of
+ *  sensors that do not face up, and where that light is 0 or unknown.
  *  @param values  room for `count` numbers
  *  @param count  quasimc_result_sensor_count() */
 int quasimc_result_get_sensors(

@@ -168,6 +168,7 @@ Numbers sum_of_times(const Numbers& values, const Numbers& weights, double freed
         sums[i % count].add({own[0], own[1], own[2], own[3]}, weights.data()[i], freedom);
     }
     std::vector<Estimate> estimates;
+    estimates.reserve(count);
     for (const TimeSum& sum : sums) {
         estimates.push_back(sum.estimate());
     }

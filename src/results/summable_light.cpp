@@ -22,7 +22,7 @@ constexpr std::size_t kEmitted = 2;      // also a limit: all light may fall on 
 constexpr std::size_t kAbsorptance = 3;  // by which contributions are multiplied
 constexpr std::size_t kBound = 4;        // largest contribution, where only this is known
 constexpr std::size_t kFixedColumns = 5;
-// Of a kind that is counted, and of one that is not.
+// Columns of a kind that is counted, and of one that is not.
 constexpr std::size_t kLight = 0, kRoot = 1, kLargest = 2, kUnseen = 3, kVaries = 4, kCounted = 5;
 constexpr std::size_t kMore = 0, kLess = 1, kUncounted = 2;
 

@@ -29,6 +29,7 @@ std::optional<std::size_t> take_point(std::string_view& name) {
 
 WindowFiles files_of_sweep(std::vector<WindowData> points) {
     std::vector<WindowFiles> all;
+    all.reserve(points.size());
     for (WindowData& point : points) {
         all.push_back(files_of(std::move(point)));
     }

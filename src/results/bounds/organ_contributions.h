@@ -28,7 +28,7 @@ struct ContributionKind {
 /// the replicates.
 struct Contributions {
     double light = 0;                 ///< their sum
-    double root = 0;                  ///< of the sum of their squares
+    double root = 0;                  ///< root of the sum of their squares
     double largest = 0;               ///< one to organs that have some
     double unseen = 0;                ///< one to organs that have none, from one ray
     bool varies = false;              ///< replicates differ, and show how often they do

@@ -308,6 +308,21 @@ const std::string kSummedParts =
     "'incident_upper_sunlit', 'incident_upper_shaded', 'incident_lower_sunlit', "
     "'incident_lower_shaded', 'absorbed_flux_density_sunlit', 'absorbed_flux_density_shaded']\n";
 
+/// Compares values with their errors. @param lit  where the sunlit fraction is
+void expect_equal_parts(
+    const std::vector<double>& found,
+    const std::vector<double>& one,
+    std::size_t lit,
+    const std::string& row) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        // An organ has light of a shaded part even if it has no shaded area.
+        const bool is_void = std::isnan(found[i - i % 3]) && one[lit] > 1 - 1e-3;
+        if (!is_void) {
+            expect_near(found[i], one[i], row + " " + std::to_string(i));
+        }
+    }
+}
+
 /// Means of equal points are one of them, with its error: so are quotients of sums.
 TEST(SweepTable, OfEqualPointsHasTheSunlitAndShadedPartsOfOne) {
     for (const std::string rows : {"organs", "groups"}) {
@@ -326,13 +341,7 @@ TEST(SweepTable, OfEqualPointsHasTheSunlitAndShadedPartsOfOne) {
         for (std::size_t row = 1; row < sum.size(); ++row) {
             const auto found = numbers_from(sum[row], first);
             const auto one = numbers_from(each[row], first + 1);
-            for (std::size_t i = 0; i < found.size(); ++i) {
-                // An organ has light of a shaded part even if it has no shaded area.
-                const bool is_void = std::isnan(found[i - i % 3]) && one[lit] > 1 - 1e-3;
-                if (!is_void) {
-                    expect_near(found[i], one[i], rows + sum[row][1] + " " + sum[0][first + i]);
-                }
-            }
+            expect_equal_parts(found, one, lit, rows + sum[row][1]);
             seen += found[lit] > 0 && found[lit] < 0.9 ? 1 : 0;
         }
         EXPECT_GT(seen, 0) << "partly lit";
