@@ -9,25 +9,12 @@
 
 import assert from "node:assert/strict";
 import path from "node:path";
-import { Workshop, kDay, open, twoLeaves } from "./workshop.mjs";
+import { Workshop, kDay, open, threeSuns, twoLeaves } from "./workshop.mjs";
 
 const workshop = new Workshop("charts");
 const { pictures } = workshop;
 
-const kSuns = `
-title = "Two leaves under three suns"
-bands = ["PAR"]
-irradiance_unit = "W m-2"
-[sweep]
-source.sun.elevation_deg = [15, 45, 80]
-[run]
-paths = 64
-[[source]]
-type = "directional"
-name = "sun"
-azimuth_deg = 180
-elevation_deg = 40
-irradiance_facing = 400${twoLeaves()}`;
+const kSuns = threeSuns(64);
 
 const kDays = `
 title = "Three days"

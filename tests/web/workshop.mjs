@@ -123,6 +123,22 @@ shape = "triangle"
 corners = [[-${low}, -${low}, 0.5], [${low}, -${low}, 0.5], [0, ${1.1 * low}, 0.5]]
 `;
 
+/** Two leaves under a sun of three heights: a sweep. */
+export const threeSuns = (paths) => `
+title = "Two leaves under three suns"
+bands = ["PAR"]
+irradiance_unit = "W m-2"
+[sweep]
+source.sun.elevation_deg = [15, 45, 80]
+[run]
+paths = ${paths}
+[[source]]
+type = "directional"
+name = "sun"
+azimuth_deg = 180
+elevation_deg = 40
+irradiance_facing = 400${twoLeaves()}`;
+
 /** A day in June. */
 export const kDay = `
 irradiance_unit = "W m-2"
