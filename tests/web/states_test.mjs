@@ -50,6 +50,24 @@ async function checkHint(browser, address) {
   }
 }
 
+/** The picture comes back when the GPU was reset, as on a laptop that slept. */
+async function checkReset(page, address) {
+  await open(page, address);
+  const { width, height } = await page.locator("#canvas").boundingBox();
+  const coloured = () => colouredIn(page, { x: 0, y: 0, width, height });
+  const before = await coloured();
+  await page.evaluate(() => {
+    globalThis.reset = document.getElementById("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
+    globalThis.reset.loseContext();
+  });
+  await page.waitForTimeout(200);
+  const lost = await coloured();
+  await page.evaluate(() => globalThis.reset.restoreContext());
+  await page.waitForTimeout(1500);
+  const after = await coloured();
+  assert.ok(lost < before - 3000 && Math.abs(after - before) < 0.05 * (before - lost), `${before} pixels, without context ${lost}, after a reset ${after}`);
+}
+
 /** The letters of the winds are before the scene, and seen from everywhere: no plant cuts one into pieces. */
 async function checkWinds(page, address) {
   for (const azimuth of [20, 110, 200, 290]) {
@@ -154,6 +172,7 @@ await workshop.use(async (browser) => {
   await checkHint(browser, address);
   await checkTimes(browser, address);
   await checkWinds(page, address);
+  await checkReset(page, address);
   await checkLoading(browser, await workshop.view("day"));
   await checkFollowed(browser);
   await checkBare(browser);

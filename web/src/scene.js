@@ -46,6 +46,7 @@ export class SceneWindow {
       this.changed();
     });
     new ResizeObserver(() => this.#resize()).observe(this.canvas.parentElement);
+    this.canvas.addEventListener("webglcontextrestored", () => this.changed()); // a GPU that was reset has lost the picture
     this.#resize();
     this.picture.handOver();
   }
