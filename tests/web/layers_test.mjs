@@ -67,7 +67,8 @@ async function checkLayers(page, result) {
 async function checkDifference(page, one, other) {
   const layersOf = ({ groups }) => groups.filter(({ by, organs }) => by === "layer" && organs > 0).map(({ absorbed_flux_density: density }) => density.PAR);
   const [own, others] = [one, other].map(layersOf);
-  await page.waitForFunction(() => document.querySelectorAll("#profile .error:not(.rim)").length === 2);
+  // The line of area is beside means alone.
+  await page.waitForFunction(() => document.querySelectorAll("#profile .error:not(.rim)").length === 2 && !document.querySelector("#profile .area"));
   const { bars, errors } = await lengthsOf(page);
   own.forEach((a, i) => {
     const b = others[i];
