@@ -22,33 +22,11 @@ constexpr std::size_t kEmitted = 2;      // also a limit: all light may fall on 
 constexpr std::size_t kAbsorptance = 3;  // by which contributions are multiplied
 constexpr std::size_t kBound = 4;        // largest contribution, where only this is known
 constexpr std::size_t kFixedColumns = 5;
-// Columns of a kind that is counted, and of one that is not.
-constexpr std::size_t kLight = 0, kRoot = 1, kLargest = 2, kUnseen = 3, kVaries = 4, kCounted = 5;
-constexpr std::size_t kMore = 0, kLess = 1, kUncounted = 2;
 
 std::size_t columns_of(const ContributionKind& kind) {
-    return kind.is_counted() ? kCounted : kUncounted;
-}
-
-/// How a column of a kind is summed: Contributions::include().
-SumRule rule_of(const ContributionKind& kind, std::size_t column) {
-    const SumRule of_sizes =
-        kind.sample == Sample::ray ? SumRule::root_of_squares : SumRule::largest;
-    if (!kind.is_counted()) {
-        return of_sizes;
-    }
-    switch (column) {
-        case kRoot:
-            return SumRule::root_of_squares;
-        case kLargest:
-            return of_sizes;
-        case kUnseen:
-            return kind.sample == Sample::ray ? SumRule::sum : SumRule::largest;
-        case kVaries:
-            return SumRule::largest_of_all;
-        default:
-            return SumRule::sum;
-    }
+    std::size_t count = 0;
+    for_each_number(kind, [&](const ContributionNumber&) { ++count; });
+    return count;
 }
 
 std::size_t first_fixed(const SummableColumns& columns) {
@@ -85,13 +63,9 @@ void put_numbers(
          {organ.area, organ.limit, organ.emitted, organ.absorptance, organ.bound}) {
         put(x);
     }
-    for (const auto& [kind, all] : organ.kinds) {
-        if (kind.is_counted()) {
-            put(all.light), put(all.root), put(all.largest), put(all.unseen);
-            put(all.varies ? 1 : 0);
-        } else {
-            put(all.uncounted.more), put(all.uncounted.less);
-        }
+    for (const SampledContributions& sampled : organ.kinds) {
+        for_each_number(
+            sampled.kind, [&](const ContributionNumber& row) { put(sampled.all.*row.number); });
     }
 }
 
@@ -174,12 +148,12 @@ SumRule SummableColumns::rule(std::size_t column) const {
     if (column < of_kinds) {
         return column == fixed + kAbsorptance ? SumRule::largest_of_all : SumRule::largest;
     }
-    std::size_t index = column - of_kinds;
-    auto kind = kinds.begin();
-    for (; index >= columns_of(*kind); ++kind) {
-        index -= columns_of(*kind);
+    std::vector<SumRule> rules;
+    for (const ContributionKind& kind : kinds) {
+        for_each_number(
+            kind, [&](const ContributionNumber& row) { rules.push_back(row.rule(kind)); });
     }
-    return rule_of(*kind, index);
+    return rules[column - of_kinds];
 }
 
 SummableLight SummableLight::of_flux(
@@ -244,20 +218,6 @@ SummableLight::SummableLight(SummableColumns columns, std::vector<double> number
     }
 }
 
-Contributions SummableLight::contributions(
-    std::size_t first, const ContributionKind& kind, std::size_t entry) const {
-    const auto number = [&](std::size_t column) { return at(first + column, entry); };
-    if (!kind.is_counted()) {
-        return {.uncounted = {number(kMore), number(kLess)}};
-    }
-    return {
-        .light = number(kLight),
-        .root = number(kRoot),
-        .largest = number(kLargest),
-        .unseen = number(kUnseen),
-        .varies = number(kVaries) > 0};
-}
-
 ContributionSize SummableLight::size_of(std::size_t entry) const {
     const std::size_t fixed = first_fixed(columns_);
     const double absorptance = at(fixed + kAbsorptance, entry);
@@ -265,10 +225,12 @@ ContributionSize SummableLight::size_of(std::size_t entry) const {
         return {at(0, entry) == 0 ? bound * absorptance : 0, 0};
     }
     std::vector<SampledContributions> kinds;
-    std::size_t first = first_of_kinds(columns_);
+    std::size_t column = first_of_kinds(columns_);
     for (const ContributionKind& kind : columns_.kinds) {
-        kinds.push_back({kind, contributions(first, kind, entry)});
-        first += columns_of(kind);
+        Contributions all;
+        for_each_number(
+            kind, [&](const ContributionNumber& row) { all.*row.number = at(column++, entry); });
+        kinds.push_back({kind, all});
     }
     return one_contribution(kinds) * absorptance;
 }

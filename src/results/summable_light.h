@@ -15,14 +15,6 @@
 
 namespace quasimc {
 
-/// How a number of a weighted sum follows from those of its terms.
-enum class SumRule : std::uint8_t {
-    sum,              ///< terms are weight x number
-    root_of_squares,  ///< adds squares of weight x number
-    largest,          ///< takes the largest weight x number
-    largest_of_all,   ///< takes the largest number, whatever its weight
-};
-
 /// The light or area that is summed.
 enum class Summand : std::uint8_t {
     flux,
@@ -89,9 +81,6 @@ class SummableLight {
     [[nodiscard]] double at(std::size_t column, std::size_t entry) const {
         return numbers_[column * size() + entry];
     }
-    /// @param first  column of the kind
-    [[nodiscard]] Contributions contributions(
-        std::size_t first, const ContributionKind& kind, std::size_t entry) const;
     [[nodiscard]] ContributionSize size_of(std::size_t entry) const;
     [[nodiscard]] Estimate estimate(std::size_t entry, std::span<const double> values) const;
 

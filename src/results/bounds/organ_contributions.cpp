@@ -23,7 +23,7 @@ Contributions counted(double number, double size, double largest, bool varies) {
         .root = std::sqrt(number) * size,
         .largest = number > 0 ? largest : 0,
         .unseen = number > 0 ? 0 : largest,
-        .varies = varies};
+        .varies = varies ? 1.0 : 0.0};
 }
 
 /// The kind of the contributions of a strategy.
@@ -42,7 +42,7 @@ Contributions of_strategy(
     double size,
     double largest) {
     if (!kind.is_counted()) {
-        return {.uncounted = {largest, largest}};
+        return {.more = largest, .less = largest};
     }
     // Paths of a point set are so evenly distributed that with 4.96 expected nearly all replicates
     // have 5; then their spread does not show how often one has another number.
@@ -54,6 +54,20 @@ Contributions of_strategy(
 CountedLight together(const CountedLight& upper, const CountedLight& lower) {
     return {
         upper.units + lower.units, upper.squares + lower.squares, upper.is_alike && lower.is_alike};
+}
+
+/// A sum and another term.
+double added(SumRule rule, double sum, double term, double weight) {
+    switch (rule) {
+        case SumRule::sum:
+            return sum + weight * term;
+        case SumRule::root_of_squares:
+            return std::hypot(sum, weight * term);
+        case SumRule::largest:
+            return std::max(sum, weight * term);
+        default:
+            return std::max(sum, term);
+    }
 }
 
 /// The change by one contribution more or less. @param sample_of, size_of  of the index of a kind
@@ -73,21 +87,17 @@ ContributionSize one_of_kinds(std::size_t kinds, const SampleOf& sample_of, cons
 
 }  // namespace
 
-void Contributions::include(const Contributions& other, Sample sample, double weight) {
-    const bool is_ray = sample == Sample::ray;
-    const ContributionSize not_counted = other.uncounted * weight;
-    const double most = other.largest * weight, most_unseen = other.unseen * weight;
-    light += other.light * weight;
-    root = std::hypot(root, other.root * weight);
-    largest = is_ray ? std::hypot(largest, most) : std::max(largest, most);
-    unseen = is_ray ? unseen + most_unseen : std::max(unseen, most_unseen);
-    varies = varies || other.varies;
-    uncounted = is_ray ? both(uncounted, not_counted) : larger(uncounted, not_counted);
+void Contributions::include(
+    const Contributions& other, const ContributionKind& kind, double weight) {
+    for_each_number(kind, [&](const ContributionNumber& row) {
+        double& own = this->*row.number;
+        own = added(row.rule(kind), own, other.*row.number, weight);
+    });
 }
 
 ContributionSize SampledContributions::one() const {
     if (!kind.is_counted()) {
-        return all.uncounted;
+        return {all.more, all.less};
     }
     const ContributionSize unseen{all.unseen, 0};
     if (all.light == 0) {
@@ -95,7 +105,7 @@ ContributionSize SampledContributions::one() const {
     }
     const double number = all.light / all.root * (all.light / all.root);
     const double size = all.root * (all.root / all.light);
-    const double few = all.varies ? std::max(0.0, 1 - number / kind.many) : 1;
+    const double few = all.varies > 0 ? std::max(0.0, 1 - number / kind.many) : 1;
     const ContributionSize seen{few * std::max(size, all.largest / (number + 1)), few * size};
     return kind.sample == Sample::ray ? both(seen, unseen) : larger(seen, unseen);
 }
@@ -154,15 +164,15 @@ void OrganContributions::read_points(
              false,
              sums.data().spectra.size() == 1,
              {{Sample::point},
-              {.uncounted = {
-                   all > 0 && found == all ? on_triangle : direct, found > 0 ? direct : 0}}}});
+              {.more = all > 0 && found == all ? on_triangle : direct,
+               .less = found > 0 ? direct : 0}}});
         const bool is_lit = (is_upper ? sum.scattered_upper : sum.scattered_lower) > 0;
         kinds_.push_back(
             {side,
              false,
              false,
              false,
-             {{Sample::path}, {.uncounted = {scattered, is_lit ? scattered : 0}}}});
+             {{Sample::path}, {.more = scattered, .less = is_lit ? scattered : 0}}});
     }
 }
 
@@ -216,7 +226,7 @@ OrganContributions OrganContributions::sunlit(
     const double count = reader.replicates();
     const double one = reader.largest_sunlit() / count;
     if (all.has_points_) {
-        all.kinds_ = {{.sampled = {{Sample::point}, {.uncounted = {one, one}}}}};
+        all.kinds_ = {{.sampled = {{Sample::point}, {.more = one, .less = one}}}};
     }
     all.bound_ = !all.has_points_ && strategies.empty() ? one : 0;
     double area = 0;
@@ -250,7 +260,7 @@ void OrganContributions::include(const OrganContributions& organ, double weight)
     }
     for (std::size_t i = 0; i < organ.kinds_.size(); ++i) {
         const SampledContributions& other = organ.kinds_[i].sampled;
-        kinds_[i].sampled.all.include(other.all, other.kind.sample, weight);
+        kinds_[i].sampled.all.include(other.all, other.kind, weight);
     }
     absorptance_ = std::max(absorptance_, organ.absorptance_);
     bound_ = std::max(bound_, organ.bound_ * weight);

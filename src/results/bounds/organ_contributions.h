@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,19 +25,60 @@ struct ContributionKind {
     friend bool operator==(const ContributionKind&, const ContributionKind&) = default;
 };
 
+/// How a number of a weighted sum follows from those of its terms.
+enum class SumRule : std::uint8_t {
+    sum,              ///< terms are weight x number
+    root_of_squares,  ///< adds squares of weight x number
+    largest,          ///< takes the largest weight x number
+    largest_of_all,   ///< takes the largest number, whatever its weight
+};
+
 /// The contributions of a kind to the light of an organ, or of several: as changes of the mean of
-/// the replicates.
+/// the replicates. Light may be counted, or its contributions alone be known.
 struct Contributions {
-    double light = 0;                 ///< their sum
-    double root = 0;                  ///< root of the sum of their squares
-    double largest = 0;               ///< one to organs that have some
-    double unseen = 0;                ///< one to organs that have none, from one ray
-    bool varies = false;              ///< replicates differ, and show how often they do
-    ContributionSize uncounted = {};  ///< one, if they are not counted
+    double light = 0;    ///< their sum
+    double root = 0;     ///< root of the sum of their squares
+    double largest = 0;  ///< one to organs that have some
+    double unseen = 0;   ///< one to organs that have none
+    double varies = 0;   ///< 1: replicates differ, and show how often they do
+    // Not counted:
+    double more = 0, less = 0;  ///< one more, one less
 
     /// Includes those to another organ. @param weight  of its light, above 0
-    void include(const Contributions& other, Sample sample, double weight);
+    void include(const Contributions& other, const ContributionKind& kind, double weight);
 };
+
+/// A number of Contributions, and how it is summed.
+struct ContributionNumber {
+    double Contributions::*number;
+    bool is_counted;  ///< kinds that are counted have it, or the others
+    SumRule of_paths, of_rays;
+
+    [[nodiscard]] SumRule rule(const ContributionKind& kind) const {
+        return kind.sample == Sample::ray ? of_rays : of_paths;
+    }
+};
+
+/// THE TABLE of numbers of contributions.
+inline constexpr std::array<ContributionNumber, 7> kContributionNumbers{{
+    {&Contributions::light, true, SumRule::sum, SumRule::sum},
+    {&Contributions::root, true, SumRule::root_of_squares, SumRule::root_of_squares},
+    {&Contributions::largest, true, SumRule::largest, SumRule::root_of_squares},
+    {&Contributions::unseen, true, SumRule::largest, SumRule::sum},
+    {&Contributions::varies, true, SumRule::largest_of_all, SumRule::largest_of_all},
+    {&Contributions::more, false, SumRule::largest, SumRule::root_of_squares},
+    {&Contributions::less, false, SumRule::largest, SumRule::root_of_squares},
+}};
+
+/// Calls visit(row of the table) for the numbers of a kind.
+template <typename Visit>
+void for_each_number(const ContributionKind& kind, const Visit& visit) {
+    for (const ContributionNumber& row : kContributionNumbers) {
+        if (row.is_counted == kind.is_counted()) {
+            visit(row);
+        }
+    }
+}
 
 /// The contributions of one kind.
 struct SampledContributions {

@@ -185,12 +185,12 @@ TEST(CombineOf, ManyOrgansHasTheSameBitsOnAnyNumberOfThreads) {
 /// Organs with few contributions each, which together have many: replicates show the error.
 TEST(CombineOf, ManyContributionsToSeveralOrgansIsNotWidened) {
     const ContributionKind kind{Sample::path, 40};
-    const Contributions few{.light = 10, .root = std::sqrt(10), .largest = 1, .varies = true};
+    const Contributions few{.light = 10, .root = std::sqrt(10), .largest = 1, .varies = 1};
     Contributions group;
-    group.include(few, kind.sample, 1);
+    group.include(few, kind, 1);
     EXPECT_DOUBLE_EQ((SampledContributions{kind, group}.one().more), .75);
     for (int i = 1; i < 5; ++i) {
-        group.include(few, kind.sample, 1);
+        group.include(few, kind, 1);
     }
     EXPECT_EQ((SampledContributions{kind, group}.one().more), 0);
     EXPECT_EQ((SampledContributions{kind, group}.one().less), 0);
@@ -201,8 +201,8 @@ TEST(CombineOf, ManyContributionsDoesNotHideAnOrganWithout) {
     for (const Sample sample : {Sample::path, Sample::ray}) {
         const ContributionKind kind{sample, 40};
         Contributions group;
-        group.include({.light = 1e4, .root = 100, .largest = 1, .varies = true}, sample, 1);
-        group.include({.unseen = 3}, sample, 2);
+        group.include({.light = 1e4, .root = 100, .largest = 1, .varies = 1}, kind, 1);
+        group.include({.unseen = 3}, kind, 2);
         EXPECT_EQ((SampledContributions{kind, group}.one().more), 6);
         EXPECT_EQ((SampledContributions{kind, group}.one().less), 0);
     }
